@@ -215,7 +215,7 @@ def plot(
     ] = None,
     start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
     stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
-    typeface: Annotated[Typeface, typer.Option("--typeface", help="Letters of the figure.")] = "sans",
+    typeface: Annotated[Typeface, typer.Option("--typeface", help="Typeface of the figure.")] = "sans",
     model: Annotated[
         list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
     ] = None,
@@ -293,6 +293,7 @@ def run_command(
         if with_report:
             outcome.emit_verdict(place.root)
         typer.echo(outcome.summary(results))
+    outcome.emit_stale_exports(place.root)
 
 
 @app.command()
@@ -329,6 +330,7 @@ def status(
         outcome.emit_fleet_status(fleet_status(runs), as_json=as_json)
         return
     outcome.emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
+    outcome.emit_stale_exports(runs[0])
     if said := missing_settings(runs[0]):
         typer.echo(f"note: {said}", err=True)
 

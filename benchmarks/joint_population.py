@@ -1,9 +1,9 @@
 """Estimates the population prior of `rbf` anew (`pipeline/models/assets/joint_population.npz`).
 
 `debist rig fleet 70 -o FLEET --seed 990100`, then `python benchmarks/joint_population.py FLEET`. The usual structure of
-a bistable joint, its curves smooth and its sides alike to 3 %, is fitted to both logs of each joint, tied to them;
-their information makes one distribution (`pipeline.identification.population`). About ten seconds of processor time a
-joint.
+a bistable joint, its curves smooth and its sides alike to 3 %, is fitted to both logs of each joint, coupled to them;
+their information makes one distribution (`pipeline.identification.population_estimate`). About ten seconds of processor
+time a joint.
 """
 
 import argparse
@@ -16,13 +16,13 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
 from measure import Silent
 
-from pipeline.identification.homotopy import TIED
+from pipeline.identification.homotopy import COUPLED
 from pipeline.identification.joint_prior import joint_prior
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_start import starting_joint
 from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population import Information, estimate_population, information_of
+from pipeline.identification.population_estimate import Information, estimate_population, information_of
 from pipeline.loading.trajectories import training
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.joint_population import ASSET, write_population
@@ -66,7 +66,7 @@ def fitted(folder: Path) -> Fitted:
     p, theta = model.parameters, model.theta
     _, start = starting_joint(logs, one.structure, "squared", centred=True)
     prior = joint_prior(p, start, one.symmetry)
-    residual, jacobian = JointProblem(p, logs).jacobian(theta, TIED)
+    residual, jacobian = JointProblem(p, logs).jacobian(theta, COUPLED)
     noise = one.noise_inflation * float(np.sqrt(np.mean(residual**2)))
     offset, scale = p.dimensionless
     precision = scale[:, None] * (prior.matrix.T @ prior.matrix) * scale

@@ -167,7 +167,7 @@ class Run:
         models : sequence of str
             The models that are drawn; without any those that the report shows.
         typeface : {"sans", "serif"}
-            Letters of the figure.
+            Typeface of the figure.
 
         Raises
         ------

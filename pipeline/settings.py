@@ -83,7 +83,7 @@ class Channels(_Settings):
     time: Channel | None = None
     """Time; left out where the format carries its own time base."""
     q: Channel
-    """Displacement of the joint: a length or an angle."""
+    """Displacement of the joint: a length or an angle, or the voltage that stands for it in a circuit."""
     qdot: Channel | None = None
     """Velocity of q where it was measured too (a tachometer, a gyroscope, a laser vibrometer), in the unit of q per
     time as in mm/s or deg/s: derivatives and the fit of `rbf` then rest on it as well."""
@@ -173,9 +173,9 @@ class Differentiate(_Settings):
     order: Literal[1, 2, 3, 4] = 3
     """Derivative whose variation TVRegDiff penalises; 1 is the paper's, applied twice for the acceleration."""
     alpha: Number | Literal["auto"] = "auto"
-    """Regularisation parameter, for q in mm [mm·s^order] or deg; "auto": from the log's noise; the paper's: 0.01."""
+    """Regularisation parameter, for q in mm [mm·s^order], deg or mV; "auto": by the log's noise; the paper's: 0.01."""
     epsilon: Number | None = Field(default=None, gt=0.0, le=1e6)
-    """With a fixed alpha: rounding of the variation's corner, for q in mm [(mm/s^order)²] or deg; 1e-6 if left out."""
+    """With a fixed alpha: rounding of the variation's corner, for q in mm [(mm/s^order)²], deg or mV; default 1e-6."""
     reweighted: Switch = True
     """Lift the penalty where the acceleration jumps; applies to alpha = "auto" and orders above 1."""
     rate: Literal["record", "signals"] = "record"
@@ -339,8 +339,9 @@ class Prototype(_Settings):
             )
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
-        for key in ("friction", "rbf_basis_functions", "rbf_smoothing", "rbf_prior"):
-            if getattr(self.identify, key) != "auto" and not {AUTO, "rbf"} & set(self.identify.models):
+        of_rbf = [key for key, field in Identify.model_fields.items() if field.default == AUTO]
+        for key in of_rbf:
+            if getattr(self.identify, key) != AUTO and not {AUTO, "rbf"} & set(self.identify.models):
                 raise ValueError(f'identify.{key}: is for "rbf", which identify.models does not name')
         return self
 

@@ -60,6 +60,7 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d.update(identify={"models": []}), ["identify.models"]),
         (lambda d: d.update(compare={"models": ["rbf"]}), ["compare.models", "no model 'rbf' here", "sindy"]),
         (lambda d: d.update(identify={"models": ["rbf-paper"], "friction": "lag"}), ["identify.friction", '"rbf"']),
+        (lambda d: d.update(identify={"models": ["rbf-paper"], "drag": "none"}), ["identify.drag", '"rbf"']),
     ],
 )
 def test_a_mistake_is_one_line_that_names_the_key(change: Callable[[dict[str, Any]], Any], words: list[str]) -> None:

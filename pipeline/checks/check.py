@@ -12,12 +12,12 @@ from pipeline.checks.rows import (
     DRAWN_MASS,
     DRAWN_RING_DOWN,
     LEAST_PER_PERIOD,
+    MOST_CORRELATED,
     MOST_DELAY,
     MOST_MISFIT,
     MOST_RATIO,
     MOST_RESOLUTION,
     MOST_SIDES,
-    MOST_TIED,
     MOST_UNEXPLAINED,
     NOTED_RATIO,
     NOTED_SIDES,
@@ -106,7 +106,7 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
             rows.append(CheckRow(fact.signals.name, f"push of v{i + 1}", said, "", state, None, advice))
             continue
         rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
-    rows += [*_tied_rows(fact, declared), *_rest_level_rows(fact, declared), *_law_rows(fact, declared)]
+    rows += [*_correlated_rows(fact, declared), *_rest_level_rows(fact, declared), *_law_rows(fact, declared)]
     if declared.joint:
         rows += [*_scale_rows(fact, declared), *_side_rows(fact)]
     return rows
@@ -155,7 +155,7 @@ def _rate_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         return [rate]
     per_period = 1.0 / (fact.ring * interval)
     enough = per_period >= LEAST_PER_PERIOD
-    found, limit = f"{per_period:.0f} samples", f"≥ {LEAST_PER_PERIOD:g}"
+    found, limit = f"{per_period:.{0 if per_period >= 2.0 else 1}f} samples", f"≥ {LEAST_PER_PERIOD:g}"
     advice = "" if enough else f"set [ingest] sample_interval = {significant(0.05 / fact.ring, 1)}"
     return [rate, CheckRow(log.name, "uniform, a period", found, limit, "ok" if enough else "note", None, advice)]
 
@@ -296,18 +296,18 @@ def _side_rows(fact: LogFacts) -> list[CheckRow]:
     ]  # fmt: skip
 
 
-def _tied_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
+def _correlated_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     """Two inputs of which one says all that the other does."""
     if None in fact.inputs or len(fact.inputs) < 2:
         return []
     acting = np.square(fact.signals.v) if declared.squared else fact.signals.v
-    tied = float(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T)[0, 1])
-    if abs(tied) < MOST_TIED:
+    correlation = float(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T)[0, 1])
+    if abs(correlation) < MOST_CORRELATED:
         return []
     advice = (
         "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
     )
-    found, limit = f"correlation {tied:.4f}", f"< {MOST_TIED:g}"
+    found, limit = f"correlation {correlation:.4f}", f"< {MOST_CORRELATED:g}"
     return [CheckRow(fact.signals.name, "v2 beside v1", found, limit, "note", None, advice)]
 
 
@@ -347,7 +347,7 @@ def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 def _short(value: float, unit: str) -> str:
     """A round number with its unit."""
     shown, factor = scale(unit, value)
-    return f"{significant(value * factor).rstrip('0').rstrip('.')} {shown}"
+    return f"{value * factor:.3g} {shown}"
 
 
 def _times(ratio: float | None) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.checks.weak_form import FORCE_ORDER, GAIN_TERMS, LogSignals, WeakTerms, scales_of, solve, weak_terms
-from pipeline.device_facts.events import RestFacts, rest_facts
+from pipeline.device_facts.events import RestFacts, RingDown, rest_facts
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells, snaps
 from pipeline.scoring.wells import rests as quiet_rows
@@ -21,6 +21,7 @@ REACH = 20
 """Delays up to so many sample intervals are looked for."""
 _ON = 0.25  # of an input's largest drive: there it counts as switched on
 _LEAST_ON = 20  # bumps with the input on, for a statement about it
+_RING_INTERVAL = 0.01  # s, at which ring-downs are looked for where there are none at the sample interval
 _CLEAR_RING = 0.15  # unexplained share up to which a ring-down's frequency counts
 
 
@@ -188,12 +189,14 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
     terms = weak_terms(log, sample_interval, scales_of(log, squared=squared), squared=squared)
     inputs = (None,) * log.v.shape[1] if terms is None else input_facts(terms, sample_interval)
     every = max(1, round(sample_interval / log.interval))
-    t, q, v = log.t[::every], log.q[::every], np.ascontiguousarray(log.v[::every])
+    t, q, v = log.every(every)
     wells = find_wells([(q, v, every * log.interval)])
     rests = rest_facts([(t, q, v)], wells)
+    rings = _rings(rests)
+    if not rings and every > _ring_step(log):  # which a sample interval that is too long hides
+        rings = _rings(rest_facts([log.every(_ring_step(log))], wells))
     natural = None if terms is None else _natural_frequency(terms)
     both_signs = any(map(takes_both_signs, log.v.min(axis=0).tolist(), log.v.max(axis=0).tolist()))
-    rings = [ring for ring in (*rests.rings_left, *rests.rings_right) if ring.unexplained <= _CLEAR_RING]
     return LogFacts(
         signals=log,
         inputs=inputs,
@@ -208,6 +211,16 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
         unexplained=None if terms is None else _unexplained(terms),
         under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if both_signs else None,
     )
+
+
+def _ring_step(log: LogSignals) -> int:
+    """Rows of a record in `_RING_INTERVAL`."""
+    return max(1, round(_RING_INTERVAL / log.interval))
+
+
+def _rings(rests: RestFacts) -> list[RingDown]:
+    """The ring-downs whose frequency counts."""
+    return [ring for ring in (*rests.rings_left, *rests.rings_right) if ring.unexplained <= _CLEAR_RING]
 
 
 def _unexplained_by(log: LogSignals, sample_interval: float, *, squared: bool) -> float | None:

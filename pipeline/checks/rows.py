@@ -101,7 +101,7 @@ MOST_DELAY = 2.5
 """Sample intervals between an input and the answer of q. Drives, probes, sensors and the creep of the membranes shift
 it by up to 1.3 intervals in honest logs; two recorders that start one after the other by far more."""
 
-MOST_TIED = 0.999
+MOST_CORRELATED = 0.999
 """Correlation of the two inputs, as they act, from which on they are one."""
 
 SIGN_CERTAINTY = 4.0

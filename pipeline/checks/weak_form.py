@@ -54,6 +54,10 @@ class LogSignals:
         """Step of the grid [s]."""
         return sample_interval(self.t)
 
+    def every(self, step: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Times, displacement and inputs of every `step`-th row."""
+        return self.t[::step], self.q[::step], np.ascontiguousarray(self.v[::step])
+
 
 @dataclass(frozen=True)
 class Scales:

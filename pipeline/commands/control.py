@@ -122,7 +122,7 @@ def pulse(
     with Progress(quiet=quiet) as progress:
         found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), progress)
     place = output or run / layout.EXPORTS / f"pulse-to-{to}.csv"
-    files = control.write_pulse(found, place, force=force)
+    files = control.write_pulse(run, found, place, force=force)
     if as_json:
         emit_json({"files": files, **found})
         return

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pipeline.commands.console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text
+from pipeline.rig_logs.inspection import moment
 from pipeline.si_prefix import quantity
 
 if TYPE_CHECKING:
@@ -48,7 +49,7 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
         )
     for base in inspection.time_bases:
         for start, stop in base.gaps_at:
-            emit_text(f"gap of {quantity(stop - start, 's')} from {start:.6g} s to {stop:.6g} s")
+            emit_text(f"gap of {quantity(stop - start, 's')} from {moment(start)} to {moment(stop)}")
     for note in inspection.notes:
         emit_text(note)
     if isinstance(excitation, str):

@@ -74,6 +74,15 @@ def emit_verdict(run: Path) -> None:
     emit_text(f"report: {run / 'report.html'}")
 
 
+def emit_stale_exports(run: Path) -> None:
+    """Warn, on stderr, of exports that were made from another model than the run now holds."""
+    from pipeline.tools.export import stale_exports
+
+    if stale := stale_exports(run):
+        made = "was made" if len(stale) == 1 else "were made"
+        typer.echo(f"warning: {brief(stale)} {made} from another model than the run now holds; export again", err=True)
+
+
 def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, as_json: bool) -> None:
     """Print for each run its stale stages with the first reason, or why it cannot be read.
 

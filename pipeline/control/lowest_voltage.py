@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.control.ensemble import Converters, Ensemble, ensemble_at
-from pipeline.control.switching_map import BAND, Well, pulses
+from pipeline.control.switching_map import Well, pulses
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import NORMAL_90
 
 DURATIONS = (0.1, 0.2, 0.5)
 """Of the pulses whose lowest voltages are told [s]."""
@@ -93,7 +94,7 @@ def lowest_voltage(
     slopes = np.subtract(*np.split(logs, 2)) / (2.0 * STEP)
     of_parameters = float(np.linalg.norm(slopes[:-2] * lengths[lengths > 0.0]))
     of_lags = float(converters.spread * np.linalg.norm(slopes[-2:]))
-    half = BAND * float(np.linalg.norm([of_parameters, of_lags, converters.probe]))
+    half = NORMAL_90 * float(np.linalg.norm([of_parameters, of_lags, converters.probe]))
     low, high = found * np.exp([-half, half])
     return LowestVoltage(duration, found, float(low), float(high), of_parameters, of_lags, converters.probe)
 

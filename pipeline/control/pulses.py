@@ -20,11 +20,21 @@ PERMITTED = {"time": 1.0, "energy": 0.5, "voltage": 0.8}
 BANDS = (0.6, 0.8, 1.0)
 """Shares of the settling band over which the optimisation takes the mean: a narrow one alone asks a joint that creeps
 for what no pulse does (1 s where 0.18 s is possible), a wide one alone leaves nothing for draws that differ."""
+CHARGE_COST, SETTLING_COST, OVERTIME_COST = 0.05, 0.02, 2.0
+"""Cost of a charge with the largest voltage, of a second of settling beside charge or voltage, and of one beyond
+`PERMITTED`, where a settling time in seconds, or the largest voltage's share, costs 1."""
+CHARGING = 5e-3
+"""Duration [s] of a segment from which on it charges its membrane wholly, about the converters' lag."""
+LATE = 0.2
+"""Last part of a run [s] whose distance from the target ranks pulses that do not settle."""
 _BOUNDS = ((0.02, 0.35), (0.05, 1.0), (0.0, 0.25), (-1.0, 0.0), (0.0, 0.25), (-0.6, 0.6))
+"""Durations [s] and efforts of push, brake and catch between which the optimisation looks."""
 _ROBUST = 5
+"""Draws beside the estimate that judge a pulse."""
 _SEEDS = (7, 8, 9)
 _ROUNDS, _ROBUST_ROUNDS = 60, 30
 _FAILED = 10.0
+"""Cost of a pulse that does not settle, which is above that of any that does."""
 
 
 @dataclass(frozen=True)
@@ -141,15 +151,15 @@ def judged(q: FloatArray, start: float, target: float, distance: float, values: 
     each = [settling_times(q, target, share * distance) for share in BANDS]
     settling = np.mean(np.minimum(each, LENGTH), axis=0)
     over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance
-    late = np.abs(q[..., -50:] - target).mean(axis=2) / distance
+    late = np.abs(q[..., -round(LATE / INTERVAL) :] - target).mean(axis=2) / distance
     size = np.abs(values[:, 1::2])
-    spent = (size * np.minimum(values[:, 0::2] / 5e-3, 1.0)).sum(axis=1)
+    spent = (size * np.minimum(values[:, 0::2] / CHARGING, 1.0)).sum(axis=1)
     cost = {
         "time": settling,
-        "energy": 0.05 * spent[:, None] + 0.02 * settling,
-        "voltage": size.max(axis=1)[:, None] + 0.02 * settling,
+        "energy": CHARGE_COST * spent[:, None] + SETTLING_COST * settling,
+        "voltage": size.max(axis=1)[:, None] + SETTLING_COST * settling,
     }[goal]
-    cost = cost + over + 2.0 * np.maximum(settling - PERMITTED[goal], 0.0)
+    cost = cost + over + OVERTIME_COST * np.maximum(settling - PERMITTED[goal], 0.0)
     return np.asarray(np.where(np.isfinite(each[-1]), cost, _FAILED * (1.0 + late)))
 
 

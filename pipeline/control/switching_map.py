@@ -7,6 +7,7 @@ import numpy as np
 
 from pipeline.control.ensemble import COMMAND, Ensemble
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import NORMAL_90
 from pipeline.numerics.progress import OnProgress, silent
 
 Well = Literal["left", "right"]
@@ -18,8 +19,6 @@ REACH = 3
 _AT_ONCE = 256
 LEAST_VOLTAGE, SHORTEST, LONGEST = 0.3, 0.02, 1.0
 """Of the map: lowest voltage as a share of the largest, shortest and longest pulse [s]."""
-BAND = 1.645
-"""Standard deviations of the central 90 %."""
 
 
 @dataclass(frozen=True)
@@ -93,8 +92,8 @@ def switching_map(
         rows, columns = open_cells.T
         total[rows, columns] += switched(open_cells, which) - estimate[rows, columns]
     share = total / count
-    middle = (share + BAND**2 / (2 * count)) / (1 + BAND**2 / count)
-    half = BAND / (1 + BAND**2 / count) * np.sqrt(share * (1 - share) / count + BAND**2 / (4 * count**2))
+    middle = (share + NORMAL_90**2 / (2 * count)) / (1 + NORMAL_90**2 / count)
+    half = NORMAL_90 / (1 + NORMAL_90**2 / count) * np.sqrt(share * (1 - share) / count + NORMAL_90**2 / (4 * count**2))
     return SwitchingMap(to, voltages, durations, share, np.maximum(middle - half, 0.0), np.minimum(middle + half, 1.0))
 
 

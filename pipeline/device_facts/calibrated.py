@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_facts.datasheet import NINETY
 from pipeline.joint.condensed_parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS
 from pipeline.joint.parameters import QUANTITIES, VECTOR_NAMES
 from pipeline.models.base import Model
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import NORMAL_90
 from pipeline.units import POWERS
 
 
@@ -82,7 +82,7 @@ def _one(model: HybridModel, i: int) -> Calibrated:
 def _bounds(model: HybridModel, row: FloatArray) -> FloatArray:
     """0 and the central 90 % about it of a number that depends on the deviations by `row`, shape (3,)."""
     sd = float(np.sqrt(np.sum((row @ model.spread[: len(row)]) ** 2)))
-    return NINETY * sd * np.array([0.0, -1.0, 1.0])
+    return NORMAL_90 * sd * np.array([0.0, -1.0, 1.0])
 
 
 _WIDTHS = np.array([entry.width for entry in DEVIATIONS])

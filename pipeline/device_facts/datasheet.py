@@ -12,6 +12,7 @@ from pipeline.device_facts.quality import THRESHOLDS, Check, data_checks, model_
 from pipeline.device_facts.run_data import RunData, wells_of_run
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray, voltages
+from pipeline.numerics.metrics import NORMAL_90
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import quantity
 
@@ -43,8 +44,6 @@ TITLES = {
     "asymmetry_wells": ("asymmetry of the wells, (q₊ + q₋)/(q₊ − q₋)", "%"),
     "asymmetry_barriers": ("asymmetry of the wells' depth, ΔU over the mean barrier", "%"),
 }
-NINETY = 1.645
-"""Standard deviations of half a central 90 % interval."""
 LEAST_EVENTS = 3
 """Events below which a spread says nothing."""
 LEAST_SPREAD = 0.05
@@ -137,7 +136,7 @@ def distance(fact: Fact) -> float | None:
         return abs(fact.free_run - fact.measured) / spread
     if fact.value is None:
         return None
-    return abs(fact.value - fact.measured) / float(np.hypot(spread, (fact.half_width or 0.0) / NINETY))
+    return abs(fact.value - fact.measured) / float(np.hypot(spread, (fact.half_width or 0.0) / NORMAL_90))
 
 
 def _shown(fact: Fact, value: float | None, spread: float | None) -> str:

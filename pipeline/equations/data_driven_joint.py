@@ -9,7 +9,7 @@ In the dimensionless displacement x (±1 spans the training data) and its veloci
     ds_j = (dx − |dx| s_j)/δ_j
 
 Each law here is of one curve, element or friction state, whose numbers are inputs. Sums over as many as a joint has are
-taken by `pipeline.identification.relaxing_joint` in runs and by `pipeline.export.data_driven` in C and MATLAB.
+taken by `pipeline.identification.viscoelastic_joint` in runs and by `pipeline.export.data_driven` in C and MATLAB.
 """
 
 from typing import Any

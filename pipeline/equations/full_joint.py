@@ -14,10 +14,7 @@ import casadi as ca
 from pipeline.equations import membrane
 from pipeline.equations.beam import Expression, Polynomial, Powers, bending_density, shortening_density
 from pipeline.equations.elements import dahl_rate, maxwell_rate
-from pipeline.joint.parameters import VACUUM_PERMITTIVITY, VECTOR_NAMES
-
-BEAM_DAMPING_FACTOR = 2.0
-"""The 2 of 2ηI in eq. 12; η is a fitted number, so another factor only rescales it."""
+from pipeline.joint.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
 
 
 @dataclass(frozen=True)
@@ -110,7 +107,7 @@ def beam_energy(s: Symbols) -> Expression:
 
 def membrane_volume(s: Symbols, side: str) -> Expression:
     """V_DE = n A0 d0 [m³]."""
-    return s.parameter(f"{side}.n") * s.parameter(f"{side}.A0") * s.parameter(f"{side}.d0")
+    return volume(*(s.parameter(f"{side}.{name}") for name in ("n", "A0", "d0")))
 
 
 def elastic_energy(s: Symbols) -> Expression:
@@ -122,11 +119,11 @@ def elastic_energy(s: Symbols) -> Expression:
 
 
 def capacitances(s: Symbols) -> Expression:
-    """C_i = C0 / λ3² = C0 λ1 [F] (eq. 11, uniaxial), with C0 = n ε0 εr β A0 / d0, shape (2,)."""
+    """C_i = C0 / λ3² = C0 λ1 [F] (eq. 11, uniaxial), shape (2,)."""
     values = []
     for side, stretch in zip(("left", "right"), stretches(s), strict=True):
-        n, eps_r, beta, area, d0 = (s.parameter(f"{side}.{k}") for k in ("n", "eps_r", "beta", "A0", "d0"))
-        values.append(n * VACUUM_PERMITTIVITY * eps_r * beta * area / d0 * stretch)
+        undeformed = capacitance(*(s.parameter(f"{side}.{name}") for name in ("n", "eps_r", "beta", "A0", "d0")))
+        values.append(undeformed * stretch)
     return ca.vertcat(*values)
 
 

@@ -38,7 +38,7 @@ START, WEAKEST, STRONGEST = 1e-3, 1e-8, 1e6
 
 
 class ObservedProblem(Protocol):
-    """A simulation tied to data."""
+    """A simulation that an observer couples to data."""
 
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """Simulated minus measured, shape (N,); None if the simulation diverged."""
@@ -61,7 +61,7 @@ class Prior:
 
 
 class ParallelProblem(ObservedProblem, Protocol):
-    """A simulation tied to data that runs several parameter vectors side by side."""
+    """A simulation that an observer couples to data that runs several parameter vectors side by side."""
 
     def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
         """Simulated minus measured of each row of `thetas`, shape (B, N); NaN where a simulation diverged."""

@@ -118,7 +118,10 @@ def examine_excitation(
     stretches = [segment == number for number in np.unique(segment[valid])]
     stretches = [rows for rows in stretches if np.count_nonzero(rows) >= _SHORTEST]
     if not stretches:
-        raise InputError(f"no gap-free stretch has {_SHORTEST} samples of {interval:g} s; there is nothing to identify")
+        raise InputError(
+            f"no gap-free stretch of a training log has {_SHORTEST} samples of {interval:g} s; there is nothing to "
+            "identify: shorten [ingest] sample_interval, or record longer"
+        )
     motions = [(q[rows], np.gradient(q[rows], interval), v[rows]) for rows in stretches]
     largest = np.abs(v[valid]).max(axis=0)
     weights = Weights.over(

@@ -21,8 +21,8 @@ from pipeline.numerics.kept import Keep, Parts, make_anew
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
 
-TIED = 0.3
-"""The one of them at which a chaotic device stays, because simulations part that are tied less, and a bistable one,
+COUPLED = 0.3
+"""The one of them at which a chaotic device stays, because simulations part that are coupled less, and a bistable one,
 because single passages near the separatrix decide its free run."""
 
 LEAST_STEPS = 3
@@ -125,8 +125,8 @@ def fit_homotopy(
     on_progress : callable
         Told the gain and the RMS of the residual before each step.
     parts : callable
-        Whether a free run with θ parts from one that starts beside it; asked after the level `TIED`, which then is the
-        last: the error of a chaotic run is no cost to descend on.
+        Whether a free run with θ parts from one that starts beside it; asked after the level `COUPLED`, which then is
+        the last: the error of a chaotic run is no cost to descend on.
     keep : callable
         Keeps each level when it is finished.
 
@@ -209,7 +209,7 @@ class _Levels:
         if not state.linearise():
             return self._overflown(before)
         done = self._descend(state, gain, last=not following)
-        chaotic = bool(following) and gain == TIED and self.parts(state.theta)
+        chaotic = bool(following) and gain == COUPLED and self.parts(state.theta)
         if chaotic:
             following, done = [], self._descend(state, gain, last=True)
         if not following:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pipeline.identification import relaxing_joint as joint
+from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.descent import Prior
 from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout

@@ -1,4 +1,4 @@
-"""The data-driven joint tied to its training logs: residuals and Jacobians of the displacement."""
+"""The data-driven joint coupled to its training logs by an observer: residuals and Jacobians of the displacement."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -10,7 +10,7 @@ from scipy.interpolate import CubicSpline
 from pipeline.identification.descent import Effort
 from pipeline.identification.input_path import drive_at_nodes, known_inputs, spline_through
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.relaxing_joint import basis, no_sensitivities, observed_run
+from pipeline.identification.viscoelastic_joint import basis, no_sensitivities, observed_run
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.scoring.chaos import NUDGE, parted_at
 from pipeline.signals.noise import noise_std
@@ -202,12 +202,12 @@ class JointProblem:
             kinds.append(np.arange(np.count_nonzero(log.kept)) < rows)
         return np.concatenate(kinds)
 
-    def held_out(self, theta: FloatArray, gain: float, tied: float = 0.0) -> list[FloatArray]:
-        """Errors behind the split of each log in free run, or at the gain `tied`; infinite where a run diverged."""
+    def held_out(self, theta: FloatArray, gain: float, coupled: float = 0.0) -> list[FloatArray]:
+        """Errors behind the split of each log, free or at an observer gain `coupled`; infinite where a run diverged."""
         errors = []
         for log in self.logs:
             observe = log.observe.copy()
-            observe[log.split :] *= tied / gain
+            observe[log.split :] *= coupled / gain
             states, _, _ = self._run(theta, log, gain, stop=len(log.measured), sensitive=False, observe=observe)
             error = (states[:, 0] - log.measured)[log.split :][log.observe[log.split :] > 0.0]
             errors.append(np.where(np.isfinite(error), error, np.inf))

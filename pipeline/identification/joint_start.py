@@ -12,12 +12,12 @@ from scipy.optimize import lsq_linear
 
 from pipeline.errors import InputError
 from pipeline.generated.terms import BELL, STOP_FORCE
-from pipeline.identification import relaxing_joint as joint
+from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.joint_structure import OVERDAMPED, JointStructure, Scales
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Record
+from pipeline.signals.trajectory import Record, operating_range
 
 TIMES = ("input_lag", "input_delay")
 """Blocks of θ that hold times of the drive."""
@@ -56,12 +56,7 @@ def data_scales(records: Sequence[Record], *, centred: bool, reach: tuple[float,
     InputError
         No data, a displacement that never changes, or inputs that are always zero.
     """
-    if not records:
-        raise InputError("there is no training data; name at least one training log with valid samples")
-    low = min(float(r.q[r.valid].min()) for r in records)
-    high = max(float(r.q[r.valid].max()) for r in records)
-    if not high > low:
-        raise InputError(f"q is constant ({low:g}) in all training logs; nothing can be identified from it")
+    low, high = operating_range(records)
     low, high = min(low, reach[0]), max(high, reach[1])
     volts = max(float(np.abs(r.v).max()) for r in records)
     if volts == 0.0:

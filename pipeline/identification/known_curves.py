@@ -11,7 +11,7 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from pipeline.errors import InputError
-from pipeline.identification import relaxing_joint as joint
+from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.descent import Prior
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.numerics.arrays import FloatArray

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.identification import relaxing_joint as joint
+from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.parameter_layout import ParameterLayout, kind_of
 from pipeline.numerics.arrays import FloatArray
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.generated.terms import BENT, PAST_ZONE
-from pipeline.identification import relaxing_joint as joint
+from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.input_path import drive_at_nodes, lagged
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.rbf import InputLaw
@@ -84,7 +84,7 @@ class ParameterLayout:
 
     @cached_property
     def rows(self) -> dict[str, int]:
-        """Which curve each block of weights makes, in the order of `relaxing_joint.Coefficients.curves`."""
+        """Which curve each block of weights makes, in the order of `viscoelastic_joint.Coefficients.curves`."""
         s, k = self.structure, len(self.signs)
         names = ["force", "damping", *(f"input{i}" for i in range(k)), *(f"coupling{i}" for i in range(len(s.rates)))]
         for i in range(s.shape_elements):
@@ -272,7 +272,7 @@ def kind_of(block: str) -> str:
 
 
 _PLACES = {"inertia": joint.ARC, "inertia_centre": joint.CENTRE, "drag": joint.DRAG, "stops": joint.STOPS}
-"""Where the derivatives by numbers of the equation stand, see `relaxing_joint.NUMBER`."""
+"""Where the derivatives by numbers of the equation stand, see `viscoelastic_joint.NUMBER`."""
 _KINDS = {
     "rate": joint.RATE,
     "slip_force": joint.SLIP_FORCE,

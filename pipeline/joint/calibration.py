@@ -1,8 +1,9 @@
 """Calibration of the analytical model (§ 3.3): bounded least squares on q over windows, from several starts.
 
 Unknowns are scaled by what a designer does not know about them (`PRIORS`), logarithmically where a quantity is
-positive. The same widths enter as a weak Gaussian prior, so that a parameter that a log says nothing about stays
-where the designer put it instead of running to a bound.
+positive. The same widths enter as a weak prior, so that a parameter that a log says nothing about stays where the
+designer put it instead of running to a bound; it has the soft-L1 loss of the data, so what a log is sure of may lie far
+from there.
 """
 
 from collections.abc import Callable, Sequence
@@ -126,7 +127,7 @@ def calibrate(
     Least squares with soft-L1 loss (`pipeline.joint.calibration_search`): a window near a switching that ends in the
     wrong well must not decide the fit. Gradients are those of the variational equations. Cost: an iteration on 37.5 s
     at 10 ms takes 0.1 to 0.2 s of processor time, a third of that while starts are compared; a calibration with three
-    starts 1.5 to 4 s.
+    starts 0.6 to 4 s (docs/reference/speed.md).
     """
     short, wide = cut_windows(motions, WINDOW), cut_windows(motions, 7.5 * WINDOW)
     share = _Share(report, starts * 5 + 3 * MOST_EVALUATIONS)
@@ -194,7 +195,8 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
     windows = int(labels.max()) + 1
     clusters = np.zeros((windows, count))
     np.add.at(clusters, labels, scores[:-count])
-    meat = clusters.T @ clusters * (windows / max(windows - 1, 1)) + np.eye(count)
+    # The rows of the prior, one for each unknown, weigh here as they do in the bread.
+    meat = clusters.T @ clusters * (windows / max(windows - 1, 1)) + np.diag(weights[-count:] ** 2)
     bread = np.linalg.inv(jacobian.T @ (weights[:, None] * jacobian))
     return np.asarray(bread @ meat @ bread)
 

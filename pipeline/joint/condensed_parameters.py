@@ -27,7 +27,8 @@ from pipeline.generated.condensed_joint import (
 )  # fmt: skip
 from pipeline.joint.condensed_kernels import INDEX, prepare
 from pipeline.joint.condensed_statics import rest_state
-from pipeline.joint.parameters import VACUUM_PERMITTIVITY, JointParameters, Membrane
+from pipeline.joint.correction_table import CURVES
+from pipeline.joint.parameters import BEAM_DAMPING_FACTOR, JointParameters, Membrane
 from pipeline.joint.similarity import DIMENSIONS
 from pipeline.numerics.arrays import FloatArray
 
@@ -171,8 +172,8 @@ class Instruments:
 def static_slope_ratio(parameters: JointParameters) -> float:
     """τ / Q of the beam at rest at q = l/8: the shape in which tip and beam move slowly."""
     q = parameters.l / 8.0
-    k = constants(parameters, drawing_alone(), 1.25)
-    x, _ = rest_state(q, np.zeros(2), k, prepare(k[None])[0], np.zeros(3), np.zeros((9, 0)))
+    k = constants(parameters, drawing_alone(), 1.25)  # any ratio: without corrections the equilibrium does not read it
+    x, _ = rest_state(q, np.zeros(2), k, prepare(k[None])[0], np.zeros(3), np.zeros((CURVES, 0)))
     return float(x[2] * parameters.l / q)
 
 
@@ -227,10 +228,10 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
 def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
     """Constants of the beam, the frame and what resists the tip."""
     stiffness = p.E * np.exp(d["log E"]) * p.I / p.l
-    # 2ηI is the paper's (eq. 12); ∫ over the beam in the scaled coordinate leaves 1/l.
-    loss = 2.0 * p.eta * np.exp(d["log eta"]) * p.I / p.l
+    # ∫ over the beam in the scaled coordinate leaves 1/l.
+    loss = BEAM_DAMPING_FACTOR * p.eta * np.exp(d["log eta"]) * p.I / p.l
     beam = p.rho * p.A * p.l
-    relaxation = 0.5 * (p.left.Y_MW / p.left.eta_MW + p.right.Y_MW / p.right.eta_MW) * np.exp(d["log relaxation"])
+    relaxation = 0.5 * (p.left.relaxation + p.right.relaxation) * np.exp(d["log relaxation"])
     by_q, by_tau, by_beta = d["slope by q"], 1.0 + d["slope by tau"], d["slope by beta"]
     least = _LEAST_INERTIA + BENDS[1][1] * loss * by_tau**2 / _FASTEST
     mass = p.m + SHAPES[0][0] * beam
@@ -269,7 +270,7 @@ def correction_widths(p: JointParameters) -> FloatArray:
     About a tenth of what the beam and the membranes of the drawing have: 4 mN (10 % of the actuation), 0.04 N·s/m,
     4e-10 N/V² (10 % of g), 0.2 mN·m, 8 mN·m, 2e-11 N·m/V² and 160 µN·m·s.
     """
-    stiffness, loss = p.E * p.I / p.l, 2.0 * p.eta * p.I / p.l
+    stiffness, loss = p.E * p.I / p.l, BEAM_DAMPING_FACTOR * p.eta * p.I / p.l
     electric = _side(p.left, "left", _values(np.zeros(len(NAMES))))["electric"] / p.left.l0
     slow = [0.017 * stiffness / p.l, 3.6 * loss / p.l**2, 7.8e-3 * electric, 7.8e-3 * electric]
     deviation = [9.2e-3 * stiffness, 0.36 * stiffness, 4.4e-3 * electric * p.l, 4.4e-3 * electric * p.l, 1.8 * loss]
@@ -287,21 +288,19 @@ def _values(deviations: FloatArray) -> dict[str, Any]:
 
 
 def _side(membrane: Membrane, side: str, d: dict[str, Any]) -> dict[str, Any]:
-    volume = membrane.n * membrane.A0 * membrane.d0
-    capacitance = membrane.n * VACUUM_PERMITTIVITY * membrane.eps_r * membrane.beta * membrane.A0 / membrane.d0
     return {
         "a": membrane.a + d[f"{side}.a"],
         "c": membrane.b - membrane.a0 + d[f"{side}.b"],
         "e_z": membrane.e_z + d[f"{side}.e_z"],
         "e_x": membrane.e_x + d["e_x"],
         "l0": membrane.l0,
-        "elastic": volume * membrane.Y / 6.0 * np.exp(d[f"{side}.log Y"]),
+        "elastic": membrane.volume * membrane.Y / 6.0 * np.exp(d[f"{side}.log Y"]),
         "hardening": d["hardening"],
         "hardening_slope": d["hardening slope"],
-        "electric": 0.5 * capacitance * np.exp(d[f"{side}.log C0"]),
+        "electric": 0.5 * membrane.capacitance * np.exp(d[f"{side}.log C0"]),
         "electric_slope": d["electric slope"],
-        "maxwell_0": volume * membrane.Y_MW * np.exp(d[f"{side}.log Y_MW"]),
-        "maxwell_1": volume * d["slow modulus"],
-        "maxwell_2": volume * d["fast modulus"],
-        "viscous": volume * membrane.eta_v * np.exp(d["log eta_v"]),
+        "maxwell_0": membrane.volume * membrane.Y_MW * np.exp(d[f"{side}.log Y_MW"]),
+        "maxwell_1": membrane.volume * d["slow modulus"],
+        "maxwell_2": membrane.volume * d["fast modulus"],
+        "viscous": membrane.volume * membrane.eta_v * np.exp(d["log eta_v"]),
     }

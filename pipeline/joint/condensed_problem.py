@@ -1,4 +1,4 @@
-"""The slow-coordinate joint tied to its training logs: residuals and Jacobians of the displacement.
+"""The slow-coordinate joint coupled to its training logs by an observer: residuals and Jacobians of the displacement.
 
 θ holds deviations from the parameter set (`pipeline.joint.condensed_parameters.DEVIATIONS`), then the weights of the
 RBF corrections, all in prior standard deviations.
@@ -225,7 +225,7 @@ class CondensedProblem:
         return np.concatenate(parts), found
 
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
-        """Errors [mm] over the held-out ends, tied to the measurement with the pole `gain` [1/s]."""
+        """Errors [mm] over the held-out ends, coupled to the measurement with the pole `gain` [1/s]."""
         errors = [
             log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
             for log in self.logs
@@ -253,7 +253,7 @@ class _Log:
         self._seen, self._seen_for = _visibility(record.valid, self.dt)
         self.held = np.zeros(len(self.t), dtype=bool)
         self._followed: dict[int, FloatArray] = {}
-        self._squares: dict[tuple[int, float, float, float], FloatArray] = {}
+        self._squares: dict[tuple[int, float, float, float, float], FloatArray] = {}
 
     def hold_lost(self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int) -> None:
         """See `CondensedProblem.hold_lost`."""
@@ -323,8 +323,8 @@ class _Log:
         return self._followed[steps]
 
     def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
-        # Of fifty columns of a Jacobian three change the inputs; the others share those of the base.
-        key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]))
+        # Joints that run side by side, and steps that are tried one after the other, often share their instruments.
+        key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]), largest)
         if key not in self._squares:
             if len(self._squares) >= 4:
                 self._squares.clear()

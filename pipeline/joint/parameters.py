@@ -5,11 +5,11 @@ mean one side, because asymmetry is what a real joint has and the paper's analyt
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from operator import attrgetter
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,9 +19,21 @@ from pipeline.numerics.arrays import FloatArray
 VACUUM_PERMITTIVITY = 8.854e-12
 """ε0 [As/Vm], with the digits of Table 1."""
 
+BEAM_DAMPING_FACTOR = 2.0
+"""The 2 of 2ηI in eq. 12; η is a fitted number, so another factor only rescales it."""
 
-def _quantity(unit: str, meaning: str, default: float | None = None, *, may_vanish: bool = False) -> Any:
-    metadata = {"unit": unit, "meaning": meaning, "may_vanish": may_vanish}
+
+Sign = Literal["positive", "zero or positive", "of either sign"]
+
+_ALLOWED: dict[Sign, Callable[[float], bool]] = {
+    "positive": lambda value: value > 0.0,
+    "zero or positive": lambda value: value >= 0.0,
+    "of either sign": lambda _: True,
+}
+
+
+def _quantity(unit: str, meaning: str, default: float | None = None, *, sign: Sign = "positive") -> Any:
+    metadata = {"unit": unit, "meaning": meaning, "sign": sign}
     return field(metadata=metadata) if default is None else field(metadata=metadata, default=default)
 
 
@@ -32,7 +44,7 @@ class Membrane:
     a: float = _quantity("m", "arm of the upper mount along the tilted frame")
     b: float = _quantity("m", "height of the upper mount on the tilted frame; smaller b, more pre-strain")
     a0: float = _quantity("m", "offset of the frame from the beam's tip, along the beam")
-    e_x: float = _quantity("m", "height of the lower mount", may_vanish=True)
+    e_x: float = _quantity("m", "height of the lower mount", sign="of either sign")
     e_z: float = _quantity("m", "distance of the lower mount from the beam")
     l0: float = _quantity("m", "length of the undeformed membrane")
     n: float = _quantity("1", "number of layers")
@@ -41,9 +53,34 @@ class Membrane:
     beta: float = _quantity("1", "electrode area over membrane area")
     eps_r: float = _quantity("1", "relative permittivity")
     Y: float = _quantity("Pa", "Young's modulus")
-    Y_MW: float = _quantity("Pa", "modulus of the Maxwell element", may_vanish=True)
+    Y_MW: float = _quantity("Pa", "modulus of the Maxwell element", sign="zero or positive")
     eta_MW: float = _quantity("Pa·s", "viscosity of the Maxwell element")
-    eta_v: float = _quantity("Pa·s", "Kelvin-Voigt viscosity", may_vanish=True)
+    eta_v: float = _quantity("Pa·s", "Kelvin-Voigt viscosity", sign="zero or positive")
+
+    @property
+    def volume(self) -> float:
+        """V_DE [m³]."""
+        return float(volume(self.n, self.A0, self.d0))
+
+    @property
+    def capacitance(self) -> float:
+        """C0 [F] undeformed."""
+        return float(capacitance(self.n, self.eps_r, self.beta, self.A0, self.d0))
+
+    @property
+    def relaxation(self) -> float:
+        """Rate [1/s] at which the Maxwell element relaxes."""
+        return self.Y_MW / self.eta_MW
+
+
+def volume(n: Any, A0: Any, d0: Any) -> Any:
+    """V_DE = n A0 d0, of numbers or of symbols."""
+    return n * A0 * d0
+
+
+def capacitance(n: Any, eps_r: Any, beta: Any, A0: Any, d0: Any) -> Any:
+    """C0 = n ε0 εr β A0 / d0 (eq. 11), of numbers or of symbols."""
+    return n * VACUUM_PERMITTIVITY * eps_r * beta * A0 / d0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,21 +91,24 @@ class JointParameters:
     A: float = _quantity("m²", "cross-section of the beam")
     I: float = _quantity("m⁴", "area moment of inertia of the beam")
     E: float = _quantity("Pa", "Young's modulus of the beam")
-    rho: float = _quantity("kg/m³", "density of the beam", may_vanish=True)
-    eta: float = _quantity("Pa·s", "viscosity of the beam", may_vanish=True)
+    rho: float = _quantity("kg/m³", "density of the beam", sign="zero or positive")
+    eta: float = _quantity("Pa·s", "viscosity of the beam", sign="zero or positive")
     m: float = _quantity("kg", "moving mass at the tip")
     left: Membrane
     right: Membrane
-    g: float = _quantity("m/s²", "gravity", 9.81, may_vanish=True)
-    kappa0: float = _quantity("1/m", "curvature of the unloaded beam, + bends to the right", 0.0, may_vanish=True)
-    F_c: float = _quantity("N", "Coulomb level of the friction along q (0: none)", 0.0, may_vanish=True)
+    g: float = _quantity("m/s²", "gravity", 9.81, sign="of either sign")
+    kappa0: float = _quantity("1/m", "curvature of the unloaded beam, + bends to the right", 0.0, sign="of either sign")
+    F_c: float = _quantity("N", "Coulomb level of the friction along q (0: none)", 0.0, sign="zero or positive")
     s_c: float = _quantity("m", "pre-sliding displacement of the friction", 1e-4)
 
     def __post_init__(self) -> None:
         values = self._values if self.left and self.right else ()
-        for value, least, name in zip(values, _LEAST, VECTOR_NAMES, strict=False):
-            if not least < value < math.inf:
-                raise InputError(f"parameter {name} = {value:g} {QUANTITIES[name].unit}: must be finite and positive")
+        for value, name in zip(values, VECTOR_NAMES, strict=False):
+            quantity = QUANTITIES[name]
+            if not (math.isfinite(value) and _ALLOWED[quantity.sign](value)):
+                raise InputError(
+                    f"parameter {name} = {value:g} {quantity.unit}: must be a finite number, {quantity.sign}"
+                )
 
     def value(self, name: str) -> float:
         """The value [SI] of one entry of `VECTOR_NAMES`."""
@@ -108,11 +148,11 @@ class JointParameters:
 
 @dataclass(frozen=True)
 class Quantity:
-    """Unit (SI) and meaning of a parameter; `may_vanish` tells that zero (or a negative value) is possible."""
+    """Unit (SI) and meaning of a parameter, and which signs its values may have."""
 
     unit: str
     meaning: str
-    may_vanish: bool
+    sign: Sign
 
 
 _MEMBRANE_NAMES = tuple(entry.name for entry in fields(Membrane))
@@ -130,8 +170,6 @@ _OWN = {
 }
 QUANTITIES = {name: _OWN[name.rpartition(".")[2]] for name in (*VECTOR_NAMES, *_MEMBRANE_NAMES)}
 """Unit and meaning by name, for every name that `JointParameters.with_values` accepts."""
-_LEAST = tuple(-math.inf if QUANTITIES[name].may_vanish else 0.0 for name in VECTOR_NAMES)
-"""What each value of the vector must exceed."""
 
 
 def quantity_of(name: str) -> Quantity:

@@ -84,8 +84,8 @@ def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
         path.q,
         curves,
         np.ascontiguousarray(spline.c[::-1].transpose(1, 0, 2)),
-        np.array([s.n * s.A0 * s.d0 * s.Y_MW for s in sides]),
-        np.array([s.Y_MW / s.eta_MW for s in sides]),
+        np.array([s.volume * s.Y_MW for s in sides]),
+        np.array([s.relaxation for s in sides]),
         path,
     )
 

@@ -18,11 +18,12 @@ from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
 from pipeline.generated.analytical_joint import MOTION, motion_slopes
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.inner_loops import copy_into
 from pipeline.solvers.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
 
-LANES = 8
+BATCH = 8
 """Joints side by side."""
-_motions = kernel(MOTION, LANES, common=("x", "v_squared", "force"))
+_motions = kernel(MOTION, BATCH, common=("x", "v_squared", "force"))
 
 
 def state_sensitivities(
@@ -68,19 +69,19 @@ def _tabulate(
 ) -> None:  # fmt: skip
     """M (2N − 1, 4, 4), J (…, 79) and ∂f/∂p (…, 7, P), M times that of q̇_m, at N samples and halfway between."""
     x, a, squares, force = np.empty(STATES), np.empty(4), np.empty(2), np.zeros(1)
-    base, mass, right = np.empty(7), np.empty((4, 4, LANES)), np.empty((STATES, LANES))
+    base, mass, right = np.empty(7), np.empty((4, 4, BATCH)), np.empty((STATES, BATCH))
     count, size = len(points), points.shape[1]
-    joints = np.empty(((count + LANES - 1) // LANES, size, LANES))
-    for joint in range(len(joints) * LANES):
+    joints = np.empty(((count + BATCH - 1) // BATCH, size, BATCH))
+    for joint in range(len(joints) * BATCH):
         for i in range(size):
-            joints[joint // LANES, i, joint % LANES] = points[min(joint, count - 1), i]
+            joints[joint // BATCH, i, joint % BATCH] = points[min(joint, count - 1), i]
     for k in range(2 * t.size - 1):
         _between(t, v, states, rates, k, x, a, squares)
         motion_slopes(x, squares, force, points[0], a, slopes[k])
         for joint in range(count):
-            lane = joint % LANES
+            lane = joint % BATCH
             if lane == 0:
-                _motions((x, squares, force, joints[joint // LANES], mass, right))
+                _motions((x, squares, force, joints[joint // BATCH], mass, right))
             for i in range(7):
                 owed = right[4 + i, lane]
                 for m in range(4 if i < 4 else 0):
@@ -147,13 +148,13 @@ def _integrate(
     """Two steps in every sample interval; `out` (N, 11 P) takes the derivatives at the samples."""
     count = start.size // STATES
     x, work, source = start.copy(), working(3, count), np.empty(7 * count)
-    _copy(x, out[0])
+    copy_into(out[0], x)
     for n in range(t.size - 1):
         for half in range(2):
             system = _Variation(masses, slopes, sources, 2 * n, half, source)
             advance(SDIRK3, _stage, system, x, 0.5 * (t[n + 1] - t[n]), work, count)
-            _copy(work.y[2], x)
-        _copy(x, out[n + 1])
+            copy_into(x, work.y[2])
+        copy_into(out[n + 1], x)
 
 
 @compiled
@@ -163,10 +164,3 @@ def _parabola(w: float, points: FloatArray, row: int, found: FloatArray) -> None
     begin, centre, end = points[row], points[row + 1], points[row + 2]
     for i in range(found.size):
         found[i] = first * begin[i] + middle * centre[i] + last * end[i]
-
-
-@compiled
-def _copy(source: FloatArray, target: FloatArray) -> None:
-    """An assignment of slices would compile seconds longer, for the message that it could raise."""
-    for i in range(len(source)):
-        target[i] = source[i]

@@ -235,7 +235,7 @@ def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:
     """
     reach = NODE * np.ceil(1.02 * max(np.abs(motion.q).max() for motion in windows.motions) / NODE)
     path = unactuated_path(parameters, float(reach), 1 + 2 * round(reach / NODE))
-    rates = np.array([side.Y_MW / side.eta_MW for side in (parameters.left, parameters.right)])
+    rates = np.array([side.relaxation for side in (parameters.left, parameters.right)])
 
     def internal(motion: Trajectory) -> FloatArray:
         stretch = np.stack([np.interp(motion.q, path.q, path.stretch[:, side]) for side in range(2)], axis=1)

@@ -21,7 +21,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.joint.similarity import Similarity
-from pipeline.models.base import FreeRun, checked
+from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.decimation_kernel import filtered_samples
@@ -199,7 +199,7 @@ class HybridModel:
         CorruptArtifactError
             An entry is missing, or the parameters belong to another version of the program.
         """
-        try:
+        with stored("hybrid", "identify"):
             parameters = NOMINAL.with_values({name: float(tree["parameters"][name]) for name in VECTOR_NAMES})
             joint = CondensedJoint(
                 parameters,
@@ -214,8 +214,6 @@ class HybridModel:
             bands = np.asarray(tree["band_spread"], dtype=np.float64)
             names = str(tree["deviations"]).split(" | ")
             constants = str(tree["constants"]).split(" | ")
-        except KeyError as missing:
-            raise CorruptArtifactError(f"the model hybrid lacks {missing}; run `debist identify` again") from None
         known = names == list(condensed_parameters.NAMES) and constants == list(CONSTANTS)
         if not known or len(theta) != len(joint.start()):
             raise CorruptArtifactError(

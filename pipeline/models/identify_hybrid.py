@@ -23,9 +23,9 @@ from pipeline.models.kind import FITTED_SHARE, Kind, Training
 from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
-from pipeline.signals.trajectory import Record
+from pipeline.signals.trajectory import Record, operating_range
 
-TIED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
+COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
 
 WHOLE = (8.0, 0.0, 0.0)
@@ -34,9 +34,9 @@ WHOLE = (8.0, 0.0, 0.0)
 CORRECTED = (30.0, 8.0, 2.0, 0.0)
 """The same with corrections: they too are found while every sample stands alone."""
 
-TIED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 20
-"""Steps of the descent: tied, at each level between, in free run on the first quarters, at each level before the last
-on whole logs, and at the last one there."""
+COUPLED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 20
+"""Steps of the descent: coupled, at each level between, in free run on the first quarters, at each level before the
+last on whole logs, and at the last one there."""
 
 COMPARED_POLE = 8.0
 """Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
@@ -60,7 +60,7 @@ MOST_SAMPLES = 12_000
 """Samples of all logs together that a fit takes: beyond, every log is cut after as large a share. It bounds the work,
 whatever is given: at 10 ms these are 120 s of motion, three logs as the paper's."""
 
-_FOLLOWS_NOT = "no simulation follows the training logs even when tied to them; check q, the voltages and their units"
+_FOLLOWS_NOT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 
 ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
 """What the ablation calls the equations without and with corrections."""
@@ -100,15 +100,14 @@ def identify_hybrid(
     InputError
         No data, or a log without two voltages.
     DataRefusedError
-        No simulation follows the logs even when it is tied to them.
+        No simulation follows the logs even when an observer holds it near them.
 
     Notes
     -----
     Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 24 on whole ones, each with two
     batches of eight runs. On 37.5 s a Jacobian takes 40 to 65 ms, 65 to 105 with corrections; eight runs 5 to 9 ms.
     """
-    if not records:
-        raise InputError("there is no training data; name at least one training log with valid samples")
+    operating_range(records)
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     search = _Search(tuple(similarity.set_record(record) for record in records), keep).within(MOST_SAMPLES)
@@ -145,7 +144,7 @@ def _first_fits(search: "_Search", parameters: JointParameters) -> tuple[tuple[L
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, np.zeros(3), 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    first = search.early.fit(plain, plain.start(), TIED, steps=TIED_STEPS[0], last=TIED_STEPS[1])
+    first = search.early.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
     alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
     if not alone.levels:
         raise DataRefusedError(_FOLLOWS_NOT)

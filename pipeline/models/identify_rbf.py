@@ -1,7 +1,7 @@
 """Identification of the data-driven joint: convex start and observer homotopy.
 
-Inner validation chooses the structure of a device with one input. That of a bistable joint stands fixed but for how
-alike its sides are: a few passages between its wells decide all errors on held-out data, and structures that were
+Inner validation chooses the structure of a device. That of a bistable joint stands fixed but for what is believed of it
+beforehand: a few passages between its wells decide all errors on held-out data, and structures that were
 chosen by them were worse on other logs.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
 from pipeline.identification.descent import Effort, Prior
-from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
+from pipeline.identification.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_start import is_bistable_pair, looks_overdamped
 from pipeline.identification.joint_structure import JointStructure
@@ -39,7 +39,7 @@ from pipeline.models.rbf_search import Fit, Setting, excerpts, rms, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.progress import OnProgress, silent
-from pipeline.signals.trajectory import Record
+from pipeline.signals.trajectory import Record, operating_range
 
 TIME_LIMIT = 20.0
 """Processor time [s] of an identification by the cost model of `Effort`."""
@@ -108,12 +108,12 @@ def identify_rbf(
     """
     wanted = choice or RbfChoice()
     if known:
-        known.check(min(float(r.q[r.valid].min()) for r in records), max(float(r.q[r.valid].max()) for r in records))
+        known.check(*operating_range(records))
         known = known.per_unit_mass(mass)
     # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
     pair = is_bistable_pair(records, inputs)
-    tied = TIED if pair else GAINS[-1]
-    setting = Setting(inputs, known, Effort(time_limit), on_progress, tied=tied, keep=keep)
+    coupled = COUPLED if pair else GAINS[-1]
+    setting = Setting(inputs, known, Effort(time_limit), on_progress, coupled=coupled, keep=keep)
     fine = all(r.fine is not None for r in records)
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
     if pair and not candidates:
@@ -125,7 +125,7 @@ def identify_rbf(
         chosen, like, tried = search(records, setting, first, *asked)
         found = _fit_to_all(records, setting, chosen, like)
     if not found.fit.levels:
-        raise DataRefusedError("no simulation follows the training logs even when tied to them; check q and units")
+        raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
     return RbfModel(
         found.parameters,
         found.fit.theta,
@@ -172,7 +172,7 @@ def _choose_prior(
 
     The mirror plane is q = 0; a joint that never crosses it has none.
     """
-    low, high = (float(find([find(r.q[r.valid]) for r in records])) for find in (np.min, np.max))
+    low, high = operating_range(records)
     alike = [candidate(structure, one) for one in (SYMMETRIES if low < 0.0 < high else SYMMETRIES[-1:])]
     fits: dict[str, _Fitted] = {}
 
@@ -205,7 +205,7 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, lik
     """A candidate on all data: long logs by their excerpts first, then whole."""
     p, start, prior = setting.begin(records, one, like)
     told = setting.progress(one.label, p.scales.half)
-    parts, gains = excerpts(records), [gain for gain in GAINS if gain >= setting.tied]
+    parts, gains = excerpts(records), [gain for gain in GAINS if gain >= setting.coupled]
     whole = all(len(part.t) == len(record.t) for part, record in zip(parts, records, strict=True))
 
     def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:

@@ -10,9 +10,7 @@ from pipeline.identification.descent import Prior
 from pipeline.identification.homotopy import HomotopyFit
 from pipeline.identification.residuals import whiteness
 from pipeline.numerics.arrays import FloatArray
-
-NORMAL = 1.959964
-"""Quantile 0.975 of the normal distribution."""
+from pipeline.numerics.metrics import NORMAL_95
 
 NUDGE = 1e-4
 """Step of the differences of curves: of prior widths or logarithms."""
@@ -131,5 +129,5 @@ def robust_spread(residual: FloatArray, jacobian: FloatArray, noise: float, prio
     others = np.maximum(others, np.sqrt(others * ALONE))
     pulls = np.swapaxes(turns, 1, 2) @ (slopes @ root)[:, :, None] / others[:, :, None]
     moves = (turns @ pulls)[:, :, 0] @ root.T
-    size = stdtrit(GROUPS - 1, 0.975) / NORMAL
+    size = stdtrit(GROUPS - 1, 0.975) / NORMAL_95
     return np.hstack([root @ (root.T @ prior.matrix.T), size * moves.T])

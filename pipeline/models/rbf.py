@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.generated.terms import ACCELERATION, STOP_FORCE
-from pipeline.identification import relaxing_joint as joint
+from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.joint_problem import steps_per_sample
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.base import FreeRun, checked, stored
@@ -21,7 +21,7 @@ SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 @dataclass(frozen=True)
 class RbfModel:
-    """An identified data-driven joint (equation of motion: `pipeline.identification.relaxing_joint`).
+    """An identified data-driven joint (equation of motion: `pipeline.identification.viscoelastic_joint`).
 
     Attributes
     ----------

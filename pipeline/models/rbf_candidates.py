@@ -1,6 +1,6 @@
 """What the data-driven joint may consist of.
 
-The structure of a bistable joint, and those among which inner validation chooses for a device with one input.
+The structure of a bistable joint, and those among which inner validation chooses for any other device.
 """
 
 from collections.abc import Callable, Sequence

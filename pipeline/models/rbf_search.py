@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pipeline.identification.descent import Effort, Prior
-from pipeline.identification.homotopy import GAINS, TIED, HomotopyFit, fit_homotopy
+from pipeline.identification.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_prior import joint_prior
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem
 from pipeline.identification.joint_start import TIMES, data_scales, starting_joint
@@ -46,8 +46,8 @@ LEAST_SAMPLES = 1_500
 """Samples of all logs together below which none is left out where candidates are only compared."""
 
 FAR = 1.3
-"""Times the error in free run beyond which a smaller structure must not err surely more tied to the measurement either:
-passages between two wells make free runs err so much that hardly anything is sure."""
+"""Times the error in free run beyond which a smaller structure must not err surely more coupled to the measurement
+either: passages between two wells make free runs err so much that hardly anything is sure."""
 
 TOO_SIMPLE = 3.0
 """Times the error over what was fitted beyond which a smaller structure does not replace a larger one whatever held-out
@@ -82,7 +82,7 @@ class Setting:
     effort: Effort = field(default_factory=Effort)
     on_progress: OnProgress = silent
     thinning: int = 1
-    tied: float = 0.0
+    coupled: float = 0.0
     keep: Keep = make_anew
 
     def kept(self, name: str, make: Callable[[], Parts]) -> Parts:
@@ -135,10 +135,10 @@ def search(
 
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. An
     answer with more parameters replaces the one before only if its free run errs less, and it errs less by more than a
-    standard error (`surely_smaller`) there or tied to the measurement; one with fewer unless its free run errs more by
-    that, or `FAR` times as much and tied more by that, or `TOO_SIMPLE` times as much, and surely, over what it was
-    fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth few
-    independent samples, where tied ones forget.
+    standard error (`surely_smaller`) there or coupled to the measurement; one with fewer unless its free run errs more
+    by that, or `FAR` times as much and coupled more by that, or `TOO_SIMPLE` times as much, and surely, over what it
+    was fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth
+    few independent samples, where coupled ones forget.
 
     Returns
     -------
@@ -179,7 +179,7 @@ def search(
             break
         others = question(best)
         if others and not tried:
-            setting, tried = _tied(records, setting, first)
+            setting, tried = _coupled(records, setting, first)
         offered = [one for one in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(one)]
         for one in sorted(offered, key=lambda one: rms(judged(one).errors[-1])):
             if better(one, best):
@@ -190,7 +190,7 @@ def search(
 
 @dataclass(frozen=True)
 class _Judged:
-    """A candidate's held-out errors (2, N) in the unit of q, tied to the measurement at `TIED` and in free run (tied
+    """A candidate's held-out errors (2, N) in the unit of q, coupled to the measurement at `COUPLED` and free (coupled
     both times for a chaotic device), its errors over what the first of its fits was fitted to, and these fits, fold by
     fold; whether one of them was chaotic, and which times of its drive do nothing in any: what it errs less than
     without them is the luck of another way to the same minimum.
@@ -203,16 +203,16 @@ class _Judged:
     idle: tuple[str, ...]
 
 
-def _tied(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
+def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
     """The setting with the observer gain at which candidates are compared, and the first one judged at it.
 
-    Free runs of a chaotic device part, so all candidates would be equally wrong; tied as much as keeps them together,
-    the better one errs less.
+    Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
+    together, the better one errs less.
     """
     found = _judge(records, setting, first, None)
     if not found.chaotic:
         return setting, {first.label: found}
-    setting = replace(setting, tied=TIED)
+    setting = replace(setting, coupled=COUPLED)
     return setting, {first.label: _judge(records, setting, first, None)}
 
 
@@ -277,14 +277,15 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
             p, start, prior = begin(i, thetas)
             fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
             problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-            both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], tied)) for tied in (TIED, setting.tied)]
+            at = (COUPLED, setting.coupled)
+            both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in at]
             errors.append(p.scales.half * np.minimum(np.abs(both), LOST))
             thetas.append(fit.theta)
             chaotic = chaotic or fit.chaotic
-            followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.tied)
+            followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
         return {"errors": np.concatenate(errors, axis=1), "thetas": thetas, "chaotic": chaotic, "fitted": followed}
 
-    parts = setting.kept(one.label + ", tied" * bool(setting.tied), make)
+    parts = setting.kept(one.label + ", coupled" * bool(setting.coupled), make)
     fits = tuple((begin(i, parts["thetas"])[0], theta) for i, theta in enumerate(parts["thetas"]))
     idle = _idle(fits, records[0].interval)
     return _Judged(parts["errors"], parts["fitted"], fits, bool(parts["chaotic"]), idle)
@@ -316,14 +317,14 @@ def _quick_fit(
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         """A quick homotopy from θ over the observer gains [1/s] that are strong enough."""
         return fit_homotopy(
-            problem, theta, prior, gains=[gain for gain in gains if gain >= setting.tied],
+            problem, theta, prior, gains=[gain for gain in gains if gain >= setting.coupled],
             noise_inflation=one.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,
             on_progress=setting.progress(one.label, p.scales.half), parts=problem.parts,
         )  # fmt: skip
 
     if near is not None and p.count > MANY and _alike(p, near[0]):
         fit = fitted(_adopted(p, start, *near), NEAR_GAINS)
-        if fit.levels and fit.levels[-1].gain <= setting.tied:
+        if fit.levels and fit.levels[-1].gain <= setting.coupled:
             return fit
     return fitted(start, QUICK_GAINS)
 

@@ -7,6 +7,7 @@ from urllib.parse import quote
 import numpy as np
 from markupsafe import Markup
 
+from pipeline.numerics.metrics import robust_std
 from pipeline.reporting.fleet_table import (
     FACTS,
     Quantity,
@@ -24,7 +25,6 @@ OUTLIER, LEAST_VALUES = 3.5, 6
 ERROR = "NRMSE of q"
 LISTED = 400
 """Members up to which every one has a row of markup and a dot in the distributions."""
-_TO_SIGMA = 1.4826  # from the median absolute deviation to the standard deviation of a normal distribution
 
 
 def fleet_report(members: Iterable[Summary], page_name: str) -> str:
@@ -64,7 +64,7 @@ def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndar
     if known.size < LEAST_VALUES:
         return np.zeros(values.size, dtype=np.bool_)
     middle = float(np.median(known))
-    sigma = _TO_SIGMA * float(np.median(np.abs(known - middle)))
+    sigma = robust_std(known - middle)
     with np.errstate(invalid="ignore"):
         return np.asarray(np.abs(values - middle) > OUTLIER * sigma if sigma > 0.0 else values != middle) & np.isfinite(
             values

@@ -139,6 +139,8 @@ _RAIL_SHARE = 1e-3
 _FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
 _UNEVEN, _MOSTLY = 0.5, 0.95
 """Share of a step by which those of a clock may differ, and how many of them do not by more."""
+_LONG_AGO = 1e5
+"""Seconds of a clock from which on stamps are told to the millisecond: it counts from a day or an epoch long ago."""
 _MUCH = 10.0
 """Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
 
@@ -343,7 +345,7 @@ def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
             remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
     if clock == "s" and long and not quality.stepped:
-        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {quality.frozen_at:.6g} s on")
+        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {moment(quality.frozen_at)} on")
     return remarks
 
 
@@ -352,9 +354,16 @@ def counted(number: int, thing: str) -> str:
     return f"{number} {thing}{'' if number == 1 else 's'}"
 
 
+def moment(stamp: float) -> str:
+    """A time stamp [s], of which digits after the point are told however long the clock has run."""
+    return f"{stamp:.3f} s" if abs(stamp) >= _LONG_AGO else f"{stamp:.6g} s"
+
+
 def _first(places: tuple[float, ...], clock: Clock) -> str:
     """Where the first one is; nothing where the time itself is not known there."""
     if not places or not np.isfinite(places[0]):
         return ""
+    if clock == "s":
+        return f", the first at {moment(places[0])}"
     place = f"{places[0]:.6g}"
-    return f", the first at {f'sample {place}' if clock == 'samples' else f'{place} {clock}'.strip()}"
+    return f", the first at {f'sample {place}' if clock == 'samples' else place}"

@@ -8,7 +8,7 @@ the user says so. A raw log that a settings file names is replaced by no word.
 import json
 import shutil
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -27,7 +27,14 @@ _MOST_SETTINGS = 1000
 
 
 @contextmanager
-def new_outputs(folder: Path, command: str, *, force: bool | None = False, names: Iterable[str] = ()) -> Iterator[Path]:
+def new_outputs(
+    folder: Path,
+    command: str,
+    *,
+    force: bool | None = False,
+    names: Iterable[str] = (),
+    made_from: Mapping[str, str] | None = None,
+) -> Iterator[Path]:
     """A folder to write into, whose files go to `folder` when the block ends well.
 
     Parameters
@@ -40,6 +47,8 @@ def new_outputs(folder: Path, command: str, *, force: bool | None = False, names
         Whether files of others may be replaced, raw logs excepted; None where the command has no such option.
     names : iterable of str
         Files that are going to be written, to refuse them before the work.
+    made_from : mapping of str to str, optional
+        Artifacts of a run and the hashes of their content that the files are made from, which the list keeps.
 
     Raises
     ------
@@ -57,7 +66,7 @@ def new_outputs(folder: Path, command: str, *, force: bool | None = False, names
         written = [path.relative_to(staged) for path in staged.rglob("*") if path.is_file()]
         written.sort(key=lambda name: (name.suffix == ".toml", name))  # where the settings are, there are the logs
         check_places(folder, map(str, written), command, force=force)
-        _place(staged, folder, written, command)
+        _place(staged, folder, written, {"command": command} | ({"made_from": dict(made_from)} if made_from else {}))
     except OSError as error:
         raise not_written(folder, error) from error
     finally:
@@ -75,13 +84,16 @@ def rebased(path: Path, staged: Path, folder: Path) -> Path:
     return folder / path.relative_to(staged)
 
 
-def _place(staged: Path, folder: Path, written: list[Path], command: str) -> None:
-    """Move the files to their places. The list is there before them and knows what they replace: whatever interrupts,
-    each file is one that it names.
+def _place(staged: Path, folder: Path, written: list[Path], about: dict[str, Any]) -> None:
+    """Move the files to their places; `about` is what the list says of each.
+
+    The list is there before them and knows what they replace: whatever interrupts, each file is one that it names.
     """
     known = written_files(folder)
-    coming = {name.as_posix(): {"command": command, "sha256": file_sha256(staged / name)} for name in written}
-    own = [name for name in coming if known.get(name, {}).get("command") == command and (folder / name).is_file()]
+    coming = {name.as_posix(): about | {"sha256": file_sha256(staged / name)} for name in written}
+    own = [
+        name for name in coming if known.get(name, {}).get("command") == about["command"] and (folder / name).is_file()
+    ]
     replacing = coming | {name: coming[name] | {"replaces": file_sha256(folder / name)} for name in own}
     write_text(folder / WRITTEN, _list(known | replacing))
     for name in written:

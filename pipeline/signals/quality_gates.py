@@ -5,17 +5,21 @@ displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above
 no measurement.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pipeline.signals.missing import Missing
 from pipeline.signals.signal_quality import SignalQuality
 from pipeline.signals.timebase import TimeQuality
 
+MOST_MISSING = 0.1
+"""Share of a signal that may be missing."""
 _GATES = (
     (
         "masked", 0.5, "of the rows are masked (gaps, rails, spikes)",
         "record without gaps and within the sensor's range",
     ),
-    ("missing", 0.1, "of the samples are not finite", "repair the recorder"),
+    ("missing", MOST_MISSING, "of the samples are not finite", "repair the recorder"),
     ("repeated", 0.05, "of the time stamps repeat the one before", "repair the clock"),
     ("dropped", 0.2, "of the samples are missing in between", "record slower"),
     ("jitter", 0.3, "of the time step is its jitter (RMS)", "record by a hardware clock"),
@@ -89,6 +93,16 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
         for gate, most, what, advice in _GATES
         if shares[gate] > most
     ]
+
+
+def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
+    """Which signals beside the displacement are missing for too much of it."""
+    found = []
+    for name, lacks in beside.items():
+        if lacks.share > MOST_MISSING:
+            what = f"{name} is missing for {100.0 * lacks.share:.3g} % of the log (at most {100.0 * MOST_MISSING:g} %)"
+            found.append(Finding("missing", what, "repair the recorder, or cut the log where the signal ends"))
+    return found
 
 
 def between_samples(time: TimeQuality, sample_interval: float) -> list[str]:

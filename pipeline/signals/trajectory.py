@@ -56,18 +56,18 @@ class Trajectory:
         return sample_interval(self.t)
 
 
-def operating_range(trajectories: Sequence[Trajectory]) -> tuple[float, float]:
-    """Smallest and largest displacement of all stretches: q_min, q_max of eq. 39.
+def operating_range(logs: Sequence["Trajectory | Record"]) -> tuple[float, float]:
+    """Smallest and largest valid displacement of all stretches or records: q_min, q_max of eq. 39.
 
     Raises
     ------
     InputError
-        No stretch at all, or a displacement that never changes.
+        No log at all, or a displacement that never changes.
     """
-    if not trajectories:
+    if not logs:
         raise InputError("there is no training data; name at least one training log with valid samples")
-    low = min(float(x.q.min()) for x in trajectories)
-    high = max(float(x.q.max()) for x in trajectories)
+    known = [log.q[log.valid] if isinstance(log, Record) else log.q for log in logs]
+    low, high = min(float(q.min()) for q in known), max(float(q.max()) for q in known)
     if not high > low:
         raise InputError(f"q is constant ({low:g}) in all training logs; nothing can be identified from it")
     return low, high

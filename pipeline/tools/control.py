@@ -125,14 +125,14 @@ def check_pulse_name(output: Path) -> None:
         raise InputError(f"{output}: a pulse is written as {' and '.join(ENDINGS)}; name it so, or without an ending")
 
 
-def write_pulse(document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
-    """Write a pulse as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
+def write_pulse(root: Path, document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
+    """Write a pulse of a run as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
     from pipeline.rig.excitation import ENDINGS, Sequence, save_sequence
 
     check_pulse_name(output)
     t, v = np.array(document["t_s"]), np.array(document["v_V"])
     about = {key: value for key, value in document.items() if key not in ("t_s", "v_V", "predicted")}
-    with new_outputs(output.parent, "control", force=force) as staged:
+    with new_outputs(output.parent, "control", force=force, made_from=control_run(root).origin) as staged:
         for ending in ENDINGS:
             save_sequence(staged / f"{output.stem}{ending}", Sequence(t, v), about)
         written = sorted(staged.iterdir())

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters
     from pipeline.models.hybrid import HybridModel
 
-ALGORITHM = "10"
+ALGORITHM = "11"
 _REFUSED = 0.15
 """NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
 _MISSED = 2e-3
@@ -62,6 +62,11 @@ class ControlRun:
     model: "HybridModel"
     name: str
     artifact: str
+
+    @property
+    def origin(self) -> dict[str, str]:
+        """The artifact that holds the model, and the hash of its content."""
+        return {self.artifact: self.run.record(self.artifact).content_hash}
 
     def highest(self, settings: ControlSettings) -> float:
         """Largest voltage [V].

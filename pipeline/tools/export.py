@@ -20,7 +20,7 @@ from pipeline.numerics.arrays import voltages
 from pipeline.runs import layout
 from pipeline.runs.confined import refuse_link
 from pipeline.runs.hashing import file_sha256
-from pipeline.runs.outputs import new_outputs, rebased
+from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import ROLES, Prototype
@@ -78,9 +78,30 @@ def export_run(
     if output is None:
         refuse_link(root / layout.EXPORTS)
     folder = output or root / layout.EXPORTS
-    with new_outputs(folder, "export", force=force) as staged:
+    with new_outputs(folder, "export", force=force, made_from=_origin(run, prototype, target, model)) as staged:
         made = _write(target, run, prototype, model, staged)
     return replace(made, written=[rebased(path, staged, folder) for path in made.written])
+
+
+def stale_exports(root: Path) -> list[str]:
+    """Files in ``RUN/exports`` that were made from another model than the run now holds."""
+    run, found = RunFolder.open(root), []
+    for name, entry in written_files(root / layout.EXPORTS).items():
+        origin = entry.get("made_from")
+        if not isinstance(origin, dict) or not (root / layout.EXPORTS / name).is_file():
+            continue
+        held = run.manifest.artifacts
+        if any(artifact not in held or held[artifact].content_hash != content for artifact, content in origin.items()):
+            found.append(f"{layout.EXPORTS}/{name}")
+    return found
+
+
+def _origin(run: RunFolder, prototype: Prototype, target: Target, model: str | None) -> dict[str, str]:
+    """The artifact that an export is made from, and its content; a crate may be of a run without a model."""
+    if target == "crate" and layout.MODELS not in run.manifest.artifacts:
+        return {}
+    _, artifact = model_artifact(run, prototype, model)
+    return {artifact: run.record(artifact).content_hash}
 
 
 def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> Model:

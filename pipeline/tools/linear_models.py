@@ -97,7 +97,7 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
     from scipy.io import savemat
 
     folder = output or root / layout.EXPORTS
-    with new_outputs(folder, "control", force=force) as staged:
+    with new_outputs(folder, "control", force=force, made_from=control_run(root).origin) as staged:
         (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
         structs: dict[str, Any] = {}
         for number, each in enumerate(document["equilibria"], start=1):

@@ -10,7 +10,7 @@ from pipeline.identification.descent import Prior
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population import (
+from pipeline.identification.population_estimate import (
     Information,
     estimate_population,
     information_of,

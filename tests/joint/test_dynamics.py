@@ -8,13 +8,14 @@ from scipy.integrate import solve_ivp
 from pipeline.errors import InputError
 from pipeline.generated import analytical_joint as kernels
 from pipeline.joint.equilibria import equilibria
-from pipeline.joint.full_order import rest_state, simulate
-from pipeline.joint.parameters import NOMINAL
+from pipeline.joint.full_order import REACH, rest_state, simulate, state_scale
+from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.joint.reduced_order import accelerate, maxwell_strains, pulse_sequence, simulate_both, simulate_reduced
 from pipeline.joint.reduction import beam_modes, beam_shapes, reduce_joint
 from pipeline.joint.static_path import static_path, unactuated_path
 from pipeline.models.analytical import AnalyticalModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.solvers.rosenbrock import MOST_TRIES, integrate
 
 UNEQUAL = NOMINAL.with_values({"left.b": 23.2e-3, "right.Y": 1.15e6, "right.eps_r": 2.9, "kappa0": 0.02})
 START = float(equilibria(UNEQUAL, np.zeros(2))[0].q)
@@ -180,3 +181,15 @@ def test_the_models_curves_are_those_of_the_held_joint() -> None:
         slope = held.capacitance_slope[:, side]
         np.testing.assert_allclose(curves[f"dC{side + 1}_dq"], slope, atol=1e-3 * np.abs(slope).max())
     assert np.all(curves["d"] > 0.0)
+
+
+def test_a_joint_that_blows_up_ends_its_run() -> None:
+    """Negative damping of the beam: no parameter set has it, and no number of steps would do."""
+    t, v = pulse_sequence(count=1, dt=0.01)
+    p = UNEQUAL.vector()
+    p[VECTOR_NAMES.index("eta")] *= -1.0
+    states, rates, counts = np.empty((len(t), 11)), np.empty((len(t), 11)), np.zeros(2, dtype=np.int64)
+    scale, start = 1e-6 * state_scale(UNEQUAL), rest_state(UNEQUAL, START, 0.0, v[0])
+    valid = integrate(t, v, np.zeros(len(t)), start, p, scale, REACH, states, rates, counts)
+    assert 0 < valid < len(t)
+    assert counts.sum() < MOST_TRIES * (valid + 1)

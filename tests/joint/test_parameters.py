@@ -21,10 +21,28 @@ def test_names_without_side_mean_both() -> None:
     assert changed.vector()[VECTOR_NAMES.index("right.b")] == 22e-3
 
 
-@pytest.mark.parametrize(("name", "value"), [("E", -1.0), ("left.Y", float("nan")), ("b", 0.0)])
-def test_impossible_values_are_refused(name: str, value: float) -> None:
-    with pytest.raises(InputError, match="must be finite and positive"):
+@pytest.mark.parametrize(
+    ("name", "value", "allowed"),
+    [
+        ("E", -1.0, "positive"),
+        ("left.Y", float("nan"), "positive"),
+        ("b", 0.0, "positive"),
+        ("eta", -3.64e6, "zero or positive"),
+        ("rho", -1200.0, "zero or positive"),
+        ("right.eta_v", -20e3, "zero or positive"),
+        ("F_c", -5e-3, "zero or positive"),
+        ("kappa0", float("inf"), "of either sign"),
+    ],
+)
+def test_impossible_values_are_refused(name: str, value: float, allowed: str) -> None:
+    with pytest.raises(InputError, match=f"{name} = .*: must be a finite number, {allowed}$"):
         NOMINAL.with_values({name: value})
+
+
+def test_what_may_vanish_or_point_either_way_is_taken() -> None:
+    given = {"eta": 0.0, "rho": 0.0, "F_c": 0.0, "kappa0": -0.05, "e_x": -7e-3, "g": -9.81}
+    changed = NOMINAL.with_values(given)
+    assert {name: changed.value(name if name != "e_x" else "left.e_x") for name in given} == given
 
 
 def test_every_unit_can_be_given() -> None:

@@ -21,12 +21,17 @@ pytestmark = pytest.mark.usefixtures("read_once")
 
 
 def _write(
-    folder: Path, toml: str, *, gain: float = 1.0, second: float = 1.0, top: float = np.inf, hum: float = 0.0
-) -> Path:
-    """A log of 20 s of a double well; voltages scaled, the displacement [mm] cut at a rail, with hum [mm] on it."""
+    folder: Path, toml: str, *, gain: float = 1.0, second: float = 1.0, top: float = np.inf, hum: float = 0.0,
+    until: float = np.inf,
+) -> Path:  # fmt: skip
+    """A log of 20 s of a double well; voltages scaled, the displacement [mm] cut at a rail, with hum [mm] on it, v2
+    none after a time [s].
+    """
     t, q, v = motion(20.0, 500.0, 1, gain=(gain, gain * second), noise=3e-6)
     q = np.minimum(q + 1e-3 * hum * np.sin(2.0 * np.pi * 50.0 * t), 1e-3 * top)
-    write_csv(folder / "log.csv", t, q, v + np.random.default_rng(2).normal(0.0, 0.1, v.shape))
+    v += np.random.default_rng(2).normal(0.0, 0.1, v.shape)
+    v[t > until, 1] = np.nan
+    write_csv(folder / "log.csv", t, q, v)
     (folder / "P.toml").write_text(toml, encoding="utf-8")
     return folder / "P.toml"
 
@@ -39,6 +44,7 @@ def _run(prototype: Path, *options: str):
     ("damage", "toml", "words"),
     [
         ({"top": 5.0}, TOML, ["log.csv: ", "of the samples of q stay at its extremes (at most 5 %)", '"rails"']),
+        ({"until": 12.0}, TOML, ["log.csv: v2 is missing for 40 % of the log (at most 10 %)", '"missing"']),
         ({"second": 0.0}, TOML, ["input v2 never changes", "leave it out of [channels] (v2)", '"undriven"']),
         ({"gain": 0.3}, TOML + '[plant]\nparameters = "nominal"\n', ["only one well", "snap the joint", '"one-well"']),
     ],
@@ -49,6 +55,13 @@ def test_refused_with_number_and_next_step(tmp_path, damage, toml, words):
     (line,) = [line for line in result.stderr.splitlines() if line.startswith("debist: ")]
     for word in words:
         assert word in line
+
+
+def test_what_is_left_out_where_a_voltage_ends_is_told(tmp_path):
+    result = _run(_write(tmp_path, TOML, until=19.0))
+    told = " ".join(result.output.split())
+    assert "v2: 499 samples not finite, the first at 19.002 s" in told
+    assert "v2 ends 0.998 s before q: what q shows there is left out" in told
 
 
 def test_where_the_equations_stand_in_it_is_told_and_not_refused():

@@ -1,4 +1,4 @@
-"""The data-driven joint in a run, free or tied to a measurement, with exact forward sensitivities.
+"""The data-driven joint in a run, free or coupled to a measurement by an observer, with exact forward sensitivities.
 
 The laws are those of `pipeline.equations.data_driven_joint`, where each stands for one curve, relaxing element or
 friction state; here they are summed over as many as a joint has. F, d, h_l, g_k are weights times a common basis: four
@@ -120,7 +120,7 @@ def basis(x: FloatArray, c: Coefficients) -> FloatArray:
 class ObservedJoint(NamedTuple):
     """A joint in a run. The state is x, p and L relaxing elements, then their P sensitivities, row by row.
 
-    c, wrt, u, du, held as in `observed_run` · measured (N,) · tie (N,): observer gain of each interval [1/s] · parts:
+    c, wrt, u, du, held as in `observed_run` · measured (N,) · observer (N,): its gain of each interval [1/s] · parts:
     half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
     basis, slopes (4 + M,), values, changes (C,): basis and the C curves, and their slopes · by_curve (C,), by (10,):
@@ -135,7 +135,7 @@ class ObservedJoint(NamedTuple):
     du: FloatArray
     held: bool
     measured: FloatArray
-    tie: FloatArray
+    observer: FloatArray
     parts: int
     half: float
     now: FloatArray
@@ -156,7 +156,7 @@ class ObservedJoint(NamedTuple):
 def _begin(system, x, node):
     n, parameters, elements = node // system.parts, len(system.wrt.kind), len(system.c.rates)
     first = 2 + elements
-    system.now[0], system.now[1] = node, system.tie[n]
+    system.now[0], system.now[1] = node, system.observer[n]
     if node == n * system.parts:
         for i in range(elements):
             system.states[n, 3 + i] = x[2 + i]
@@ -396,7 +396,7 @@ def observed_run(
     u: FloatArray, du: FloatArray, measured: FloatArray, observe: FloatArray, gain: float, start: tuple[float, float],
     interval: float, steps: int, c: Coefficients, wrt: SensitivityParameters, rested: FloatArray, held: bool,
 ) -> tuple[FloatArray, FloatArray, int]:  # fmt: skip
-    """Integrate the joint over a record, tied to the measurement with the observer gain λ.
+    """Integrate the joint over a record, coupled to the measurement with the observer gain λ.
 
     Parameters
     ----------

@@ -3,7 +3,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pipeline.generated.terms import STOP_FORCE
-from pipeline.identification import relaxing_joint as joint
+from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.joint_problem import JointProblem, bridged
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.parameter_layout import ParameterLayout
