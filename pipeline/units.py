@@ -121,7 +121,7 @@ POWERS = {
 
 _LONGEST = 60
 # One name, and a whole power of one digit: all that a unit needs, and nothing for which pint would count without end.
-_FACTOR = r"(?:1|[%°]|[^\W\d_][^\W\d]*)(?:(?:\*\*|\^)[+-]?[1-9]|[⁺⁻]?[¹²³⁴-⁹])?"
+_FACTOR = r"(?:1|%|°[CF]?|[^\W\d_][^\W\d]*)(?:(?:\*\*|\^)[+-]?[1-9]|[⁺⁻]?[¹²³⁴-⁹])?"
 _UNIT = re.compile(rf"\s*{_FACTOR}(?:\s*[*/·⋅ ]\s*{_FACTOR})*\s*")
 
 _NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.IGNORECASE)
@@ -183,7 +183,7 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
         target_factor, target_base = registry.get_base_units(registry.Unit(_BASE[symbol]))
         if base == target_base:
             return SiUnit(float(factor / target_factor), symbol)
-    needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(allowed)})"
+    needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(dict.fromkeys(allowed))})"
     raise InputError(f"{where}: {needed}{_instead(unit, allowed)}")
 
 
@@ -202,7 +202,10 @@ def _instead(unit: str, allowed: tuple[str, ...]) -> str:
     if unit.endswith("Nm") and "N·m" in allowed:
         return f"; write {unit.replace('Nm', 'N*m')!r}"
     if allowed == DISPLACEMENT:
-        return "; if these are steps or volts of a sensor, give `scale` too: the length or angle of one, in that unit"
+        return (
+            "; if these are steps or volts of a sensor, give `scale` too: the length or angle of one, in that unit; a "
+            "temperature or another quantity goes as 'V', which stands for it"
+        )
     return "; write '1' for the numbers of any other input" if allowed == INPUT else ""
 
 

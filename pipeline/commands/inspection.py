@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pipeline.commands.console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text
-from pipeline.rig_logs.inspection import moment
 from pipeline.si_prefix import quantity
 
 if TYPE_CHECKING:
@@ -35,6 +34,8 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
+    from pipeline.rig_logs.inspection import moment
+
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
         ("channel", "unit", "samples", "smallest", "largest", "time base", "remarks"),
@@ -49,7 +50,7 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
         )
     for base in inspection.time_bases:
         for start, stop in base.gaps_at:
-            emit_text(f"gap of {quantity(stop - start, 's')} from {moment(start)} to {moment(stop)}")
+            emit_text(f"gap of {quantity(stop - start, 's')} from {moment(start)} to {moment(stop)} s")
     for note in inspection.notes:
         emit_text(note)
     if isinstance(excitation, str):

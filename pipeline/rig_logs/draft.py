@@ -10,7 +10,7 @@ from pipeline.rig_logs.inspection import TIME_UNITS, InspectedChannel, Inspectio
 from pipeline.settings import Ingest
 from pipeline.signals.quality_gates import UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
-from pipeline.units import FILL_IN
+from pipeline.units import DISPLACEMENT, FILL_IN, to_si
 
 _MOST_LISTED, _MOST_NAMED = 100, 5
 _ALIKE = 0.8
@@ -52,7 +52,7 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
             )
     train, validation = proposed_roles(logs or [inspection.path.name for inspection in inspections])
     named = " and ".join(quoted(inspection.path.name) for inspection in inspections)
-    own = "suggested by their names" if len(inspections) > 1 else "a log that no identification sees; record one"
+    own = "suggested" if len(inspections) > 1 else "a log that no identification sees; record one"
     lines = [
         f"# A starting point for {named} ({first.format}).",
         f'# Nothing here has been decided: replace every "{FILL_IN}" and check what is marked as suggested.',
@@ -159,11 +159,23 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], ev
         return [f"# v2 is left out: a device with one input?{more}"]
     if suggestion.only is not None:
         channel = by_name[suggestion.only]
-        unit = suggested_unit(channel.name, channel.unit) or FILL_IN
-        origin = "by the log" if channel.unit.strip("[]() ") else "by its name" if unit != FILL_IN else "not stated"
+        unit, origin = _unit(channel, role)
         return [f"{_entry(role, channel.name, unit)}  # suggested; unit {origin}"]
     found = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {found}"]
+
+
+def _unit(channel: InspectedChannel, role: Role) -> tuple[str, str]:
+    """The unit of a channel as far as it is known, and how."""
+    unit = suggested_unit(channel.name, channel.unit)
+    if not unit:
+        return FILL_IN, "not stated"
+    try:
+        to_si(unit, DISPLACEMENT, role)
+    except InputError:
+        if role == "q":
+            return FILL_IN, f"by the log {unit}: no length or angle; 'V' may stand for it"
+    return unit, "by the log" if channel.unit.strip("[]() ") else "by its name"
 
 
 def _nothing(role: Role) -> str:

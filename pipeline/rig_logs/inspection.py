@@ -345,7 +345,7 @@ def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
             remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
     if clock == "s" and long and not quality.stepped:
-        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {moment(quality.frozen_at)} on")
+        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {moment(quality.frozen_at)} s on")
     return remarks
 
 
@@ -355,8 +355,8 @@ def counted(number: int, thing: str) -> str:
 
 
 def moment(stamp: float) -> str:
-    """A time stamp [s], of which digits after the point are told however long the clock has run."""
-    return f"{stamp:.3f} s" if abs(stamp) >= _LONG_AGO else f"{stamp:.6g} s"
+    """A time stamp [s] without its unit, told to the millisecond where the clock has run for long."""
+    return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{stamp:.6g}"
 
 
 def _first(places: tuple[float, ...], clock: Clock) -> str:
@@ -364,6 +364,6 @@ def _first(places: tuple[float, ...], clock: Clock) -> str:
     if not places or not np.isfinite(places[0]):
         return ""
     if clock == "s":
-        return f", the first at {moment(places[0])}"
+        return f", the first at {moment(places[0])} s"
     place = f"{places[0]:.6g}"
     return f", the first at {f'sample {place}' if clock == 'samples' else place}"

@@ -38,6 +38,8 @@ class Task:
         Names of artifacts of the run.
     sources : mapping of str to Path
         Raw files by the name under which they are recorded.
+    named_in : str
+        Where the settings name them.
     outputs : tuple of str
         Names of the artifacts it always writes; it may write more where the data ask for it.
     work : callable
@@ -55,6 +57,7 @@ class Task:
     work: Callable[..., Mapping[str, Written]]
     sources: Mapping[str, Path] | None = None
     reports: bool = False
+    named_in: str = "[logs]"
 
 
 class Observer(Protocol):
@@ -157,15 +160,15 @@ def _recipe(run: RunFolder, task: Task) -> Recipe:
         try:
             inputs[name] = file_sha256(path)
         except FileNotFoundError:
-            raise InputError(missing_source(path)) from None
+            raise InputError(missing_source(path, task)) from None
         except OSError as error:
             raise InputError(unreadable_source(path, error)) from error
     return Recipe(task.stage, task.algorithm, dict(task.settings), inputs)
 
 
-def missing_source(path: Path) -> str:
-    """That a raw log or table is not there."""
-    return f"{path}: no such log or table; correct its name, for a log in [logs]"
+def missing_source(path: Path, task: Task) -> str:
+    """That a raw log or table of a task is not there."""
+    return f"{path}: no such log or table; correct its name in {task.named_in}"
 
 
 def unreadable_source(path: Path, error: OSError) -> str:

@@ -81,16 +81,17 @@ def require_sources(tasks: Sequence[Task]) -> None:
         Some are not, or are no files; each is named.
     """
     found = []
-    for path in dict.fromkeys(path for task in tasks for path in (task.sources or {}).values()):
+    sources = {path: task for task in tasks for path in (task.sources or {}).values()}
+    for path, task in sources.items():
         try:
             regular = stat.S_ISREG(path.stat().st_mode)
         except FileNotFoundError:
-            found.append(missing_source(path))
+            found.append(missing_source(path, task))
         except OSError as error:
             found.append(unreadable_source(path, error))
         else:
             if not regular:
-                found.append(f"{path}: cannot be read: is no regular file; correct its name, for a log in [logs]")
+                found.append(f"{path}: cannot be read: is no regular file; correct its name in {task.named_in}")
     if len(found) == 1:
         raise InputError(found[0])
     if found:

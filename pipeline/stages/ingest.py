@@ -21,7 +21,7 @@ from pipeline.settings import Ingest, LogGate, Prototype, Role
 from pipeline.stages.check import accepted_settings, judge
 
 if TYPE_CHECKING:
-    from pipeline.signals.missing import Missing
+    from pipeline.signals.quality_gates import Finding
     from pipeline.signals.signal_quality import SignalQuality
     from pipeline.signals.timebase import TimeQuality
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
@@ -101,9 +101,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
-    from pipeline.signals.missing import missing
     from pipeline.signals.noise import resolution
-    from pipeline.signals.quality_gates import between_samples, log_findings, missing_findings, rate_findings
+    from pipeline.signals.quality_gates import between_samples, log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
     from pipeline.signals.uniform_record import Resampling, survey
@@ -132,10 +131,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     masked = Resampling(usable, settings.sample_interval).report
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
-    beside = {name: missing(signals.q, signal) for name, signal in signals.beside.items()}
-    warnings += [*_missing(beside, settings.sample_interval), *_gaps(clock)]
-    warnings += between_samples(clock, settings.sample_interval)
-    findings = rate_findings(clock, settings.sample_interval) + missing_findings(beside)
+    lacking, findings = _lacking(signals, settings.sample_interval)
+    warnings += [*lacking, *_gaps(clock), *between_samples(clock, settings.sample_interval)]
+    findings += rate_findings(clock, settings.sample_interval)
     findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
     if settings.rails == "keep":
         warnings += [f"q: {one.text}; kept ([ingest] rails)" for one in findings if one.gate == "rails"]
@@ -158,19 +156,23 @@ def _refuse_no_record(where: str, rows: int, interval: float, covered: float) ->
         )
 
 
-def _missing(beside: Mapping[str, "Missing"], interval: float) -> list[str]:
-    """What to say of samples that other signals lack, and of more than an interval [s] at which only q is known."""
+def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]"]:
+    """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
+    what of it speaks against the log.
+    """
     from pipeline.rig_logs.inspection import counted, moment
+    from pipeline.signals.missing import missing
+    from pipeline.signals.quality_gates import missing_findings
 
-    said = []
+    beside, said = {name: missing(signals.q, signal) for name, signal in signals.beside.items()}, []
     for name, lacks in beside.items():
         if lacks.not_finite:
-            place = f", the first at {moment(lacks.first)}" if np.isfinite(lacks.first) else ""
+            place = f", the first at {moment(lacks.first)} s" if np.isfinite(lacks.first) else ""
             said.append(f"{name}: {counted(lacks.not_finite, 'sample')} not finite{place}")
         for alone, how in ((lacks.before, "begins {} after q"), (lacks.after, "ends {} before q")):
             if alone > interval:
                 said.append(f"{name} {how.format(f'{alone:.4g} s')}: what q shows there is left out")
-    return said
+    return said, missing_findings(beside)
 
 
 def _gaps(clock: "TimeQuality") -> list[str]:
@@ -180,7 +182,7 @@ def _gaps(clock: "TimeQuality") -> list[str]:
     if not clock.gaps:
         return []
     (before, after), several = clock.gaps_at[0], "the first " if clock.gaps > 1 else ""
-    place = f"{several}from {moment(before)} to {moment(after)}"
+    place = f"{several}from {moment(before)} to {moment(after)} s"
     return [f"{counted(clock.gaps, 'gap')} in time, {place}: split there ([ingest] gaps)"]
 
 

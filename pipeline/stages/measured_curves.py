@@ -30,6 +30,7 @@ def _task(prototype: Prototype, path: Path, artifact: str) -> Task:
         settings={"displacement": device(prototype).displacement.symbol},
         inputs=(),
         sources={path.name: path},
+        named_in="compare.curves" if artifact == layout.CURVES else "plant.curves",
         outputs=(artifact,),
         work=partial(_work, path=path, plant=device(prototype), artifact=artifact),
     )

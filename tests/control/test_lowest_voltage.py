@@ -10,10 +10,11 @@ from pipeline.control.ensemble import Converters, ensemble_at, ensemble_of
 from pipeline.control.linear import three
 from pipeline.control.lowest_voltage import LowestVoltage, lowest_voltage, uncertain
 from pipeline.control.plant import plant_of
-from pipeline.control.switching_map import BAND, Well, pulses
+from pipeline.control.switching_map import Well, pulses
 from pipeline.joint import condensed_parameters
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import NORMAL_90
 
 EXACT = Converters((3e-3, 4e-3), 0.0, 0.0)
 
@@ -64,7 +65,9 @@ def test_the_band_is_that_of_all_its_sources_and_twice_as_wide_where_they_are() 
     joint = only(("left.log C0", 0.3), ("log E", 0.1))
     one = found(joint, Converters(EXACT.lags, 0.05, 0.003))
     whole = np.sqrt(one.of_parameters**2 + one.of_lags**2 + one.of_probe**2)
-    np.testing.assert_allclose(np.log([one.low, one.high]) - np.log(one.voltage), BAND * whole * np.array([-1.0, 1.0]))
+    np.testing.assert_allclose(
+        np.log([one.low, one.high]) - np.log(one.voltage), NORMAL_90 * whole * np.array([-1.0, 1.0])
+    )
     assert one.of_probe == 0.003
     assert 0.0 < one.of_lags < 0.05
     double = found(replace(joint, band_spread=2.0 * joint.band_spread), Converters(EXACT.lags, 0.1, 0.006))

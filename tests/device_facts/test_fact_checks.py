@@ -10,6 +10,7 @@ from pipeline.device_facts.characteristics import intervals
 from pipeline.device_facts.datasheet import Fact, distance, fact_checks
 from pipeline.joint.condensed_parameters import DEVIATIONS
 from pipeline.models.hybrid import HybridModel
+from pipeline.numerics.metrics import NORMAL_90
 from tests.export.joints import hybrid
 
 
@@ -42,7 +43,7 @@ def test_what_agrees_is_one_good_check_and_what_cannot_be_compared_none():
 
 def test_the_distance_counts_both_uncertainties_and_no_spread_below_five_percent():
     assert distance(fact(0.130, 0.100, 0.010)) == pytest.approx(3.0)
-    wide = distance(fact(0.130, 0.100, 0.010, low=0.130 - 1.645 * 0.02, high=0.130 + 1.645 * 0.02))
+    wide = distance(fact(0.130, 0.100, 0.010, low=0.130 - NORMAL_90 * 0.02, high=0.130 + NORMAL_90 * 0.02))
     assert wide == pytest.approx(0.03 / np.hypot(0.01, 0.02))
     assert distance(fact(0.110, 0.100, 1e-9)) == pytest.approx(2.0)
 
@@ -67,7 +68,7 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     width = DEVIATIONS[at].width
     assert (modulus.unit, modulus.nominal) == ("Pa", nominal)
     assert modulus.value == pytest.approx(nominal * np.exp(-0.5 * width))
-    assert np.log(modulus.high / modulus.value) == pytest.approx(1.645 * 0.1 * width)
+    assert np.log(modulus.high / modulus.value) == pytest.approx(NORMAL_90 * 0.1 * width)
     assert all(one.low <= one.value <= one.high for one in found.values())
     assert len(found) == len(DEVIATIONS)
     assert found["left.b"].nominal == joint.joint.parameters.left.b
