@@ -1,6 +1,6 @@
 """The datasheet of a device: facts with uncertainties, from the model and, beside it, from the measurement alone."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -44,6 +44,8 @@ TITLES = {
     "asymmetry_wells": ("asymmetry of the wells, (q₊ + q₋)/(q₊ − q₋)", "%"),
     "asymmetry_barriers": ("asymmetry of the wells' depth, ΔU over the mean barrier", "%"),
 }
+SCATTERED = 0.1
+"""Share of the range of q beyond which the standard deviation of rests says that they are not one."""
 LEAST_EVENTS = 3
 """Events below which a spread says nothing."""
 LEAST_SPREAD = 0.05
@@ -267,6 +269,8 @@ def _facts(
 ) -> tuple[Fact, ...]:
     # One rest measured over two modelled wells is the mean of both, and neither.
     measured = {} if isinstance(wells, NoWells) and values.get("well_left") is not None else _measured(rests, wells)
+    if "rest" in measured and _scattered(measured["rest"], [log.kinematics["q"] for log in data.logs]):
+        del measured["rest"]
     stiffness = f"{data.curve_units['F']}/{data.displacement}" if data.mass_known else "1/s²"
     units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
     facts = []
@@ -291,6 +295,12 @@ def _facts(
             )
         )
     return tuple(facts)
+
+
+def _scattered(places: FloatArray, motions: Sequence[FloatArray]) -> bool:
+    """Whether places of rest are too far apart for one: of a drive that stays anywhere, or of a log without rests."""
+    low, high = min(float(np.nanmin(q)) for q in motions), max(float(np.nanmax(q)) for q in motions)
+    return bool(np.std(places) > SCATTERED * (high - low))
 
 
 def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]:

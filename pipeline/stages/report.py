@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.plotted import Typeface
 
-ALGORITHM = "22"
+ALGORITHM = "23"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

@@ -178,6 +178,19 @@ def test_one_rest_in_the_data_is_not_set_beside_two_modelled_wells() -> None:
     assert make_datasheet(without_models(data)).facts[0].key == "rest"
 
 
+def test_a_drive_that_stays_where_it_is_left_has_no_measured_rest() -> None:
+    def left_anywhere(log: LogData) -> LogData:
+        k = log.kinematics
+        driven = (k["v1"] > 0.0) | (k["v2"] > 0.0)
+        place = WELL * np.sin(1.7 * np.cumsum(np.diff(driven, prepend=False)))
+        return replace(log, kinematics={**k, "q": np.where(driven, 0.02 * np.sin(9.0 * k["t"]), place)})
+
+    data = without_models(run_data())
+    sheet = make_datasheet(replace(data, logs=tuple(left_anywhere(log) for log in data.logs)))
+    assert isinstance(sheet.wells, NoWells)
+    assert "rest" not in {fact.key for fact in sheet.facts}
+
+
 def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> None:
     places, speeds = np.linspace(-1.0, 1.0, 49), np.linspace(-1.0, 1.0, 33)
     calls = []
