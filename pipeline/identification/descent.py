@@ -232,6 +232,11 @@ PER_SENSITIVITY = 0.054e-6
 """Cost of a step per parameter that is derived by [s]."""
 
 
+def simulation_effort(steps: int, sensitivities: int = 0, *, delayed: bool = False) -> float:
+    """Seconds of a simulation of so many integration steps, with so many sensitivities and perhaps a delay."""
+    return PER_SIMULATION + steps * (PER_STEP + PER_SENSITIVITY * sensitivities + PER_DELAYED_STEP * delayed)
+
+
 @dataclass
 class Effort:
     """What may be spent and what was, in seconds of processor time by the cost model.
@@ -248,9 +253,8 @@ class Effort:
     spent: float = 0.0
 
     def spend(self, steps: int, sensitivities: int = 0, *, delayed: bool = False) -> None:
-        """Count a simulation of so many integration steps, with so many sensitivities and perhaps a delay."""
-        per_step = PER_STEP + PER_SENSITIVITY * sensitivities + PER_DELAYED_STEP * delayed
-        self.spent += PER_SIMULATION + steps * per_step
+        """Count a simulation, as `simulation_effort`."""
+        self.spent += simulation_effort(steps, sensitivities, delayed=delayed)
 
     def exhausted(self, share: float = 1.0) -> bool:
         """Whether a share of the limit is spent."""

@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.identification.descent import Effort
+from pipeline.identification.descent import Effort, simulation_effort
 from pipeline.identification.input_path import drive_at_nodes, known_inputs, spline_through
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.viscoelastic_joint import basis, no_sensitivities, observed_run
@@ -181,6 +181,14 @@ class JointProblem:
             parts.append(log.error(states[:, 0]))
             rows.append(log.compared(sensitivity)[log.kept])
         return np.concatenate(parts), np.concatenate(rows)
+
+    def jacobian_effort(self, theta: FloatArray) -> float:
+        """Seconds of a Jacobian by the cost model."""
+        p, seconds = self.parameters, 0.0
+        for log in self.logs:
+            steps = log.split * steps_per_sample(p, log.interval, theta, self.step)
+            seconds += simulation_effort(steps, p.count, delayed=p.structure.input_delay)
+        return seconds
 
     def parts(self, theta: FloatArray) -> bool:
         """Whether the free run of any log parts from one that starts beside it."""

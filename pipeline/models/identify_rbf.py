@@ -35,7 +35,7 @@ from pipeline.models.rbf_candidates import (
     population_candidate,
     questions,
 )
-from pipeline.models.rbf_search import Fit, Setting, excerpts, rms, search
+from pipeline.models.rbf_search import Fit, Setting, cut, excerpts, rms, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.progress import OnProgress, silent
@@ -55,6 +55,10 @@ reads 3 mm too much, 0.2 to 0.6."""
 
 NOTHING = 0.01
 """Share of the largest input below which one does nothing."""
+
+LAST_JACOBIANS = 8
+"""Jacobians of the last level and of the bands that a whole time limit must at least hold, for logs to be fitted whole:
+of an hour at 10 ms a single one takes longer than a limit."""
 
 ITERATIONS, LAST_ITERATIONS = 15, 300
 """Steps per observer level of the final fit, and at the last one: most fits converge within 60."""
@@ -202,7 +206,7 @@ def _choose_prior(
 
 
 def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, like: Fit | None) -> _Fitted:
-    """A candidate on all data: long logs by their excerpts first, then whole."""
+    """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
     p, start, prior = setting.begin(records, one, like)
     told = setting.progress(one.label, p.scales.half)
     parts, gains = excerpts(records), [gain for gain in GAINS if gain >= setting.coupled]
@@ -221,6 +225,9 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, lik
     fit = descend(problem, start, gains, 1.0 if whole else 0.8)
     if not whole and fit.reached_last:
         complete = JointProblem(p, records, effort=setting.effort)
+        affordable = setting.effort.limit / (LAST_JACOBIANS * complete.jacobian_effort(fit.theta))
+        if affordable < 1.0:
+            complete = JointProblem(p, cut(records, affordable), effort=setting.effort)
         last = descend(complete, fit.theta, gains[-1:], 1.0)
         fit, problem = (last, complete) if last.levels else (fit, problem)
     return _Fitted(one, p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual, problem)

@@ -222,11 +222,15 @@ def rms(values: FloatArray) -> float:
 
 
 def excerpts(records: Sequence[Record]) -> list[Record]:
-    """The logs, each cut to its most moving excerpt where together they take more than `EXCERPT` coarse steps."""
+    """The logs, cut where together they take more than `EXCERPT` coarse steps."""
     step = COARSE_STEP / data_scales(records, centred=False).frequency
     total = sum(len(r.t) * max(1, np.ceil(r.interval / step)) for r in records)
     thinning = max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES)
-    share = EXCERPT * max(1.0, min(thinning, min(step / r.interval for r in records))) / total
+    return cut(records, EXCERPT * max(1.0, min(thinning, min(step / r.interval for r in records))) / total)
+
+
+def cut(records: Sequence[Record], share: float) -> list[Record]:
+    """The logs, each cut to its most moving excerpt of a share of it where that is below 1."""
     return [r if share >= 1.0 else _excerpt(r, int(share * len(r.t))) for r in records]
 
 

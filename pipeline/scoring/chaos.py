@@ -125,7 +125,7 @@ def statistics(measured: FloatArray, calculated: FloatArray, interval: float) ->
     Returns
     -------
     Statistics or None
-        None with fewer than `LEAST` samples, or a measured record that is constant.
+        None with fewer than `LEAST` samples, or a measured record that is constant. Cost: that of sorting both.
     """
     a, b = measured[longest_run(np.isfinite(measured))], calculated[longest_run(np.isfinite(calculated))]
     count = min(a.size, b.size)
@@ -133,10 +133,15 @@ def statistics(measured: FloatArray, calculated: FloatArray, interval: float) ->
     if count < LEAST or span == 0.0:
         return None
     shares = (np.arange(count) + 0.5) / count
-    moved = float(np.mean(np.abs(np.quantile(a, shares) - np.quantile(b, shares)))) / span
+    moved = float(np.mean(np.abs(_quantiles(a, shares) - _quantiles(b, shares)))) / span
     length = 2 * count // SEGMENTS
     spectra = [np.sqrt(welch(x, 1.0 / interval, nperseg=length)[1]) for x in (a, b)]
     return Statistics(moved, float(np.linalg.norm(spectra[0] - spectra[1]) / np.linalg.norm(spectra[0])))
+
+
+def _quantiles(values: FloatArray, shares: FloatArray) -> FloatArray:
+    """As `numpy.quantile`, whose time for as many shares as values grows with their square."""
+    return np.interp(shares * (values.size - 1), np.arange(values.size), np.sort(values))
 
 
 def statistics_of_halves(measured: FloatArray, interval: float) -> Statistics | None:

@@ -50,6 +50,8 @@ _LONGEST_SECANT = 4.0
 _BACK = 0.5
 _SEARCH_TOLERANCE = 1e-6
 _SEARCH_TOLERANCE_REWEIGHTED = 1e-3
+_LONG, _EXCERPTS, _EXCERPT = 1 << 19, 8, 1 << 14
+"""Samples of a record from which on the search starts at the scale of so many excerpts, each so long."""
 _NOTHING = 0.5
 """Effective parameters below which the record is a polynomial and noise."""
 
@@ -99,14 +101,15 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     Returns
     -------
     SmoothingParameter
-        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-6 (1e-3 with reweighting).
+        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-6 (1e-3 with reweighting); of
+        a record of `_LONG` samples and more that of three to five.
     """
     sigma = noise_std(samples)
     increments = samples.size - order - 1
     shape = SHAPE_REWEIGHTED if reweighted else SHAPE
     tolerance = _SEARCH_TOLERANCE_REWEIGHTED if reweighted else _SEARCH_TOLERANCE
     weights = np.ones(samples.size)
-    log_scale, before = float(np.log(sigma)), None
+    log_scale, before = _first_scale(samples, dt, order, sigma, reweighted=reweighted), None
     settled, t = False, None
     for _ in range(_ROUNDS):
         scale = float(np.exp(log_scale))  # of the differences in steps [signal]
@@ -141,6 +144,19 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
         settled=settled,
         weights=weights if reweighted else None,
     )
+
+
+def _first_scale(samples: FloatArray, dt: float, order: int, sigma: float, *, reweighted: bool) -> float:
+    """Logarithm of the scale of the differences [signal] at which the search starts: the noise, or what excerpts of a
+    long record have, in the median.
+    """
+    if samples.size < _LONG:
+        return float(np.log(sigma))
+    starts = np.linspace(0, samples.size - _EXCERPT, _EXCERPTS).astype(int)
+    parts = [samples[start : start + _EXCERPT] for start in starts]
+    moving = [smoothing_parameter(part, dt, order, reweighted=reweighted) for part in parts if np.ptp(part) > 0.0]
+    found = [np.sqrt(one.epsilon) * dt**order for one in moving if one.effective_parameters >= _NOTHING]
+    return float(np.log(np.median(found) if found else sigma))
 
 
 def _stretch(log_scale: float, change: float, before: tuple[float, float] | None) -> float:
