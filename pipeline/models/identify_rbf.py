@@ -56,9 +56,9 @@ reads 3 mm too much, 0.2 to 0.6."""
 NOTHING = 0.01
 """Share of the largest input below which one does nothing."""
 
-LAST_JACOBIANS = 8
-"""Jacobians of the last level and of the bands that a whole time limit must at least hold, for logs to be fitted whole:
-of an hour at 10 ms a single one takes longer than a limit."""
+JACOBIANS, LAST_JACOBIANS = 20, 8
+"""Jacobians of a descent, and of its last level on whole logs, that a time limit must at least hold; logs are cut where
+it does not: of an hour at 10 ms a single one takes longer than a limit."""
 
 ITERATIONS, LAST_ITERATIONS = 15, 300
 """Steps per observer level of the final fit, and at the last one: most fits converge within 60."""
@@ -209,8 +209,7 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, lik
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
     p, start, prior = setting.begin(records, one, like)
     told = setting.progress(one.label, p.scales.half)
-    parts, gains = excerpts(records), [gain for gain in GAINS if gain >= setting.coupled]
-    whole = all(len(part.t) == len(record.t) for part, record in zip(parts, records, strict=True))
+    gains = [gain for gain in GAINS if gain >= setting.coupled]
 
     def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         """θ after a homotopy over the observer gains [1/s], within a share of the effort."""
@@ -221,13 +220,17 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, lik
             keep=kept_under(setting.kept, f"final of {one.label} from {gains[0]:g}"),
         )  # fmt: skip
 
-    problem = JointProblem(p, parts, effort=setting.effort)
+    def within(logs: Sequence[Record], theta: FloatArray, jacobians: int) -> JointProblem:
+        """The logs, or so much of them that a time limit holds so many Jacobians."""
+        problem = JointProblem(p, logs, effort=setting.effort)
+        affordable = setting.effort.limit / (jacobians * problem.jacobian_effort(theta))
+        return problem if affordable >= 1.0 else JointProblem(p, cut(logs, affordable), effort=setting.effort)
+
+    problem = within(excerpts(records), start, JACOBIANS)
+    whole = all(len(log.measured) == len(record.t) for log, record in zip(problem.logs, records, strict=True))
     fit = descend(problem, start, gains, 1.0 if whole else 0.8)
     if not whole and fit.reached_last:
-        complete = JointProblem(p, records, effort=setting.effort)
-        affordable = setting.effort.limit / (LAST_JACOBIANS * complete.jacobian_effort(fit.theta))
-        if affordable < 1.0:
-            complete = JointProblem(p, cut(records, affordable), effort=setting.effort)
+        complete = within(records, fit.theta, LAST_JACOBIANS)
         last = descend(complete, fit.theta, gains[-1:], 1.0)
         fit, problem = (last, complete) if last.levels else (fit, problem)
     return _Fitted(one, p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual, problem)

@@ -42,6 +42,9 @@ LOST = 1.0
 EXCERPT = 8_000
 """Integration steps of a fit that only compares: longer logs are cut to the excerpt in which q ranges furthest."""
 
+SHORTEST = 500
+"""Samples of a log that no cut leaves less of."""
+
 LEAST_SAMPLES = 1_500
 """Samples of all logs together below which none is left out where candidates are only compared."""
 
@@ -230,8 +233,9 @@ def excerpts(records: Sequence[Record]) -> list[Record]:
 
 
 def cut(records: Sequence[Record], share: float) -> list[Record]:
-    """The logs, each cut to its most moving excerpt of a share of it where that is below 1."""
-    return [r if share >= 1.0 else _excerpt(r, int(share * len(r.t))) for r in records]
+    """The logs, each cut to its most moving excerpt of a share below 1, but to `SHORTEST` at least."""
+    lengths = [max(int(share * len(r.t)), SHORTEST) for r in records]
+    return [r if length >= len(r.t) else _excerpt(r, length) for r, length in zip(records, lengths, strict=True)]
 
 
 def _excerpt(record: Record, length: int) -> Record:

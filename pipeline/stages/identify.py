@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "31"
+ALGORITHM = "32"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
