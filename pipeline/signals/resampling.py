@@ -88,14 +88,26 @@ def decimated(time: Samples, columns: Sequence[Samples], t_out: Samples, interva
     if time.size == 1:
         yield np.array([np.full(t_out.size, column[0:1][0]) for column in columns], dtype=np.float64)
         return
-    slopes = _Slopes(time, columns, t_out, interval)
+    slopes, apart = _Slopes(time, columns, t_out, interval), _BLOCK * t_out.size // time.size
     for first, near, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
         values: FloatArray = sums[0] / moments[0]
         shift = moments[1] / moments[0]
-        for run in runs_of(np.abs(shift) > _MOMENT_TOLERANCE):
+        uneven = np.abs(shift) > _MOMENT_TOLERANCE
+        for run in _joined(runs_of(uneven), apart):
             slope = slopes.at(first + run.start, first + run.stop, near, ends=run.stop < shift.size)
-            values[:, run] -= shift[run] * slope
+            values[:, run] -= np.where(uneven[run], shift[run], 0.0) * slope
         yield values
+
+
+def _joined(runs: list[slice], apart: int) -> list[slice]:
+    """Runs of which those no further `apart` are one: to begin one costs a block of samples."""
+    joined: list[slice] = []
+    for run in runs:
+        if joined and run.start - joined[-1].stop <= apart:
+            joined[-1] = slice(joined[-1].start, run.stop)
+        else:
+            joined.append(run)
+    return joined
 
 
 class _Slopes:
