@@ -201,3 +201,15 @@ def test_samples_beside_one_that_is_not_usable_are_left_as_they_are():
 def test_a_simulation_shorter_than_the_kernel_is_left_as_it_is():
     signal = np.arange(7.0)[:, None]
     np.testing.assert_array_equal(filtered_samples(signal, 2), signal[::2])
+
+
+def test_runs_of_uneven_points_may_be_corrected_together(monkeypatch) -> None:
+    """A rate that is no multiple of the record's leaves thousands of runs; each alone gives the same values."""
+    rng = np.random.default_rng(3)
+    time = 0.16e-3 * np.arange(60_000) + 1e-6 * rng.uniform(size=60_000)
+    column = np.sin(7.0 * time) + 1e-3 * rng.standard_normal(60_000)
+    grid = np.linspace(time[0], time[0] + 1e-3 * 9_000, 9_001)
+    together = decimate(time, [column], grid, 1e-3)
+    monkeypatch.setattr("pipeline.signals.resampling._joined", lambda runs, apart: runs)
+    alone = decimate(time, [column], grid, 1e-3)
+    np.testing.assert_allclose(together, alone, rtol=0.0, atol=1e-13)
