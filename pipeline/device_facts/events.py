@@ -10,7 +10,7 @@ from pipeline.scoring.wells import NoWells, Wells, end_of_rest, rests
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
 QUIET = 0.1  # s without a switch before one counts as an event of its own
 RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
-MOST_RING_DOWNS = 100  # of one log: their medians know no more from more
+MOST_RING_DOWNS = 100  # of one log that are looked at
 LEAST_SAMPLES = 20
 MOST_UNEXPLAINED = 0.3  # RMS of the rest over that of the oscillation, beyond which no frequency is stated
 FARTHEST = 30.0  # of the logarithms of decay and frequency [1/s], which stay finite
@@ -117,7 +117,7 @@ def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: 
 
     Notes
     -----
-    Cost: 16 ms a ring-down, of which at most `MOST_RING_DOWNS` a log are looked at, evenly over it.
+    Cost: 8 ms a ring-down, of which at most `MOST_RING_DOWNS` a log are looked at, evenly over it.
     """
     places: tuple[list[float], list[float]] = ([], [])
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])

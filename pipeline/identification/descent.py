@@ -61,7 +61,7 @@ class Prior:
 
 
 class ParallelProblem(ObservedProblem, Protocol):
-    """A simulation that an observer couples to data that runs several parameter vectors side by side."""
+    """The same that runs several parameter vectors side by side."""
 
     def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
         """Simulated minus measured of each row of `thetas`, shape (B, N); NaN where a simulation diverged."""

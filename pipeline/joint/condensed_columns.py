@@ -29,7 +29,7 @@ from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.numerics.arrays import FloatArray, SingleArray
 from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
 
-COLUMNS = 16
+BATCH = 16
 """Columns side by side."""
 STAGES = 8
 """Stages side by side: those of two steps."""
@@ -38,7 +38,7 @@ INSTRUMENTS = 5
 _ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 2 + 2 * STOPS * 5
 _SLOTS = STAGES + 2
 """The four stages and the end of a step, and of the next one."""
-_ROW = _SLOTS * COLUMNS
+_ROW = _SLOTS * BATCH
 _BLOCK = _ALL * _ROW
 """Numbers that act on a block of columns: row by row, in each slot, on each column."""
 _TRAVEL, _ARM = INDEX["stop_travel_0"], INDEX["friction_arm"]
@@ -93,7 +93,7 @@ def _given(build: Builder, name: str, entry: int) -> int:
 _bell, _stop = formula(BELL_SHAPE), formula(STOP_OPERATOR)
 _prepare, _PREPARED = kernel(PREPARE), PREPARE.outputs["p"]
 _jacobian, _by_constants = kernel(JACOBIAN, STAGES, single=True), kernel(BY_CONSTANTS, STAGES, single=True)
-_move = kernel(_step(), COLUMNS, common=("a", "w"), single=True)
+_move = kernel(_step(), BATCH, common=("a", "w"), single=True)
 _BY_CONSTANTS = np.array(
     [
         divmod(one.place[1], _CONSTANTS)
@@ -122,7 +122,7 @@ class Columns(NamedTuple):
 def columns_of(active: NDArray[np.int64]) -> Columns:
     """The columns of the `active` constants, then of the instruments, then of the weights."""
     places = np.arange(len(active) + INSTRUMENTS)
-    places = places // COLUMNS * _BLOCK + places % COLUMNS
+    places = places // BATCH * _BLOCK + places % BATCH
     of_constant = np.full(_CONSTANTS, -1)
     of_constant[active] = places[: len(active)]
     row, constant = _BY_CONSTANTS[of_constant[_BY_CONSTANTS[:, 1]] >= 0].T
@@ -137,8 +137,8 @@ def columns_of(active: NDArray[np.int64]) -> Columns:
 
 
 def blocks(count: int) -> int:
-    """Blocks of `COLUMNS` columns."""
-    return -(-count // COLUMNS)
+    """Blocks of `BATCH` columns."""
+    return -(-count // BATCH)
 
 
 @compiled
@@ -160,7 +160,7 @@ def propagate(
         p[i] = prepared[i // STAGES]
     bells = np.zeros((STAGES, 2, max(centres, 1)))
     for column in range(found.shape[1]):
-        found[0, column] = starts[column // COLUMNS, 0, column % COLUMNS]
+        found[0, column] = starts[column // BATCH, 0, column % BATCH]
     for first in range(0, steps, 2):
         for slot in range(_SLOTS):
             _follow(points, slips, first, slot, k, h, z, w, drive, own)
@@ -177,7 +177,7 @@ def propagate(
         for i in range(len(sources)):
             source, target = sources[i] & _PLACE, targets[i] & _PLACE
             for lane in range(STAGES):
-                drive[target + (lane + lane // 4) * COLUMNS] = by_k[source + lane]
+                drive[target + (lane + lane // 4) * BATCH] = by_k[source + lane]
         for lane in range(STAGES):
             step, stage = min(first + lane // 4, steps - 1), lane % 4
             node = 2 * step + STAGE_NODES[stage]
@@ -202,13 +202,13 @@ def _advance(
         of_step, weights = a[4 * (step - first) :], w[step - first]
         confined = abs(points[step + 1, 0, 0]) >= wall
         for block in range(len(starts)):
-            here, slip, at = starts[block].ravel(), stops[block].ravel(), block * _BLOCK + 5 * COLUMNS * (step - first)
+            here, slip, at = starts[block].ravel(), stops[block].ravel(), block * _BLOCK + 5 * BATCH * (step - first)
             _move((of_step, weights, here, slip, drive[at:], here, slip))
             if confined:
-                here[: 2 * COLUMNS] = 0.0
+                here[: 2 * BATCH] = 0.0
             if (step + 1) % substeps == 0:
-                for lane in range(COLUMNS):
-                    found[(step + 1) // substeps, block * COLUMNS + lane] = here[lane]
+                for lane in range(BATCH):
+                    found[(step + 1) // substeps, block * BATCH + lane] = here[lane]
 
 
 @compiled
@@ -230,9 +230,9 @@ def _follow(
             z[i * STAGES + 4 * half + stage] = share
         w[half, place], w[half, place + STOPS] = follows, by_play
         if own[STOPS] >= 0:
-            drive[own[STOPS] + i * _ROW + slot * COLUMNS] = turned * by_play
+            drive[own[STOPS] + i * _ROW + slot * BATCH] = turned * by_play
         if own[i] >= 0:
-            drive[own[i] + i * _ROW + slot * COLUMNS] = by_travel
+            drive[own[i] + i * _ROW + slot * BATCH] = by_travel
 
 
 @compiled
@@ -265,7 +265,7 @@ def _act(
     a[_ALL * STAGES + lane] += speed
     a[3 * _ALL * STAGES + lane] += turning
     for i in range(INSTRUMENTS):
-        at = places[i] + (lane + lane // 4) * COLUMNS
+        at = places[i] + (lane + lane // 4) * BATCH
         if i < 2:
             error = -1.0 / seen[0]
             if i == 1:
@@ -291,5 +291,5 @@ def _act_by_weights(
                 slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * STAGES + lane]
             for j in range(centres):
                 column = first + curve * centres + j
-                at = column // COLUMNS * _BLOCK + column % COLUMNS + row * _ROW + (lane + lane // 4) * COLUMNS
+                at = column // BATCH * _BLOCK + column % BATCH + row * _ROW + (lane + lane // 4) * BATCH
                 drive[at] = value * bells[lane, 0, j] + slope * bells[lane, 1, j]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import STATES, STOPS
-from pipeline.joint.condensed_columns import COLUMNS, INSTRUMENTS, blocks, columns_of, propagate
+from pipeline.joint.condensed_columns import BATCH, INSTRUMENTS, blocks, columns_of, propagate
 from pipeline.joint.condensed_kernels import VALUES
 from pipeline.joint.condensed_kernels import prepare as prepare_rates
 from pipeline.joint.condensed_runs import Joints
@@ -101,7 +101,7 @@ def sensitivities(
     )  # fmt: skip
     points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
     _run(system, x, dt / substeps, points, slips)
-    found = np.empty((steps // substeps + 1, len(starts) * COLUMNS))
+    found = np.empty((steps // substeps + 1, len(starts) * BATCH))
     propagate(
         points, slips, k, basis, weights, driven.squares, driven.by_instruments, driven.observed, driven.pole, seen,
         dt / substeps, substeps, q_stop, lead, columns_of(active), starts, stops, found,
@@ -115,11 +115,11 @@ def _starts(
     k: FloatArray, basis: FloatArray, weights: FloatArray, scale: FloatArray, active: NDArray[np.int64],
     widths: FloatArray, seen: FloatArray, start: FloatArray, u: FloatArray, by_instruments: FloatArray,
 ) -> tuple[FloatArray, FloatArray, SingleArray, SingleArray]:  # fmt: skip
-    """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, COLUMNS)."""
+    """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, BATCH)."""
     gain, offset = seen
     q, first, centres = (start[0] - offset) / gain, len(active) + INSTRUMENTS, weights.shape[1]
     total = blocks(first + weights.size)
-    starts, stops = (np.zeros((total, rows, COLUMNS), dtype=np.float32) for rows in (STATES, STOPS))
+    starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
     x, z = rest_state(q, u, k, prepare_rates(k[None])[0], basis, weights)
     moves: list[tuple[int, float, _Rest]] = []
     for column, i in enumerate(active):
@@ -137,11 +137,11 @@ def _starts(
         moves.append((first + i, step, (q, u, k, moved)))
     for column, step, (place, voltages, constants, changed) in moves:
         there, slipped = rest_state(place, voltages, constants, prepare_rates(constants[None])[0], basis, changed)
-        starts[column // COLUMNS, :, column % COLUMNS] = (there - x) / step
-        stops[column // COLUMNS, :, column % COLUMNS] = (slipped - z) / step
+        starts[column // BATCH, :, column % BATCH] = (there - x) / step
+        stops[column // BATCH, :, column % BATCH] = (slipped - z) / step
     x[1] = start[1] / gain
     last = len(active) + 1
-    starts[last // COLUMNS, 1, last % COLUMNS] = -start[1] / gain**2
+    starts[last // BATCH, 1, last % BATCH] = -start[1] / gain**2
     return x, z, starts, stops
 
 

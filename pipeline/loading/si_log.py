@@ -12,16 +12,13 @@ from pipeline.errors import InputError
 from pipeline.loading.device import Device
 from pipeline.numerics.arrays import Samples
 from pipeline.settings import Channel, Prototype
-from pipeline.signals.columns import Scaled, equal
+from pipeline.signals.columns import Scaled, Signal, equal
 from pipeline.signals.timebase import nominal_step
 from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 
 if TYPE_CHECKING:
     from pipeline.rig_logs import Recording
     from pipeline.rig_logs import SpooledColumn as Spooled
-
-Signal = tuple[Samples, Samples]
-"""Time stamps [s] and samples, in the order of the log."""
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 

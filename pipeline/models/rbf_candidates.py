@@ -135,7 +135,7 @@ class RbfChoice:
 
 
 def population_candidate(structure: JointStructure) -> Candidate:
-    """One that is believed to be population prior."""
+    """A structure with the population prior."""
     usual = candidate(structure)
     label = f"{usual.label}, population prior"
     return replace(usual, label=label, noise_inflation=POPULATION_INFLATION, population=True)

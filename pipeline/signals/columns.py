@@ -14,6 +14,9 @@ CHUNK = 1 << 17
 """Rows at a time."""
 _FIRST_STEP = 1 << 9
 
+Signal = tuple[Samples, Samples]
+"""Time stamps [s] and samples, in the order of the log."""
+
 
 def chunks(size: int, overlap: int = 0) -> Iterator[slice]:
     """Ranges of at most `CHUNK` rows that cover `size` rows, each longer by `overlap` rows where there are any."""

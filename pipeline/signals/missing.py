@@ -1,12 +1,12 @@
 """What a log lacks of a signal beside the displacement: samples that are none, and times at which only q is known."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import Samples
-from pipeline.signals.columns import chunks
+from pipeline.signals.columns import Signal, chunks
 
 
 @dataclass(frozen=True)
@@ -39,8 +39,8 @@ class Missing:
         return max(self.not_finite / self.n, alone)
 
 
-def missing(q: tuple[Samples, Samples], signal: tuple[Samples, Samples]) -> Missing:
-    """What is missing of a signal, given as stamps [s] and samples, while the displacement `q` is known.
+def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
+    """What is missing of each signal beside the displacement `q` while that is known.
 
     Raises
     ------
@@ -49,14 +49,18 @@ def missing(q: tuple[Samples, Samples], signal: tuple[Samples, Samples]) -> Miss
 
     Notes
     -----
-    Cost: one pass over stamps and samples of both, in chunks.
+    Cost: one pass over stamps and samples of each, in chunks.
     """
-    begin, end, _, _ = _extent(q)
-    first, last, count, bad = _extent(signal)
-    return Missing(signal[1].size, count, bad, max(0.0, first - begin), max(0.0, end - last), end - begin)
+    begin, end, _, _ = _extent("q", q)
+    found = {}
+    for name, signal in beside.items():
+        first, last, count, bad = _extent(name, signal)
+        lost = max(0.0, first - begin), max(0.0, end - last)
+        found[name] = Missing(signal[1].size, count, bad, *lost, end - begin)
+    return found
 
 
-def _extent(signal: tuple[Samples, Samples]) -> tuple[float, float, int, float]:
+def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
     """First and last stamp of a finite sample, the number of samples that are not finite, and their first stamp."""
     time, samples = signal
     low, high, count, bad = np.inf, -np.inf, 0, np.nan
@@ -69,5 +73,5 @@ def _extent(signal: tuple[Samples, Samples]) -> tuple[float, float, int, float]:
             count += int(np.count_nonzero(~finite))
             bad = bad if np.isfinite(bad) else float(stamps[np.argmin(finite)])
     if not low <= high:
-        raise DataRefusedError("no sample is finite where the time is known")
+        raise DataRefusedError(f"{name}: no sample is finite where the time is known")
     return low, high, count, bad

@@ -101,8 +101,8 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     Returns
     -------
     SmoothingParameter
-        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-6 (1e-3 with reweighting); of
-        a record of `_LONG` samples and more that of three to five.
+        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-6 (1e-3 with reweighting),
+        fewer of a record of `_LONG` samples and more (six in place of nine of an hour at 1 kHz).
     """
     sigma = noise_std(samples)
     increments = samples.size - order - 1

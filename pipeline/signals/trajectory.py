@@ -55,8 +55,13 @@ class Trajectory:
         """Sample interval [s]."""
         return sample_interval(self.t)
 
+    @property
+    def known_q(self) -> FloatArray:
+        """The displacement, every sample of which is valid, shape (N,)."""
+        return self.q
 
-def operating_range(logs: Sequence["Trajectory | Record"]) -> tuple[float, float]:
+
+def operating_range(logs: "Sequence[Trajectory | Record]") -> tuple[float, float]:
     """Smallest and largest valid displacement of all stretches or records: q_min, q_max of eq. 39.
 
     Raises
@@ -66,8 +71,7 @@ def operating_range(logs: Sequence["Trajectory | Record"]) -> tuple[float, float
     """
     if not logs:
         raise InputError("there is no training data; name at least one training log with valid samples")
-    known = [log.q[log.valid] if isinstance(log, Record) else log.q for log in logs]
-    low, high = min(float(q.min()) for q in known), max(float(q.max()) for q in known)
+    low, high = min(float(log.known_q.min()) for log in logs), max(float(log.known_q.max()) for log in logs)
     if not high > low:
         raise InputError(f"q is constant ({low:g}) in all training logs; nothing can be identified from it")
     return low, high
@@ -121,6 +125,11 @@ class Record:
             raise InputError("a voltage is not finite; interpolate or mask it first")
         if not self.valid[0]:
             raise InputError("the first sample of a log must be valid; cut the log there")
+
+    @property
+    def known_q(self) -> FloatArray:
+        """The valid samples of the displacement, shape (M,)."""
+        return self.q[self.valid]
 
     @property
     def drive(self) -> FloatArray:

@@ -164,7 +164,7 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
     from pipeline.signals.missing import missing
     from pipeline.signals.quality_gates import missing_findings
 
-    beside, said = {name: missing(signals.q, signal) for name, signal in signals.beside.items()}, []
+    beside, said = missing(signals.q, signals.beside), []
     for name, lacks in beside.items():
         if lacks.not_finite:
             place = f", the first at {moment(lacks.first)} s" if np.isfinite(lacks.first) else ""

@@ -336,7 +336,7 @@ def test_a_delay_that_does_nothing_is_not_chosen():
 def test_a_log_of_which_one_jacobian_takes_the_limit_is_fitted_in_part():
     long = log(planted(), 21, n=60_000)
     found = identify_rbf([long], mass=0.04, candidates=[Candidate("free", STRUCTURE, 1.0)], time_limit=2.0)
-    assert found.diagnostics["effort_s"] < 6.0
+    assert found.diagnostics["effort_s"] < 5.0
     run = found.simulate(long.t[:1000], long.v[:1000], long.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - long.q[:1000]) ** 2)) < 0.1 * np.ptp(long.q)
 

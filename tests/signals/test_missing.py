@@ -14,7 +14,7 @@ Q, V = np.sin(T), np.cos(T)
 
 
 def test_a_whole_signal_lacks_nothing() -> None:
-    found = missing((T, Q), (T, V))
+    found = missing((T, Q), {"v1": (T, V)})["v1"]
     assert (found.not_finite, found.before, found.after, found.share) == (0, 0.0, 0.0, 0.0)
     assert np.isnan(found.first)
 
@@ -26,7 +26,7 @@ def test_samples_that_are_none(share: float, refused: bool, where: str) -> None:
     begin = N - lost if where == "end" else N // 2
     v = V.copy()
     v[begin : begin + lost] = np.nan
-    found = missing((T, Q), (T, v))
+    found = missing((T, Q), {"v1": (T, v)})["v1"]
     assert found.not_finite == lost
     assert found.first == T[begin]
     assert found.after == pytest.approx(lost * STEP if where == "end" else 0.0)
@@ -36,7 +36,7 @@ def test_samples_that_are_none(share: float, refused: bool, where: str) -> None:
 
 def test_a_time_base_of_its_own_that_begins_late_and_ends_early() -> None:
     stamps = T[(T > 110.0) & (T < 250.0)]
-    found = missing((T, Q), (stamps, np.zeros_like(stamps)))
+    found = missing((T, Q), {"v1": (stamps, np.zeros_like(stamps))})["v1"]
     assert found.before == pytest.approx(stamps[0] - T[0])
     assert found.after == pytest.approx(T[-1] - stamps[-1])
     assert found.not_finite == 0
@@ -46,4 +46,4 @@ def test_a_time_base_of_its_own_that_begins_late_and_ends_early() -> None:
 
 def test_no_sample_at_all_is_refused() -> None:
     with pytest.raises(DataRefusedError, match="no sample is finite"):
-        missing((T, Q), (T, np.full(N, np.nan)))
+        missing((T, Q), {"v1": (T, np.full(N, np.nan))})["v1"]
