@@ -190,8 +190,11 @@ class Differentiate(_Settings):
 
     @model_validator(mode="after")
     def _alpha_applies(self) -> "Differentiate":
-        if self.alpha != "auto" and self.method != "tvregdiff":
-            raise ValueError(f'alpha is for method = "tvregdiff"; {self.method!r} goes by the noise, leave alpha out')
+        for key in ("alpha", "order", "reweighted") if self.method != "tvregdiff" else ():
+            if getattr(self, key) != _default(Differentiate, key):
+                raise ValueError(
+                    f'{key} is for method = "tvregdiff"; {self.method!r} goes by the noise, leave {key} out'
+                )
         if self.alpha == "auto" and self.epsilon is not None:
             raise ValueError('epsilon is chosen together with alpha = "auto"; give alpha too, or leave epsilon out')
         return self
@@ -242,6 +245,10 @@ class Identify(_Settings):
     rbf_prior: Literal["auto", "smooth"] = "auto"
     """What `rbf` believes before the log; "auto": of a bistable joint of the usual structure the population prior of
     simulated joints, else, as "smooth", that curves are smooth and sides alike."""
+
+    def may_fit(self, model: str) -> bool:
+        """Whether a model is among those to be identified; "auto" may be "rbf"."""
+        return model in self.models or (model == "rbf" and AUTO in self.models)
 
     @field_validator("models")
     @classmethod
@@ -339,10 +346,23 @@ class Prototype(_Settings):
             )
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
+        return self
+
+    @model_validator(mode="after")
+    def _read(self) -> "Prototype":
+        """Nothing is set that no model of this prototype reads."""
         of_rbf = [key for key, field in Identify.model_fields.items() if field.default == AUTO]
-        for key in of_rbf:
-            if getattr(self.identify, key) != AUTO and not {AUTO, "rbf"} & set(self.identify.models):
-                raise ValueError(f'identify.{key}: is for "rbf", which identify.models does not name')
+        for model, keys in (("rbf", (*of_rbf, "time_limit")), ("rbf-paper", ("basis_functions", "basis", "smoothing"))):
+            set_here = [f"identify.{key}" for key in keys if getattr(self.identify, key) != _default(Identify, key)]
+            if model == "rbf" and self.plant.curves is not None:
+                set_here.append("plant.curves")
+            if set_here and not self.identify.may_fit(model):
+                raise ValueError(f'{set_here[0]}: is for "{model}", which identify.models does not name')
+        if self.channels.qdot is not None and self.differentiate.alpha != AUTO:
+            raise ValueError(
+                "differentiate.alpha: is for the displacement; a measured velocity (channels.qdot) is smoothed by its "
+                "own noise, leave alpha and epsilon out"
+            )
         return self
 
     @property
@@ -362,6 +382,11 @@ class Prototype(_Settings):
             return self.compare.models
         every = [one for one in ENTRIES if one.part == "compare"]
         return tuple(one.name for one in every if not one.needs_parameters or self.plant.parameters is not None)
+
+
+def _default(section: type[_Settings], key: str) -> Any:
+    """What a key is where it is left out."""
+    return section.model_fields[key].default
 
 
 def _known_names(given: tuple[str, ...], known: tuple[str, ...], what: str = "model") -> tuple[str, ...]:

@@ -61,6 +61,23 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d.update(compare={"models": ["rbf"]}), ["compare.models", "no model 'rbf' here", "sindy"]),
         (lambda d: d.update(identify={"models": ["rbf-paper"], "friction": "lag"}), ["identify.friction", '"rbf"']),
         (lambda d: d.update(identify={"models": ["rbf-paper"], "drag": "none"}), ["identify.drag", '"rbf"']),
+        (lambda d: d.update(identify={"models": ["rbf-paper"], "time_limit": 5}), ["identify.time_limit", '"rbf"']),
+        (lambda d: d.update(identify={"models": ["rbf"], "smoothing": 0.4}), ["identify.smoothing", '"rbf-paper"']),
+        (
+            lambda d: d.update(
+                identify={"models": ["rbf-paper"]},
+                plant={"mass": {"value": 1, "unit": "g"}, "curves": "c.csv"},
+            ),
+            ["plant.curves", '"rbf"'],
+        ),
+        (lambda d: d.update(differentiate={"method": "rts", "order": 2}), ["order", "tvregdiff"]),
+        (
+            lambda d: (
+                d["channels"].update(qdot={"channel": "w", "unit": "m/s"}),
+                d.update(differentiate={"alpha": 1.0}),
+            ),
+            ["differentiate.alpha", "channels.qdot"],
+        ),
     ],
 )
 def test_a_mistake_is_one_line_that_names_the_key(change: Callable[[dict[str, Any]], Any], words: list[str]) -> None:

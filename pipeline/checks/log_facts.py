@@ -9,7 +9,7 @@ import numpy as np
 
 from pipeline.checks.weak_form import FORCE_ORDER, GAIN_TERMS, LogSignals, WeakTerms, scales_of, solve, weak_terms
 from pipeline.device_facts.events import RestFacts, RingDown, rest_facts
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, samples_of
 from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells, snaps
 from pipeline.scoring.wells import rests as quiet_rows
 from pipeline.signals.signal_quality import takes_both_signs
@@ -66,7 +66,7 @@ def input_facts(terms: WeakTerms, sample_interval: float) -> tuple[InputFacts | 
     driven = [bool(on[i] >= _LEAST_ON and moved[i] > _ON) for i in range(count)]
     if not any(driven):
         return tuple(None for _ in driven)
-    step = max(1, round(sample_interval / terms.interval))
+    step = samples_of(sample_interval, terms.interval)
     reach = max(2, round(REACH * sample_interval / terms.interval / step))
     offsets = step * np.arange(-reach, reach + 1)
     best = np.zeros(count, dtype=np.int64)
@@ -188,7 +188,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
     """
     terms = weak_terms(log, sample_interval, scales_of(log, squared=squared), squared=squared)
     inputs = (None,) * log.v.shape[1] if terms is None else input_facts(terms, sample_interval)
-    every = max(1, round(sample_interval / log.interval))
+    every = samples_of(sample_interval, log.interval)
     t, q, v = log.every(every)
     wells = find_wells([(q, v, every * log.interval)])
     rests = rest_facts([(t, q, v)], wells)
@@ -215,7 +215,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
 
 def _ring_step(log: LogSignals) -> int:
     """Rows of a record in `_RING_INTERVAL`."""
-    return max(1, round(_RING_INTERVAL / log.interval))
+    return samples_of(_RING_INTERVAL, log.interval)
 
 
 def _rings(rests: RestFacts) -> list[RingDown]:

@@ -7,7 +7,7 @@ from pipeline.codegen.sequence import Sequence, sequence_kernel
 from pipeline.compiled import compiled
 from pipeline.control import estimator, feedback
 from pipeline.control.estimator import PERIOD, SIZES
-from pipeline.control.law import CONTROLLER_STATE, Law
+from pipeline.control.law import CONTROLLER_STATE, NUMBERS, Law
 from pipeline.generated.condensed_joint import PREPARE, STATES
 from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
 from pipeline.numerics.arrays import FloatArray
@@ -31,6 +31,7 @@ GRAPHS = {
 }
 """Graphs of the controller; tables of any length are given the length 0."""
 
+_OFFSET = NUMBERS.index("offset")
 TABLES = ("prepared", "slopes", "curves", "rests", "targets", "braking")
 """Arrays of a law beside its numbers `e`."""
 _MOVE = (
@@ -107,7 +108,7 @@ def closed_on_model(law: Law, joint: Law, start: float, target: FloatArray) -> t
     begin_control(start, joint, plant)
     begin_control(start, law, s)
     for i in range(target.size):
-        q[i] = joint.numbers[0] * plant[0] + joint.numbers[1]
+        q[i] = plant[0] + joint.numbers[_OFFSET]
         control(s, q[i], target[i], law, v[i])
         move(plant, v[i], joint)
     return q, v

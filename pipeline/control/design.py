@@ -117,7 +117,7 @@ def body_law(plant: Plant, lags: tuple[float, float]) -> Law:
     first, per_metre = table_span(basis, centres, NODES)
     curves = tabulate(basis, weights[None], NODES)[0, :, :, :CURVES] if centres else np.zeros((1, 6, CURVES))
     numbers = {
-        "gain": plant.gain, "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
+        "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
         **{f"kept_{side}": left for side, left in zip(SIDES, kept, strict=True)},
         **{f"kept_mean_{side}": (1.0 - left) * lag / PERIOD for side, left, lag in zip(SIDES, kept, lags, strict=True)},
         "reading_variance": READING**2, "shake": SHAKE**2, "twist": TWIST**2, "walk": WALK**2,

@@ -65,7 +65,7 @@ class Ensemble:
     constants: FloatArray
     weights: FloatArray
     basis: FloatArray
-    seen: FloatArray
+    offsets: FloatArray
     delays: FloatArray
     lags: FloatArray
     gains: FloatArray
@@ -80,7 +80,7 @@ class Ensemble:
 
     def chosen(self, which: slice) -> "Ensemble":
         """Some of the vectors."""
-        own = ("constants", "weights", "seen", "delays", "lags", "gains")
+        own = ("constants", "weights", "offsets", "delays", "lags", "gains")
         return replace(self, **{name: getattr(self, name)[which] for name in own})
 
     def run(self, commands: FloatArray, start: float) -> FloatArray:
@@ -120,7 +120,7 @@ class Ensemble:
         samples = (half - 1) // (2 * self.steps) + 1
         runs = run_joints(
             np.tile(self.constants, (plays, 1)), np.tile(self.weights, (plays, 1, 1)), self.basis,
-            squares.reshape(plays * count, half, 2), np.arange(plays * count), np.tile(self.seen, (plays, 1)),
+            squares.reshape(plays * count, half, 2), np.arange(plays * count), np.tile(self.offsets, plays),
             np.array([start, 0.0]), np.zeros(0), np.zeros(samples), INTERVAL, self.steps, self.wall, self.lead,
         )  # fmt: skip
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(plays, count, samples - 1))
@@ -152,7 +152,7 @@ def ensemble_at(model: HybridModel, thetas: FloatArray, lags: FloatArray, gains:
         constants=condensed.constants(thetas),
         weights=condensed.weights(thetas),
         basis=condensed.basis,
-        seen=np.array([[one.gain, one.offset] for one in seen]),
+        offsets=np.array([one.offset for one in seen]),
         delays=np.array([one.delay for one in seen]),
         lags=lags,
         gains=gains,

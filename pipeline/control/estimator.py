@@ -90,7 +90,7 @@ def listen(s: Values, told: Values, e: Values, rests: Values) -> Outputs:
     corrected = _corrected(now, q, n)
     found = {name: [choose(seen, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected}
     found["lost"] = [choose(seen, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
-    wanted = (choose(function("finite", told[1]), told[1], n["offset"]) - n["offset"]) / n["gain"]
+    wanted = choose(function("finite", told[1]), told[1], n["offset"]) - n["offset"]
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
     found["target"] = [choose(function("finite", told[1]), clip(wanted, n["first"], last), now["target"][0])]
     return {"s": joined(now | found)}
@@ -99,7 +99,7 @@ def listen(s: Values, told: Values, e: Values, rests: Values) -> Outputs:
 def _reading(told: Values, n: dict[str, Any]) -> tuple[Any, Any]:
     """Displacement q [m] that the sensor tells, and whether it is one."""
     finite = function("finite", told[0])
-    q = (choose(finite, told[0], n["offset"]) - n["offset"]) / n["gain"]
+    q = choose(finite, told[0], n["offset"]) - n["offset"]
     return q, function("and", finite, function("lt", function("abs", q), n["farthest"]))
 
 
@@ -273,7 +273,7 @@ def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
     sound = function("finite", s[0])
     for value in s[1:]:
         sound = function("and", sound, function("finite", value))
-    blank = parts(rest(0.0 * n["gain"], n)) | {"lost": [RAMP]}
+    blank = parts(rest(0.0 * n["offset"], n)) | {"lost": [RAMP]}
     return {
         "s": [choose(sound, old, new) for old, new in zip(s, joined(blank), strict=True)],
         "v": [choose(sound, volts, 0.0) for volts in v],

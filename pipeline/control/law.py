@@ -32,7 +32,7 @@ CONTROLLER_STATE = int(_ENDS[-1])
 SIDES = ("left", "right")
 """Of the joint: a membrane with its converter on each."""
 NUMBERS = (
-    "gain", "offset", "wall", "farthest",
+    "offset", "wall", "farthest",
     *(f"{name}_{side}" for name in ("kept", "kept_mean") for side in SIDES),
     "reading_variance", "shake", "twist", "walk", "calm_shake", "calm_twist", "calm_walk",
     *(f"certain_{i}" for i in range(FILTER)),
@@ -41,7 +41,7 @@ NUMBERS = (
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
 )  # fmt: skip
-"""Single numbers of a law, all SI: the laser's gain and offset, the wall no motion passes, the largest displacement
+"""Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of each converter's voltage that is left after a period and its mean over it;
 variance of a reading; densities of what shakes the joint, for motions and near a target; variances after a long rest,
 magnitudes that no estimate passes; arm and travels of friction; grids of the tables; those of the feedback law

@@ -138,7 +138,7 @@ def linearise(plant: Plant, x: FloatArray, v: FloatArray) -> LinearModel:
     """
     a, b_squared = jacobian(x, v**2, _without_dry_friction(plant.constants))
     c = np.zeros((1, STATES))
-    c[0, 0] = plant.gain
+    c[0, 0] = 1.0
     return LinearModel(plant.reading(float(x[0])), v, x, a, 2.0 * b_squared * v, c, np.zeros((1, 2)), b_squared)
 
 

@@ -39,8 +39,8 @@ class Plant:
     ----------
     constants : Constants
         Of the joint.
-    gain, offset : float
-        Of the laser: reading = gain × q + offset [m].
+    offset : float
+        Of the laser [m]: reading = q + offset.
     delay : float
         Time [s] by which the voltages act later than measured.
     probe : FloatArray, shape (2,)
@@ -52,7 +52,6 @@ class Plant:
     """
 
     constants: Constants
-    gain: float
     offset: float
     delay: float
     probe: FloatArray
@@ -61,11 +60,11 @@ class Plant:
 
     def reading(self, q: float) -> float:
         """What the laser shows [m] at the displacement q [m]."""
-        return self.gain * q + self.offset
+        return q + self.offset
 
     def displacement(self, reading: float) -> float:
         """The displacement [m] at which the laser shows `reading` [m]."""
-        return (reading - self.offset) / self.gain
+        return reading - self.offset
 
 
 def plant_of(model: "HybridModel") -> Plant:
@@ -77,7 +76,6 @@ def plant_of(model: "HybridModel") -> Plant:
     probe = np.asarray(seen.probe, dtype=np.float64)
     return Plant(
         constants,
-        float(seen.gain),
         float(seen.offset),
         float(seen.delay),
         probe,

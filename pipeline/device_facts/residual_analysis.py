@@ -12,7 +12,7 @@ import numpy as np
 from scipy.signal import correlate, welch
 
 from pipeline.device_facts.run_data import LogData, RunData
-from pipeline.numerics.arrays import FloatArray, longest_run, voltages
+from pipeline.numerics.arrays import FloatArray, longest_run, samples_of, voltages
 
 LEVEL = 2.576
 """Standard deviations of a 99 % band."""
@@ -72,7 +72,7 @@ def analyse_residual(
         Sample interval [s].
     """
     rows = longest_run(np.isfinite(measured) & np.isfinite(calculated))
-    count = round(LONGEST_LAG / interval)
+    count = samples_of(LONGEST_LAG, interval)
     if rows.stop - rows.start < 8 * count:
         return None
     q, u = measured[rows], inputs[rows]

@@ -100,7 +100,7 @@ def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
 def _fields(subject: ControllerSubject) -> dict[str, Any]:
     law = subject.law
     left, saddle, right = subject.places
-    low, high = (law.number("gain") * q + law.number("offset") for q in law.places)
+    low, high = (q + law.number("offset") for q in law.places)
     return {
         "version": __version__,
         "prototype": subject.prototype.replace("*/", "* /"),

@@ -66,7 +66,6 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
             "weights": joint.weights,
             "probe": joint.seen.probe,
             "held_above": joint.held_above,
-            "gain": joint.gain,
             "offset": joint.offset,
             "wall": joint.wall,
         },
@@ -93,7 +92,7 @@ class _Joint:
         self.p = [float(value) for value in prepare(self.k[None])[0]]
         self.constant = {name: float(self.k[place]) for name, place in INDEX.items()}
         self.held_above, self.wall = 2.0 * model.joint.largest_voltage, float(model.joint.q_stop)
-        self.gain, self.offset = float(self.seen.gain), float(self.seen.offset)
+        self.offset = float(self.seen.offset)
 
     def drive(self, v: Values) -> Outputs:
         """Squared voltages, without the probes' offsets; absurd ones are held."""
@@ -103,8 +102,8 @@ class _Joint:
     def start(self, q0: Values, qdot0: Values, u: Values) -> Outputs:
         """The state at a reading, with the shape from which the search for that at rest starts."""
         x: Values = [0.0] * STATES
-        x[0] = (q0[0] - self.offset) / self.gain
-        x[1], x[2] = qdot0[0] / self.gain, self.constant["slope_ratio"] * x[0] / self.constant["l"]
+        x[0] = q0[0] - self.offset
+        x[1], x[2] = qdot0[0], self.constant["slope_ratio"] * x[0] / self.constant["l"]
         x[FIRST_ELEMENT:] = [at_rest * x[0] for at_rest in AT_REST]
         return {"x": x, "z": [0.0] * STOPS}
 
@@ -136,7 +135,7 @@ class _Joint:
 
     def read(self, x: Values, dx: Values) -> Outputs:
         """As the laser shows it."""
-        return {"y": [self.gain * x[0] + self.offset, self.gain * x[1], self.gain * dx[1]]}
+        return {"y": [x[0] + self.offset, x[1], dx[1]]}
 
     def _forces(self, x: Values, u: Values) -> Outputs:
         return inline(REST_FORCES, x=x, u=u, c=_corrections(x[0], self.basis, self.weights), p=self.p)
@@ -149,7 +148,7 @@ def _states() -> tuple[Variable, ...]:
         for side in ("left", "right")
     ]
     return (
-        Variable("tip", "m", "displacement of the tip, without the laser's gain and offset", 0.01),
+        Variable("tip", "m", "displacement of the tip, without the laser's offset", 0.01),
         Variable("tip_speed", "m/s", "its velocity", 0.1),
         Variable("slope", "1", "slope of the beam at the tip", 0.1),
         Variable("slope_rate", "1/s", "its rate", 10.0),

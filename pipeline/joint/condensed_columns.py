@@ -33,8 +33,8 @@ BATCH = 16
 """Columns side by side."""
 STAGES = 8
 """Stages side by side: those of two steps."""
-INSTRUMENTS = 5
-"""Columns of laser offset and gain, delay and the two probes."""
+INSTRUMENTS = 4
+"""Columns of laser offset, delay and the two probes."""
 _ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 2 + 2 * STOPS * 5
 _SLOTS = STAGES + 2
 """The four stages and the end of a step, and of the next one."""
@@ -144,8 +144,8 @@ def blocks(count: int) -> int:
 @compiled
 def propagate(
     points: FloatArray, slips: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray, squares: FloatArray,
-    by_instruments: FloatArray, observed: FloatArray, pole: FloatArray, seen: FloatArray, h: float, substeps: int,
-    wall: float, lead: float, columns: Columns, starts: SingleArray, stops: SingleArray, found: FloatArray,
+    by_instruments: FloatArray, pole: FloatArray, h: float, substeps: int, wall: float, lead: float,
+    columns: Columns, starts: SingleArray, stops: SingleArray, found: FloatArray,
 ) -> None:  # fmt: skip
     """Derivatives of q at the samples by all columns, `found` (N, columns), from those at the start."""
     sources, targets, own, instruments, corrected = columns
@@ -181,7 +181,7 @@ def propagate(
         for lane in range(STAGES):
             step, stage = min(first + lane // 4, steps - 1), lane % 4
             node = 2 * step + STAGE_NODES[stage]
-            _act(by_instruments, observed, pole, seen, lead, 2 * step, node, lane, instruments, a, b, drive)
+            _act(by_instruments, pole, lead, 2 * step, node, lane, instruments, a, b, drive)
             if centres > 0:
                 _act_by_weights(bells, by_c, lane, centres, corrected, drive)
         _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, found)
@@ -255,8 +255,8 @@ def _corrections(
 
 @compiled
 def _act(
-    by_instruments: FloatArray, observed: FloatArray, pole: FloatArray, seen: FloatArray, lead: float, begins: int,
-    node: int, lane: int, places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
+    by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, lane: int,
+    places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
 ) -> None:  # fmt: skip
     """How an observer pulls, added to ∂f/∂x, and what instruments do to the rates."""
     strength = pole[begins] if len(pole) > 0 else 0.0
@@ -266,15 +266,11 @@ def _act(
     a[3 * _ALL * STAGES + lane] += turning
     for i in range(INSTRUMENTS):
         at = places[i] + (lane + lane // 4) * BATCH
-        if i < 2:
-            error = -1.0 / seen[0]
-            if i == 1:
-                error *= (observed[node] - seen[1]) / seen[0] if len(observed) > 0 else 0.0
-            by_q, by_speed, by_tau, by_turning = observer(error, strength, lead)
-            drive[at], drive[at + _ROW] = by_q, by_speed
-            drive[at + 2 * _ROW], drive[at + 3 * _ROW] = by_tau, by_turning
+        if i == 0:
+            drive[at], drive[at + _ROW] = q, speed
+            drive[at + 2 * _ROW], drive[at + 3 * _ROW] = tau, turning
         else:
-            left, right = by_instruments[i - 2, node, 0], by_instruments[i - 2, node, 1]
+            left, right = by_instruments[i - 1, node, 0], by_instruments[i - 1, node, 1]
             for row in range(FIRST_STRAIN):
                 drive[at + row * _ROW] = left * b[2 * row * STAGES + lane] + right * b[(2 * row + 1) * STAGES + lane]
 

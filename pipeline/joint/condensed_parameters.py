@@ -2,7 +2,8 @@
 
 A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The
 widths are those of a joint of which no drawing is at hand: it is larger, slower or less sensitive by a tenth to a
-fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth, and a laser is wrong by 1 %.
+fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth. What the laser and the probes show at full
+scale counts as right: another scale would be another length or voltage of the joint, and nothing else.
 """
 
 from dataclasses import dataclass
@@ -125,7 +126,6 @@ DEVIATIONS: tuple[Deviation, ...] = (
     *(Deviation(f"log stop travel {i}", 0.5, "m") for i in range(STOPS)),
     *(_unknown(f"creep stiffness {i}", 0.04, "N/m") for i in range(CREEPS)),
     Deviation("laser offset", 0.15e-3, "m"),
-    Deviation("laser gain", 0.01, "1"),
     Deviation("delay", 2e-3, "s"),
     Deviation("probe 1", 10.0, "V"),
     Deviation("probe 2", 10.0, "V"),
@@ -140,7 +140,7 @@ _WIDTHS = np.array([entry.width for entry in DEVIATIONS])
 _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
-OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "laser gain", "delay", "probe 1", "probe 2")]
+OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "delay", "probe 1", "probe 2")]
 _TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
@@ -161,8 +161,6 @@ class Instruments:
 
     offset: float
     """Laser reading [m] at q = 0."""
-    gain: float
-    """Laser reading over displacement [1]."""
     delay: float
     """Time [s] by which the voltages act later than measured."""
     probe: FloatArray
@@ -185,8 +183,8 @@ def moving_mass(p: JointParameters, ratio: float) -> float:
 
 def instruments(deviations: FloatArray) -> Instruments:
     """The instruments' share of the deviations."""
-    offset, gain, delay, *probe = (deviations[OF_INSTRUMENTS] * _WIDTHS[OF_INSTRUMENTS]).tolist()
-    return Instruments(offset, 1.0 + gain, delay, np.array(probe))
+    offset, delay, *probe = (deviations[OF_INSTRUMENTS] * _WIDTHS[OF_INSTRUMENTS]).tolist()
+    return Instruments(offset, delay, np.array(probe))
 
 
 def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> FloatArray:

@@ -20,7 +20,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.similarity import SAME, Similarity
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, samples_of
 from pipeline.signals.decimation_kernel import sharpened
 from pipeline.signals.trajectory import Record
 
@@ -95,7 +95,7 @@ class CondensedJoint:
         """What laser and probes add to the truth."""
         seen, units = condensed_parameters.instruments(theta[:DEVIATIONS]), self.similarity
         return condensed_parameters.Instruments(
-            units.origin + units.length * seen.offset, seen.gain, units.time * seen.delay, units.voltage * seen.probe
+            units.origin + units.length * seen.offset, units.time * seen.delay, units.voltage * seen.probe
         )
 
     def derivatives(self, theta: FloatArray) -> "Derivatives":
@@ -108,8 +108,8 @@ class CondensedJoint:
         constants[:, :DEVIATIONS] = np.where(np.abs(changes) > rounding, changes, 0.0)
         for i in condensed_parameters.OF_INSTRUMENTS:  # all of them linear
             one = self.instruments(theta + units[i])
-            instruments[:3, i] = one.offset - base.offset, one.gain - base.gain, one.delay - base.delay
-            instruments[3:, i] = one.probe - base.probe
+            instruments[:2, i] = one.offset - base.offset, one.delay - base.delay
+            instruments[2:, i] = one.probe - base.probe
         widths = condensed_parameters.correction_widths(self.parameters) * self.similarity.weights
         return Derivatives(constants, instruments, widths)
 
@@ -144,7 +144,7 @@ class CondensedJoint:
 
 @dataclass(frozen=True)
 class Derivatives:
-    """How constants (C, P) and instruments (5, P: offset, gain, delay, probes) depend on θ; widths (9,) of weights."""
+    """How constants (C, P) and instruments (4, P: offset, delay, probes) depend on θ; widths (9,) of weights."""
 
     constants: FloatArray
     instruments: FloatArray
@@ -162,19 +162,19 @@ class CondensedProblem:
     joint : CondensedJoint
     records : sequence of Record
         Training logs.
-    free_after : float
-        Share of each log that is compared; the rest is held out.
+    fitted : callable
+        How many of a log's samples are compared; the rest is held out.
     """
 
     def __init__(
         self,
         joint: CondensedJoint,
         records: Sequence[Record],
-        free_after: float = 1.0,
+        fitted: Callable[[int], int] = lambda samples: samples,
     ) -> None:
         self.joint = joint
         self._steps = 1
-        self.logs = [_Log(record, int(free_after * len(record.t))) for record in records]
+        self.logs = [_Log(record, fitted(len(record.t))) for record in records]
 
     def hold_lost(self, theta: FloatArray, gain: float) -> None:
         """Find where runs with θ lose their logs, and hold them to these there from now on, and nowhere else.
@@ -265,7 +265,7 @@ class _Log:
             if not len(lost):
                 return
             first = max(np.flatnonzero(error[: lost[0] + 1] < CAUGHT), default=0)
-            self.held[first : lost[0] + max(1, round(HELD_ON / self.dt))] = True
+            self.held[first : lost[0] + samples_of(HELD_ON, self.dt)] = True
 
     def compared(self, gain: float) -> BoolArray:
         """Samples at which an observer with this pole has made up for what happened while the laser saw nothing."""
@@ -300,16 +300,15 @@ class _Log:
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
         found = sensitivities(
             joint.constants(theta), joint.basis, joint.weights(theta), np.abs(by_theta.constants).max(axis=1),
-            by_theta.weights, np.array([seen.gain, seen.offset]), driven, self.dt, steps, joint.q_stop, joint.lead,
+            by_theta.weights, seen.offset, driven, self.dt, steps, joint.q_stop, joint.lead,
         )  # fmt: skip
         at, active = self.compared(gain), np.any(by_theta.constants, axis=1)
-        chain = 1e3 * seen.gain * np.concatenate([by_theta.constants[active], by_theta.instruments])
+        chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
         columns, q = (found.columns, found.q) if at.all() else (found.columns[at], found.q[at])
         by = columns @ chain
-        by[:, DEVIATIONS:] += 1e3 * seen.gain * (found.by_weights[at] * by_theta.weights[:, None]).reshape(len(q), -1)
-        for i in condensed_parameters.OF_INSTRUMENTS:  # the reading is gain × q + offset
-            by[:, i] += 1e3 * (by_theta.instruments[0, i] + q * by_theta.instruments[1, i])
-        return 1e3 * (seen.gain * q + seen.offset - self.q[at]), by
+        by[:, DEVIATIONS:] += 1e3 * (found.by_weights[at] * by_theta.weights[:, None]).reshape(len(q), -1)
+        by += 1e3 * by_theta.instruments[0]  # the reading is q + offset
+        return 1e3 * (q + seen.offset - self.q[at]), by
 
     def _observer(self, gain: float, steps: int) -> tuple[FloatArray, FloatArray]:
         """Pole [1/s] of the observer in each sample interval, and what it follows, nothing where it never does."""
@@ -367,6 +366,6 @@ def simulate(
         joint.basis,
         np.array([inputs(seen[i]) for i in first.values()]),
         np.array([order[key] for key in keys]),
-        np.array([[one.gain, one.offset] for one in seen]),
+        np.array([one.offset for one in seen]),
         start, observed, gain, dt, steps, joint.q_stop, joint.lead, every_step,
     )  # fmt: skip

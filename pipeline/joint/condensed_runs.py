@@ -43,8 +43,8 @@ class Joints(NamedTuple):
         Which of them drives a joint, and which of the tables is its own.
     span, tables : FloatArray
         Of the corrections, see `pipeline.joint.correction_table`.
-    gain, offset : FloatArray, shape (W,)
-        Of the laser: reading = gain × q + offset [m].
+    offset : FloatArray, shape (W,)
+        Of the laser [m]: reading = q + offset.
     observed, pole : FloatArray, shapes (H,) and (H,)
         Reading [m] that an observer follows and its pole L [1/s]; both (0,) in a free run.
     wall, lead : float
@@ -65,7 +65,6 @@ class Joints(NamedTuple):
     table: NDArray[np.int64]
     span: FloatArray
     tables: FloatArray
-    gain: FloatArray
     offset: FloatArray
     observed: FloatArray
     pole: FloatArray
@@ -131,7 +130,7 @@ def _rates_of(w: int) -> Any:
         pole = system.now[1]
         if pole > 0.0:
             for j in range(w):
-                error = (system.observed[node] - system.offset[j]) / system.gain[j] - x[j]
+                error = system.observed[node] - system.offset[j] - x[j]
                 q, speed, tau, turning = observer(error, pole, system.lead)
                 dx[j] += q
                 dx[w + j] += speed
@@ -164,7 +163,7 @@ _integrate = integrator(Joints, _methods)
 
 def run_joints(
     constants: FloatArray, weights: FloatArray, basis: FloatArray, u: FloatArray, variant: NDArray[np.int64],
-    seen: FloatArray, start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, substeps: int,
+    offset: FloatArray, start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, substeps: int,
     q_stop: float, lead: float, every_step: bool = False,
 ) -> FloatArray:  # fmt: skip
     """Simulate joints from rest, freely or held near a measured displacement by an `observer`.
@@ -181,8 +180,8 @@ def run_joints(
         Squared voltages [V²] on the half steps, as V different sets of instruments show them.
     variant : NDArray[int64], shape (B,)
         Which of them drives each joint.
-    seen : FloatArray, shape (B, 2)
-        Gain [1] and offset [m] of each joint's laser: reading = gain × q + offset.
+    offset : FloatArray, shape (B,)
+        Of each joint's laser [m]: reading = q + offset.
     start : FloatArray, shape (2,) or (B, 2)
         Reading [m] and its rate [m/s] at the first sample, of all joints or of each.
     observed : FloatArray, shape (2 substeps (N−1) + 1,) or (0,)
@@ -215,13 +214,13 @@ def run_joints(
     width = 1 if count == 1 else BATCH
     for first in range(0, count, width):
         chosen = np.minimum(np.arange(first, first + width), count - 1)
-        x, z = _at_rest(constants, prepared, weights, basis, u, variant, seen, starts, chosen)
+        x, z = _at_rest(constants, prepared, weights, basis, u, variant, offset, starts, chosen)
         found = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), z,
             np.zeros(2 * width), np.zeros(2 * width), np.zeros(2), u, variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
-            np.ascontiguousarray(seen[chosen, 0]), np.ascontiguousarray(seen[chosen, 1]), observed, poles,
+            offset[chosen], observed, poles,
             q_stop, lead, np.zeros((0, 2)),
         )  # fmt: skip
         _integrate(system, x, found, workspace(x), parts, dt / substeps, -np.inf, np.inf)
@@ -229,8 +228,7 @@ def run_joints(
         out[first : first + kept] = found.transpose(2, 0, 1)[:kept]
     if not np.isfinite(out.sum()):
         out[np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)] = np.nan
-    out *= seen[:, 0, None, None]
-    out[:, :, 0] += seen[:, 1, None]
+    out[:, :, 0] += offset[:, None]
     return out
 
 
@@ -248,7 +246,7 @@ def follow_path(
     system = Joints(
         (0,), p, np.zeros(VALUES), z,
         np.zeros(2), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
-        tabulate(basis, weights[None]), np.ones(1), np.zeros(1), none, none, np.inf, 0.0, path,
+        tabulate(basis, weights[None]), np.zeros(1), none, none, np.inf, 0.0, path,
     )  # fmt: skip
     _integrate(system, x, out, workspace(x), substeps, dt / substeps, -np.inf, np.inf)
     return np.ascontiguousarray(out[:, 2, 0])
@@ -261,12 +259,11 @@ def _rows(values: FloatArray) -> FloatArray:
 
 def _at_rest(
     constants: FloatArray, prepared: FloatArray, weights: FloatArray, basis: FloatArray, u: FloatArray,
-    variant: NDArray[np.int64], seen: FloatArray, start: FloatArray, chosen: NDArray[np.int64],
+    variant: NDArray[np.int64], offset: FloatArray, start: FloatArray, chosen: NDArray[np.int64],
 ) -> tuple[FloatArray, FloatArray]:  # fmt: skip
     """States and stop operators of the chosen joints at rest at the first sample, in rows."""
     x, z = np.empty((len(chosen), STATES)), np.empty((len(chosen), STOPS))
     for j, i in enumerate(chosen):
-        q = (start[i, 0] - seen[i, 1]) / seen[i, 0]
-        x[j], z[j] = rest_state(q, u[variant[i], 0], constants[i], prepared[i], basis, weights[i])
-        x[j, 1] = start[i, 1] / seen[i, 0]
+        x[j], z[j] = rest_state(start[i, 0] - offset[i], u[variant[i], 0], constants[i], prepared[i], basis, weights[i])
+        x[j, 1] = start[i, 1]
     return _rows(x), _rows(z)

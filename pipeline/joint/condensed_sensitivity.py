@@ -23,6 +23,8 @@ from pipeline.solvers.fixed_step import STAGE_NODES, take_step
 
 _NUDGE = 1e-4
 """Step of the differences by which the state at rest depends on a column, in its own scale."""
+_SHIFT = 1e-8
+"""That of the differences by the place [m]."""
 
 
 @dataclass(frozen=True)
@@ -52,8 +54,8 @@ class Driven:
 class Sensitivity:
     """Displacement q [m] of a run at the samples, shape (N,), and its derivatives.
 
-    `columns` (N, C + 5): by the constants, of which those without a scale are left out, then by laser offset [1] and
-    gain [m], delay [m/s] and probes [m/V]; `by_weights` (N, 9, M): by the weights of the corrections.
+    `columns` (N, C + 4): by the constants, of which those without a scale are left out, then by laser offset [1],
+    delay [m/s] and probes [m/V]; `by_weights` (N, 9, M): by the weights of the corrections.
     """
 
     q: FloatArray
@@ -62,7 +64,7 @@ class Sensitivity:
 
 
 def sensitivities(
-    k: FloatArray, basis: FloatArray, weights: FloatArray, scale: FloatArray, widths: FloatArray, seen: FloatArray,
+    k: FloatArray, basis: FloatArray, weights: FloatArray, scale: FloatArray, widths: FloatArray, offset: float,
     driven: Driven, dt: float, substeps: int, q_stop: float, lead: float,
 ) -> Sensitivity:  # fmt: skip
     """The run of one joint from rest, as in `run_joints`, and its derivatives.
@@ -77,8 +79,8 @@ def sensitivities(
         By how much each constant may change; zero for those whose derivatives are not asked.
     widths : FloatArray, shape (9,)
         The same of the weights.
-    seen : FloatArray, shape (2,)
-        Gain [1] and offset [m] of the laser.
+    offset : float
+        Of the laser [m]: reading = q + offset.
     driven : Driven
         Voltages and observer.
     dt, substeps, q_stop, lead
@@ -91,19 +93,19 @@ def sensitivities(
     """
     steps = (len(driven.squares) - 1) // 2
     active = np.flatnonzero(scale)
-    x, z, starts, stops = _starts(k, basis, weights, scale, active, widths, seen, driven.start, driven.squares[0],
+    x, z, starts, stops = _starts(k, basis, weights, scale, active, widths, offset, driven.start, driven.squares[0],
                                   driven.by_instruments[:, 0])  # fmt: skip
     p, only = prepare_rates(k[None])[0], np.zeros(1, dtype=np.int64)
     system = Joints(
         (0,), p, np.zeros(VALUES), z, np.zeros(2), np.zeros(2), np.zeros(2), driven.squares[None], only, only,
-        table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), seen[:1], seen[1:], driven.observed,
+        table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), np.array([offset]), driven.observed,
         driven.pole, q_stop, lead, np.zeros((0, 2)),
     )  # fmt: skip
     points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
     _run(system, x, dt / substeps, points, slips)
     found = np.empty((steps // substeps + 1, len(starts) * BATCH))
     propagate(
-        points, slips, k, basis, weights, driven.squares, driven.by_instruments, driven.observed, driven.pole, seen,
+        points, slips, k, basis, weights, driven.squares, driven.by_instruments, driven.pole,
         dt / substeps, substeps, q_stop, lead, columns_of(active), starts, stops, found,
     )  # fmt: skip
     first, count = len(active) + INSTRUMENTS, weights.shape[1]
@@ -113,11 +115,10 @@ def sensitivities(
 
 def _starts(
     k: FloatArray, basis: FloatArray, weights: FloatArray, scale: FloatArray, active: NDArray[np.int64],
-    widths: FloatArray, seen: FloatArray, start: FloatArray, u: FloatArray, by_instruments: FloatArray,
+    widths: FloatArray, offset: float, start: FloatArray, u: FloatArray, by_instruments: FloatArray,
 ) -> tuple[FloatArray, FloatArray, SingleArray, SingleArray]:  # fmt: skip
     """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, BATCH)."""
-    gain, offset = seen
-    q, first, centres = (start[0] - offset) / gain, len(active) + INSTRUMENTS, weights.shape[1]
+    q, first, centres = start[0] - offset, len(active) + INSTRUMENTS, weights.shape[1]
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
     x, z = rest_state(q, u, k, prepare_rates(k[None])[0], basis, weights)
@@ -125,12 +126,10 @@ def _starts(
     for column, i in enumerate(active):
         step = _NUDGE * scale[i]
         moves.append((column, step, (q, u, k + step * _unit(len(k), i), weights)))
-    for i, by in enumerate((-1.0 / gain, -(start[0] - offset) / gain**2)):
-        step = 1e-8 / max(abs(by), 1e-3)
-        moves.append((len(active) + i, step, (q + step * by, u, k, weights)))
+    moves.append((len(active), -_SHIFT, (q + _SHIFT, u, k, weights)))
     for i in range(3):
         step = 1e-6 * max(float(u.max()), 1.0) / max(float(np.abs(by_instruments[i]).max()), 1e-12)
-        moves.append((len(active) + 2 + i, step, (q, u + step * by_instruments[i], k, weights)))
+        moves.append((len(active) + 1 + i, step, (q, u + step * by_instruments[i], k, weights)))
     for i in range(weights.size):
         step = _NUDGE * widths[i // centres]
         moved = weights + step * _unit(weights.size, i).reshape(weights.shape)
@@ -139,9 +138,7 @@ def _starts(
         there, slipped = rest_state(place, voltages, constants, prepare_rates(constants[None])[0], basis, changed)
         starts[column // BATCH, :, column % BATCH] = (there - x) / step
         stops[column // BATCH, :, column % BATCH] = (slipped - z) / step
-    x[1] = start[1] / gain
-    last = len(active) + 1
-    starts[last // BATCH, 1, last % BATCH] = -start[1] / gain**2
+    x[1] = start[1]
     return x, z, starts, stops
 
 

@@ -85,6 +85,8 @@ class Similarity:
             qddot=record.qddot / (speed / self.time),
             v=record.v / self.voltage,
             fine=None if record.fine is None else record.fine / self.voltage,
+            past=None if record.past is None else record.past / self.voltage,
+            velocity=None if record.velocity is None else record.velocity / speed,
         )
 
     def to_json(self) -> dict[str, float]:

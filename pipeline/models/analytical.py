@@ -14,6 +14,7 @@ from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory
+from pipeline.solvers.stiff import STATES
 
 
 @dataclass(frozen=True)
@@ -90,7 +91,12 @@ class AnalyticalModel:
     def describe(self) -> dict[str, Any]:
         """Parameters with their units in the keys, and how they came about."""
         values = {f"{name} [{QUANTITIES[name].unit}]": self.parameters.value(name) for name in VECTOR_NAMES}
-        return {"model": self.name, "states": 10, "tolerance": self.tolerance, "parameters": values} | self.diagnostics
+        return {
+            "model": self.name,
+            "states": STATES,
+            "tolerance": self.tolerance,
+            "parameters": values,
+        } | self.diagnostics
 
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary: parameters in SI by name, and how they came about."""

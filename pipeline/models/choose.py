@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.models.kind import FITTED_SHARE, StoredModel, Training
-from pipeline.numerics.arrays import FloatArray
+from pipeline.models.kind import StoredModel, Training, fitted_samples
+from pipeline.numerics.arrays import FloatArray, samples_of
 from pipeline.numerics.kept import kept_under
 from pipeline.scoring.intervals import BLOCK, Interval, rms_difference_interval, rms_interval
 from pipeline.signals.trajectory import Record
@@ -146,9 +146,11 @@ def _compared(
     excess = rms_difference_interval(errors, hybrid_errors, block, np.random.default_rng(SEED))
     if held_out["hybrid"] <= held_out["rbf"]:
         return Choice(model, "smaller error on held-out training data", held_out, excess, interval)
-    if excess is not None and excess.high >= 0.0:
+    surely = UNKNOWN_BOUND * held_out["rbf"] < held_out["hybrid"] if excess is None else excess.high < 0.0
+    if not surely:
         return Choice(model, "rbf is not surely nearer to held-out training data", held_out, excess, interval)
-    if network_fitted > POORER * _rms(_errors(getattr(model, "early", None) or model, _first_parts(training), 0.0)):
+    fitted = _rms(_errors(getattr(model, "early", None) or model, _first_parts(training), held_out=False))
+    if network_fitted > POORER * fitted:
         return Choice(model, "rbf follows the data that both were fitted to less well", held_out, excess, interval)
     excess = None if excess is None else Interval(-excess.high, -excess.low, excess.level)
     best = rbf(_within(training, CHOSEN_TIME))
@@ -168,7 +170,7 @@ def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatAr
             asked = replace(asked, identify=asked.identify.model_copy(update={"friction": friction}))
         model = rbf(replace(asked, keep=kept_under(training.keep, name)))
         errors = _errors(model, training.records)
-        fitted = _rms(_errors(model, parts, 0.0))
+        fitted = _rms(_errors(model, parts, held_out=False))
         if _rms(errors) > HOPELESS * rival and fitted < FOLLOWED:
             break
     return errors, fitted
@@ -176,12 +178,12 @@ def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatAr
 
 def _first_parts(training: Training) -> tuple[Record, ...]:
     """What candidates are fitted to that are judged on the rest."""
-    return tuple(record.part(0, round(FITTED_SHARE * len(record.t))) for record in training.records)
+    return tuple(record.part(0, fitted_samples(len(record.t))) for record in training.records)
 
 
 def _block(training: Training) -> int:
     """Samples over which errors hang together."""
-    return max(1, round(BLOCK / training.records[0].interval))
+    return samples_of(BLOCK, training.records[0].interval)
 
 
 def _within(training: Training, limit: float) -> Training:
@@ -194,8 +196,8 @@ def _rms(errors: FloatArray) -> float:
     return float(np.sqrt(np.nanmean(errors**2)))
 
 
-def _errors(model: StoredModel, records: Sequence[Record], behind: float = FITTED_SHARE) -> FloatArray:
-    """Errors of q in free runs from the start, behind a first share of each log, over the operating range.
+def _errors(model: StoredModel, records: Sequence[Record], *, held_out: bool = True) -> FloatArray:
+    """Errors of q in free runs from the start, over the operating range; those behind what candidates are fitted to.
 
     NaN where masked; at most `DIVERGED_ERROR`, as where the run diverged.
     """
@@ -206,5 +208,5 @@ def _errors(model: StoredModel, records: Sequence[Record], behind: float = FITTE
         v = record.drive if model.fine_voltages else record.v
         run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
         error = np.minimum(np.nan_to_num(np.abs(run.q - record.q), nan=np.inf) / span, DIVERGED_ERROR)
-        errors.append(np.where(record.valid, error, np.nan)[round(behind * len(record.t)) :])
+        errors.append(np.where(record.valid, error, np.nan)[fitted_samples(len(record.t)) if held_out else 0 :])
     return np.concatenate(errors)

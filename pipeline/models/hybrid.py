@@ -124,8 +124,8 @@ class HybridModel:
         """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
         joint, seen = self.joint, self.joint.instruments(self.theta)
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
-        path = CubicSpline(t - t[0], np.column_stack([(q - seen.offset), qdot]) / seen.gain)(fine)
-        return follow_path(u, path, dt, steps, k, joint.basis, weights) * seen.gain
+        path = CubicSpline(t - t[0], np.column_stack([q - seen.offset, qdot]))(fine)
+        return follow_path(u, path, dt, steps, k, joint.basis, weights)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
@@ -275,12 +275,10 @@ class HybridModel:
         return k, self.joint.weights(theta), dt, steps, fine, u
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
-        joint, seen = self.joint, self.joint.instruments(theta)
-        inner = np.ascontiguousarray((q - seen.offset) / seen.gain)
+        joint = self.joint
+        inner = np.ascontiguousarray(q - joint.instruments(theta).offset)
         force, damping, left, right = static_curves(inner, joint.constants(theta), joint.basis, joint.weights(theta))
-        # Virtual work is the same in both coordinates: forces go with 1/gain, damping and slopes with another.
-        g = seen.gain
-        return {"F": force / g, "d": damping / g**2, "dC1_dq": 2.0 * left / g, "dC2_dq": 2.0 * right / g}
+        return {"F": force, "d": damping, "dC1_dq": 2.0 * left, "dC2_dq": 2.0 * right}
 
 
 @lru_cache(maxsize=128)

@@ -19,7 +19,7 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.parameters import NOMINAL, JointParameters
 from pipeline.joint.similarity import SAME, Similarity
 from pipeline.models.hybrid import HybridModel
-from pipeline.models.kind import FITTED_SHARE, Kind, Training
+from pipeline.models.kind import Kind, Training, fitted_samples
 from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
@@ -171,7 +171,7 @@ class _Search:
     @property
     def early(self) -> "_Search":
         """The first parts of the logs."""
-        return replace(self, records=tuple(r.part(0, round(FITTED_SHARE * len(r.t))) for r in self.records))
+        return replace(self, records=tuple(r.part(0, fitted_samples(len(r.t))) for r in self.records))
 
     def within(self, samples: int) -> "_Search":
         """So many samples at most: the first share of every log."""
@@ -237,7 +237,7 @@ class _Search:
         The mean one held at `COMPARED_POLE`, and the RMS in free run.
         """
         low, high = self.operating_range
-        problem = CondensedProblem(joint, self.records, FITTED_SHARE)
+        problem = CondensedProblem(joint, self.records, fitted_samples)
         held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
         errors = (float(np.mean(np.abs(held))), float(np.sqrt(np.mean(free**2))))
         mean, rms = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)

@@ -25,6 +25,11 @@ FITTED_SHARE = 0.75
 """Share of each training log that candidates are fitted to when they are judged on the rest."""
 
 
+def fitted_samples(samples: int) -> int:
+    """How many of a log's samples these are."""
+    return round(FITTED_SHARE * samples)
+
+
 @dataclass(frozen=True)
 class Training:
     """The training logs, and what is known of the device.

@@ -33,6 +33,11 @@ def sample_interval(t: FloatArray) -> float:
     return float((t[-1] - t[0]) / (len(t) - 1))
 
 
+def samples_of(duration: float, interval: float) -> int:
+    """Samples in a duration, one at least; both in the same unit."""
+    return max(1, round(duration / interval))
+
+
 def runs_of(marked: BoolArray) -> list[slice]:
     """The rows of each run of True."""
     edges = np.flatnonzero(np.diff(np.concatenate(([0], marked.astype(np.int8), [0]))))

@@ -86,9 +86,9 @@ def fit_percent(measured: FloatArray, calculated: FloatArray) -> float | None:
     100 is a perfect fit, 0 that of a constant, and it may be negative. None where `nrmse` is undefined.
     """
     error = rmse(measured, calculated)
-    known = measured[np.isfinite(measured)]
-    spread = float(np.std(known)) if known.size else 0.0
-    return None if error is None or spread == 0.0 else 100.0 * (1.0 - error / spread)
+    if error is None or not signal_range(measured):
+        return None
+    return 100.0 * (1.0 - error / float(np.nanstd(measured[np.isfinite(measured)])))
 
 
 def settling_index(error: FloatArray, band: float) -> IntArray:

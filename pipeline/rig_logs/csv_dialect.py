@@ -15,6 +15,7 @@ from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
 _TAIL_BYTES = 1 << 16
 _FEWEST = 10
+_ROW_END = re.compile(r"\r\n|\r|\n")
 _DIGITS = re.compile(r"[+-]?\d*(?:[.,](?P<fraction>\d+))?(?:[eE][+-]?(?P<exponent>\d+))?$")
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _GROUPED = re.compile(r"[-+]?\d{1,3}(?:[.,'’ ]\d{3})+(?:[.,]\d+)?")
@@ -48,7 +49,7 @@ def last_rows(content: bytes | mmap.mmap, encoding: str) -> tuple[list[str], int
         codec = "latin-1"
     text = tail.decode(codec)
     end = max(text.rfind("\n"), text.rfind("\r")) + 1
-    return text.splitlines(), len(text[end:].encode(codec))
+    return _rows(text), len(text[end:].encode(codec))
 
 
 def is_whole(cell: str, before: Sequence[str]) -> bool:
@@ -289,8 +290,14 @@ def _lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
         raise UnreadableLogError(f"unknown text encoding {encoding!r}") from None
     except UnicodeDecodeError as error:
         raise UnreadableLogError(f"not encoded as {encoding}: {error.reason} at byte {error.start}") from None
-    lines = text.splitlines()
+    lines = _rows(text)
     return lines if whole else lines[:-1]
+
+
+def _rows(text: str) -> list[str]:
+    """Its rows; those of `str.splitlines` end at characters, too, which may stand within a cell."""
+    rows = _ROW_END.split(text)
+    return rows if rows[-1] else rows[:-1]
 
 
 def _find_table(lines: list[str], options: CsvOptions) -> _Table:

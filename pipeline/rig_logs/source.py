@@ -1,5 +1,6 @@
 """What every format reader offers to the guarded child, and what reading one raw log may cost."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -119,11 +120,13 @@ class UnreadableLogError(Exception):
 
 def unique_names(names: list[str]) -> list[str]:
     """Names made unique by " (2)", " (3)", … in the order of the log."""
-    seen: dict[str, int] = {}
-    unique = []
+    taken, unique = set(names), list[str]()
     for name in names:
-        seen[name] = seen.get(name, 0) + 1
-        unique.append(name if seen[name] == 1 else f"{name} ({seen[name]})")
+        given = name
+        if name in unique:
+            given = next(one for i in itertools.count(2) if (one := f"{name} ({i})") not in taken)
+            taken.add(given)
+        unique.append(given)
     return unique
 
 

@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.runs.hashing import rounded_digest
+from pipeline.runs.hashing import rounded_digest, rounding_unit
 
 DIGITS = 6
 """Decimal digits, of the largest magnitude of a column, to which results are compared."""
@@ -15,7 +15,7 @@ State = Literal["equal", "rounded", "close", "differs", "drawn", "missing"]
 STATES: dict[State, str] = {
     "equal": "same content hash",
     "rounded": f"same hash when rounded to {DIGITS} digits of the largest magnitude of each column",
-    "close": f"within 10^-{DIGITS} of the largest magnitude, on two sides of a rounding edge",
+    "close": f"within one unit of the digit number {DIGITS} of the largest magnitude, on two sides of a rounding edge",
     "differs": f"further apart than {DIGITS} digits, or of another shape",
     "drawn": "a page or a figure of numbers that are compared elsewhere",
     "missing": "in one of the runs only",
@@ -98,9 +98,9 @@ class RunDifference:
 
     @property
     def equal(self) -> bool:
-        """Whether nothing differs but the page and the figures of equal numbers."""
+        """Whether nothing differs by more than rounding but the page and the figures of numbers that do not."""
         changed = self.settings or self.versions or self.sources
-        return not changed and all(c.state in ("equal", "rounded", "drawn") for c in self.artifacts)
+        return not changed and all(c.state in ("equal", "rounded", "close", "drawn") for c in self.artifacts)
 
 
 def plain_numbers(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
@@ -122,18 +122,29 @@ def compared_columns(
     worst = max(deviations, key=lambda column: deviations[column])
     if all(rounded_digest(one[c], DIGITS) == rounded_digest(two[c], DIGITS) for c in one):
         return Comparison(name, "rounded", deviations[worst], worst)
-    state: State = "close" if deviations[worst] <= 10.0**-DIGITS else "differs"
+    state: State = "close" if all(_within_a_unit(one[c], two[c]) for c in one) else "differs"
     return Comparison(name, state, deviations[worst] if np.isfinite(deviations[worst]) else None, worst)
 
 
 def _deviation(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> float:
     """Largest difference over the largest magnitude; infinite where what is no number differs."""
+    apart, largest = _apart(one, two)
+    return apart / largest if largest else (np.inf if apart else 0.0)
+
+
+def _within_a_unit(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> bool:
+    """Whether two columns differ by no more than rounding to `DIGITS` may move a number."""
+    apart, largest = _apart(one, two)
+    return apart <= rounding_unit(largest, DIGITS)
+
+
+def _apart(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> tuple[float, float]:
+    """Largest difference, infinite where what is no number differs, and largest magnitude."""
     if one.dtype.kind not in "fiub" or two.dtype.kind not in "fiub":
-        return 0.0 if np.array_equal(one, two) else np.inf
+        return (0.0 if np.array_equal(one, two) else np.inf), 0.0
     a, b = one.astype(np.float64), two.astype(np.float64)
     if not np.array_equal(np.isfinite(a), np.isfinite(b)):
-        return np.inf
+        return np.inf, 0.0
     finite = np.isfinite(a)
     largest = float(np.max(np.abs(a[finite]), initial=0.0))
-    apart = float(np.max(np.abs(a[finite] - b[finite]), initial=0.0))
-    return apart / largest if largest else (np.inf if apart else 0.0)
+    return float(np.max(np.abs(a[finite] - b[finite]), initial=0.0)), largest

@@ -119,5 +119,14 @@ def rounded_digest(values: np.ndarray[Any, Any], digits: int) -> str:
     largest = float(np.max(np.abs(flat[finite]), initial=0.0))
     if largest == 0.0:
         return column_digest(flat)
-    power = digits - 1 - int(np.floor(np.log10(largest)))
-    return column_digest(np.where(finite, np.rint(flat * 10.0**power), flat))
+    per_unit = 10.0 ** _power(largest, digits)
+    return column_digest(np.where(finite, np.rint(flat * per_unit), flat))
+
+
+def rounding_unit(largest: float, digits: int) -> float:
+    """What `rounded_digest` rounds to where this is a column's largest magnitude; 0 where that is 0."""
+    return 10.0 ** -_power(largest, digits) if largest else 0.0
+
+
+def _power(largest: float, digits: int) -> int:
+    return digits - 1 - int(np.floor(np.log10(largest)))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray, runs_of, sample_interval
+from pipeline.numerics.arrays import FloatArray, IntArray, runs_of, sample_interval, samples_of
 from pipeline.numerics.metrics import signal_range
 from pipeline.scoring.intervals import BLOCK, Interval, rms_interval
 
@@ -83,7 +83,7 @@ def horizon_errors(
     Cost: the simulated time is at most that of the record for each horizon, plus the call overhead of the restarts.
     """
     interval = sample_interval(t)
-    aheads = [max(1, round(horizon / interval)) for horizon in horizons]
+    aheads = [samples_of(horizon, interval) for horizon in horizons]
     starts = [_starts(q, qdot, ahead, most_starts) for ahead in aheads]
     known = np.zeros(q.size, dtype=np.int64)
     for rows in runs_of(np.isfinite(q) & np.isfinite(qdot)):
@@ -115,7 +115,7 @@ def _error(
     if not good.size or not span:
         return HorizonError(ahead * interval, None, None, starts.size, starts.size - good.size)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
-    band = rms_interval(errors / span, max(1, round(BLOCK / spacing)), np.random.default_rng(seed))
+    band = rms_interval(errors / span, samples_of(BLOCK, spacing), np.random.default_rng(seed))
     value = float(np.sqrt(np.mean(good**2))) / span
     return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
 

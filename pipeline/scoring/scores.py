@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, samples_of
 from pipeline.numerics.metrics import nrmse, rmse, signal_range
 from pipeline.scoring.intervals import BLOCK, Interval, mean_interval, rms_interval, share_interval
 from pipeline.scoring.wells import NoWells, Wells, in_same_well, switch_accuracy
@@ -79,7 +79,7 @@ def score_run(
     rng : numpy.random.Generator
         For the bootstrap.
     """
-    block, scores = max(1, round(BLOCK / interval)), []
+    block, scores = samples_of(BLOCK, interval), []
     for name, (measured, calculated) in signals.items():
         n = int(np.count_nonzero(np.isfinite(measured) & np.isfinite(calculated)))
         score = Score(name, None, None, None, n, status, diverged_at_s)

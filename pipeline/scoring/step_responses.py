@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.arrays import FloatArray, IntArray, samples_of
 from pipeline.numerics.metrics import settling_index
 from pipeline.scoring.intervals import Interval, median_interval
 from pipeline.scoring.wells import LONGEST_WINDOW, Wells
@@ -59,7 +59,7 @@ class ResponseErrors:
 
 def voltage_steps(v: FloatArray, interval: float) -> IntArray:
     """The last rows before an input jumps by more than `STEP` of the largest voltage, one per jump, shape (n,)."""
-    lag = max(1, round(STEP_WINDOW / interval))
+    lag = samples_of(STEP_WINDOW, interval)
     peak = float(np.max(np.abs(v), initial=0.0))
     jump = np.zeros(len(v), dtype=bool)
     jump[lag:] = np.any(np.abs(v[lag:] - v[:-lag]) > STEP * peak, axis=1)
@@ -79,7 +79,7 @@ def step_response(q: FloatArray, interval: float) -> StepResponse:
     interval : float
         Sample interval [s].
     """
-    window = round(LONGEST_WINDOW / interval)
+    window = samples_of(LONGEST_WINDOW, interval)
     final = float(np.mean(q[-window:]))
     step = final - q[0]
     if step == 0.0:
@@ -119,7 +119,7 @@ def response_errors(
     """
     pairs: list[tuple[StepResponse, StepResponse]] = []
     switches = 0
-    for rows in _stretches(voltage_steps(v, interval), len(v), round(SHORTEST_RESPONSE / interval)):
+    for rows in _stretches(voltage_steps(v, interval), len(v), samples_of(SHORTEST_RESPONSE, interval)):
         if not np.all(np.isfinite(measured[rows])) or not _switches(measured[rows], wells, interval):
             continue
         switches += 1
@@ -141,7 +141,7 @@ def _stretches(steps: IntArray, samples: int, shortest: int) -> list[slice]:
 
 
 def _switches(q: FloatArray, wells: Wells, interval: float) -> bool:
-    last = wells.side(q[-round(LONGEST_WINDOW / interval) :])
+    last = wells.side(q[-samples_of(LONGEST_WINDOW, interval) :])
     return bool(last.all() == last.any() and last[0] != wells.side(q[:1])[0])
 
 

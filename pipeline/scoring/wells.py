@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, voltages
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of, voltages
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
 LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of the 2.8 Hz ring-down
@@ -69,7 +69,7 @@ def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST) -> li
 
 def end_of_rest(rest: slice, interval: float) -> slice:
     """Rows of the last `LONGEST_WINDOW` of a rest, or of the whole of a shorter one."""
-    return slice(max(rest.start, rest.stop - max(1, round(LONGEST_WINDOW / interval))), rest.stop)
+    return slice(max(rest.start, rest.stop - samples_of(LONGEST_WINDOW, interval)), rest.stop)
 
 
 def find_wells(

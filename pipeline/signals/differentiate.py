@@ -20,6 +20,8 @@ from pipeline.signals.smoothing_parameter import SmoothingParameter, smoothing_p
 
 Method = Literal["tvregdiff", "savitzky-golay", "rts"]
 
+PAPER_EPSILON = 1e-6
+"""Rounding of the variation's corner beside a given α, for q in mm [(mm/s^order)²], degrees or mV."""
 _WINDOW = 14.0
 """Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
 _DEGREE = 5
@@ -83,7 +85,7 @@ def differentiate(
         by applying it again, with the same numbers for both parameters.  2 lets the acceleration jump.
     alpha, epsilon : float, optional
         Parameters of `tvregdiff` [signal·s^m, (signal/s^m)²]; both are chosen from the record
-        (`smoothing_parameter`) if `alpha` is left out, and `epsilon` is 1e-12 if only it is.
+        (`smoothing_parameter`) if `alpha` is left out, and `epsilon` is `PAPER_EPSILON` for q in mm if only it is.
     reweighted : bool, default True
         Whether the penalty is lifted where the acceleration jumps, as after a voltage step, and no derivative is taken
         across a jump; with automatic parameters and orders above 1 only.
@@ -109,7 +111,7 @@ def differentiate(
     if alpha is None:
         parameter = smoothing_parameter(samples, dt, order, reweighted=reweighted and order > 1)
     else:
-        rounding = 1e-12 if epsilon is None else epsilon
+        rounding = PAPER_EPSILON * 1e-3**2 if epsilon is None else epsilon
         parameter = SmoothingParameter(alpha, rounding, noise_std(samples), 0.0, settled=True)
     return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
 

@@ -16,10 +16,9 @@ from pipeline.settings import Differentiate, Prototype, Role
 
 ALGORITHM = "6"
 
-# alpha and epsilon are set for q in mm, in degrees, or in mV of a circuit.
-_PAPER_EPSILON = 1e-6
-
 _WAY, _AGREES = 10, 0.1
+
+# alpha and epsilon are set for q in mm, in degrees, or in mV of a circuit.
 ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0, "V": 1e-3}
 
 
@@ -124,8 +123,7 @@ def derivatives(
     notes = {
         "method": settings.method,
         "of": "velocity" if measured else "q",
-        "order": how["order"],
-        "reweighted": settings.reweighted,
+        **({name: how[name] for name in ("order", "reweighted")} if settings.method == "tvregdiff" else {}),
         "interval_s": interval,
         "unit_si": unit,
         "stretches": stretches,
@@ -135,11 +133,13 @@ def derivatives(
 
 def _how(settings: Differentiate, *, measured: bool, unit: float) -> dict[str, Any]:
     """Arguments of the differentiator; a `measured` velocity has parameters of its own and one order less."""
-    chosen = settings.alpha == "auto" or measured
+    from pipeline.signals.differentiate import PAPER_EPSILON
+
+    chosen = settings.alpha == "auto"
     return {
         "method": settings.method,
         "order": max(2, min(3, settings.order - 1)) if measured else settings.order,
         "alpha": None if chosen else float(settings.alpha) * unit,
-        "epsilon": None if chosen else (settings.epsilon or _PAPER_EPSILON) * unit**2,
+        "epsilon": None if chosen else (settings.epsilon or PAPER_EPSILON) * unit**2,
         "reweighted": settings.reweighted,
     }

@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.loading.device import Device, RotationMap, device, parameter_values, rotation_map
 from pipeline.loading.held_models import identified_models
 from pipeline.names import with_true_names
-from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
+from pipeline.numerics.arrays import FloatArray, sample_interval, samples_of, voltages
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
@@ -114,7 +114,7 @@ def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "di
         for model, (measured, calculated) in pairs.items()
         if (span := signal_range(measured))
     }
-    return excess_over_lowest(errors, max(1, round(BLOCK / interval)), _BOOTSTRAP_SEED)
+    return excess_over_lowest(errors, samples_of(BLOCK, interval), _BOOTSTRAP_SEED)
 
 
 def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWells") -> list[dict[str, Any]]:

@@ -103,12 +103,9 @@ def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
     """What a study reads of the settings beside what its inputs were made with."""
     if name == "alpha":
         return {"order": prototype.differentiate.order}
-    plant: dict[str, Any] = {
-        "plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})
-    }
-    if name == "basis":
-        return plant
-    return plant | {"basis": [prototype.identify.basis_functions, prototype.identify.smoothing]}
+    plant = {"plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})}
+    read = {"basis"} if name == "basis" else {"basis", "basis_functions", "smoothing"}
+    return plant | {"identify": prototype.identify.model_dump(mode="json", include=read)}
 
 
 def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
@@ -152,7 +149,7 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
     grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
     points = {f"M={count} sigma_n={smoothing}": (count, smoothing) for count, smoothing in grid}
-    work = partial(_one_basis, data, held_out, plant.mass, plant.action)
+    work = partial(_one_basis, data, held_out, _asked(prototype, plant))
 
     def rows(missing: list[str]) -> Iterator[tuple[float, float, float]]:
         """The points that are not kept from before, in so many processes."""
@@ -169,17 +166,28 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     }, {"model": "rbf-paper"}
 
 
+def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
+    """What `identify_rbf_paper` is asked by the settings."""
+    settings = prototype.identify
+    return {
+        "basis_functions": settings.basis_functions,
+        "smoothing": settings.smoothing,
+        "mass": plant.mass,
+        "inputs": plant.action,
+        "basis": settings.basis,
+    }
+
+
 def _one_basis(
     data: "list[Trajectory]",
     held_out: "list[Trajectory]",
-    mass: float,
-    inputs: Literal["squared", "linear"],
+    asked: dict[str, Any],
     point: tuple[int, float],
 ) -> tuple[float, float, float]:
     from pipeline.models.rbf_paper import identify_rbf_paper
     from pipeline.scoring.data_study import held_out_error
 
-    model = identify_rbf_paper(data, basis_functions=point[0], smoothing=point[1], mass=mass, inputs=inputs)
+    model = identify_rbf_paper(data, **asked | {"basis_functions": point[0], "smoothing": point[1]})
     residual = np.concatenate([model.accelerate(x.t, x.v, x.q, x.qdot) - x.qddot for x in data])
     return float(np.mean(residual**2)), float(model.diagnostics["condition"]), held_out_error(model, held_out)
 
@@ -191,13 +199,7 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
     from pipeline.signals.trajectory import operating_range
 
     data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
-    identify = partial(
-        identify_rbf_paper,
-        basis_functions=prototype.identify.basis_functions,
-        smoothing=prototype.identify.smoothing,
-        mass=plant.mass,
-        inputs=plant.action,
-    )
+    identify = partial(identify_rbf_paper, **_asked(prototype, plant))
 
     def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
         """Smoothed samples and their derivatives."""
@@ -223,14 +225,8 @@ def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> t
     from pipeline.identification.online import drifted, follow, memories
     from pipeline.models.rbf_paper import identify_rbf_paper
 
-    data, settings = training_trajectories(run, prototype), prototype.identify
-    model = identify_rbf_paper(
-        data,
-        basis_functions=settings.basis_functions,
-        smoothing=settings.smoothing,
-        mass=plant.mass,
-        inputs=plant.action,
-    )
+    data = training_trajectories(run, prototype)
+    model = identify_rbf_paper(data, **_asked(prototype, plant))
     rows = np.concatenate([model.regressors(x) for x in data])
     target = plant.mass * np.concatenate([x.qddot for x in data])
     q = np.linspace(model.centres[0], model.centres[-1], 101)

@@ -220,7 +220,7 @@ def test_a_design_comes_back_from_its_numbers_and_damage_is_named() -> None:
     document = json.loads(json.dumps(law.to_json()))
     for one, other in zip(Law.from_json(document), law, strict=True):
         np.testing.assert_array_equal(one, other)
-    del document["numbers"]["gain"]
+    del document["numbers"]["wall"]
     with pytest.raises(CorruptArtifactError, match="debist control design"):
         Law.from_json(document)
 

@@ -82,11 +82,12 @@ def test_the_poles_are_frequency_and_damping_of_small_oscillations() -> None:
 
 
 def test_input_and_output_matrices_are_those_of_the_voltages_and_the_laser() -> None:
-    plant = plant_of(model(**{"laser gain": 2.0}))
+    plant = plant_of(model(**{"laser offset": 2.0}))
     at = linearise(plant, three(plant)[0].x, np.array([1000.0, 0.0]))
     np.testing.assert_allclose(at.b[:, 0], 2000.0 * at.b_squared[:, 0])
     assert np.all(at.b[:, 1] == 0.0)
-    assert at.c[0, 0] == pytest.approx(1.02)
+    assert at.c.tolist() == [[1.0] + [0.0] * (len(at.x) - 1)]
+    assert at.q == pytest.approx(at.x[0] + 0.3e-3)
 
 
 def test_a_state_space_is_that_of_python_control_or_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:

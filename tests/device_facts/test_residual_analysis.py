@@ -36,6 +36,14 @@ def test_a_coloured_residual_that_is_independent_of_the_input_stays_within_the_b
     assert np.mean(crossed) < 0.05
 
 
+@pytest.mark.parametrize("interval", [2.0, 5.0])
+def test_a_slow_device_is_analysed_one_sample_apart(interval):
+    rng, u, q = signals(3)
+    assert analyse_residual(q[:7], q[:7] + rng.standard_normal(7), u[:7], interval) is None
+    found = analyse_residual(q, q + rng.standard_normal(N), u, interval)
+    assert found.lags.tolist() == [-interval, 0.0, interval]
+
+
 def test_what_an_input_still_explains_shows_at_its_lag():
     rng, u, q = signals(1)
     late = np.concatenate((np.zeros(30), u[:-30, 1]))

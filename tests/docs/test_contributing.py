@@ -100,8 +100,8 @@ def drawn(name):
     return np.array([parameters.constants(NOMINAL, one, 1.26) for one in deviations])
 
 def run(k):
-    seen, which = np.tile([1.0, 0.0], (len(k), 1)), np.zeros(len(k), dtype=np.int64)
-    return run_joints(k, np.zeros((len(k), 9, 0)), np.zeros(3), u, which, seen, np.array([-0.011, 0.3]), *common)
+    offset, which = np.zeros(len(k)), np.zeros(len(k), dtype=np.int64)
+    return run_joints(k, np.zeros((len(k), 9, 0)), np.zeros(3), u, which, offset, np.array([-0.011, 0.3]), *common)
 
 found = {"states": STATES, "at_rest": AT_REST}
 for name in ("log dry force", "log branch stiffness"):

@@ -43,7 +43,7 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
         "log eta": 0.8,
         "log stop force 0": 0.8,
         "delay": delay,
-        "laser gain": 0.7,
+        "laser offset": 0.7,
         "probe 1": 1.0,
     }
     for name, value in planted.items():

@@ -72,7 +72,7 @@ def run(
     """q, q̇, q̈ of one joint through perfect instruments."""
     lead = RATIO / float(k[INDEX["l"]])
     return run_joints(
-        k[None], weights[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
+        k[None], weights[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.zeros(1),
         np.array([q0, 0.0]), observed, poles, 0.01, steps, 0.045, lead,
     )[0]  # fmt: skip
 
@@ -296,9 +296,8 @@ def test_joints_side_by_side_move_as_each_alone() -> None:
 
     def moved(chosen: slice) -> FloatArray:
         count = len(k[chosen])
-        seen = np.tile([1.0, 0.0], (count, 1))
         one = np.zeros(count, dtype=np.int64)
-        return run_joints(k[chosen], weights[chosen], BASIS, u, one, seen, np.array([-0.011, 0.0]), *rest)
+        return run_joints(k[chosen], weights[chosen], BASIS, u, one, np.zeros(count), np.array([-0.011, 0.0]), *rest)
 
     together = moved(slice(None))
     for j in range(len(k)):
@@ -480,7 +479,7 @@ u = np.zeros((1, 1201, 2))
 u[0, 60:600, 0] = 2800.0**2
 weights = np.full((1, 9, 5), 0.5) * condensed_parameters.correction_widths(NOMINAL)[:, None]
 q = run_joints(
-    k[None], weights, np.array([-0.02, 0.01, 0.008]), u, np.zeros(1, dtype=np.int64), np.array([[1.0, 0.0]]),
+    k[None], weights, np.array([-0.02, 0.01, 0.008]), u, np.zeros(1, dtype=np.int64), np.zeros(1),
     np.array([-0.011, 0.0]), np.zeros(0), np.zeros(201), 0.01, 3, 0.045, 14.0,
 )
 print(hashlib.sha256(q.tobytes()).hexdigest())

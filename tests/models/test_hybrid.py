@@ -228,6 +228,16 @@ def test_a_network_that_is_not_surely_nearer_does_not_replace_the_equations() ->
         assert choice.excess is not None and choice.excess.low < 0.0 < choice.excess.high
 
 
+def test_without_an_interval_a_network_must_err_by_less_than_half() -> None:
+    truth, near, wrong = joint({}), joint({"log E": 0.02}), joint({"log E": 0.03})
+    training = given(log(truth, 1, 12.0))
+    choice = choose(training, lambda _: wrong, lambda _: near)
+    assert choice.excess is None
+    assert 0.5 * choice.held_out["hybrid"] < choice.held_out["rbf"] < choice.held_out["hybrid"]
+    assert choice.model is wrong
+    assert choose(training, lambda _: wrong, lambda _: truth).model is truth
+
+
 def test_equations_that_follow_the_training_logs_but_predict_badly_are_compared() -> None:
     truth, asked = joint({}), list[float]()
 

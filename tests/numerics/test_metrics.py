@@ -68,4 +68,5 @@ def test_the_fit_is_that_of_matlabs_compare() -> None:
     assert fit_percent(measured, np.full(5, known.mean())) == pytest.approx(0.0, abs=1e-12)
     assert fit_percent(measured, measured + 2.0) == pytest.approx(100.0 * (1.0 - 4.0 / away))
     assert fit_percent(np.ones(3), np.zeros(3)) is None  # a constant has no spread
+    assert fit_percent(np.full(7, 0.1), np.zeros(7)) is None  # though its computed spread is 1e-17
     assert fit_percent(measured, np.full(5, np.inf)) is None

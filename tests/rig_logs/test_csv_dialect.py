@@ -131,6 +131,16 @@ def test_a_damaged_first_row_is_not_taken_for_units(tmp_path):
     np.testing.assert_array_equal(read_here(path)["q"], [20, 30])
 
 
+@pytest.mark.parametrize(
+    ("encoding", "text"), [("utf-8", "Åben"), ("cp1252", "…"), ("utf-8", "a\u2028b"), ("utf-8", "a\x0bb")]
+)
+def test_a_character_that_ends_a_line_elsewhere_stands_in_a_cell(tmp_path, encoding, text):
+    rows = [f"{0.01 * i:.2f};{np.sin(i):.4f};{text}" for i in range(300)]
+    (tmp_path / "log.csv").write_bytes("\n".join(["t [s];q [mm];remark", *rows]).encode(encoding))
+    t = read_here(tmp_path / "log.csv")["t"]  # without its line end the last row may be cut off within its remark
+    np.testing.assert_allclose(t, 0.01 * np.arange(299), atol=1e-12)
+
+
 def test_a_log_cut_off_before_its_first_whole_row_holds_nothing(tmp_path):
     text = "# Prüfstand; Laser\r\n# 2000 Hz\r\nZeit;Weg q;U1;U2\r\n[s];[µm];[V];[V]\r\n0,00023;"
     (tmp_path / "cut.csv").write_bytes(text.encode("latin-1"))

@@ -130,6 +130,7 @@ def test_durations_in_parquet_are_seconds_and_what_is_no_number_is_told(tmp_path
 
 def test_equal_names_are_told_apart():
     assert unique_names(["a", "b", "a", "a"]) == ["a", "b", "a (2)", "a (3)"]
+    assert unique_names(["a", "a", "a (2)", "a"]) == ["a", "a (3)", "a (2)", "a (4)"]
 
 
 def test_shared_logs(shared_folder):

@@ -27,6 +27,12 @@ def test_a_response_that_swings_on_has_no_settling_time() -> None:
     assert step_response(np.concatenate([[0.0], 1 + 0.5 * np.sin(15.7 * T)]), DT).settling_s is None
 
 
+@pytest.mark.parametrize("interval", [0.3, 0.85, 2.0])
+def test_a_device_with_one_sample_in_the_last_window_settles_where_it_does(interval: float) -> None:
+    response = step_response(np.array([0.0, 1.0, 1.0, 1.0, 1.0, 1.0]), interval)
+    assert response.settling_s == pytest.approx(interval)
+
+
 def test_voltage_steps_are_edges_of_pulses_not_of_chirps() -> None:
     v = np.zeros((3000, 2))
     v[500:900, 0] = 3000.0

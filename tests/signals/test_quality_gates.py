@@ -36,6 +36,12 @@ def test_missing(share, found):
     assert _findings(q=lambda t, rng: np.where(np.arange(N) < share * N, np.nan, np.sin(9 * t))) == found
 
 
+def test_a_row_without_time_and_displacement_is_missing_once():
+    lost = np.arange(N) % 17 == 3  # 5.9 %
+    time = np.where(lost, np.nan, np.arange(N) * STEP)
+    assert _findings(time=time, q=lambda t, rng: np.where(lost, np.nan, np.sin(9 * t))) == []
+
+
 @pytest.mark.parametrize(("share", "found"), [(0.04, []), (0.06, ["repeated"])])
 def test_repeated(share, found):
     """Of every hundred stamps some are those of the row before."""

@@ -1,0 +1,40 @@
+"""When numbers count as rounded, close or different."""
+
+import numpy as np
+import pytest
+
+from pipeline.runs.comparison import DIGITS, RunDifference, compared_columns
+
+UNIT = 10.0 ** (1 - DIGITS)
+"""That of the last digit to which columns with a largest magnitude from 1 to 10 are compared."""
+
+
+def state(one: float, other: float) -> str:
+    columns = [{"x": np.array([1.0, value])} for value in (one, other)]
+    return compared_columns("a", *columns).state
+
+
+@pytest.mark.parametrize(
+    ("apart", "found"), [(0.2, "rounded"), (0.8, "close"), (1.0 - 1e-6, "close"), (1.1, "differs"), (3.0, "differs")]
+)
+def test_a_difference_over_a_rounding_edge_is_close_up_to_one_unit(apart: float, found: str) -> None:
+    begin = (2000.1 if found == "rounded" else 2000.4) * UNIT
+    assert state(begin, begin + apart * UNIT) == found
+
+
+def test_no_difference_is_alarming_where_a_larger_one_is_not() -> None:
+    values = 0.2 + UNIT * np.linspace(-0.5, 0.5, 41)
+    for one in values:
+        assert all(state(one, other) in ("equal", "rounded", "close") for other in values if abs(other - one) < UNIT)
+
+
+def test_runs_whose_numbers_are_close_are_equal() -> None:
+    close = compared_columns("a", {"x": np.array([1.0, 2000.4 * UNIT])}, {"x": np.array([1.0, 2000.6 * UNIT])})
+    assert close.state == "close" and close.deviation == pytest.approx(0.2 * UNIT)
+    assert RunDifference(("a", "b"), (), (), (), (close,), (), ((), ())).equal
+
+
+def test_texts_and_shapes_differ_whatever_the_numbers() -> None:
+    assert compared_columns("a", {"x": np.array(["a"])}, {"x": np.array(["b"])}).state == "differs"
+    assert compared_columns("a", {"x": np.ones(2)}, {"x": np.ones(3)}).state == "differs"
+    assert compared_columns("a", {"x": np.array([1.0, np.nan])}, {"x": np.ones(2)}).state == "differs"
