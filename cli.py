@@ -13,7 +13,7 @@ from pipeline.commands import control, integrity, outcome, physics, results, rig
 from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.console import Force, Json, Progress, PrototypeFile, Quiet, Run, Runs, emit_json, emit_table
 from pipeline.commands.inspection import check, emit_inspection, inspection_document
-from pipeline.errors import BatchFailedError
+from pipeline.errors import BatchFailedError, InputError
 from pipeline.machine import settle_machine
 
 if TYPE_CHECKING:
@@ -356,6 +356,8 @@ def batch(
     from pipeline.units import parse_quantity
 
     named, limit = named_prototypes(prototype_files(fleet)), parse_quantity(time_limit, ("s",), "--time-limit")
+    if not 1.0 <= limit <= 1e7:
+        raise InputError(f"--time-limit {time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
     if collect:
         outcomes = collect_batch(named, output)
     else:

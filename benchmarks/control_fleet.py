@@ -32,7 +32,7 @@ from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.ensemble import COMMAND, INTERVAL, Converters, Ensemble, ensemble_of
 from pipeline.control.law import CONTROLLER_STATE, Law
-from pipeline.control.linear import three
+from pipeline.control.linear import wells_and_saddle
 from pipeline.control.lowest_voltage import TYPICAL, lowest_voltage, uncertain
 from pipeline.control.plant import plant_of
 from pipeline.control.pulses import design_pulse
@@ -302,7 +302,7 @@ def step_seconds(law: Law, lags: tuple[float, float], places: tuple[float, float
 def nominal_pulses() -> tuple[FloatArray, FloatArray]:
     """Pulses to the right and to the left on the analytical model with nominal parameters."""
     blank = ensemble_of(drawing(), 0, Converters((ASSUMED, ASSUMED), DATA_SHEET))
-    left, _, right = (each.q for each in three(plant_of(drawing())))
+    left, _, right = (each.q for each in wells_and_saddle(plant_of(drawing())))
     return (
         design_pulse(blank, left, right, right - left, TOP).v,
         design_pulse(blank, right, left, right - left, TOP).v,
@@ -342,7 +342,7 @@ def paper_snaps(subject: Subject, targets: tuple[float, float], top: float, seed
 
 def measure(subject: Subject, found: Found, seed: int) -> None:
     plant = plant_of(subject.model)
-    left, saddle, right = (each.q for each in three(plant))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
     targets, top = (left, right), min(TOP, plant.highest)
     law = design_law(plant, Settings(top, subject.converters.lags))
     joint = ensemble_of(subject.model, 32, subject.converters)

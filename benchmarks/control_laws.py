@@ -24,7 +24,7 @@ from pipeline.control.controller import CONTROL, GRAPHS, PERIOD, begin_control, 
 from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.law import CONTROLLER_STATE, PLACES, TARGET_COLUMNS, TARGETS, Law
-from pipeline.control.linear import three
+from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import Plant, forces, inertia, plant_of
 from pipeline.generated.condensed_joint import STATES
 from pipeline.joint.condensed_statics import rest_state
@@ -204,7 +204,7 @@ def laws(plant: Plant, law: Law, wells: tuple[float, float]) -> dict[str, Contro
 def measure(subject: Subject, count: int) -> dict[str, list[float]]:
     """Of each law: snaps right [%], settling [s], overshoot [mm], hold [mm], lowest voltage [%], caught [%]."""
     plant = plant_of(subject.model)
-    left, saddle, right = (each.q for each in three(plant))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
     top, lags = min(TOP, plant.highest), subject.converters.lags
     made = laws(plant, design_law(plant, Settings(top, lags)), (left, right))
     times = np.round(sequence(count, 3), 3)

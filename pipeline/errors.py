@@ -85,8 +85,19 @@ def disk_failure(error: Exception) -> str | None:
     return os.strerror(number) if number in _DISK else None
 
 
+def interrupted(error: BaseException | None) -> bool:
+    """Whether this error came of Ctrl-C."""
+    while error is not None:
+        if isinstance(error, KeyboardInterrupt):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
+
+
 def memory_failure(error: BaseException | None) -> bool:
     """Whether memory ended, be it that a library says so in its own words, or that this error came of it."""
+    if interrupted(error):
+        return False  # compiled code that a signal stops says what it also says where memory ends
     while error is not None:
         if isinstance(error, MemoryError):
             return True

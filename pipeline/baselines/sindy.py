@@ -27,6 +27,7 @@ from pipeline.baselines.sparse_regression import Optimizer, sign_rows, sparse_co
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
+from pipeline.numerics.metrics import rms
 from pipeline.scoring.cross_validation import (
     free_run_error,
     simplest_within_one_standard_error,
@@ -246,7 +247,7 @@ def _refit(
     error = np.concatenate([_residual(problem, x, dynamics) for x in problem.trajectories])
     return SindyFit(
         dynamics, chosen, errors, *search, library.weights.size, library.rank, library.condition,
-        float(np.sqrt(np.mean(error**2))) / problem.acceleration_scale,
+        rms(error) / problem.acceleration_scale,
     )  # fmt: skip
 
 

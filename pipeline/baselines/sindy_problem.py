@@ -23,6 +23,7 @@ from pipeline.baselines.polynomial_dynamics import (
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.least_squares import triangular_factor
+from pipeline.numerics.metrics import rms
 from pipeline.scoring.cross_validation import HeldOutBlock, held_out_blocks
 from pipeline.signals.trajectory import Trajectory, operating_range
 from pipeline.solvers.free_run import escape_bounds
@@ -157,7 +158,7 @@ def prepare_problem(trajectories: Sequence[Trajectory], squared: bool) -> Proble
         raise InputError("the training logs differ in their number of inputs; identify them apart")
     u = np.concatenate([np.square(x.v) if squared else np.abs(x.v) for x in trajectories])
     speed = max(float(np.abs(x.qdot).max()) for x in trajectories)
-    acceleration = float(np.sqrt(np.mean(np.concatenate([x.qddot for x in trajectories]) ** 2)))
+    acceleration = rms(np.concatenate([x.qddot for x in trajectories]))
     scales = np.array([max(abs(low), abs(high)), speed, speed, 0.1 * speed, 1.0, 1.0, *u.max(axis=0)])
     scales[scales == 0.0] = 1.0  # an input that is never used: its columns are zero whatever the scale
     bounds = escape_bounds(low, high)

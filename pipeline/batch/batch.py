@@ -121,7 +121,8 @@ def run_batch(
     waiting, outcomes = list(named), list[Outcome]()
     running: set[Future[Outcome]] = set()
     first_failed = ""
-    with Workers(warm=len(named) > 2) as workers, ThreadPoolExecutor(max_workers=jobs) as pool:
+    # Left in this order: the pool waits for what the workers run.
+    with ThreadPoolExecutor(max_workers=jobs) as pool, Workers(warm=len(named) > 2) as workers:
         while waiting or running:
             while waiting and len(running) < jobs:
                 name, prototype = waiting.pop(0)

@@ -76,12 +76,17 @@ class Workers:
     def __init__(self, warm: bool = True) -> None:
         self._ready = "pipeline.batch.warm:warm_up" if warm else "pipeline.machine:settle_machine"
         self._copies: Copies | None = None
-        self._starting = threading.Lock()
+        self._starting, self._over = threading.Lock(), False
 
     def __enter__(self) -> "Workers":
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.end()
+
+    def end(self) -> None:
+        """End the process and what it runs; those who wait for that get an `InterruptedError`."""
+        self._over = True
         if self._copies is not None:
             self._copies.close()
 
@@ -98,6 +103,8 @@ class Workers:
                     "pipeline.batch.warm:run_debist", name, arguments, badness=SACRIFICED, time_limit=time_limit,
                     files=[nowhere.fileno(), nowhere.fileno(), said.fileno()],
                 )  # fmt: skip
+                if self._over:
+                    raise InterruptedError(f"{name}: stopped with its batch")
                 if end is not None:
                     return make_outcome(name, prototype, began, end, said, time_limit)
         # The process that is copied is gone, and with it what it had made, or it has threads of its own.

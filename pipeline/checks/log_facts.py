@@ -10,6 +10,7 @@ import numpy as np
 from pipeline.checks.weak_form import FORCE_ORDER, GAIN_TERMS, LogSignals, WeakTerms, scales_of, solve, weak_terms
 from pipeline.device_facts.events import RestFacts, RingDown, rest_facts
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, samples_of
+from pipeline.numerics.metrics import rms
 from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells, snaps
 from pipeline.scoring.wells import rests as quiet_rows
 from pipeline.signals.signal_quality import takes_both_signs
@@ -311,5 +312,5 @@ def _ratio(taught: WeakTerms, judged: WeakTerms, rows: BoolArray) -> float | Non
     design, inertia = judged.design(), judged.inertia
     foreign = inertia - design @ solve(taught.design(), taught.inertia)
     own = inertia - design @ solve(design, inertia)
-    size = max(float(np.median(np.abs(own[rows]))), _TELLING * float(np.sqrt(np.mean(inertia**2))))
+    size = max(float(np.median(np.abs(own[rows]))), _TELLING * rms(inertia))
     return float(np.median(np.abs(foreign[rows]))) / size if size > 0.0 else None

@@ -19,9 +19,9 @@ from numba.extending import intrinsic
 from numba.np.arrayobj import make_array
 
 from pipeline.codegen.graph import Graph, Operation
+from pipeline.numerics.inner_loops import FAST
 
-_FLAGS = ("contract", "arcp", "nsz")
-"""Liberties of the compiler: fused operations, reciprocals, and the sign of zero; NaN stays NaN."""
+_FLAGS = tuple(sorted(FAST))
 _REAL, _SINGLE = ir.DoubleType(), ir.FloatType()
 _ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
 _FUNCTIONS = {"sqrt": "llvm.sqrt", "abs": "llvm.fabs", "floor": "llvm.floor"}

@@ -23,7 +23,7 @@ import typer
 from typer.core import TyperGroup
 
 from pipeline.child_processes import died_of, end_with, exit_code, flush
-from pipeline.errors import DebistError, InputError, memory_failure
+from pipeline.errors import DebistError, InputError, interrupted, memory_failure
 
 _INTERRUPTED = 130  # as shells say it
 _STOPPED = "a file is written whole or not at all; the same command starts again"
@@ -135,8 +135,7 @@ class ErrorBoundary(WholeLines):
                 typer.echo(f"  {printable(line)}", err=True)
             raise typer.Exit(error.exit_code) from error
         except KeyboardInterrupt as stopped:
-            typer.echo(f"debist: interrupted; {str(stopped) or _STOPPED}", err=True)
-            raise typer.Exit(_INTERRUPTED) from stopped
+            raise _interruption(str(stopped)) from stopped
         except (typer.Exit, typer.Abort, BrokenPipeError):
             raise
         except Exception as error:
@@ -144,6 +143,8 @@ class ErrorBoundary(WholeLines):
                 raise
             if type(error).__module__.startswith(("typer", "click")):
                 raise  # a usage error, which typer prints itself
+            if interrupted(error) or _Interruption.came:
+                raise _interruption() from error
             if memory_failure(error):
                 raise
             told = _told(error)
@@ -151,6 +152,12 @@ class ErrorBoundary(WholeLines):
                 traceback.print_exc(file=sys.stderr)
             typer.echo(f"debist: {told or 'this is a bug in debist; please report the lines above'}", err=True)
             raise typer.Exit(1 if told is None else InputError.exit_code) from error
+
+
+def _interruption(said: str = "") -> typer.Exit:
+    """How a command ends that Ctrl-C stopped, which is told."""
+    typer.echo(f"debist: interrupted; {said or _STOPPED}", err=True)
+    return typer.Exit(_INTERRUPTED)
 
 
 def _told(error: Exception) -> str | None:
@@ -223,7 +230,12 @@ def watch() -> bool:
 
 
 class _Interruption:
-    """Raises `KeyboardInterrupt`, once if the parent hands on what the terminal has sent to both."""
+    """Raises `KeyboardInterrupt`, once if the parent hands on what the terminal has sent to both.
+
+    `came`: whether it has; what compiles kernels loses the exception and fails for the lack of what it was making.
+    """
+
+    came = False
 
     def __init__(self) -> None:
         self._last = float("-inf")
@@ -231,6 +243,7 @@ class _Interruption:
     def __call__(self, number: int, frame: FrameType | None) -> None:
         last, self._last = self._last, time.monotonic()
         if self._last - last > _SAME_INTERRUPTION:
+            _Interruption.came = True
             signal.default_int_handler(number, frame)
 
 

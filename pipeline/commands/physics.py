@@ -8,6 +8,7 @@ import typer
 
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, emit_json, emit_table, progress_report
+from pipeline.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -180,15 +181,16 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
     """
     motion = motions.full
     _draw(figure, "motion_figure", motions)
+    stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
+    q = motion.q[:stop]
     if as_json:
-        stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
         names = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
         emit_json({"diverged_at_s": motion.diverged_at} | {name: values[:stop] for name, values in names.items()})
         return
     rows = [
         ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
-        ("q from, to [mm]", f"{1e3 * motion.q[0]:.2f}, {1e3 * motion.q[-1]:.2f}"),
-        ("smallest, largest q [mm]", f"{1e3 * motion.q.min():.2f}, {1e3 * motion.q.max():.2f}"),
+        ("q from, to [mm]", f"{1e3 * q[0]:.2f}, {1e3 * q[-1]:.2f}"),
+        ("smallest, largest q [mm]", f"{1e3 * q.min():.2f}, {1e3 * q.max():.2f}"),
         ("steps, rejected", f"{motion.accepted}, {motion.rejected}"),
         ("processor time [s]", f"{motions.full_seconds:.3f}"),
         ("diverged at [s]", _in(motion.diverged_at, 1.0, 2)),
@@ -204,6 +206,8 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     """
     from pipeline.joint.reduction import beam_modes
 
+    if motions.full.diverged_at is not None:
+        raise InputError(f"the motion diverges at {motions.full.diverged_at:.2f} s: lower the voltage")
     result = beam_modes(motions.full.qm, joint.l)
     _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)

@@ -210,6 +210,9 @@ def closed_loop(
     if as_json:
         emit_json({"files": files, **summary})
         return
+    for what, count in (("were no numbers", "not_finite"), ("lay beyond the converters' range", "clipped")):
+        if summary[f"commands_{count}"]:
+            typer.echo(f"warning: {summary[f'commands_{count}']} commands of the controller {what}", err=True)
     for step in summary["steps"]:
         ended = "did not settle" if step["settling_s"] is None else f"settled in {1e3 * step['settling_s']:.0f} ms"
         emit_text(

@@ -10,7 +10,7 @@ from pipeline.compiled import compiled
 from pipeline.control.controller import PERIOD
 from pipeline.control.design_tables import REACH, SLOW, braking_curves, charged, growth, target_table
 from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
-from pipeline.control.linear import three
+from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import Plant
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STOPS
@@ -80,7 +80,7 @@ def design(plant: Plant, settings: Settings) -> Law:
         raise InputError(
             f"a largest voltage of {settings.highest:g} V lies outside the trained range 0 to {plant.highest:.0f} V"
         )
-    wells = three(plant)
+    wells = wells_and_saddle(plant)
     left, saddle, right = (float(each.x[0]) for each in wells)
     places = np.linspace(left - BEYOND, right + BEYOND, TARGETS)
     lags = acting_lags(plant, settings)

@@ -12,6 +12,7 @@ from pipeline.generated.condensed_joint import DRY_LEVELS, STATES
 from pipeline.joint.condensed_kernels import INDEX, prepare
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.wells import outermost_pair
 
 _STEPS = np.where(np.isin(np.arange(STATES), (1, 3, 5)), 1e-5, 1e-7)
 _STEPS[3] = 1e-4
@@ -111,7 +112,7 @@ class LinearModel:
 def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, FloatArray]:
     """∂ẋ/∂x, shape (STATES, STATES), and ∂ẋ/∂(v²), shape (STATES, 2), friction left out, by central differences.
 
-    Their error is less than 1e-6 of the exact ones' largest entry. Cost: 30 evaluations of the rates, 6 µs.
+    Their error is less than 1e-6 of the exact ones' largest entry. Cost: 2 (STATES + 2) evaluations of the rates, 6 µs.
     """
     a, b = np.empty((STATES, STATES)), np.empty((STATES, 2))
     ahead, behind = np.zeros(STATES), np.zeros(STATES)
@@ -224,7 +225,7 @@ def held(plant: Plant, near: FloatArray, base: FloatArray, push: FloatArray) -> 
     return None
 
 
-def three(plant: Plant) -> list[LinearModel]:
+def wells_and_saddle(plant: Plant) -> list[LinearModel]:
     """Left well, unstable equilibrium between, right well, without voltage.
 
     Raises
@@ -233,12 +234,10 @@ def three(plant: Plant) -> list[LinearModel]:
         The joint has not two wells with one unstable equilibrium between them.
     """
     found = equilibria(plant, np.zeros(2))
-    stable = [each for each in found if each.stable]
-    between = [each for each in found if not each.stable and len(stable) > 1 and stable[0].q < each.q < stable[-1].q]
-    if len(stable) < 2 or not between:
+    pair = outermost_pair([each.q for each in found], [each.stable for each in found])
+    if pair is None:
         raise InputError("the identified joint has not two wells; there is nothing to switch between")
-    middle = 0.5 * (stable[0].q + stable[-1].q)
-    return [stable[0], min(between, key=lambda each: abs(each.q - middle)), stable[-1]]
+    return [found[i] for i in pair]
 
 
 def held_at(plant: Plant, q: float, saddle: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import settling_index
+from pipeline.numerics.metrics import rms, settling_index
 
 BAND = 0.05
 """Half width of the band in which a joint counts as settled, as a share of the wells' distance."""
@@ -64,5 +64,5 @@ def one_step(t: FloatArray, q: FloatArray, target: float, distance: float) -> St
         target_m=target,
         settling_s=float(t[settled] - t[0]) if settled < len(t) else None,
         overshoot_m=max(0.0, float(np.max(direction * error))),
-        rms_m=float(np.sqrt(np.mean(late**2))),
+        rms_m=rms(late),
     )

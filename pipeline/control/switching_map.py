@@ -53,9 +53,9 @@ def switching_map(
     Parameters
     ----------
     joint : Ensemble
-        Estimate and draws from the posterior. The estimate is run in every cell, the draws in the cells within
-        `REACH` of one where the estimate's outcome changes: narrow tongues in which a long pulse brings the joint back
-        are not missed.
+        Estimate and draws from the posterior, or an estimate alone. The estimate is run in every cell, the draws in the
+        cells within `REACH` of one where the estimate's outcome changes: narrow tongues in which a long pulse brings
+        the joint back are not missed.
     wells : (float, float, float)
         Readings [m] of left well, saddle and right well.
     to : {"left", "right"}
@@ -71,7 +71,7 @@ def switching_map(
     durations = np.geomspace(SHORTEST, LONGEST, DURATIONS)
     left, saddle, right = wells
     start, side = (left, 0) if to == "right" else (right, 1)
-    count = len(joint.constants)
+    members = range(1, len(joint.constants)) or range(1)
     everywhere = np.argwhere(np.ones((VOLTAGES, DURATIONS), dtype=bool))
 
     def switched(cells: "np.ndarray[tuple[int, int], np.dtype[np.int64]]", which: int) -> FloatArray:
@@ -86,9 +86,10 @@ def switching_map(
 
     estimate = switched(everywhere, 0).reshape(VOLTAGES, DURATIONS)
     open_cells = np.argwhere(_near_boundary(estimate))
+    count = len(members)
     total = count * estimate
-    for which in range(1, count):
-        on_progress(f"to the {to}", which / count)
+    for which in members:
+        on_progress(f"to the {to}", which / (count + 1))
         rows, columns = open_cells.T
         total[rows, columns] += switched(open_cells, which) - estimate[rows, columns]
     share = total / count

@@ -13,6 +13,7 @@ from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
 from pipeline.models.base import HasCurveDraws, HasCurves
 from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.wells import outermost_pair
 
 LEVEL = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range
@@ -122,12 +123,8 @@ def equilibria(q: FloatArray, force: FloatArray) -> list[Equilibrium]:
 
 def outer_wells(found: list[Equilibrium]) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
     """Left well, saddle, right well: the outermost pair of stable states with an unstable one between, or None."""
-    stable = [e for e in found if e.stable]
-    if len(stable) < 2:
-        return None
-    left, right = stable[0], stable[-1]
-    between = [e for e in found if not e.stable and left.q < e.q < right.q]
-    return (left, min(between, key=lambda e: abs(e.q - (left.q + right.q) / 2)), right) if between else None
+    pair = outermost_pair([e.q for e in found], [e.stable for e in found])
+    return None if pair is None else (found[pair[0]], found[pair[1]], found[pair[2]])
 
 
 def switching_input(curves: Curves, k: int, start: float, saddle: float) -> float | None:

@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval, samples_of
-from pipeline.numerics.metrics import robust_std
+from pipeline.numerics.metrics import rms, robust_std
 
 BLOCK = 2e-3
 """Time [s] over which the voltage is looked at at once."""
@@ -125,5 +125,5 @@ def _decay(share: FloatArray, interval: float) -> float | None:
     line = np.log(part)
     middle = np.average(line, weights=weights)
     slope = float(np.average(time * line, weights=weights) / np.average(time**2, weights=weights))
-    missed = float(np.sqrt(np.mean((np.exp(middle + slope * time) - part) ** 2)))
+    missed = rms(np.exp(middle + slope * time) - part)
     return -1.0 / slope if slope < 0.0 and missed < CROOKED else None

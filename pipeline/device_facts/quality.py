@@ -1,4 +1,4 @@
-"""The verdict on data and models: every threshold stands here, with its reason, and nowhere else."""
+"""The verdict on data and models: every threshold of a grade stands here, with its reason."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass

@@ -13,6 +13,9 @@ FEW = 20
 CELLS = 24
 """Cells of the state plane an axis, over the training range; a cell next to a visited one counts as visited."""
 
+ACTING = 0.1
+"""Share of its largest value above which an input acts, as in `coverage`."""
+
 
 @dataclass(frozen=True)
 class Coverage:
@@ -55,7 +58,7 @@ def coverage(centres: FloatArray, q: Sequence[FloatArray], v: Sequence[FloatArra
         nearest = np.searchsorted(edges, position)
         visits += np.bincount(nearest, minlength=m)
         for k in range(inputs):
-            acting = np.abs(volts[:, k]) > 0.1 * peaks[k]
+            acting = np.abs(volts[:, k]) > ACTING * peaks[k]
             driven[k] += np.bincount(nearest[acting], minlength=m)
     return Coverage(visits, driven)
 

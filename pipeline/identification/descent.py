@@ -17,6 +17,7 @@ import numpy as np
 import scipy.linalg
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
 
 FLOOR = 1e-5  # smallest noise level, in units of the residual: below it the prior would lose all weight
 
@@ -148,7 +149,7 @@ class Descent:
         return None
 
     def _rms(self) -> float:
-        return max(float(np.sqrt(np.mean(self.residual**2))), FLOOR)
+        return max(rms(self.residual), FLOOR)
 
     def _cost(self, residual: FloatArray, theta: FloatArray) -> float:
         cost = 0.5 * float(residual @ residual) / self.noise**2 + 0.5 * float(np.sum(self.prior.residual(theta) ** 2))

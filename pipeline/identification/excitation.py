@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.identification.coverage import Coverage, coverage
+from pipeline.identification.coverage import ACTING, Coverage, coverage
 from pipeline.identification.information import Conditioning, Weights, conditioning
 from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
@@ -19,8 +19,6 @@ from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
 from pipeline.signals.noise import is_idle, noise_level
 from pipeline.signals.quality_gates import Finding
 
-ACTING = 0.1
-"""Share of its largest value above which an input acts, as in `coverage`."""
 _INTERMEDIATE = (0.15, 0.85)  # of the largest value: neither off nor full
 _POWER_SHARE = 0.95
 _SHORTEST = 64  # samples of a stretch that is worth a spectrum

@@ -17,6 +17,7 @@ import numpy as np
 from pipeline.identification.descent import FLOOR, Descent, ObservedProblem, Prior
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
+from pipeline.numerics.metrics import rms
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
@@ -214,8 +215,8 @@ class _Levels:
             following, done = [], self._descend(state, gain, last=True)
         if not following:
             state.linearise()
-        rms = float(np.sqrt(np.mean(state.residual**2)))
-        levels = [*before.levels, (float(gain), state.iterations, rms, done)]
+        error = rms(state.residual)
+        levels = [*before.levels, (float(gain), state.iterations, error, done)]
         return vars(
             _State(state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, chaotic)
         )
@@ -239,6 +240,6 @@ class _Levels:
         while state.iterations < (self.last_iterations if last else self.iterations) and not done:
             if self.enough() and state.iterations >= LEAST_STEPS:
                 break
-            self.on_progress(gain, float(np.sqrt(np.mean(state.residual**2))))
+            self.on_progress(gain, rms(state.residual))
             done = not state.step(self.tolerance if last else 1e-3)
         return done

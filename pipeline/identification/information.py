@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.identification.lag_search import LAG_START
 from pipeline.identification.rbf import (
     InputLaw,
     basis_centres,
@@ -20,11 +21,10 @@ from pipeline.identification.rbf import (
 )
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
+from pipeline.numerics.metrics import rms
 
 FLOOR = 1e-2
 """Information that stands for none, in samples at full scale: keeps the determinant of an unvisited centre finite."""
-
-_LAG = 0.02  # s, where the search for the friction lag starts too
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ class Weights:
         low, high = float(q.min()), float(q.max())
         centres = basis_centres(low, high, basis_functions)
         signals = np.where(largest > 0.0, input_signal(largest, inputs), 1.0)
-        velocity = float(np.sqrt(np.mean(qdot**2))) or 1.0
+        velocity = rms(qdot) or 1.0
         scales = np.concatenate(([0.5 * (high - low), velocity], signals))
         return cls(centres, basis_width(centres, smoothing), scales, inputs)
 
@@ -95,7 +95,7 @@ class Weights:
         FloatArray, shape (p, p)
             Cost: N p² multiplications and N M exponentials; 2 ms for N = 3750, p = 40.
         """
-        z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, _LAG)
+        z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, LAG_START)
         signals = curve_signals(q, z, input_signal(v, self.inputs)) / self.scales
         rows = regressor(basis_values(q, self.centres, self.width), signals)
         product: FloatArray = rows.T @ rows

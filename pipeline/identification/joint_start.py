@@ -17,6 +17,7 @@ from pipeline.identification.joint_structure import OVERDAMPED, JointStructure, 
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
 from pipeline.signals.trajectory import Record, operating_range
 
 TIMES = ("input_lag", "input_delay")
@@ -65,8 +66,7 @@ def data_scales(records: Sequence[Record], *, centred: bool, reach: tuple[float,
     middle = 0.0 if centred else 0.5 * (low + high)
     half = max(-low, high) if centred else 0.5 * (high - low)
     speed, acceleration = (
-        float(np.sqrt(np.mean(np.concatenate([getattr(r, name)[r.valid] for r in records]) ** 2))) / half
-        for name in ("qdot", "qddot")
+        rms(np.concatenate([getattr(r, name)[r.valid] for r in records])) / half for name in ("qdot", "qddot")
     )
     return Scales(middle, half, volts, acceleration, speed)
 
@@ -173,14 +173,14 @@ def _best_timing(
     """
 
     def at(lag: float, delay: float) -> FloatArray:
-        """θ of a lag and a delay [s]; all else is zero."""
+        """θ of a lag and a delay [1/frequency scale]; all else is zero."""
         theta = np.zeros(p.count)
         theta[p.slices["input_lag"]] = np.log(lag / p.units.frequency)
         theta[p.slices["input_delay"]] = np.log(delay / p.units.frequency)
         return theta
 
     def misfit(times: tuple[float, float]) -> float:
-        """Rest of the convex fit at a lag and a delay [s]."""
+        """Rest of the convex fit at a lag and a delay [1/frequency scale]."""
         u = _driven(records, p, at(*times))
         return _misfit([*motion[:2], *_gains(u, motion[2])], target)
 

@@ -19,6 +19,9 @@ LAG = 1  # the damping curve is the second one
 MOST_STEPS = 60  # accepted ones after which a search has not converged
 FLAT = 1e-7  # relative fall of the cost below which it no longer falls
 
+LAG_START = 0.02
+"""Time constant [s] of the friction state from which the search starts."""
+
 
 @dataclass(frozen=True)
 class LagStretch:

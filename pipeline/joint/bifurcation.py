@@ -93,8 +93,7 @@ def over_voltage(parameters: JointParameters, side: int) -> Family:
 
 def over_force(parameters: JointParameters, v: FloatArray) -> Family:
     """λ = external force [N] under constant voltages (figure 4)."""
-    levers = np.append(parameters.l ** np.arange(2, 5), 0.0)
-    p = parameters.vector()
+    levers, p = parameters.levers, parameters.vector()
     return Family(lambda force: (p, v, force), lambda qm, force: -levers, 0.1)
 
 
@@ -267,5 +266,5 @@ def _held_joint(parameters: JointParameters, v: FloatArray) -> StaticPath:
     except InputError:
         family, start = over_force(parameters, v), equilibria(parameters, v)[0]
         branch = branch_through(family, start.qm, 0.0, (-1.0, 1.0))
-        q = branch.y[:, :3] @ parameters.l ** np.arange(2, 5)
+        q = branch.y[:, :4] @ parameters.levers
         return describe_path(parameters, branch.y[np.abs(q) <= _SHOWN], v)

@@ -18,6 +18,7 @@ from pipeline.joint.parameters import JointParameters
 from pipeline.joint.window_runs import Windows, cut_windows
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.kept import Keep, make_anew
+from pipeline.numerics.metrics import rms
 from pipeline.signals.trajectory import Trajectory
 
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")
@@ -228,4 +229,4 @@ def _result(simulated: SimulatedProblem, final: Ended, reached: FloatArray) -> C
 
 
 def _rmse(windows: Windows, residuals: FloatArray) -> float:
-    return float(RESOLUTION * np.sqrt(np.mean(residuals[: windows.samples] ** 2)))
+    return RESOLUTION * rms(residuals[: windows.samples])

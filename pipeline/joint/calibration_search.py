@@ -115,7 +115,7 @@ class _Search:
                 return None, not raised  # a step that many failed ones have shortened says nothing
             found = self.point(here.x + step)
             if here.cost - found.cost < PREDICTED * predicted and found.cost < HOPELESS * here.cost and self.left > 2:
-                bent = self._bent(here, step, free, matrix, weighted, jacobian)
+                bent = self._bent(here, step, free, matrix, weighted)
                 found = bent if bent is not None and bent.cost < found.cost else found
             fall = here.cost - found.cost
             if fall > 0.0:
@@ -143,9 +143,8 @@ class _Search:
         return step, free
 
     def _bent(
-        self, here: _Point, step: FloatArray, free: BoolArray, matrix: FloatArray, weighted: FloatArray,
-        jacobian: FloatArray,
-    ) -> _Point | None:  # fmt: skip
+        self, here: _Point, step: FloatArray, free: BoolArray, matrix: FloatArray, weighted: FloatArray
+    ) -> _Point | None:
         """The end of the step along the valley's bend; None if it bends too much to tell."""
         ahead, behind = (self.point(here.x + share * step).residuals for share in (BEND, -BEND))
         second = (ahead + behind - 2.0 * here.residuals) / BEND**2

@@ -202,8 +202,7 @@ def simulate(
     )  # fmt: skip
     states[valid:], rates[valid:] = np.nan, np.nan
     qm, qm_dot, qm_ddot = states[:, :4], states[:, 4:8], rates[:, 4:8]
-    levers = np.append(parameters.l ** np.arange(2, 5), 0.0)
-    slopes = np.append(np.arange(2, 5) * parameters.l ** np.arange(1, 4), 0.0)
+    levers, slopes = parameters.levers, parameters.slopes
     return FullOrderMotion(
         t, qm, qm_dot, qm_ddot, states[:, 8:], qm @ levers, qm_dot @ levers, qm_ddot @ levers, np.arctan(qm @ slopes),
         None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),

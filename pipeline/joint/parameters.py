@@ -115,6 +115,16 @@ class JointParameters:
         side, _, attribute = name.rpartition(".")
         return float(getattr(getattr(self, side) if side else self, attribute))
 
+    @property
+    def levers(self) -> FloatArray:
+        """∂q/∂(q2, q3, q4, u0), shape (4,), of the tip (eq. 6): [l², l³, l⁴, 0]."""
+        return np.append(self.l ** np.arange(2, 5), 0.0)
+
+    @property
+    def slopes(self) -> FloatArray:
+        """∂(tan φ)/∂(q2, q3, q4, u0), shape (4,), of the tip: [2 l, 3 l², 4 l³, 0]."""
+        return np.append(np.arange(2, 5) * self.l ** np.arange(1, 4), 0.0)
+
     def vector(self) -> FloatArray:
         """All values [SI] in the order of `VECTOR_NAMES`, shape (41,): what the kernels take."""
         return np.array(self._values)

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.joint.full_order import rest_states, state_scale
+from pipeline.joint.full_order import REACH, rest_states, state_scale
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduced_order import friction_state, maxwell_strains
 from pipeline.joint.sensitivity import state_sensitivities
@@ -103,9 +103,6 @@ def _unrest(motion: Trajectory) -> FloatArray:
 UNREACHABLE = 0.03
 """Error [m] of a sample that the model does not reach: no static path, or a run that diverged."""
 
-REACH = 0.06
-"""|q| [m] beyond which a run counts as diverged."""
-
 NODE = 5e-4
 """Distance [m] of the nodes of the static path from which windows start."""
 
@@ -166,7 +163,7 @@ def simulate_windows(
         starts = start_states(parameters, windows)
     except InputError:
         return WindowRuns(parameters, windows, (), np.full(windows.samples, UNREACHABLE))
-    p, scale, levers = parameters.vector(), tolerance * state_scale(parameters), _levers(parameters)
+    p, scale, levers = parameters.vector(), tolerance * state_scale(parameters), parameters.levers[:3]
 
     def run(start: FloatArray, part: Trajectory) -> WindowRun:
         """The motion over one window."""
@@ -209,7 +206,7 @@ def error_derivatives(
     points = np.array([joint.vector() for joint in (made.parameters, *moved)])
     base = np.array([run.states[0] for run in made.runs])
     starts = np.stack([_start_derivatives(joint, made.windows, base, h) for joint, h in zip(moved, steps, strict=True)])
-    levers = _levers(made.parameters)
+    levers = made.parameters.levers[:3]
 
     def derivatives(run: WindowRun, part: Trajectory, start: FloatArray) -> FloatArray:
         """Those of one window, zero behind a divergence."""
@@ -254,8 +251,3 @@ def _start_derivatives(moved: JointParameters, windows: Windows, base: FloatArra
         return (start_states(moved, windows) - base) / step
     except InputError:
         return np.zeros_like(base)
-
-
-def _levers(parameters: JointParameters) -> FloatArray:
-    """∂q/∂(q2, q3, q4), shape (3,)."""
-    return np.asarray(parameters.l ** np.arange(2, 5))

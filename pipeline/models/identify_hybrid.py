@@ -23,6 +23,7 @@ from pipeline.models.kind import Kind, Training, fitted_samples
 from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
+from pipeline.numerics.metrics import rms
 from pipeline.signals.trajectory import Record, operating_range
 
 COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
@@ -239,9 +240,9 @@ class _Search:
         low, high = self.operating_range
         problem = CondensedProblem(joint, self.records, fitted_samples)
         held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
-        errors = (float(np.mean(np.abs(held))), float(np.sqrt(np.mean(free**2))))
-        mean, rms = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
-        return mean, rms
+        errors = (float(np.mean(np.abs(held))), rms(free))
+        mean, spread = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
+        return mean, spread
 
 
 def _free_error(fit: HomotopyFit) -> float:
@@ -273,7 +274,7 @@ def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity)
             "rms_m": metre * np.array([level.rms for level in levels]),
         },
         "corrected": len(final.theta) > DEVIATIONS,
-        "training_rms_m": metre * float(np.sqrt(np.mean(final.residual**2))),
+        "training_rms_m": metre * rms(final.residual),
         **vars(whiteness(final.residual)),
     }
 

@@ -35,9 +35,10 @@ from pipeline.models.rbf_candidates import (
     population_candidate,
     questions,
 )
-from pipeline.models.rbf_search import Fit, Setting, cut, excerpts, rms, search
+from pipeline.models.rbf_search import Fit, Setting, cut, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
+from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record, operating_range
 
@@ -212,7 +213,7 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, lik
     gains = [gain for gain in GAINS if gain >= setting.coupled]
 
     def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
-        """θ after a homotopy over the observer gains [1/s], within a share of the effort."""
+        """θ after a homotopy over the observer gains [frequency scale], within a share of the effort."""
         return fit_homotopy(
             problem, theta, prior, gains=gains, noise_inflation=one.noise_inflation, iterations=ITERATIONS,
             last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), on_progress=told,

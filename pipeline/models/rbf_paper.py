@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.identification.coverage import coverage
-from pipeline.identification.lag_search import LagSearch, LagStretch, search_lag
+from pipeline.identification.lag_search import LAG_START, LagSearch, LagStretch, search_lag
 from pipeline.identification.rbf import (
     InputLaw,
     basis_centres,
@@ -36,7 +36,6 @@ from pipeline.solvers.lagged_free_run import lagged_rbf_run
 
 ROWS = 8192  # rows of the regressor that are held at once
 LAG_BOUNDS = (1e-4, 10.0)  # s
-LAG_START = 0.02  # s
 SEED = 20251  # of the draws of weights: the same model gives the same bands
 
 

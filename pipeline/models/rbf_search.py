@@ -18,6 +18,7 @@ from pipeline.models.joint_population import population
 from pipeline.models.rbf_candidates import Candidate, Question
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
+from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record
 
@@ -219,11 +220,6 @@ def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> t
     return setting, {first.label: _judge(records, setting, first, None)}
 
 
-def rms(values: FloatArray) -> float:
-    """Root of the mean square."""
-    return float(np.sqrt(np.mean(values**2)))
-
-
 def excerpts(records: Sequence[Record]) -> list[Record]:
     """The logs, cut where together they take more than `EXCERPT` coarse steps."""
     step = COARSE_STEP / data_scales(records, centred=False).frequency
@@ -323,7 +319,7 @@ def _quick_fit(
     steps = QUICK_ITERATIONS if p.count <= MANY else QUICK_ITERATIONS // 2
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
-        """A quick homotopy from θ over the observer gains [1/s] that are strong enough."""
+        """A quick homotopy from θ over the observer gains [frequency scale] that are strong enough."""
         return fit_homotopy(
             problem, theta, prior, gains=[gain for gain in gains if gain >= setting.coupled],
             noise_inflation=one.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,

@@ -234,7 +234,7 @@ def identify_sindy(
         {
             "library": str(fit.candidate.library),
             "library_terms": fit.library_terms,
-            "terms_kept": len(fit.dynamics.exponents) - 1,
+            "terms_kept": _terms(fit.dynamics),
             "filter_time_s": fit.candidate.filter_time,
             "optimizer": fit.candidate.optimizer,
             "threshold_of_rms_acceleration": fit.candidate.threshold,
@@ -267,9 +267,14 @@ def identify_default_sindy(
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
     notes = {
         "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",
-        "terms_kept": len(dynamics.exponents),
+        "terms_kept": _terms(dynamics),
     }
     return SindyModel(dynamics, "sindy-default", mass, notes, units)
+
+
+def _terms(dynamics: PolynomialDynamics) -> int:
+    """Terms of the acceleration's equation."""
+    return int(np.count_nonzero(dynamics.coefficients[1]))
 
 
 SINDY = Kind(

@@ -24,6 +24,11 @@ def valid_rows(measured: FloatArray, calculated: FloatArray) -> BoolArray:
     return np.isfinite(measured)
 
 
+def rms(values: FloatArray) -> float:
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(values**2)))
+
+
 def rmse(measured: FloatArray, calculated: FloatArray) -> float | None:
     """Root mean square error, in the unit of the signals.
 
@@ -40,6 +45,7 @@ def rmse(measured: FloatArray, calculated: FloatArray) -> float | None:
         None where it is undefined: no measured row, or a calculated value that is not finite on a
         measured row (a diverged simulation has no error, it has a time of divergence).
     """
+    measured, calculated = np.asarray(measured, dtype=np.float64), np.asarray(calculated, dtype=np.float64)
     rows = valid_rows(measured, calculated)
     error = calculated[rows] - measured[rows]
     if error.size == 0 or not np.all(np.isfinite(error)):
@@ -54,6 +60,7 @@ def rmse(measured: FloatArray, calculated: FloatArray) -> float | None:
 
 def signal_range(measured: FloatArray) -> float | None:
     """``max − min`` over the finite rows, the denominator of eq. 41; None where no row is finite."""
+    measured = np.asarray(measured, dtype=np.float64)
     finite = measured[np.isfinite(measured)]
     return float(np.max(finite) - np.min(finite)) if finite.size else None
 
@@ -88,7 +95,7 @@ def fit_percent(measured: FloatArray, calculated: FloatArray) -> float | None:
     error = rmse(measured, calculated)
     if error is None or not signal_range(measured):
         return None
-    return 100.0 * (1.0 - error / float(np.nanstd(measured[np.isfinite(measured)])))
+    return 100.0 * (1.0 - error / float(np.std(measured[np.isfinite(measured)])))
 
 
 def settling_index(error: FloatArray, band: float) -> IntArray:

@@ -81,8 +81,10 @@ def newton_step(
     ----------
     b, y, t, q, p : FloatArray, shape (N,)
         Data and iterate; N ≥ 2.
-    lam, delta : float
-        Weight and rounding of the total variation [unit of b].
+    lam : FloatArray, shape (N,)
+        Weight of the total variation at each sample [unit of b].
+    delta : float
+        Its rounding [unit of b].
     gamma : float
         Share of a difference ``t_i`` that the value ``y_i`` already sees: 1 when increments are the unknowns
         (LARGE), ½ when the signal is the trapezoidal sum of values at the samples (SMALL).

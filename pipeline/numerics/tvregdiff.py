@@ -107,7 +107,7 @@ def tvregdiff(
         the first sample, as in the original codes (the sums of J then run over one term more).
     weights : array_like, shape (N,), optional
         Positive factors on alpha, one for each term of the variation, at the last of the ``order + 2`` samples that
-        it spans (the values before the first such sample are not used): `variation_weights` makes them.
+        it spans (the values before the first such sample are not used): `jump_weights` makes them.
     tolerance : float, default 1e-10
         Duality gap over (J less its value for a straight line) at which the iteration stops.
     max_iterations : int, default 200

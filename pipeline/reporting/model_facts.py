@@ -5,13 +5,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pipeline.si_prefix import quantity, scale, significant
+from pipeline.si_prefix import power, quantity, scale, significant
 
 LONGEST_LIST = 12
 _UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|m|s|kg|V|Hz|N))$")
 
 Rows = list[tuple[str, str]]
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 @dataclass(frozen=True)
@@ -92,8 +91,8 @@ def _list(values: Sequence[Any], unit: str) -> str:
 
 def terms(equation: str) -> list[str]:
     """The parts of an equation between which a line may break."""
-    raised = re.sub(r"\^(-?\d+)", lambda m: m[1].translate(_RAISED), equation)
-    powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{str(int(m[2])).translate(_RAISED)}", raised)
+    raised = re.sub(r"\^(-?\d+)", lambda m: power(int(m[1])), equation)
+    powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{power(int(m[2]))}", raised)
     signed = re.split(r" (?=[+-]\d)", powers)
     parts = [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
     if len(parts) == 1:

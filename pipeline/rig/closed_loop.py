@@ -12,7 +12,7 @@ from numba import types
 from numba.extending import intrinsic
 
 from pipeline.compiled import compiled
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.midpoint import KEEP, advance, at_rest, read_tip, workspace
 from pipeline.rig.parameters import JointParameters
 
@@ -101,7 +101,7 @@ def laser_reading(q: float, row: int, around: Surroundings) -> float:
 @compiled
 def close_loop(
     p: JointParameters, start: FloatArray, around: Surroundings, target: FloatArray, address: int, memory: int,
-    out: FloatArray,
+    out: FloatArray, refused: IntArray,
 ) -> int:  # fmt: skip
     """Run the loop from rest and fill `out`.
 
@@ -120,6 +120,8 @@ def close_loop(
     out : FloatArray, shape (N, 9)
         Filled: the laser's reading [m], the converters' voltages [V], the commands [V]; then q [m], q̇ [m/s], φ [rad]
         and the rate of φ [rad/s] without any instrument. Rows are `PERIOD` / `HALVES` apart.
+    refused : IntArray, shape (2,)
+        Raised by the commands that are no numbers, and by those beyond the converters' range.
 
     Returns
     -------
@@ -142,6 +144,10 @@ def close_loop(
             for side in range(2):
                 asked = command[side]
                 command[side] = min(max(asked, 0.0), around.highest) if asked == asked else 0.0
+                if asked - asked != 0.0:  # NaN or infinite
+                    refused[0] += 1
+                elif asked != command[side]:
+                    refused[1] += 1
         out[row, 0] = reading
         for side in range(2):
             out[row, 1 + side], out[row, 3 + side] = v[side], command[side]

@@ -107,8 +107,8 @@ def _put(group: Any, name: str, value: Any) -> Any:
     return _matlab(group.create_dataset(name, data=array.T), "single" if array.dtype == np.float32 else "double")
 
 
-# Displacement and voltages per SI unit
-_SCALES = {"mm": 1e3, "µm": 1e6, "kV": 1e-3, "V": 1.0}
+PER_SI = {"mm": 1e3, "µm": 1e6, "kV": 1e-3, "V": 1.0}
+"""Units of displacement and voltages in one of SI."""
 Channels = dict[str, tuple[FloatArray, str]]
 _CLOCK = 12.345  # s, since the recorder was started
 _RIG = (("Laser_q", "mm"), ("HV1_meas", "kV"), ("HV2_meas", "kV"))
@@ -163,7 +163,7 @@ class Layout:
     def save(self, log: RawLog, path: Path) -> None:
         """Write `log` in this layout, its samples in the layout's units."""
         samples = {self.q: log.q, self.v1: log.v1, self.v2: log.v2}
-        channels = {name: (values * _SCALES[unit], unit) for (name, unit), values in samples.items()}
+        channels = {name: (values * PER_SI[unit], unit) for (name, unit), values in samples.items()}
         self.write(path, log.t, channels)
 
     def toml(self) -> str:

@@ -74,7 +74,9 @@ class Scenario:
 class ClosedLoop:
     """A closed-loop run, all of shape (N,) and SI: what a log holds, and what no instrument shows.
 
-    `q`, `v1`, `v2` are readings, `target` what the controller was told, `command1` and `command2` what it answered.
+    `q`, `v1`, `v2` are readings, `target` what the controller was told, `command1` and `command2` what it answered
+    within the converters' range. How often it answered with no number, which counts as 0 V, and with one beyond that
+    range is counted.
     """
 
     t: FloatArray
@@ -87,6 +89,8 @@ class ClosedLoop:
     true_q: FloatArray
     true_qdot: FloatArray
     true_phi: FloatArray
+    commands_not_finite: int = 0
+    commands_clipped: int = 0
 
 
 def run_loop(
@@ -114,14 +118,16 @@ def run_loop(
     target = scenario.target[np.searchsorted(scenario.t, t + 1e-9, side="right") - 1]
     controller.begin(laser_reading(tip_displacement(p, start), 0, around))
     out = np.zeros((rows, 9))
-    taken = close_loop(gained, start, around, target, controller.step, controller.memory, out)
+    refused = np.zeros(2, dtype=np.int64)
+    taken = close_loop(gained, start, around, target, controller.step, controller.memory, out, refused)
     if controller.failure:
         error = controller.failure[0]
         raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error
     if taken < 0:
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
     probes = [bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1)]
-    return ClosedLoop(t, out[:, 0], probes[0], probes[1], target, out[:, 3], out[:, 4], out[:, 5], out[:, 6], out[:, 7])
+    shown = (t, out[:, 0], probes[0], probes[1], target, out[:, 3], out[:, 4], out[:, 5], out[:, 6], out[:, 7])
+    return ClosedLoop(*shown, *refused.tolist())
 
 
 def _surroundings(
@@ -180,8 +186,8 @@ def main(request: dict[str, Any]) -> None:
         )
         scenario = Scenario(t=arrays["t"], target=arrays["target"], **_tuples(request["scenario"]))
         made = run_loop(from_json(request["joint"]), bench_from_json(request["bench"]), scenario, controller)
-        np.savez(Path(request["out"]), **vars(made))
-        answer: dict[str, Any] = {}
+        answer: dict[str, Any] = {key: value for key, value in vars(made).items() if isinstance(value, int)}
+        np.savez(Path(request["out"]), **{key: value for key, value in vars(made).items() if key not in answer})
     except DebistError as error:
         answer = {"error": " ".join(str(error).split())}
     json.dump(answer, answers)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray, runs_of, sample_interval, samples_of
-from pipeline.numerics.metrics import signal_range
+from pipeline.numerics.metrics import rms, signal_range
 from pipeline.scoring.intervals import BLOCK, Interval, rms_interval
 
 MOST_STARTS = 400
@@ -116,7 +116,7 @@ def _error(
         return HorizonError(ahead * interval, None, None, starts.size, starts.size - good.size)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
     band = rms_interval(errors / span, samples_of(BLOCK, spacing), np.random.default_rng(seed))
-    value = float(np.sqrt(np.mean(good**2))) / span
+    value = rms(good) / span
     return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
 
 

@@ -50,6 +50,19 @@ class NoWells:
     one_cluster: bool = False
 
 
+def outermost_pair(q: Sequence[float], stable: Sequence[bool]) -> tuple[int, int, int] | None:
+    """Left well, saddle and right well among equilibria in the order of q: their numbers, or None.
+
+    The wells are the outermost stable ones, the saddle the unstable one between that is nearest their middle.
+    """
+    wells = [i for i, one in enumerate(stable) if one]
+    if len(wells) < 2:
+        return None
+    left, right = wells[0], wells[-1]
+    between = [i for i in range(left, right) if not stable[i]]
+    return (left, min(between, key=lambda i: abs(q[i] - 0.5 * (q[left] + q[right]))), right) if between else None
+
+
 def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST) -> list[slice]:
     """Rows of at least the `shortest` time [s] in which all inputs are below `RESTING_VOLTAGE` of their largest.
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
 from pipeline.numerics.stencils import finite_difference, finite_difference_at_jumps
 from pipeline.numerics.tvregdiff import Order, tvregdiff
 from pipeline.signals.noise import noise_std
@@ -261,7 +262,7 @@ def alpha_study(
     runs = [differentiate(samples, dt, order=order, alpha=float(alpha), epsilon=rounding) for alpha in alphas]
     return AlphaStudy(
         alphas=np.asarray(alphas, dtype=np.float64),
-        misfit=np.array([np.sqrt(np.mean((run.q_smooth - samples) ** 2)) for run in runs]),
+        misfit=np.array([rms(run.q_smooth - samples) for run in runs]),
         roughness=np.array([np.mean(np.abs(np.diff(run.qddot))) for run in runs]),
         qdot=np.array([run.qdot for run in runs]),
         qddot=np.array([run.qddot for run in runs]),

@@ -15,9 +15,10 @@ from pipeline.child_processes import isolated
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
 from pipeline.rig.bench import Bench
 from pipeline.rig.joint import saddle, tip_displacement, wells
-from pipeline.rig.log import LAYOUTS
+from pipeline.rig.log import LAYOUTS, PER_SI
 from pipeline.rig.loop import ClosedLoop, Scenario, bench_from_json, scenario_json
 from pipeline.rig.parameters import JointParameters, as_json, from_json, nominal, table1
 from pipeline.runs.outputs import new_outputs, rebased
@@ -128,11 +129,13 @@ def _positive(text: str, unit: str, option: str) -> float:
     return value
 
 
-def _in_time(events: tuple[tuple[float, ...], ...], option: str) -> Any:
-    """Events that begin at 0 s or later and take time."""
+def _in_time(events: tuple[tuple[float, ...], ...], duration: float, option: str) -> Any:
+    """Events that begin within the run and take time."""
     for begin, *_, length in events:
         if not (begin >= 0.0 and length > 0.0):
             raise InputError(f"{option}: an event begins at 0 s or later and lasts longer than 0 s")
+        if begin >= duration:
+            raise InputError(f"{option}: at {begin:g} s the run is over; raise --duration, which is {duration:g} s")
     return events
 
 
@@ -165,7 +168,7 @@ def run_isolated(
         if "error" in answer:
             raise InputError(answer["error"])
         found = np.load(folder / "out.npz")
-        return ClosedLoop(**{key: found[key] for key in found.files})
+        return ClosedLoop(**{key: found[key] for key in found.files} | answer)
 
 
 def _answer(controller: str | None, request: dict[str, Any], words: Path) -> dict[str, Any]:
@@ -204,13 +207,12 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
         The log and ``NAME.toml``.
     """
     layout = LAYOUTS[form]
-    scales = {"mm": 1e3, "µm": 1e6, "kV": 1e-3, "V": 1.0}
     unit = layout.v1[1]
     readings = {layout.q: run.q, layout.v1: run.v1, layout.v2: run.v2}
-    channels = {key: (scales[u] * values, u) for (key, u), values in readings.items()}
-    channels["target"] = (scales[layout.q[1]] * run.target, layout.q[1])
-    channels["command_left"] = (scales[unit] * run.command1, unit)
-    channels["command_right"] = (scales[unit] * run.command2, unit)
+    channels = {key: (PER_SI[u] * values, u) for (key, u), values in readings.items()}
+    channels["target"] = (PER_SI[layout.q[1]] * run.target, layout.q[1])
+    channels["command_left"] = (PER_SI[unit] * run.command1, unit)
+    channels["command_right"] = (PER_SI[unit] * run.command2, unit)
     path.parent.mkdir(parents=True, exist_ok=True)
     layout.write(path, run.t, channels)
     toml = path.with_suffix(".toml")
@@ -258,6 +260,8 @@ class ClosedLoopOptions:
         duration = parse_quantity(self.duration, ("s",), "--duration")
         if not 0.1 <= duration <= 3600.0:
             raise InputError(f"--duration {self.duration}: a run lasts 0.1 to 3600 s")
+        if t[-1] >= duration and not Path(self.target).is_file():
+            raise InputError(f"--target: at {t[-1]:g} s the run is over; raise --duration, which is {duration:g} s")
         if not -100.0 < self.barrier < 1000.0:
             raise InputError(
                 f"--barrier {self.barrier:g}: give by how many percent the barrier is higher, -100 to 1000"
@@ -269,8 +273,8 @@ class ClosedLoopOptions:
                 duration=duration,
                 highest=_positive(self.highest, "V", "--highest"),
                 lag=None if self.lag is None else _positive(self.lag, "s", "--lag"),
-                pushes=_in_time(parse_events(self.push, ("s", "N", "s"), "--push"), "--push"),
-                lost=_in_time(parse_events(self.lost, ("s", "s"), "--lost"), "--lost"),
+                pushes=_in_time(parse_events(self.push, ("s", "N", "s"), "--push"), duration, "--push"),
+                lost=_in_time(parse_events(self.lost, ("s", "s"), "--lost"), duration, "--lost"),
                 barrier=0.01 * self.barrier,
                 noise=self.noise,
                 seed=self.seed,
@@ -320,8 +324,9 @@ def closed_loop_log(
         written = write_log(staged / path.name, options.form, run, path.stem)
         files = [rebased(file, staged, path.parent) for file in written]
     places = joint.places()
+    refused = {"commands_not_finite": run.commands_not_finite, "commands_clipped": run.commands_clipped}
     steps = step_metrics(run.t, run.true_q, run.target, places["right"] - places["left"])
     if len(steps) > _MOST_STEPS:  # a reference that moves has no steps
         error = run.true_q - run.target
-        return files, {"joint": joint.name, "places_m": places, "steps": [], "rms_m": float(np.sqrt(np.mean(error**2)))}
-    return files, {"joint": joint.name, "places_m": places, "steps": [asdict(step) for step in steps]}
+        return files, {"joint": joint.name, "places_m": places, "steps": [], "rms_m": rms(error), **refused}
+    return files, {"joint": joint.name, "places_m": places, "steps": [asdict(step) for step in steps], **refused}

@@ -33,7 +33,7 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
         converters, known = found.converters(settings)
         return {
             "format": "debist-switching-map/3",
-            "draws": DRAWS + 1,
+            "draws": DRAWS,
             "lags_s": converters.lags,
             "lags_known": known,
             "maps": [
@@ -48,12 +48,12 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
 def _one_map(model: "HybridModel", converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
     from pipeline.control.ensemble import ensemble_of
-    from pipeline.control.linear import three
+    from pipeline.control.linear import wells_and_saddle
     from pipeline.control.lowest_voltage import DURATIONS, lowest_voltage, uncertain
     from pipeline.control.plant import plant_of
     from pipeline.control.switching_map import switching_map
 
-    left, saddle, right = (each.q for each in three(plant_of(model)))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant_of(model)))
     places = (left, saddle, right)
     lowest = [lowest_voltage(model, converters, places, to, duration) for duration in DURATIONS]
     joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)
@@ -72,11 +72,11 @@ def pulse(
     def work(found: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
         """The pulse and what the model and its posterior make of it."""
         from pipeline.control.ensemble import INTERVAL, ensemble_of
-        from pipeline.control.linear import three
+        from pipeline.control.linear import wells_and_saddle
         from pipeline.control.plant import plant_of
         from pipeline.control.pulses import design_pulse
 
-        left, _saddle, right = (each.q for each in three(plant_of(found.model)))
+        left, _saddle, right = (each.q for each in wells_and_saddle(plant_of(found.model)))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, known = found.converters(settings)
         joint = ensemble_of(found.model, DRAWS, converters)
@@ -147,13 +147,13 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         """The controller, kept in the run, and its prediction."""
         from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
-        from pipeline.control.linear import three
+        from pipeline.control.linear import wells_and_saddle
         from pipeline.control.plant import plant_of
 
         plant = plant_of(found.model)
         converters, known = found.converters(settings)
         law = design_law(plant, Settings(highest, converters.lags))
-        left, saddle, right = (each.q for each in three(plant))
+        left, saddle, right = (each.q for each in wells_and_saddle(plant))
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
         return {

@@ -84,7 +84,7 @@ def export_run(
 
 
 def stale_exports(root: Path) -> list[str]:
-    """Files in ``RUN/exports`` that were made from another model than the run now holds."""
+    """Files in ``RUN/exports`` that were made from another model, or design, than the run now holds."""
     run, found = RunFolder.open(root), []
     for name, entry in written_files(root / layout.EXPORTS).items():
         origin = entry.get("made_from")
@@ -101,7 +101,9 @@ def _origin(run: RunFolder, prototype: Prototype, target: Target, model: str | N
     if target == "crate" and layout.MODELS not in run.manifest.artifacts:
         return {}
     _, artifact = model_artifact(run, prototype, model)
-    return {artifact: run.record(artifact).content_hash}
+    design = layout.control("design")
+    origin = [artifact, design] if target == "controller" and design in run.manifest.artifacts else [artifact]
+    return {name: run.record(name).content_hash for name in origin}
 
 
 def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> Model:

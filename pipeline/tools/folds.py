@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from pipeline.child_processes import in_processes
-from pipeline.errors import DebistError, InputError
+from pipeline.errors import DataRefusedError, DebistError, InputError
 from pipeline.loading.device import device, parameter_set, parameter_values
 from pipeline.loading.held_models import identified_models
 from pipeline.loading.trajectories import load_motion, sources, training, trajectories
@@ -159,6 +159,8 @@ def _work(
         return in_processes(judge, [cuts[int(name)] for name in missing], jobs)
 
     results = run.checkpoints().each(map(str, range(split.count)), judged)
+    if all(why for _, why, _ in results):
+        raise DataRefusedError(f"none of {split.count} folds can be judged: {results[0][1]}; give fewer (--folds)")
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
     schema = device(prototype).schema(schemas.STUDIES["folds"])
     columns = {column.name: [row[column.name] for row in rows] for column in schema.columns}

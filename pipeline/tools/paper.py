@@ -33,7 +33,6 @@ ALGORITHM = "2"
 RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6, reweighted=False, rate="signals")
 """§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
 SAMPLE_INTERVAL = 0.01
-MODELS = ("analytical", "analytical-calibrated", "rbf-paper", "sindy")
 ALPHAS = (1e-4, 1e-3, 1e-2, 1e-1, 1.0)
 """Regularisation parameters of figure 11c [mm·s]."""
 PAIR = ("analytical-calibrated", "rbf-paper")

@@ -17,7 +17,7 @@ from pipeline.control.controller import PERIOD, begin_control, closed_on_model, 
 from pipeline.control.design import Settings, body_law, design
 from pipeline.control.design_tables import COMMON, charged
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
-from pipeline.control.linear import jacobian, three
+from pipeline.control.linear import jacobian, wells_and_saddle
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
@@ -70,7 +70,7 @@ def test_a_controller_that_was_never_told_where_the_joint_is_stays_without_volta
 @needs_gcc
 def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) -> None:
     plant, law = designed()
-    places = tuple(each.q for each in three(plant))
+    places = tuple(each.q for each in wells_and_saddle(plant))
     subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (places[0], places[1], places[2]))
     header, source = write_controller(subject, tmp_path).written[:2]
     flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2"]
@@ -113,12 +113,12 @@ def nm(library: Path) -> list[str]:
 )
 def test_the_estimate_converges_on_the_true_motion(off: float, noise: float, bounds: tuple[float, float]) -> None:
     _, law = designed()
-    left = three(designed()[0])[0].q
+    left = wells_and_saddle(designed()[0])[0].q
     truth, s, v = np.zeros(CONTROLLER_STATE), np.zeros(CONTROLLER_STATE), np.zeros(2)
     begin_control(left, law, truth)
     begin_control(left + off, law, s)  # a millimetre off, slope and strains wrong with it
     rng, errors = np.random.default_rng(1), []
-    right = three(designed()[0])[2].q
+    right = wells_and_saddle(designed()[0])[2].q
     for i in range(1500):
         control(s, truth[0] + noise * rng.standard_normal(), right if 100 <= i < 700 else left, law, v)
         move(truth, v, law)
@@ -136,7 +136,7 @@ def test_the_estimate_converges_on_the_true_motion(off: float, noise: float, bou
 def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, float]) -> None:
     plant = plant_of(model(**planted))
     law = design(plant, Settings(3000.0, (3e-3, 3e-3)))
-    left, saddle, right = (each.q for each in three(plant))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
     target = np.repeat([left, right, left, saddle], [50, 1000, 1000, 2000])
     q, _ = closed_on_model(law, law, left, target)
     steps = step_metrics(PERIOD * np.arange(q.size), q, target, right - left)[1:]
@@ -147,10 +147,10 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
 
 def test_an_unstable_target_charges_both_sides_and_is_held_on_another_joint_and_a_well_charges_one() -> None:
     plant, law = designed()
-    left, saddle, right = (each.q for each in three(plant))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
     other = plant_of(model(**{"offset": 1.0, "right.b": 0.5}))
     q, v = closed_on_model(
-        law, body_law(other, (1e-3, 1e-3)), three(other)[0].q, np.repeat([left, right, saddle, saddle], 1000)
+        law, body_law(other, (1e-3, 1e-3)), wells_and_saddle(other)[0].q, np.repeat([left, right, saddle, saddle], 1000)
     )
     assert v[:2000].min(axis=1).max() == 0.0
     assert np.abs(q[-500:] - saddle).max() < 0.1e-3
@@ -160,7 +160,7 @@ def test_an_unstable_target_charges_both_sides_and_is_held_on_another_joint_and_
 
 def test_both_sides_are_charged_as_little_as_lowers_the_unstable_pole(monkeypatch: pytest.MonkeyPatch) -> None:
     plant, _ = designed()
-    saddle, charges = three(plant)[1], []
+    saddle, charges = wells_and_saddle(plant)[1], []
     for share in (1.5, 0.8, 0.6):
         limit = share * float(saddle.poles.real.max())
         monkeypatch.setattr(design_tables, "SLOW", limit)
@@ -172,7 +172,7 @@ def test_both_sides_are_charged_as_little_as_lowers_the_unstable_pole(monkeypatc
 
 def test_where_the_laser_has_its_zero_does_not_matter() -> None:
     plant, law = designed()
-    left, saddle, right = (each.q for each in three(plant))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
     target = np.repeat([left, right, saddle], 800)
     place, zero = NUMBERS.index("offset"), 0.06
     moved = law._replace(numbers=law.numbers + zero * (np.arange(len(law.numbers)) == place))
@@ -183,7 +183,7 @@ def test_where_the_laser_has_its_zero_does_not_matter() -> None:
 
 def test_a_target_beyond_a_well_is_held_as_far_as_the_header_promises() -> None:
     plant, law = designed()
-    left, _, right = (each.q for each in three(plant))
+    left, _, right = (each.q for each in wells_and_saddle(plant))
     for well, end in ((left, law.places[0]), (right, law.places[-1])):
         target = well + 0.95 * (plant.reading(end) - well)
         q, v = closed_on_model(law, law, well, np.full(5000, target))
@@ -193,7 +193,7 @@ def test_a_target_beyond_a_well_is_held_as_far_as_the_header_promises() -> None:
 
 def test_a_voltage_below_the_static_switching_voltage_still_switches_by_pumping() -> None:
     plant, _ = designed()
-    left, _, right = (each.q for each in three(plant))
+    left, _, right = (each.q for each in wells_and_saddle(plant))
     low = static_switching_voltage()
     law = design(plant, Settings(0.85 * low, (3e-3, 3e-3)))
     assert law.number("pumped_right") == law.number("pumped_left") == 1.0
@@ -235,7 +235,7 @@ def test_what_cannot_be_designed_is_told() -> None:
 
 def test_a_slow_reference_between_the_wells_is_tracked() -> None:
     plant, law = designed()
-    left, _, right = (each.q for each in three(plant))
+    left, _, right = (each.q for each in wells_and_saddle(plant))
     target = np.concatenate([np.full(200, left), np.linspace(left, right, 4000), np.full(500, right)])
     q, _ = closed_on_model(law, law, left, target)
     assert np.abs(q - target)[200:].max() < 0.3e-3

@@ -10,7 +10,7 @@ from control_joints import Running, designed
 from scipy.io import loadmat, savemat
 
 from pipeline.control.controller import PERIOD, closed_on_model
-from pipeline.control.linear import three
+from pipeline.control.linear import wells_and_saddle
 from pipeline.export.controller import ControllerSubject, write_controller
 from pipeline.numerics.arrays import FloatArray
 
@@ -20,7 +20,7 @@ OCTAVE = shutil.which("octave-cli")
 @pytest.fixture(scope="module")
 def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
     plant, law = designed()
-    left, saddle, right = (each.q for each in three(plant))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
     folder = tmp_path_factory.mktemp("controller")
     write_controller(ControllerSubject("P1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (left, saddle, right)), folder)
     return folder
@@ -29,7 +29,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def told(count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Readings with gaps, targets, and what the controller answers."""
     plant, law = designed()
-    left, _, right = (each.q for each in three(plant))
+    left, _, right = (each.q for each in wells_and_saddle(plant))
     target = np.where(np.arange(count) < 20, left, right)
     q, _ = closed_on_model(law, law, left, target)
     q = q + 2e-6 * np.random.default_rng(1).standard_normal(count)

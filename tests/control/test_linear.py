@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from control_joints import model
 
-from pipeline.control.linear import equilibria, held, jacobian, linearise, three
+from pipeline.control.linear import equilibria, held, jacobian, linearise, wells_and_saddle
 from pipeline.control.plant import plant_of, slow_rates
 from pipeline.device_facts.events import ring_down
 from pipeline.errors import InputError
@@ -52,14 +52,15 @@ def test_jacobians_are_those_that_follow_from_the_equations(volts: float) -> Non
 def test_linear_models_hold_no_dry_friction() -> None:
     """A level that sets in with the speed would be a damping of small motions alone."""
     free, dry = (
-        three(plant_of(model(**{"log sliding force": level, "log sliding speed": -2.0})))[2] for level in (-20.0, 2.0)
+        wells_and_saddle(plant_of(model(**{"log sliding force": level, "log sliding speed": -2.0})))[2]
+        for level in (-20.0, 2.0)
     )
     np.testing.assert_allclose(dry.a, free.a, rtol=1e-6, atol=1e-9 * np.abs(free.a).max())
 
 
 def test_an_equilibrium_held_by_voltage_is_one_under_that_voltage() -> None:
     plant = plant_of(model())
-    near = three(plant)[0].x.copy()
+    near = wells_and_saddle(plant)[0].x.copy()
     near[0] += 2e-3
     answer = held(plant, near, np.zeros(2), np.array([1.0, 0.0]))
     assert answer is not None
@@ -70,7 +71,7 @@ def test_an_equilibrium_held_by_voltage_is_one_under_that_voltage() -> None:
 
 def test_the_poles_are_frequency_and_damping_of_small_oscillations() -> None:
     free = model(**dict.fromkeys((*(f"log stop force {i}" for i in range(STOPS)), "log sliding force"), -20.0))
-    well = three(plant_of(free))[2]
+    well = wells_and_saddle(plant_of(free))[2]
     t = np.arange(300) * 0.01
     run = free.simulate(t, np.zeros((t.size, 2)), well.q + 0.05e-3, 0.0)
     found = ring_down(run.t, run.q)
@@ -83,7 +84,7 @@ def test_the_poles_are_frequency_and_damping_of_small_oscillations() -> None:
 
 def test_input_and_output_matrices_are_those_of_the_voltages_and_the_laser() -> None:
     plant = plant_of(model(**{"laser offset": 2.0}))
-    at = linearise(plant, three(plant)[0].x, np.array([1000.0, 0.0]))
+    at = linearise(plant, wells_and_saddle(plant)[0].x, np.array([1000.0, 0.0]))
     np.testing.assert_allclose(at.b[:, 0], 2000.0 * at.b_squared[:, 0])
     assert np.all(at.b[:, 1] == 0.0)
     assert at.c.tolist() == [[1.0] + [0.0] * (len(at.x) - 1)]
@@ -91,7 +92,7 @@ def test_input_and_output_matrices_are_those_of_the_voltages_and_the_laser() -> 
 
 
 def test_a_state_space_is_that_of_python_control_or_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
-    at = three(plant_of(model()))[2]
+    at = wells_and_saddle(plant_of(model()))[2]
     monkeypatch.setitem(sys.modules, "control", None)
     with pytest.raises(InputError, match="pip install control"):
         at.state_space()

@@ -7,7 +7,7 @@ import pytest
 from control_joints import model
 
 from pipeline.control.ensemble import Converters, ensemble_at, ensemble_of
-from pipeline.control.linear import three
+from pipeline.control.linear import wells_and_saddle
 from pipeline.control.lowest_voltage import LowestVoltage, lowest_voltage, uncertain
 from pipeline.control.plant import plant_of
 from pipeline.control.switching_map import Well, pulses
@@ -20,7 +20,7 @@ EXACT = Converters((3e-3, 4e-3), 0.0, 0.0)
 
 
 def places(joint: HybridModel) -> tuple[float, float, float]:
-    left, saddle, right = (each.q for each in three(plant_of(joint)))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant_of(joint)))
     return left, saddle, right
 
 

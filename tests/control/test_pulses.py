@@ -5,7 +5,7 @@ import pytest
 from control_joints import converters, model
 
 from pipeline.control.ensemble import COMMAND, INTERVAL, ensemble_of
-from pipeline.control.linear import three
+from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import plant_of
 from pipeline.control.pulses import commands, design_pulse, settling_times
 from pipeline.control.switching_map import pulses, switching_map
@@ -14,7 +14,7 @@ from pipeline.errors import InputError
 
 def test_an_ensemble_runs_as_the_model_does() -> None:
     joint = model(delay=0.5)
-    left = three(plant_of(joint))[0].q
+    left = wells_and_saddle(plant_of(joint))[0].q
     volts = pulses(np.array([2800.0]), np.array([0.3]), 0)
     q = ensemble_of(joint, 0, converters(1e-6)).run(volts, left)[0, 0]
     volts = np.concatenate([np.zeros((4, 2)), volts[0]])
@@ -29,7 +29,7 @@ def test_an_ensemble_runs_as_the_model_does() -> None:
 @pytest.mark.parametrize("to", ["right", "left"])
 def test_a_snap_settles_fast_without_overshoot_on_the_model_and_ends_well_in_all_draws(to: str) -> None:
     joint = model()
-    left, _, right = (each.q for each in three(plant_of(joint)))
+    left, _, right = (each.q for each in wells_and_saddle(plant_of(joint)))
     start, target = (left, right) if to == "right" else (right, left)
     made, robust = (
         design_pulse(ensemble_of(joint, draws, converters(3e-3)), start, target, right - left, 2900.0)
@@ -48,7 +48,7 @@ def test_a_snap_settles_fast_without_overshoot_on_the_model_and_ends_well_in_all
 @pytest.mark.long
 def test_a_voltage_that_cannot_switch_is_told() -> None:
     joint = model()
-    left, _, right = (each.q for each in three(plant_of(joint)))
+    left, _, right = (each.q for each in wells_and_saddle(plant_of(joint)))
     with pytest.raises(InputError, match="allow a larger voltage"):
         design_pulse(ensemble_of(joint, 0, converters(3e-3)), left, right, right - left, 300.0)
 
@@ -71,7 +71,7 @@ def test_the_command_of_a_pulse_holds_its_segments() -> None:
 
 def test_the_map_is_sure_far_from_its_boundary_and_knows_its_own_runs() -> None:
     joint = model()
-    left, saddle, right = (each.q for each in three(plant_of(joint)))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant_of(joint)))
     some = ensemble_of(joint, 3, converters(3e-3))
     found = switching_map(some, (left, saddle, right), "right")
     assert np.all(found.probability[0] == 0.0)  # 0.9 kV never
