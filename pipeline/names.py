@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import Any
 
 ROLE_WORDS = {"train": "training", "validation": "validation"}
+FILL_IN = "FILL IN"
+"""Stands in a first settings file where the user has to choose; no channel and no unit is called so."""
 SAFE = re.compile(r"[A-Za-z0-9._-]{1,64}")
 _WRITABLE = re.compile(r"[\w.(\[{-](?:[\w .,()\[\]{}+&#@%°'~!-]{0,62}[\w.)\]}+%°'~!-])?")
 _RESERVED = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})

@@ -15,7 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError, fiel
 
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.model_list import AUTO, BASIS_FUNCTIONS, ENTRIES, names
-from pipeline.names import check_name, log_name, slug, true_name
+from pipeline.names import FILL_IN, check_name, log_name, slug, true_name
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
 from pipeline.settings_errors import mistakes
 
@@ -50,6 +50,13 @@ class Channel(_Settings):
     """Unit per number of the log, for a log in volts of its data acquisition: value = scale · number + offset."""
     offset: Number = 0.0
     """What is added after that, in the channel's unit."""
+
+    @field_validator("channel")
+    @classmethod
+    def _filled_in(cls, value: str) -> str:
+        if value == FILL_IN:
+            raise ValueError("is still to be filled in; `debist inspect LOG` lists the channels of a log")
+        return value
 
     @field_validator("scale")
     @classmethod

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any
 
 from pipeline.errors import InputError
+from pipeline.names import FILL_IN
 
 # What a quantity may be, by the SI unit it is kept in.
 DISPLACEMENT = ("m", "rad", "V")
@@ -83,8 +84,6 @@ PLAIN = {
     "g": (1e-3, "kg"),
 }
 
-FILL_IN = "FILL IN"
-"""Stands in a first settings file where the user has to choose; no channel and no unit is called so."""
 
 _MISLEADING = {
     **dict.fromkeys(("grad", "Grad"), "write 'deg' for degrees (360 to a turn), or 'gradian' for gons (400)"),

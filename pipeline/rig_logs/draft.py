@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pipeline.errors import InputError
-from pipeline.names import check_name, slug, true_name
+from pipeline.names import FILL_IN, check_name, slug, true_name
 from pipeline.rig_logs.inspection import TIME_UNITS, InspectedChannel, Inspection, Role, Suggestion, suggested_unit
 from pipeline.settings import Ingest
 from pipeline.signals.quality_gates import UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
-from pipeline.units import DISPLACEMENT, FILL_IN, to_si
+from pipeline.units import DISPLACEMENT, to_si
 
 _MOST_LISTED, _MOST_NAMED = 100, 5
 _ALIKE = 0.8

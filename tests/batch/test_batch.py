@@ -21,6 +21,7 @@ from pipeline.batch.fleet import write_fleet_tables
 from pipeline.batch.worker import ONE_THREAD, Outcome, run_worker
 from pipeline.child_processes import died_of
 from pipeline.errors import InputError
+from pipeline.process_copies import CAN_COPY
 from tests.prototypes import content, motion, settings, write_csv
 
 RUNNER = CliRunner()
@@ -148,6 +149,38 @@ def test_a_worker_ends_with_its_batch(tmp_path: Path) -> None:
         time.sleep(0.01)
     os.kill(int(pid), signal.SIGKILL)
     pytest.fail("the worker went on without its batch")
+
+
+@pytest.mark.parametrize("limit", ["-1s", "0 s", "1us", "1e30s", "1e9 d"])
+def test_a_time_limit_that_no_run_could_have_is_refused(tmp_path: Path, limit: str) -> None:
+    (tmp_path / "a.toml").write_text("name = 1")
+    result = RUNNER.invoke(app, ["batch", str(tmp_path), "-o", str(tmp_path / "runs"), "--time-limit", limit])
+    assert result.exit_code == 2 and "--time-limit" in result.stderr and "1 s to 1e7 s" in result.stderr
+    assert not (tmp_path / "runs").exists()
+
+
+@pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
+def test_an_interrupted_batch_does_not_wait_for_what_it_runs(tmp_path: Path) -> None:
+    program = (
+        "import os, signal, threading\n"
+        "from pathlib import Path\n"
+        "from pipeline.batch.batch import run_batch\n"
+        "from pipeline.process_copies import Copies\n"
+        "run = Copies.run\n"
+        "def sleeping(self, work, name, arguments, **options):\n"
+        "    threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+        "    return run(self, 'time:sleep', 60.0, **options)\n"
+        "Copies.run = sleeping\n"
+        "class Told:\n"
+        "    def started(self, name): pass\n"
+        "    def finished(self, outcome): print('finished', outcome)\n"
+        "run_batch([('a', Path('a.toml'))], Path('runs'), 1, Told())\n"
+    )
+    began = time.monotonic()
+    ended = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert "KeyboardInterrupt" in ended.stderr, ended.stderr
+    assert time.monotonic() - began < 30.0
+    assert ended.stdout == ""
 
 
 def test_an_interrupted_batch_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -58,6 +58,14 @@ def test_motions_print_tables_and_draw(command: str, title: str, tmp_path: Path)
     assert figure.stat().st_size > 10_000
 
 
+def test_a_motion_that_diverges_has_no_nan_in_its_table_and_no_modes() -> None:
+    shown = CliRunner().invoke(app, ["simulate", "--voltage", "3MV"], catch_exceptions=False)
+    assert shown.exit_code == 0 and "diverged at" in shown.stdout
+    assert "nan" not in shown.stdout.lower()
+    with pytest.raises(InputError, match=r"diverges at .* lower the voltage"):
+        CliRunner().invoke(app, ["modes", "--voltage", "3MV"], catch_exceptions=False)
+
+
 def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     truth = NOMINAL.with_values({"E": 1.7e9})
     t, v = pulse_sequence(count=3, dt=0.01)

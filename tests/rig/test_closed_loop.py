@@ -70,6 +70,7 @@ def test_a_controller_is_told_readings_and_targets_once_a_period_and_its_answer_
     assert np.isnan(run.q).sum() == 100
     assert set(run.command1) == {0.0}
     assert set(run.command2) == {120.0, 2000.0}
+    assert (run.commands_not_finite, run.commands_clipped) == (200, 400)
 
 
 def test_pushes_drifts_and_factors_act() -> None:
@@ -209,3 +210,16 @@ def test_a_mistyped_joint_and_values_without_meaning_are_refused(
     ended = CliRunner().invoke(app, asked)
     assert ended.exit_code == 2
     assert said in ended.stderr
+
+
+@pytest.mark.parametrize(
+    "options", [["--push", "7s:50mN:20ms"], ["--lost", "5s:50ms"], ["--target", "0s:left,5s:right"]]
+)
+def test_an_event_after_the_end_is_told(tmp_path: Path, options: list[str]) -> None:
+    source = tmp_path / "still.py"
+    source.write_text("def make(first):\n    return lambda q, target: (0.0, 0.0)\n")
+    target = [] if "--target" in options else ["--target", "left"]
+    arguments = ["rig", "closed-loop", "nominal", "-c", str(source), "-o", str(tmp_path / "log"), *target, *options]
+    result = CliRunner().invoke(app, arguments)
+    assert result.exit_code == 2
+    assert "the run is over; raise --duration" in result.stderr

@@ -6,10 +6,10 @@ import tomllib
 import numpy as np
 import pytest
 
+from pipeline.names import FILL_IN
 from pipeline.rig.log import write_mat5
 from pipeline.rig_logs.draft import proposed_roles, quoted, toml_draft
 from pipeline.rig_logs.inspection import inspect_log, suggest, suggested_unit
-from pipeline.units import FILL_IN
 
 
 @pytest.fixture(scope="module")

@@ -10,6 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.errors import CorruptArtifactError
 from pipeline.runs import layout, schemas
 from pipeline.runs.comparison import Change
 from pipeline.runs.manifest import Recipe, plain
@@ -44,6 +45,16 @@ def test_a_run_beside_itself_is_equal(planted_run):  # noqa: F811
     result = CliRunner().invoke(app, ["diff", str(planted_run), str(planted_run)])
     assert result.exit_code == 0
     assert "equal: settings, versions, raw logs (SHA-256), NRMSE of free runs, artifacts" in result.stdout
+
+
+def test_equal_hashes_of_a_damaged_artifact_are_not_called_equal(planted_run, tmp_path):  # noqa: F811
+    other = tmp_path / "copy"
+    shutil.copytree(planted_run, other)
+    content = bytearray((other / layout.MODELS).read_bytes())
+    content[len(content) // 2] ^= 1
+    (other / layout.MODELS).write_bytes(content)
+    with pytest.raises(CorruptArtifactError, match=layout.MODELS):
+        diff_runs(other, planted_run)
 
 
 def test_free_runs_of_other_logs_are_not_called_equal(planted_run, twin):  # noqa: F811
