@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.control.plant import NAMES, UNITS, Constants, Plant, forces, slow_rates, still
+from pipeline.control.plant import NAMES, UNITS, Constants, Plant, forces, slow_rates
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import DRY_LEVELS, STATES
 from pipeline.joint.condensed_kernels import INDEX, prepare
-from pipeline.joint.condensed_statics import rest_state
+from pipeline.joint.condensed_statics import rest_state, still
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import outermost_pair
 

@@ -77,7 +77,7 @@ def lowest_voltage(
     -----
     Cost: 5500 runs of 1.7 to 2.1 s, 0.9 s.
     """
-    lags = np.array([converters.lags])
+    model, lags = model.of_bands, np.array([converters.lags])
     estimate = ensemble_at(model, model.theta[None], lags, np.ones(1))
     found = _first(estimate, wells, to, duration)
     if found is None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import AT_REST, BRANCHES, ELEMENT_STATES, FIRST_ELEMENT, STATES, STOPS
+from pipeline.generated.condensed_joint import BRANCHES, ELEMENT_STATES, STOPS
 from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare, rest_forces
 from pipeline.numerics.arrays import FloatArray
 
@@ -108,13 +108,3 @@ def forces(x: FloatArray, u1: float, u2: float, c: Constants) -> FloatArray:
     corrections_at(x[0], c.basis, c.weights, values)
     rest_forces(x, u, values, c.p, out, by_shape)
     return out
-
-
-@compiled
-def still(q: float, tau: float, beta: float) -> FloatArray:
-    """The state at rest with this shape: Maxwell strains have decayed, creep has caught up; shape (STATES,)."""
-    x = np.zeros(STATES)
-    x[0], x[2], x[4] = q, tau, beta
-    for i in range(len(AT_REST)):
-        x[FIRST_ELEMENT + i] = AT_REST[i] * q
-    return x

@@ -4,11 +4,13 @@ A joint is built to be its own mirror image. So what its equations lack is nearl
 parameter set does not know of it is common to both membranes; only a workshop's tolerances are each side's own.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from pipeline.joint.condensed_parameters import NAMES
 from pipeline.joint.correction_table import CURVES
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, IntArray
 
 OWN_MATERIAL, OWN_MOUNT = 0.045, 0.45
 """Shares of variance that are each side's own: in moduli and capacitance, as both membranes are cut from one film, and
@@ -21,10 +23,15 @@ _MIRRORED = ((0, -1.0), (1, 1.0), (3, -1.0), (2, -1.0), (4, -1.0), (5, 1.0), (7,
 """Of each row of the corrections' weights the row at −q that is its mirror image, and the sign."""
 
 
-def prior_root(centres: int) -> FloatArray:
+def prior_root(centres: int, rows: Sequence[int] = range(CURVES)) -> FloatArray:
     """Matrix A of the prior ‖A θ‖²/2 of deviations and corrections, both in widths, shape (P, P).
 
-    `centres` is the number of Gaussians of each correction, symmetric about q = 0.
+    Parameters
+    ----------
+    centres : int
+        Number of Gaussians of each correction, symmetric about q = 0.
+    rows : sequence of int
+        The corrections whose weights θ holds, rows of `pipeline.joint.correction_table.CURVES`.
     """
     covariance = np.eye(len(NAMES) + CURVES * centres)
     for i, name in enumerate(NAMES):
@@ -36,5 +43,12 @@ def prior_root(centres: int) -> FloatArray:
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))
             if i != j:
                 covariance[i, j] = sign * ALIKE
-    root = np.linalg.inv(np.linalg.cholesky(covariance))
+    kept = theta_places(centres, rows)
+    root = np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(kept, kept)]))
     return np.asarray(root, dtype=np.float64)
+
+
+def theta_places(centres: int, rows: Sequence[int]) -> IntArray:
+    """Places in θ of the deviations and of the weights of some corrections."""
+    weights = len(NAMES) + centres * np.asarray(rows, dtype=np.int64)[:, None] + np.arange(centres)
+    return np.concatenate([np.arange(len(NAMES)), weights.ravel()])

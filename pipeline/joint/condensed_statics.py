@@ -61,6 +61,16 @@ def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatAr
 
 
 @compiled
+def still(q: float, tau: float, beta: float) -> FloatArray:
+    """The state at rest with this shape: Maxwell strains have decayed, creep has caught up; shape (STATES,)."""
+    x = np.zeros(STATES)
+    x[0], x[2], x[4] = q, tau, beta
+    for i in range(len(AT_REST)):
+        x[FIRST_ELEMENT + i] = AT_REST[i] * q
+    return x
+
+
+@compiled
 def rest_state(
     q: float, u: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
@@ -69,12 +79,10 @@ def rest_state(
     The shape has relaxed, Maxwell strains have decayed, creep has caught up, and friction balances what is left,
     as far as its capacity goes. `k` and `p` are the constants and the prepared constants.
     """
-    x, z, c = np.zeros(STATES), np.zeros(STOPS), np.zeros(VALUES)
+    z, c = np.zeros(STOPS), np.zeros(VALUES)
     corrections_at(q, basis, weights, c)
-    x[0] = q
-    x[2], x[4], force = held_shape(q, u, c, k, p)
-    for i in range(len(AT_REST)):
-        x[FIRST_ELEMENT + i] = AT_REST[i] * q
+    tau, beta, force = held_shape(q, u, c, k, p)
+    x = still(q, tau, beta)
     capacity = 0.0
     for i in range(STOPS):
         capacity += k[_STOP + i]

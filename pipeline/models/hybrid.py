@@ -3,7 +3,7 @@
 Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.identify_hybrid`.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -46,8 +46,9 @@ class HybridModel:
         Deviations and weights in prior widths.
     spread : FloatArray, shape (P, P)
         Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
-    band_spread : FloatArray, shape (P, R)
-        Factor of the covariance that the bands of the curves come from (`pipeline.models.posterior.robust_spread`).
+    band_spread : FloatArray, shape (P, R) or (P + 9 M, R)
+        Factor of the covariance that the bands of the curves come from (`pipeline.models.posterior.robust_spread`), of
+        the θ of `of_bands`.
     diagnostics : dict
         How the fit went.
     early : HybridModel or None
@@ -136,7 +137,15 @@ class HybridModel:
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
-        return first_order_curves(lambda theta: self._curves(theta, q), self.theta, self.band_spread, count, SEED)
+        wide = self.of_bands
+        return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, self.band_spread, count, SEED)
+
+    @property
+    def of_bands(self) -> "HybridModel":
+        """The same with what the bands leave open: corrections, of zero where the equations stand alone."""
+        more = len(self.band_spread) - len(self.theta)
+        joint = replace(self.joint, centres=self.joint.centres + more // CURVES)
+        return replace(self, joint=joint, theta=np.append(self.theta, np.zeros(more)))
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors that the data allow, shape (count, P); always the same for the same model.

@@ -79,12 +79,16 @@ def first_order_curves(
 
     θ itself, drawn so, leaves the curved valley in which the data hold it: curves of the hybrid model were three times
     as wide, and those of data-driven joints of their own class up to twenty times, about a middle that was off the
-    truth. Damping, which is never negative, is cut at zero. Cost: the curves of P + 1 parameter vectors.
+    truth. Damping, which is never negative, is cut at zero. Cost: the curves of as many parameter vectors as S has
+    rows that are not zero, and one.
     """
-    best = curves(mean)
-    ahead = [curves(mean + step) for step in NUDGE * np.eye(len(mean))]
-    deviations = posterior_draws(np.zeros(len(mean)), spread, count, seed) / NUDGE
-    drawn = {name: best[name] + deviations @ np.array([each[name] - best[name] for each in ahead]) for name in best}
+    best, moved = curves(mean), np.flatnonzero(np.any(spread, axis=1))
+    ahead = [curves(mean + step) for step in NUDGE * np.eye(len(mean))[moved]]
+    deviations = posterior_draws(np.zeros(len(moved)), spread[moved], count, seed) / NUDGE
+    drawn = {}
+    for name, middle in best.items():
+        slopes = np.array([each[name] - middle for each in ahead]).reshape(len(moved), middle.size)
+        drawn[name] = middle + deviations @ slopes
     return drawn | {"d": np.maximum(drawn["d"], 0.0)}
 
 

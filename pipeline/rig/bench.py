@@ -1,6 +1,7 @@
 """The test bench around a joint: commands through converters to the membranes, and what laser and probes record."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -51,10 +52,15 @@ def _drive(u: FloatArray, dt: float, lag: float, rate: float, power: float) -> F
     x = 0.0
     for i in range(u.size):
         v[i] = x
-        step = (u[i] - x) * decay
-        up = min(rate, power / max(x, _POWER_FLOOR)) * dt
-        x += min(max(step, -rate * dt), up)
+        x = charged(x, u[i], decay, rate, power, dt)
     return v
+
+
+@compiled
+def charged(v: float, asked: float, decay: float, rate: float, power: float, dt: float) -> float:
+    """The converter's voltage [V] `dt` [s] after it was v; `decay` is 1 − e^(−dt/lag), `power` that over C."""
+    up = min(rate, power / max(v, _POWER_FLOOR)) * dt
+    return v + min(max((asked - v) * decay, -rate * dt), up)
 
 
 @dataclass(frozen=True)
@@ -84,10 +90,16 @@ class Laser:
         smooth in q, as a calibration sheet shows it.
         """
         phase = rng.uniform(0.0, 2 * np.pi, 2)
-        reading = q + self.linearity * np.sin(2 * np.pi * q / self.rail + phase[0])
+        reading = q + bent(q, self.linearity, self.rail, phase[0])
         reading += self.hum * np.sin(2 * np.pi * self.mains * t + phase[1])
         reading += self.noise * rng.standard_normal(t.size, dtype=np.float32)
         return _quantise(np.clip(reading, -self.rail, self.rail), self.resolution)
+
+
+@compiled
+def bent(q: Any, linearity: float, rail: float, phase: float) -> Any:
+    """Linearity error [m] of a laser at the displacement q [m]."""
+    return linearity * np.sin(2.0 * np.pi * q / rail + phase)
 
 
 @dataclass(frozen=True)

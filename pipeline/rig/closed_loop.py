@@ -13,6 +13,7 @@ from numba.extending import intrinsic
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.rig.bench import bent, charged
 from pipeline.rig.midpoint import KEEP, advance, at_rest, read_tip, workspace
 from pipeline.rig.parameters import JointParameters
 
@@ -21,7 +22,6 @@ HALVES = 2
 PERIOD = 1e-3
 """Of the controller [s]."""
 _FINE = 10  # steps of a converter in a time step of the joint
-_POWER_FLOOR = 100.0  # V, see `pipeline.rig.bench`
 
 
 class Surroundings(NamedTuple):
@@ -79,11 +79,10 @@ def _charge(v: FloatArray, command: FloatArray, h: float, around: Surroundings, 
     dt = h / _FINE
     for side in range(2):
         decay = -np.expm1(-dt / around.lag[side])
-        total, rate = 0.0, around.rate_limit[side]
+        total, rate, power = 0.0, around.rate_limit[side], around.power_over_capacitance[side]
         for _ in range(_FINE):
             before = v[side]
-            up = min(rate, around.power_over_capacitance[side] / max(before, _POWER_FLOOR)) * dt
-            v[side] = before + min(max((command[side] - before) * decay, -rate * dt), up)
+            v[side] = charged(before, command[side], decay, rate, power, dt)
             total += (before * before + before * v[side] + v[side] * v[side]) / 3.0
         charge[side] = total / _FINE
 
@@ -93,8 +92,8 @@ def laser_reading(q: float, row: int, around: Surroundings) -> float:
     """What the laser shows [m] of a displacement at a row of the log."""
     if around.lost[row] > 0.5:
         return np.nan
-    wave = around.linearity * np.sin(2.0 * np.pi * q / around.rail + around.linearity_phase)
-    shown = min(max(q + wave + around.noise[row], -around.rail), around.rail)
+    reading = q + bent(q, around.linearity, around.rail, around.linearity_phase)
+    shown = min(max(reading + around.noise[row], -around.rail), around.rail)
     return float(np.round(shown / around.resolution) * around.resolution)
 
 

@@ -19,7 +19,7 @@ from pipeline.stages.identify import training_tables
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "7"
+ALGORITHM = "8"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:

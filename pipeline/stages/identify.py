@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "32"
+ALGORITHM = "33"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
