@@ -23,7 +23,7 @@ from pipeline.identification.joint_start import starting_joint
 from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.population_estimate import Information, estimate_population, information_of
-from pipeline.loading.trajectories import training
+from pipeline.loading.trajectories import training, training_tables
 from pipeline.models.identify_rbf import identify_rbf
 from pipeline.models.joint_population import ASSET, write_population
 from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
@@ -31,7 +31,6 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import load_prototype
 from pipeline.signals.trajectory import Record
-from pipeline.stages.identify import training_tables
 from pipeline.stages.run import run_prototype, run_stage
 
 LIMIT = 60.0

@@ -162,3 +162,14 @@ def record(table: Table) -> Record:
     if not begins_in_motion(table) or len(valid) < 10 * EDGE or not valid[begin]:
         return whole
     return whole.part(begin, len(valid))
+
+
+def training_tables(run: RunFolder, prototype: Prototype) -> list[Table]:
+    """The kinematics of all training logs, with their fine voltages."""
+    logs = [log for role, log, _ in layout.logs(prototype) if role == "train"]
+    return [load_motion(run, prototype, "train", log) for log in logs]
+
+
+def training_trajectories(run: RunFolder, prototype: Prototype) -> list[Trajectory]:
+    """The gap-free stretches of all training logs."""
+    return [stretch for table in training_tables(run, prototype) for stretch in trajectories(table)]

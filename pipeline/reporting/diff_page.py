@@ -11,10 +11,10 @@ from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
 from pipeline.models.base import HasCurves
 from pipeline.names import log_title
-from pipeline.numerics.metrics import fit_percent
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.legend import swatches
+from pipeline.reporting.log_figures import FIT, fit_note
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.tables import HEADINGS
 from pipeline.runs.comparison import Change, RunDifference
@@ -120,11 +120,10 @@ def overlays(one: RunData, other: RunData, names: tuple[str, str], unlike: Colle
             model = data.model_names[0]
             if model in each.predictions:
                 free = each.predictions[model]["q"]
-                fit = fit_percent(each.kinematics["q"], free)
-                note = "diverged" if fit is None else f"fit {fit:.1f} %"
+                note = fit_note(each.kinematics["q"], free)
                 lines.append(Line(f"{name}, {model}: {note}", name, each.kinematics["t"], free))
         panel = Panel("q", one.displacement, tuple(lines))
-        caption = "Free runs of the headline models; fit = 100 (1 − ‖error‖/‖q − mean‖) %."
+        caption = f"Free runs of the headline models; {FIT}."
         figures.append(Figure(f"{log.key}-overlay", log.title.capitalize(), caption, "time", "s", (panel,)))
     return figures
 

@@ -8,7 +8,7 @@ from pipeline.device_facts.events import voltage_switches
 from pipeline.device_facts.residual_analysis import Residual, headline_residual
 from pipeline.device_facts.run_data import LogData, RunData, judged_log
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval, voltages
-from pipeline.numerics.metrics import fit_percent
+from pipeline.numerics.metrics import fit_percent, rmse
 from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells, snaps
@@ -154,16 +154,25 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     return _timeline(data, log, wells, "models", "Measured against models", caption, panels)
 
 
+FIT = "fit = 100 (1 − ‖error‖/‖q − mean‖) %"
+
+
+def fit_note(measured: FloatArray, free: FloatArray) -> str:
+    """How well a free run fits, or why that cannot be said."""
+    fit = fit_percent(measured, free)
+    if fit is not None:
+        return f"fit {fit:.1f} %"
+    return "diverged" if rmse(measured, free) is None else "the measurement is constant"
+
+
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the headline model runs freely, with the fit that MATLAB's ``compare`` states."""
     headline, t, measured = data.model_names[0], log.kinematics["t"], log.kinematics["q"]
     lines = [Line("measured", "measured", t, measured, wide=True)]
     if headline in log.predictions:
         free = log.predictions[headline]["q"]
-        fit = fit_percent(measured, free)
-        note = "diverged" if fit is None else f"fit {fit:.1f} %"
-        lines.append(Line(f"{headline}: {note}", headline, t, free))
-    caption = "Free run from the first sample under the measured voltages; fit = 100 (1 − ‖error‖/‖q − mean‖) %."
+        lines.append(Line(f"{headline}: {fit_note(measured, free)}", headline, t, free))
+    caption = f"Free run from the first sample under the measured voltages; {FIT}."
     panels = [Panel("q", data.displacement, tuple(lines))]
     figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
     return replace(figure, hidden=())

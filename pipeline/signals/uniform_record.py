@@ -36,7 +36,7 @@ class RecordReport:
         Rows left out for their time stamp: NaN or infinite; equal to the one before; not later than an
         earlier one.
     q_not_finite, v_not_finite : int
-        Samples left out because they are NaN or infinite (voltages: the sum over the inputs).
+        Samples left out because they are NaN or infinite (the second: voltages and a measured velocity together).
     gaps : int
         Holes longer than `gap_limit`, and places where time stepped back.
     gaps_at : tuple of (float, float)
@@ -73,7 +73,7 @@ class UniformRecord:
     q : FloatArray, shape (M,)
         Displacement [m or rad]; NaN where `segment` is −1.
     v : FloatArray, shape (M, k)
-        Voltages [V]; straight lines across gaps, so that a free run can pass.
+        Voltages [V], and behind them a measured velocity; straight lines across gaps, so that a free run can pass.
     segment : NDArray[int32], shape (M,)
         Number of the gap-free stretch, −1 where the kernel would reach across a gap.
     report : RecordReport

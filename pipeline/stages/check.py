@@ -1,13 +1,14 @@
 """Check: is every log what the settings say, before anything is differentiated or fitted?"""
 
 import json
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError, InputError
+from pipeline.checks.gates import accepted_settings, judge
+from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import voltages
@@ -15,8 +16,7 @@ from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.settings import CheckGate, Gate, Prototype, Quality
-from pipeline.signals.quality_gates import Finding
+from pipeline.settings import CheckGate, Prototype
 
 if TYPE_CHECKING:
     from pipeline.checks.check import Declared
@@ -24,50 +24,6 @@ if TYPE_CHECKING:
     from pipeline.checks.weak_form import LogSignals
 
 ALGORITHM = "7"
-
-
-def judge(
-    where: str,
-    findings: Sequence[Finding],
-    settings: Quality,
-    prior: Collection[str] = (),
-    decides: str = "the joint's equations",
-) -> list[str]:
-    """The findings that do not refuse the data, as texts for the manifest, the terminal and the report.
-
-    Parameters
-    ----------
-    where : str
-        Name of the data, for the error.
-    findings : sequence of Finding
-        What speaks against them.
-    settings : Quality
-        What they accept.
-    prior : collection of str
-        Gates of what the data need not show, because a model knows it beforehand.
-    decides : str
-        What of the model does.
-
-    Raises
-    ------
-    DataRefusedError
-        A finding is not accepted; the text names all of them and the settings that would let them pass.
-    """
-    refused = [finding for finding in findings if finding.gate not in (*settings.accept, *prior)]
-    if refused:
-        names = ", ".join(f'"{gate}"' for gate in dict.fromkeys((*settings.accept, *(f.gate for f in refused))))
-        reasons = "; ".join(f"{finding.text}: {finding.advice}" for finding in refused)
-        raise DataRefusedError(f"{where}: {reasons}. To use it knowingly, set [quality] accept = [{names}]")
-    return [
-        f"{f.text} (accepted: {f.gate})" if f.gate in settings.accept else f"{f.text}; there {decides} decide"
-        for f in findings
-    ]
-
-
-def accepted_settings(settings: Quality, gates: Iterable[Gate]) -> dict[str, Any]:
-    """What a recipe holds of the gate: nothing where nothing is accepted there."""
-    accepted = sorted(set(settings.accept) & set(gates))
-    return {"quality": {"accept": accepted}} if accepted else {}
 
 
 def tasks(prototype: Prototype) -> list[Task]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from pipeline.loading.device import parameter_values
-from pipeline.loading.trajectories import sources, training
+from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import entry
 from pipeline.models.kind import kind
 from pipeline.runs import layout
@@ -14,7 +14,6 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Prototype
 from pipeline.stages import validate
-from pipeline.stages.identify import training_tables
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
+from pipeline.checks.gates import accepted_settings, judge
 from pipeline.loading.device import device, parameter_values
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
-from pipeline.loading.trajectories import load_motion, sources, training, trajectories
+from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, kind
 from pipeline.numerics.arrays import voltages
@@ -21,14 +22,12 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, TrainingGate
-from pipeline.stages.check import accepted_settings, judge
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.models.choose import Choice
     from pipeline.models.kind import StoredModel, Training
     from pipeline.signals.quality_gates import Finding
-    from pipeline.signals.trajectory import Trajectory
 
 ALGORITHM = "33"
 
@@ -56,17 +55,6 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
             reports=True,
         )
     ]
-
-
-def training_tables(run: RunFolder, prototype: Prototype) -> list[Table]:
-    """The kinematics of all training logs, with their fine voltages."""
-    logs = [log for role, log, _ in layout.logs(prototype) if role == "train"]
-    return [load_motion(run, prototype, "train", log) for log in logs]
-
-
-def training_trajectories(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":
-    """The gap-free stretches of all training logs."""
-    return [stretch for table in training_tables(run, prototype) for stretch in trajectories(table)]
 
 
 def _identify(

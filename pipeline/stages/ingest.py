@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
+from pipeline.checks.gates import accepted_settings, judge
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
 from pipeline.loading.si_log import SiLog, open_si
@@ -18,7 +19,6 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Ingest, LogGate, Prototype, Role
-from pipeline.stages.check import accepted_settings, judge
 
 if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING, Literal
 
 from pipeline.errors import DebistError
 from pipeline.loading.device import parameter_set
@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from pipeline.reporting.plotted import Typeface
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
-STAGES: tuple[str, ...] = (*get_args(StageName), "check", "scores")
+STAGES = ("ingest", "check", "differentiate", "identify", "validate", "compare", "scores", "report")
+"""In the order of the work; those of `StageName` can be asked for alone."""
 
 
 def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator[Task]:

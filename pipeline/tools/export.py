@@ -13,7 +13,7 @@ from pipeline.loading.device import device
 from pipeline.loading.free_runs import start_of
 from pipeline.loading.held_models import model_artifact
 from pipeline.loading.measured_curves import named_curves
-from pipeline.loading.trajectories import load_motion
+from pipeline.loading.trajectories import load_motion, training_tables
 from pipeline.models.base import Model
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import voltages
@@ -24,7 +24,6 @@ from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import ROLES, Prototype
-from pipeline.stages.identify import training_tables
 
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported, Subject, Validity

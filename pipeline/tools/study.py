@@ -10,7 +10,7 @@ import numpy as np
 
 from pipeline.child_processes import in_processes
 from pipeline.loading.device import Device, device
-from pipeline.loading.trajectories import load_motion, sources, trajectories
+from pipeline.loading.trajectories import load_motion, sources, training_trajectories, trajectories
 from pipeline.numerics.arrays import sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.atomic import write_bytes
@@ -22,7 +22,6 @@ from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.schemas import StudyName
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
-from pipeline.stages.identify import training_trajectories
 
 if TYPE_CHECKING:
     from pipeline.numerics.arrays import FloatArray
