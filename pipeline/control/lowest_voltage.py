@@ -53,7 +53,7 @@ def lowest_voltage(
     """The lowest voltage at which a pulse of `duration` [s] brings the joint to the well `to`, from rest in the other.
 
     Its logarithm's standard deviation is that of parameters of the covariance E Eᵀ that the training data show
-    (`HybridModel.band_spread`), to first order, as in the bands of the curves; with the converters' lags and the probe.
+    (`HybridModel.band_spread`), to first order; with the converters' lags and the probe.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def lowest_voltage(
     -----
     Cost: 5500 runs of 1.7 to 2.1 s, 0.9 s.
     """
-    model, lags = model.of_bands, np.array([converters.lags])
+    lags = np.array([converters.lags])
     estimate = ensemble_at(model, model.theta[None], lags, np.ones(1))
     found = _first(estimate, wells, to, duration)
     if found is None:

@@ -46,9 +46,11 @@ class HybridModel:
         Deviations and weights in prior widths.
     spread : FloatArray, shape (P, P)
         Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
-    band_spread : FloatArray, shape (P, R) or (P + 9 M, R)
-        Factor of the covariance that the bands of the curves come from (`pipeline.models.posterior.robust_spread`), of
-        the θ of `of_bands`.
+    band_spread : FloatArray, shape (P, R)
+        Factor of the covariance that the training data show (`pipeline.models.posterior.robust_spread`), from which the
+        band of the lowest voltage comes.
+    curve_spread : FloatArray, shape (P, R) or (P + 9 M, R), or None
+        The same for the bands of the curves, of the θ of `of_curves`; None if it is that of `band_spread`.
     diagnostics : dict
         How the fit went.
     early : HybridModel or None
@@ -59,6 +61,7 @@ class HybridModel:
     theta: FloatArray
     spread: FloatArray
     band_spread: FloatArray
+    curve_spread: FloatArray | None = None
     diagnostics: dict[str, Any] = field(default_factory=dict)
     early: "HybridModel | None" = field(default=None, repr=False)
 
@@ -137,13 +140,17 @@ class HybridModel:
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
-        wide = self.of_bands
-        return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, self.band_spread, count, SEED)
+        wide, spread = self.of_curves, self._curve_spread
+        return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, spread, count, SEED)
 
     @property
-    def of_bands(self) -> "HybridModel":
-        """The same with what the bands leave open: corrections, of zero where the equations stand alone."""
-        more = len(self.band_spread) - len(self.theta)
+    def _curve_spread(self) -> FloatArray:
+        return self.band_spread if self.curve_spread is None else self.curve_spread
+
+    @property
+    def of_curves(self) -> "HybridModel":
+        """The same with what the bands of its curves leave open: corrections, zero where the equations stand alone."""
+        more = len(self._curve_spread) - len(self.theta)
         joint = replace(self.joint, centres=self.joint.centres + more // CURVES)
         return replace(self, joint=joint, theta=np.append(self.theta, np.zeros(more)))
 
@@ -196,6 +203,7 @@ class HybridModel:
             "theta": self.theta,
             "spread": self.spread,
             "band_spread": self.band_spread,
+            "curve_spread": self._curve_spread,
             "diagnostics": dict(self.diagnostics),
         }
 
@@ -220,7 +228,7 @@ class HybridModel:
             )
             theta = np.asarray(tree["theta"], dtype=np.float64)
             spread = np.asarray(tree["spread"], dtype=np.float64)
-            bands = np.asarray(tree["band_spread"], dtype=np.float64)
+            bands, curves = (np.asarray(tree[f"{name}_spread"], dtype=np.float64) for name in ("band", "curve"))
             names = str(tree["deviations"]).split(" | ")
             constants = str(tree["constants"]).split(" | ")
         known = names == list(condensed_parameters.NAMES) and constants == list(CONSTANTS)
@@ -228,7 +236,7 @@ class HybridModel:
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
-        return cls(joint, theta, spread, bands, dict(tree.get("diagnostics", {})))
+        return cls(joint, theta, spread, bands, curves, dict(tree.get("diagnostics", {})))
 
     def _simulate(
         self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray,

@@ -134,6 +134,7 @@ def identify_hybrid(
         final.theta,
         posterior_factor(final, search.prior(len(final.theta))),
         search.band_spread(joint, final),
+        search.curve_spread(joint, final),
         _report((*levels, *final.levels), final, similarity)
         | {"held_share": search.held_share(joint, final.theta)}
         | {"ablation": {name: free for name, (_, free) in held.items()}},
@@ -207,15 +208,18 @@ class _Search:
         )  # fmt: skip
 
     def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
-        """Factor of the covariance that leaving out parts of the logs shows; see `HybridModel.band_spread`.
+        """Factor of the covariance that leaving out parts of the logs shows."""
+        return self._robust_spread(joint, fit, range(CURVES))
 
-        Corrections of zero are no knowledge: where the equations stand alone, those of force and damping are left open.
-        """
-        wide, pole = replace(joint, centres=BASIS_FUNCTIONS), fit.levels[-1].gain
-        problem, theta = CondensedProblem(wide, self.records), _extended(wide, fit.theta)
+    def curve_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray | None:
+        """The same with the corrections of force and damping open where none acts: zero is no knowledge of them."""
+        return None if joint.centres else self._robust_spread(replace(joint, centres=BASIS_FUNCTIONS), fit, OPEN)
+
+    def _robust_spread(self, joint: CondensedJoint, fit: HomotopyFit, rows: Sequence[int]) -> FloatArray:
+        """Of the θ of a joint, zero but for the deviations and some corrections."""
+        problem, pole, theta = CondensedProblem(joint, self.records), fit.levels[-1].gain, _extended(joint, fit.theta)
         problem.hold_lost(theta, pole)
-        rows = range(CURVES) if joint.centres else OPEN
-        places, prior = theta_places(BASIS_FUNCTIONS, rows), prior_root(BASIS_FUNCTIONS, rows)
+        places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows)
         residual, jacobian = problem.jacobian(theta, pole)
         found = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
         spread = np.zeros((len(theta), found.shape[1]))

@@ -14,7 +14,7 @@ from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import FreeRun, predictor
 from pipeline.models.choose import CHOSEN_TIME, JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose
 from pipeline.models.hybrid import HybridModel
-from pipeline.models.identify_hybrid import identify_hybrid
+from pipeline.models.identify_hybrid import BASIS_FUNCTIONS, identify_hybrid
 from pipeline.models.kind import FITTED_SHARE, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import Compare, Identify
@@ -83,6 +83,24 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert run.status == "ok"
     assert np.ptp(unseen.q) > 0.03
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
+
+
+def test_bands_of_curves_leave_force_and_damping_open_where_no_correction_acts(
+    identified: tuple[HybridModel, HybridModel],
+) -> None:
+    truth, model = identified
+    assert model.joint.centres == 0 and model.of_curves.joint.centres == BASIS_FUNCTIONS
+    q = np.linspace(-0.012, 0.012, 25)
+    expected, found, known = model.curves(q), model.of_curves.curves(q), truth.curves(q)
+    closed = replace(model, curve_spread=None).curve_ensemble(q, 400)
+    opened = HybridModel.from_tree(model.to_tree()).curve_ensemble(q, 400)
+    for name, values in expected.items():
+        np.testing.assert_allclose(found[name], values, rtol=1e-9, atol=1e-9 * np.abs(values).max())
+    for name in ("F", "dC1_dq", "dC2_dq"):
+        low, high = np.percentile(opened[name], [0.5, 99.5], axis=0)
+        assert np.mean((low < known[name]) & (known[name] < high)) > 0.9, name
+    assert np.all(opened["F"].std(axis=0) > 0.95 * closed["F"].std(axis=0))
+    assert opened["F"].std(axis=0).mean() > 1.02 * closed["F"].std(axis=0).mean()
 
 
 def test_planted_parameters_come_back(identified: tuple[HybridModel, HybridModel]) -> None:
