@@ -47,6 +47,12 @@ ENTRIES = (
     Entry("analytical-calibrated", "pipeline.models.analytical:ANALYTICAL_CALIBRATED", needs_parameters=True),
 )
 
+CENTRES, SMOOTHING = 10, 0.5
+"""M and σ_n of the paper (section 5.2)."""
+
+RBF_TIME_LIMIT = 20.0
+"""Processor time [s] of an identification of `rbf` by its cost model."""
+
 BASIS_FUNCTIONS = (
     ("gaussian", "pipeline.equations.gaussian:GAUSSIAN"),
 )  # fmt: skip

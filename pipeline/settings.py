@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError, field_validator, model_validator
 
 from pipeline.errors import InputError, SeveralMistakesError
-from pipeline.model_list import AUTO, BASIS_FUNCTIONS, ENTRIES, names
+from pipeline.model_list import AUTO, BASIS_FUNCTIONS, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 from pipeline.names import FILL_IN, check_name, log_name, slug, true_name
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
 from pipeline.settings_errors import mistakes
@@ -214,11 +214,11 @@ class Identify(_Settings):
     """Models to identify; the first is the headline. "auto": "hybrid" or "rbf", whichever predicts held-out training
     data better. "hybrid": the joint's equations with data-driven corrections. "rbf": the physics-informed RBF network
     from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
-    basis_functions: Whole = Field(default=10, ge=2, le=200)
+    basis_functions: Whole = Field(default=CENTRES, ge=2, le=200)
     """Basis functions M of each curve of `rbf-paper`."""
     basis: str = "gaussian"
     """Which radial basis function `rbf-paper` has; CONTRIBUTING.md says how to add one."""
-    smoothing: Number = Field(default=0.5, gt=0.0, le=10.0)
+    smoothing: Number = Field(default=SMOOTHING, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
     friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
     """Friction of `rbf`, beside the damping d(q). "viscous": none; "coulomb": one stop operator; "lag": one relaxing
@@ -242,7 +242,7 @@ class Identify(_Settings):
     zero, as of an amplifier, valve or motor that saturates, or past a dead zone in which it does nothing."""
     hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
     """Inputs of `rbf` between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
-    time_limit: Number = Field(default=20.0, gt=0.0, le=1e6)
+    time_limit: Number = Field(default=RBF_TIME_LIMIT, gt=0.0, le=1e6)
     """Processor time [s] for `rbf`, search and fit together. It counts evaluations by a stated cost and not the clock,
     so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
     rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"

@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import Curves, device_facts, intervals, model_curves
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
-from pipeline.device_facts.quality import THRESHOLDS, Check, data_checks, model_checks, overall
+from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
 from pipeline.device_facts.run_data import RunData, wells_of_run
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray, voltages
@@ -169,6 +169,11 @@ class Datasheet:
     curves: Mapping[str, Curves]
     draws: Mapping[str, list[Curves]]
 
+    @property
+    def grades(self) -> dict[str, Grade]:
+        """The verdict on the data and on the model: the worst grade of the checks of each."""
+        return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
+
     def to_json(self, data: RunData) -> dict[str, Any]:
         """The document that is written as ``datasheet.json``; SI units, null where unknown."""
         return {
@@ -180,8 +185,7 @@ class Datasheet:
             "level_of_intervals": 0.9,
             "facts": [asdict(fact) for fact in self.facts],
             "verdict": {
-                "data": overall(c for c in self.checks if c.about == "data"),
-                "model": overall(c for c in self.checks if c.about == "model"),
+                **self.grades,
                 "checks": [asdict(check) for check in self.checks],
             },
             "scores": [dict(score) for score in data.scores],

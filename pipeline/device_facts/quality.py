@@ -232,13 +232,17 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
     return [_check("model", "rival", ratio, text, advice)]
 
 
+def not_converged(model: str) -> tuple[str, str]:
+    """What is said of such a fit, and what to do."""
+    advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
+    return f"the fit of {model} had not converged when it ended, so its error may be chance", advice
+
+
 def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     """A fit that had not converged, and free runs that diverged."""
     checks = []
     if description.get("converged") is False:
-        advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
-        text = f"the fit of {model} had not converged when it ended, so its error may be chance"
-        checks.append(Check("model", "converged", "fair", text, advice))
+        checks.append(Check("model", "converged", "fair", *not_converged(model)))
     diverged = [s for s in judged if s["status"] != "ok"]
     if diverged:
         at = ", ".join(f"{s['log']} at t = {s['diverged_at_s']:.2f} s" for s in diverged)

@@ -14,6 +14,7 @@ from pipeline.errors import DataRefusedError, InputError
 from pipeline.identification.coverage import ACTING, Coverage, coverage
 from pipeline.identification.information import Conditioning, Weights, conditioning
 from pipeline.identification.rbf import InputLaw, input_signal
+from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
 from pipeline.signals.noise import is_idle, noise_level
@@ -87,8 +88,8 @@ def examine_excitation(
     interval: float,
     *,
     inputs: InputLaw = "squared",
-    basis_functions: int = 10,
-    smoothing: float = 0.5,
+    basis_functions: int = CENTRES,
+    smoothing: float = SMOOTHING,
 ) -> Excitation:
     """Examine a uniform record.
 

@@ -19,6 +19,7 @@ from pipeline.identification.rbf import (
     input_signal,
     regressor,
 )
+from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.lag import first_order_lag
 from pipeline.numerics.metrics import rms
@@ -60,8 +61,8 @@ class Weights:
         qdot: FloatArray,
         largest: FloatArray,
         *,
-        basis_functions: int = 10,
-        smoothing: float = 0.5,
+        basis_functions: int = CENTRES,
+        smoothing: float = SMOOTHING,
         inputs: InputLaw = "squared",
     ) -> "Weights":
         """Weights over the range of a motion q, q̇, shape (N,), with the `largest` input on each side, shape (K,).

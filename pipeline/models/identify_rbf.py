@@ -22,6 +22,7 @@ from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import whiteness
+from pipeline.model_list import RBF_TIME_LIMIT
 from pipeline.models.joint_population import population
 from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import posterior_factor, robust_spread
@@ -41,9 +42,6 @@ from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record, operating_range
-
-TIME_LIMIT = 20.0
-"""Processor time [s] of an identification by the cost model of `Effort`."""
 
 UNLIKE = 0.8
 """Share of the residual below which sides count as less alike: simulated joints leave 0.83 to 1.1 of it when their
@@ -74,7 +72,7 @@ def identify_rbf(
     choice: RbfChoice | None = None,
     candidates: Sequence[Candidate] | None = None,
     known: KnownCurves | None = None,
-    time_limit: float = TIME_LIMIT,
+    time_limit: float = RBF_TIME_LIMIT,
     on_progress: OnProgress = silent,
     keep: Keep = make_anew,
 ) -> RbfModel:

@@ -24,6 +24,7 @@ from pipeline.identification.rbf import (
     regressor,
 )
 from pipeline.identification.residuals import whiteness
+from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
@@ -221,8 +222,8 @@ class RbfPaperModel:
 def identify_rbf_paper(
     trajectories: Sequence[Trajectory],
     *,
-    basis_functions: int = 10,
-    smoothing: float = 0.5,
+    basis_functions: int = CENTRES,
+    smoothing: float = SMOOTHING,
     mass: float = 1.0,
     inputs: InputLaw = "squared",
     basis: str = "gaussian",

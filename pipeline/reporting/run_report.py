@@ -7,7 +7,7 @@ from typing import Any
 
 from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.quality import THRESHOLDS, Check, overall
+from pipeline.device_facts.quality import THRESHOLDS, Check
 from pipeline.device_facts.run_data import RunData, judged_log
 from pipeline.names import ROLE_WORDS, log_title, with_true_names
 from pipeline.reporting.canvas import page_chart
@@ -69,8 +69,8 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "subtitle": _subtitle(data),
         "headline": sheet.headline,
         "verdict": verdict(sheet.checks),
-        "data_grade": overall(c for c in sheet.checks if c.about == "data"),
-        "model_grade": overall(c for c in sheet.checks if c.about == "model"),
+        "data_grade": sheet.grades["data"],
+        "model_grade": sheet.grades["model"],
         "checks": sheet.checks,
         "facts": rows,
         "two_wells": any(len(row.cells) == 2 for row in rows),

@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from pipeline.names import log_title
+from pipeline.scoring.intervals import BLOCK, FEWEST
+from pipeline.scoring.step_responses import SETTLED
+from pipeline.scoring.wells import SURE
 from pipeline.units import SIGNALS
 
 Record = Mapping[str, Any]
@@ -19,8 +22,8 @@ LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot":
 EXPLANATION = (
     "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
     "and no rank. Brackets: 95 % intervals, the spread had other stretches been recorded, by moving-block bootstrap "
-    "(2 s blocks). * lowest of the log, all others higher in the paired bootstrap (both resampled at the same blocks); "
-    "≈ not told apart from the lowest, so no order among these. Wells: share of samples in the measured well. "
+    f"({BLOCK:g} s blocks). * lowest of the log, all others higher in the paired bootstrap (both resampled at the same "
+    "blocks); ≈ not told apart from the lowest, so no order among these. Wells: share of samples in the measured well. "
     "Switches: share of pulses after which both rest in the same well, interval by Bayesian bootstrap of the pulses."
 )
 _HORIZONS = (
@@ -28,10 +31,10 @@ _HORIZONS = (
     "the measurement before"
 )
 _SWITCHES = (
-    "Rise (10–90 %) and settling time (±10 %): median error over the switches that the model follows, interval by "
-    "bootstrap of the switches (none with fewer than four). Outside: share of samples in states (q, q̇) that no "
-    "training sample was near. Ambiguous: pulses that end so close to the barrier that, "
-    "among runs drawn from the model's own uncertainty, fewer than nine in ten come to rest in one well."
+    f"Rise (10–90 %) and settling time (±{100.0 * SETTLED:.0f} %): median error over the switches that the model "
+    f"follows, interval by bootstrap of the switches (none with fewer than {FEWEST}). Outside: share of samples in "
+    "states (q, q̇) that no training sample was near. Ambiguous: pulses that end so close to the barrier that, "
+    f"among runs drawn from the model's own uncertainty, fewer than {10.0 * SURE:.0f} in ten come to rest in one well."
 )
 BEHAVIOUR_EXPLANATION = f"{_HORIZONS}, and of the free run. {_SWITCHES}"
 BEHAVIOUR_BESIDE = f"{_HORIZONS}. {_SWITCHES}"  # without the free run, which another table has

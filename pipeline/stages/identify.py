@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
+from pipeline.device_facts.quality import not_converged
 from pipeline.loading.device import device, parameter_values
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.trajectories import sources, training, training_tables
@@ -120,7 +121,7 @@ def identified(
             model = kind(wanted).fit(given)
         models[model.name], facts = model, model.describe()
         if facts.get("converged") is False:
-            notes["warnings"] = [*notes["warnings"], _not_converged(model.name)]
+            notes["warnings"] = [*notes["warnings"], "; ".join(not_converged(model.name))]
         notes[model.name] = {**facts, TIMES: {"fit_s": time.process_time() - began}}
         notes.setdefault(IDENTIFIED, []).append(model.name)
     return {**models, **beside, **models}, notes
@@ -137,13 +138,6 @@ def _stands_in(models: Collection[str]) -> tuple[tuple[str, ...], str]:
     known = {"hybrid": "the joint's equations", "rbf": "the priors of rbf"}
     gates = dict.fromkeys(gate for one in ENTRIES if one.name in models for gate in one.stands_in)
     return tuple(gates), " or ".join(what for name, what in known.items() if name in models)
-
-
-def _not_converged(name: str) -> str:
-    return (
-        f"the fit of {name} did not converge: its error may be chance; raise [identify] time_limit, "
-        "or simplify it (force, damping, gain, friction)"
-    )
 
 
 def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choice":

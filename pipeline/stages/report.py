@@ -143,10 +143,9 @@ def prepare(
 
 
 def _page(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
-    from pipeline.device_facts.quality import overall
     from pipeline.reporting.run_report import run_report
 
-    verdict = {about: overall(c for c in made.sheet.checks if c.about == about) for about in ("data", "model")}
+    verdict = made.sheet.grades
     page = run_report(made.data, made.sheet, made.figures)
     document = json.dumps(made.sheet.to_json(made.data), indent=1, ensure_ascii=False, allow_nan=False)
     return {

@@ -16,6 +16,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.identification.coverage import FEW, Coverage, coverage
 from pipeline.identification.information import Conditioning, Weights, conditioning, log_information
+from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter
 from pipeline.rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
@@ -60,8 +61,8 @@ class Requirements:
     voltage: float = 3000.0
     kinds: tuple[str, ...] = tuple(KINDS)
     candidates: int = 24
-    basis_functions: int = 10
-    smoothing: float = 0.5
+    basis_functions: int = CENTRES
+    smoothing: float = SMOOTHING
 
     def __post_init__(self) -> None:
         for kind in self.kinds:

@@ -12,6 +12,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.loading.device import device, parameter_set
+from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date
 from pipeline.runs.lock import run_lock
@@ -89,7 +90,7 @@ def paper_settings(prototype: Prototype) -> Prototype:
             "plant": plant,
             "ingest": prototype.ingest.model_copy(update={"sample_interval": SAMPLE_INTERVAL}),
             "differentiate": RECIPE,
-            "identify": Identify(models=("rbf-paper",), basis_functions=10, smoothing=0.5),
+            "identify": Identify(models=("rbf-paper",), basis_functions=CENTRES, smoothing=SMOOTHING),
             "compare": Compare(models=("analytical", "analytical-calibrated", "sindy")),
         }
     )
