@@ -166,6 +166,7 @@ def test_an_interrupted_batch_does_not_wait_for_what_it_runs(tmp_path: Path) -> 
         "from pathlib import Path\n"
         "from pipeline.batch.batch import run_batch\n"
         "from pipeline.process_copies import Copies\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a job of a shell may be born deaf to it
         "run = Copies.run\n"
         "def sleeping(self, work, name, arguments, **options):\n"
         "    threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
