@@ -140,7 +140,7 @@ def tuned(law: Law, places: tuple[float, float]) -> Callable[[], Effort]:
 def _on_model(law: Law, effort: Effort, start: float, target: float) -> float:
     s, v, top, last = np.zeros(CONTROLLER_STATE), np.zeros(2), law.number("highest"), 0
     begin_control(start, law, s)
-    s[TARGET] = (target - law.number("offset")) / law.number("gain")
+    s[TARGET] = target - law.number("offset")
     for i in range(800):
         share = float(np.clip(effort(s), -1.0, 1.0))
         v[0], v[1] = top * np.sqrt(max(share, 0.0)), top * np.sqrt(max(-share, 0.0))

@@ -87,11 +87,10 @@ def disk_failure(error: Exception) -> str | None:
 
 def interrupted(error: BaseException | None) -> bool:
     """Whether this error came of Ctrl-C."""
-    while error is not None:
-        if isinstance(error, KeyboardInterrupt):
-            return True
-        error = error.__cause__ or error.__context__
-    return False
+    if error is None or isinstance(error, KeyboardInterrupt):
+        return error is not None
+    cause, context = error.__cause__, error.__context__
+    return interrupted(cause) or (context is not cause and interrupted(context))
 
 
 def memory_failure(error: BaseException | None) -> bool:

@@ -197,7 +197,7 @@ class Differentiate(_Settings):
 
     @model_validator(mode="after")
     def _alpha_applies(self) -> "Differentiate":
-        for key in ("alpha", "order", "reweighted") if self.method != "tvregdiff" else ():
+        for key in ("alpha", "reweighted") if self.method != "tvregdiff" else ():
             if getattr(self, key) != _default(Differentiate, key):
                 raise ValueError(
                     f'{key} is for method = "tvregdiff"; {self.method!r} goes by the noise, leave {key} out'
@@ -252,10 +252,6 @@ class Identify(_Settings):
     rbf_prior: Literal["auto", "smooth"] = "auto"
     """What `rbf` believes before the log; "auto": of a bistable joint of the usual structure the population prior of
     simulated joints, else, as "smooth", that curves are smooth and sides alike."""
-
-    def may_fit(self, model: str) -> bool:
-        """Whether a model is among those to be identified; "auto" may be "rbf"."""
-        return model in self.models or (model == "rbf" and AUTO in self.models)
 
     @field_validator("models")
     @classmethod
@@ -357,14 +353,12 @@ class Prototype(_Settings):
 
     @model_validator(mode="after")
     def _read(self) -> "Prototype":
-        """Nothing is set that no model of this prototype reads."""
-        of_rbf = [key for key, field in Identify.model_fields.items() if field.default == AUTO]
-        for model, keys in (("rbf", (*of_rbf, "time_limit")), ("rbf-paper", ("basis_functions", "basis", "smoothing"))):
-            set_here = [f"identify.{key}" for key in keys if getattr(self.identify, key) != _default(Identify, key)]
-            if model == "rbf" and self.plant.curves is not None:
-                set_here.append("plant.curves")
-            if set_here and not self.identify.may_fit(model):
-                raise ValueError(f'{set_here[0]}: is for "{model}", which identify.models does not name')
+        """Nothing is set that nothing reads; the paper's M and σ_n also decide gates and studies."""
+        of_rbf = [*(key for key, field in Identify.model_fields.items() if field.default == AUTO), "time_limit"]
+        set_here = [f"identify.{key}" for key in of_rbf if getattr(self.identify, key) != _default(Identify, key)]
+        set_here += ["plant.curves"] if self.plant.curves is not None else []
+        if set_here and not {AUTO, "rbf"} & set(self.identify.models):
+            raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')
         if self.channels.qdot is not None and self.differentiate.alpha != AUTO:
             raise ValueError(
                 "differentiate.alpha: is for the displacement; a measured velocity (channels.qdot) is smoothed by its "

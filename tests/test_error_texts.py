@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.errors import memory_failure
+from pipeline.errors import InputError, interrupted, memory_failure
 from tests.prototypes import SMALL, SMALL_CSV
 
 RUNNER = CliRunner()
@@ -373,3 +373,42 @@ def test_settings_may_begin_with_a_byte_order_mark(tmp_path, monkeypatch):
 def test_a_digest_that_openssl_has_no_memory_for_is_told_as_such():
     assert memory_failure(ValueError("[digital envelope routines] initialization error"))
     assert not memory_failure(ValueError("[digital envelope routines] unsupported"))
+
+
+def _raised(first: BaseException, then: BaseException) -> BaseException:
+    """The second error, raised while the first was handled."""
+    try:
+        try:
+            raise first
+        except BaseException:
+            raise then  # noqa: B904
+    except BaseException as last:
+        return last
+
+
+def test_an_interrupt_that_compiled_code_turned_into_another_error_is_no_lack_of_memory() -> None:
+    said = SystemError("<built-in function march> returned a result with an exception set")
+    assert memory_failure(said)
+    assert not memory_failure(_raised(KeyboardInterrupt(), said))
+    assert interrupted(_raised(KeyboardInterrupt(), said))
+    assert memory_failure(_raised(MemoryError(), ValueError("x")))
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        RuntimeError("no compiled object yet for <Library>"),
+        SystemError("returned a result with an exception set"),
+        InputError("log: cannot be read"),
+    ],
+)
+def test_what_fails_after_an_interrupt_is_told_as_one(error: Exception, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise error
+
+    monkeypatch.setattr("pipeline.tools.inspection.inspect", fail)
+    before = RUNNER.invoke(app, ["inspect", __file__])
+    monkeypatch.setattr("pipeline.commands.boundary._Interruption.came", True)
+    after = RUNNER.invoke(app, ["inspect", __file__])
+    assert before.exit_code != 130 and "interrupted" not in before.stderr
+    assert after.exit_code == 130 and "debist: interrupted" in after.stderr

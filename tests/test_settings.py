@@ -62,7 +62,6 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d.update(identify={"models": ["rbf-paper"], "friction": "lag"}), ["identify.friction", '"rbf"']),
         (lambda d: d.update(identify={"models": ["rbf-paper"], "drag": "none"}), ["identify.drag", '"rbf"']),
         (lambda d: d.update(identify={"models": ["rbf-paper"], "time_limit": 5}), ["identify.time_limit", '"rbf"']),
-        (lambda d: d.update(identify={"models": ["rbf"], "smoothing": 0.4}), ["identify.smoothing", '"rbf-paper"']),
         (
             lambda d: d.update(
                 identify={"models": ["rbf-paper"]},
@@ -70,7 +69,7 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
             ),
             ["plant.curves", '"rbf"'],
         ),
-        (lambda d: d.update(differentiate={"method": "rts", "order": 2}), ["order", "tvregdiff"]),
+        (lambda d: d.update(differentiate={"method": "rts", "reweighted": False}), ["reweighted", "tvregdiff"]),
         (
             lambda d: (
                 d["channels"].update(qdot={"channel": "w", "unit": "m/s"}),

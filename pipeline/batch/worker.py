@@ -86,9 +86,10 @@ class Workers:
 
     def end(self) -> None:
         """End the process and what it runs; those who wait for that get an `InterruptedError`."""
-        self._over = True
-        if self._copies is not None:
-            self._copies.close()
+        with self._starting:
+            self._over = True
+            if self._copies is not None:
+                self._copies.close()
 
     def run(
         self, name: str, prototype: Path, output: Path, options: Sequence[str] = (), time_limit: float | None = None
@@ -113,6 +114,8 @@ class Workers:
     def _running(self) -> Copies:
         """The process that is copied; it is started with the first prototype, and anew if it died."""
         with self._starting:
+            if self._over:
+                raise InterruptedError("the batch is over")
             if self._copies is not None and self._copies.ended:
                 self._copies.close()
                 self._copies = None

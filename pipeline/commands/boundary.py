@@ -125,6 +125,8 @@ class ErrorBoundary(WholeLines):
                 sys.stdout.flush()
             return done
         except DebistError as error:
+            if interrupted(error) or _Interruption.came:
+                raise _interruption() from error
             if memory_failure(error):
                 raise  # what it says is only what came of it
             from pipeline.commands.console import printable

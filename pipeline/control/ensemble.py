@@ -46,8 +46,8 @@ class Ensemble:
     ----------
     constants, weights, basis : FloatArray
         See `run_joints`.
-    seen : FloatArray, shape (B, 2)
-        Gain and offset [m] of each laser.
+    offsets : FloatArray, shape (B,)
+        Of each laser [m].
     delays : FloatArray, shape (B,)
         By which voltages act later [s].
     lags : FloatArray, shape (B, 2)

@@ -111,9 +111,11 @@ class Law(NamedTuple):
         Raises
         ------
         CorruptArtifactError
-            A constant is missing, as in what another version of the program wrote.
+            Constants are others, as in what another version of the program wrote.
         """
         try:
+            if set(values["numbers"]) != set(NUMBERS):
+                raise ValueError("constants of another version")
             numbers = np.array([values["numbers"][name] for name in NUMBERS], dtype=np.float64)
             law = cls(numbers, *(np.array(values[name], dtype=np.float64) for name in cls._fields[1:]))
             wrong = law.targets.shape[0] != TARGETS or law.braking.shape != (2 * TARGETS, REACHES)

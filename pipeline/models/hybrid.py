@@ -149,7 +149,7 @@ class HybridModel:
 
     @property
     def of_curves(self) -> "HybridModel":
-        """The same with what the bands of its curves leave open: corrections, zero where the equations stand alone."""
+        """For the curves: the same with the corrections that their bands leave open, zero where none acts."""
         more = len(self._curve_spread) - len(self.theta)
         joint = replace(self.joint, centres=self.joint.centres + more // CURVES)
         return replace(self, joint=joint, theta=np.append(self.theta, np.zeros(more)))

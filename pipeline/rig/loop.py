@@ -75,8 +75,8 @@ class ClosedLoop:
     """A closed-loop run, all of shape (N,) and SI: what a log holds, and what no instrument shows.
 
     `q`, `v1`, `v2` are readings, `target` what the controller was told, `command1` and `command2` what it answered
-    within the converters' range. How often it answered with no number, which counts as 0 V, and with one beyond that
-    range is counted.
+    within the converters' range. Counted is how often it answered with no finite number (NaN acts as 0 V, an infinite
+    one as the end of the range), and with one beyond the range.
     """
 
     t: FloatArray

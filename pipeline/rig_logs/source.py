@@ -120,12 +120,13 @@ class UnreadableLogError(Exception):
 
 def unique_names(names: list[str]) -> list[str]:
     """Names made unique by " (2)", " (3)", … in the order of the log."""
-    taken, unique = set(names), list[str]()
+    taken, numbers, unique = set(names), dict[str, Iterator[int]](), list[str]()
     for name in names:
         given = name
-        if name in unique:
-            given = next(one for i in itertools.count(2) if (one := f"{name} ({i})") not in taken)
+        if name in numbers:
+            given = next(one for i in numbers[name] if (one := f"{name} ({i})") not in taken)
             taken.add(given)
+        numbers.setdefault(name, itertools.count(2))
         unique.append(given)
     return unique
 

@@ -135,7 +135,7 @@ def _deviation(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> float:
 def _within_a_unit(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> bool:
     """Whether two columns differ by no more than rounding to `DIGITS` may move a number."""
     apart, largest = _apart(one, two)
-    return apart <= rounding_unit(largest, DIGITS)
+    return apart <= rounding_unit(max(largest, _apart(two, one)[1]), DIGITS)
 
 
 def _apart(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> tuple[float, float]:

@@ -77,7 +77,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
     span, hum = q.largest - q.smallest, max(q.hum, key=lambda line: line.amplitude, default=None)
     shares = {
         "masked": masked,
-        "missing": max(q.not_finite, time.not_finite) / q.n,
+        "missing": q.lost / q.n,
         "repeated": time.repeated / time.n,
         "dropped": time.dropped / time.n,
         "jitter": time.jitter / time.step,

@@ -32,8 +32,8 @@ class SignalQuality:
 
     Attributes
     ----------
-    n, not_finite : int
-        Samples, and how many of them are NaN or infinite.
+    n, not_finite, lost : int
+        Samples, how many of them are NaN or infinite, and of how many either this is so or the time is not known.
     not_finite_at : tuple of float
         Where, the first `LOCATED` of them.
     smallest, largest, mean : float
@@ -67,6 +67,7 @@ class SignalQuality:
 
     n: int
     not_finite: int
+    lost: int
     not_finite_at: tuple[float, ...]
     smallest: float
     largest: float
@@ -127,10 +128,13 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
     bad = _first_not_taken(finite)
     located = tuple(take(time, bad).tolist())
     missing = samples.size - finite.count
+    lost = samples.size - sum(
+        int(np.count_nonzero(np.isfinite(time[rows]) & np.isfinite(samples[rows]))) for rows in chunks(samples.size)
+    )
     if not finite.count:
         nan = float("nan")
         numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan
-        return SignalQuality(samples.size, missing, located, *numbers, 0, (), ())
+        return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), ())
     stamps, values = select(time, finite), select(samples, finite)
     smallest, largest = span(values)
     roughness = noise_level(values)
@@ -141,6 +145,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
     return SignalQuality(
         n=samples.size,
         not_finite=missing,
+        lost=lost,
         not_finite_at=located,
         smallest=smallest,
         largest=largest,

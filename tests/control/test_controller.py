@@ -220,9 +220,9 @@ def test_a_design_comes_back_from_its_numbers_and_damage_is_named() -> None:
     document = json.loads(json.dumps(law.to_json()))
     for one, other in zip(Law.from_json(document), law, strict=True):
         np.testing.assert_array_equal(one, other)
-    del document["numbers"]["wall"]
-    with pytest.raises(CorruptArtifactError, match="debist control design"):
-        Law.from_json(document)
+    for numbers in (document["numbers"] | {"gain": 1.0}, dict(list(document["numbers"].items())[1:])):
+        with pytest.raises(CorruptArtifactError, match=r"another version.*debist control design"):
+            Law.from_json(document | {"numbers": numbers})
 
 
 def test_what_cannot_be_designed_is_told() -> None:

@@ -28,6 +28,11 @@ def test_no_difference_is_alarming_where_a_larger_one_is_not() -> None:
         assert all(state(one, other) in ("equal", "rounded", "close") for other in values if abs(other - one) < UNIT)
 
 
+def test_either_run_may_be_named_first() -> None:
+    one, other = ({"x": np.array([value, 0.5])} for value in (1.0, 1.0 - 4e-6))  # one digit more beside the other
+    assert compared_columns("a", one, other).state == compared_columns("a", other, one).state == "close"
+
+
 def test_runs_whose_numbers_are_close_are_equal() -> None:
     close = compared_columns("a", {"x": np.array([1.0, 2000.4 * UNIT])}, {"x": np.array([1.0, 2000.6 * UNIT])})
     assert close.state == "close" and close.deviation == pytest.approx(0.2 * UNIT)

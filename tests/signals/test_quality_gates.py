@@ -40,6 +40,8 @@ def test_a_row_without_time_and_displacement_is_missing_once():
     lost = np.arange(N) % 17 == 3  # 5.9 %
     time = np.where(lost, np.nan, np.arange(N) * STEP)
     assert _findings(time=time, q=lambda t, rng: np.where(lost, np.nan, np.sin(9 * t))) == []
+    others = np.arange(N) % 17 == 9
+    assert _findings(time=time, q=lambda t, rng: np.where(others, np.nan, np.sin(9 * t))) == ["missing"]
 
 
 @pytest.mark.parametrize(("share", "found"), [(0.04, []), (0.06, ["repeated"])])
