@@ -14,7 +14,7 @@ CELLS = 24
 """Cells of the state plane an axis, over the training range; a cell next to a visited one counts as visited."""
 
 ACTING = 0.1
-"""Share of its largest value above which an input acts, as in `coverage`."""
+"""Share of its largest value above which an input acts."""
 
 
 @dataclass(frozen=True)
