@@ -260,8 +260,8 @@ class _Search:
         problem = CondensedProblem(joint, self.records, fitted_samples)
         held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
         errors = (float(np.mean(np.abs(held))), rms(free))
-        mean, spread = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
-        return mean, spread
+        mean, rms_error = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
+        return mean, rms_error
 
 
 def _free_error(fit: HomotopyFit) -> float:
