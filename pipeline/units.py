@@ -85,6 +85,9 @@ PLAIN = {
 }
 
 
+ALPHA_UNIT = {"m": ("mm", 1e-3), "rad": ("deg", math.pi / 180.0), "V": ("mV", 1e-3)}
+"""Unit of q, and its SI value, that the regularisation parameters of TVRegDiff are given in, by the SI unit of q."""
+
 _MISLEADING = {
     **dict.fromkeys(("grad", "Grad"), "write 'deg' for degrees (360 to a turn), or 'gradian' for gons (400)"),
     **dict.fromkeys(("px", "pixel"), "a pixel has no length of its own; give one as `scale`, in a unit such as 'mm'"),

@@ -111,11 +111,7 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
             "; `debist rig excite` designs a sequence" if data.joint else ""
         )
         checks.append(_check("data", "switches", count, text, advice))
-    visits = centre_visits(data)[1]
-    text = f"each of {data.centres} centres has at least {int(visits.min())} training samples around it"
-    fills = ", `debist rig excite` fills them" if data.joint else ""
-    advice = f"excite the thin places (`debist inspect` names them{fills}); or fewer centres"
-    checks.append(_check("data", "coverage", float(visits.min()), text, advice))
+    checks += _coverage_checks(data)
     outside = _outside(data)
     if outside is not None:
         share = percent(outside) if outside > 0.0 else "none"
@@ -124,6 +120,18 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
             _check("data", "extrapolation", outside, text, "train on a log with the larger strokes and voltages")
         )
     return checks
+
+
+def _coverage_checks(data: RunData) -> list[Check]:
+    """Samples at the centres between the outermost two, where the range is over however often it is visited."""
+    inner = centre_visits(data)[1][1:-1]
+    if inner.size == 0:
+        return []
+    samples = f"{int(inner.min())} training sample{'s' if inner.min() != 1.0 else ''}"
+    text = f"the least visited of {inner.size} basis centres inside the range has {samples} around it"
+    fills = ", `debist rig excite` fills them" if data.joint else ""
+    advice = f"excite the thin places (`debist inspect` names them{fills}); or fewer centres"
+    return [_check("data", "coverage", float(inner.min()), text, advice)]
 
 
 def _noise_check(data: RunData, span: float, noise: float) -> Check:

@@ -13,7 +13,7 @@ from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import grouped, power, quantity, significant
-from pipeline.units import signal_units
+from pipeline.units import ALPHA_UNIT, signal_units
 
 METHODS = {
     "tvregdiff": "TVRegDiff",
@@ -117,7 +117,7 @@ def differentiation(data: RunData, log: LogData) -> str:
     if not stretches:
         return "How it was differentiated was not recorded."
     alphas = [s["alpha"] for s in stretches if s.get("alpha") is not None]
-    unit = "mm" if data.displacement == "m" else "deg"
+    unit = ALPHA_UNIT[data.displacement][0]
     text = METHODS.get(str(notes["method"]), str(notes["method"]))
     if notes["method"] == "tvregdiff":
         text += f" of order {notes['order']}"

@@ -13,13 +13,11 @@ from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import Differentiate, Prototype, Role
+from pipeline.units import ALPHA_UNIT
 
 ALGORITHM = "6"
 
 _WAY, _AGREES = 10, 0.1
-
-# alpha and epsilon are set for q in mm, in degrees, or in mV of a circuit.
-ALPHA_UNIT = {"m": 1e-3, "rad": np.pi / 180.0, "V": 1e-3}
 
 
 def tasks(prototype: Prototype) -> list[Task]:
@@ -43,7 +41,7 @@ def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -
     signals = run.read_table(layout.signals(role, log))
     fine = run.read_table(layout.record(role, log)) if prototype.differentiate.rate == "record" else signals
     plant = device(prototype)
-    qdot, qddot, notes = derivatives(fine, signals["t"], prototype, ALPHA_UNIT[plant.displacement.symbol])
+    qdot, qddot, notes = derivatives(fine, signals["t"], prototype, ALPHA_UNIT[plant.displacement.symbol][1])
     if "velocity" in signals and (said := contradiction(signals)):
         notes["warnings"] = [said]
     masked = signals["segment"] < 0

@@ -19,10 +19,11 @@ from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages.check import declared, log_signals
-from pipeline.stages.differentiate import ALPHA_UNIT, derivatives
+from pipeline.stages.differentiate import derivatives
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, record_interval
 from pipeline.stages.scores import score_row
+from pipeline.units import ALPHA_UNIT
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -113,7 +114,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
         for interval in (record_interval(ingest, seen.raw_step), ingest.sample_interval)
     )
     source = fine if prototype.differentiate.rate == "record" else coarse
-    unit = ALPHA_UNIT[device(prototype).displacement.symbol]
+    unit = ALPHA_UNIT[device(prototype).displacement.symbol][1]
     qdot, qddot, _ = derivatives(source, coarse["t"], prototype, unit)
     masked = coarse["segment"] < 0
     rates = {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}

@@ -21,6 +21,7 @@ from pipeline.settings import ROLES, Compare, Differentiate, Identify, Prototype
 from pipeline.stages import scores
 from pipeline.stages.run import plan
 from pipeline.tools.study import study_task
+from pipeline.units import ALPHA_UNIT
 
 if TYPE_CHECKING:
     from pipeline.device_facts.run_data import RunData
@@ -227,12 +228,11 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "d
 def _alpha_study(kinematics: Mapping[str, Any]) -> "tuple[FloatArray, AlphaStudy]":
     """Figure 11c: the record's longest stretch differentiated with each α [mm·s], around its fastest moment t [s]."""
     from pipeline.signals.differentiate import alpha_study
-    from pipeline.stages.differentiate import ALPHA_UNIT
 
     segments = kinematics["segment"]
     longest = max(np.unique(segments[segments >= 0]), key=lambda n: np.sum(segments == n))
     rows = segments == longest
-    t, unit = kinematics["t"][rows], ALPHA_UNIT["m"]
+    t, unit = kinematics["t"][rows], ALPHA_UNIT["m"][1]
     epsilon = float(RECIPE.epsilon or 0.0) * unit**2
     study = alpha_study(kinematics["q"][rows], SAMPLE_INTERVAL, unit * np.array(ALPHAS), order=1, epsilon=epsilon)
     fastest = t[np.argmax(np.abs(kinematics["qdot"][rows]))]

@@ -22,6 +22,7 @@ from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.schemas import StudyName
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
+from pipeline.units import ALPHA_UNIT
 
 if TYPE_CHECKING:
     from pipeline.numerics.arrays import FloatArray
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 ALGORITHM = "2"
 Sweep = Literal["alpha", "basis", "data", "online"]
 
-ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm or deg
+ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm, deg or mV
 BASIS_FUNCTIONS = (5, 8, 10, 12, 15, 20)
 SMOOTHINGS = (0.3, 0.5, 0.8, 1.2)
 SHARES = (0.05, 0.1, 0.2, 0.4, 0.7, 1.0)  # of the training samples
@@ -119,14 +120,13 @@ def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mappi
 
 def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
     from pipeline.signals.differentiate import alpha_study
-    from pipeline.stages.differentiate import ALPHA_UNIT
 
     log = next(log for role, log, _ in layout.logs(prototype) if role == "train")
     table = run.read_table(layout.record("train", log))
     longest = max(np.unique(table["segment"][table["segment"] >= 0]), key=lambda n: np.sum(table["segment"] == n))
     rows = table["segment"] == longest
     t, order = table["t"][rows], prototype.differentiate.order
-    unit = ALPHA_UNIT[plant.displacement.symbol]
+    unit = ALPHA_UNIT[plant.displacement.symbol][1]
     study = alpha_study(table["q"][rows], sample_interval(t), unit * np.array(ALPHAS), order=order)
     notes = {
         "log": f"train/{log}",

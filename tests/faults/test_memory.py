@@ -22,7 +22,7 @@ CRASHES = {128 + number: f"debist: {died_of(number)}" for number in (signal.SIGA
 """Exit codes and lines of the command where a library aborted or crashed its process; its own words stand above."""
 NOT_FREED = re.compile(
     r"Traceback \(most recent call last\):\n  File \"h5py/_objects\.pyx\", .*ObjectID\._dealloc\n"
-    r"(  File \"h5py/.*\.pyx\", .*\n)+(RuntimeError|MemoryError).*\n(Exception ignored in: 'h5py.*\.__dealloc__'\n)?"
+    r"(  File \"h5py/.*\.pyx\", .*\n)*(RuntimeError|MemoryError).*\n(Exception ignored in: 'h5py.*\.__dealloc__'\n)?"
     r"|Exception ignored on building sys\.unraisablehook arguments: .*\nMemoryError(: )?\n|^MemoryError: \n",
     re.MULTILINE,
 )

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
-from pipeline.device_facts.quality import THRESHOLDS, Threshold
+from pipeline.device_facts.quality import THRESHOLDS, Threshold, data_checks
 from pipeline.device_facts.run_data import RunData, Study
 from pipeline.numerics.arrays import FloatArray, voltages
 from pipeline.reporting.canvas import page_chart
@@ -24,11 +24,14 @@ from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import Quantity, failed, strip_chart, summary
+from pipeline.reporting.log_figures import differentiation
 from pipeline.reporting.model_facts import described
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import headline_table
+from pipeline.scoring.wells import NoWells
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
+from pipeline.units import ALPHA_UNIT
 from tests.reporting.synthetic import HOSTILE, run_data, run_figures, run_sheet, without_models
 
 MEGABYTE = 1_000_000
@@ -162,7 +165,7 @@ def test_a_run_without_models_or_notes_still_has_a_page() -> None:
     assert sheet.headline == "rbf"
 
 
-@pytest.mark.parametrize("unit", ["rad", "m"])
+@pytest.mark.parametrize("unit", ["rad", "m", "V"])
 def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
     data = run_data()
     log = data.logs[0]
@@ -175,7 +178,8 @@ def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
         data, displacement=unit, voltage="N", mass_known=False, logs=(log,), models={}, scores=data.scores[:2]
     )
     page, sheet = report_of(alone)
-    assert ("q in °" if unit == "rad" else "q in mm") in page
+    assert {"rad": "q in °", "m": "q in mm", "V": "q in mV"}[unit] in page
+    assert f" {ALPHA_UNIT[unit][0]}·s³" in differentiation(alone, log)
     assert "no validation log" in page
     assert any(check.grade == "fair" and check.name == "validation" for check in sheet.checks)
 
@@ -494,3 +498,15 @@ def test_the_headline_says_what_acts_and_what_it_changes() -> None:
         "alone 3.10 %, rbf from data alone 1.25 %."
     )
     assert text in html.unescape(run_report(data, run_sheet(), run_figures()))
+
+
+@pytest.mark.parametrize(("unseen", "grade"), [(0, "good"), (1, "poor")])
+def test_one_excursion_to_the_end_of_the_range_is_no_thin_place(unseen: int, grade: str) -> None:
+    data = run_data()
+    log = data.logs[0]
+    last = data.centres - 1.0  # places in spacings of the centres
+    q = np.linspace(0.0, last - unseen - 0.6, len(log.kinematics["q"]))
+    q[-1] = last
+    seen = replace(data, logs=(replace(log, kinematics={**log.kinematics, "q": 1e-3 * q}),))
+    coverage = next(check for check in data_checks(seen, NoWells("not looked for")) if check.name == "coverage")
+    assert coverage.grade == grade
