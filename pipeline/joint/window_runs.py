@@ -12,6 +12,7 @@ import itertools
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,10 +22,19 @@ from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduced_order import friction_state, maxwell_strains
 from pipeline.joint.sensitivity import state_sensitivities
 from pipeline.joint.static_path import unactuated_path
+from pipeline.joint.voltage_knots import VoltageKnots, voltage_knots
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.rosenbrock import integrate
 from pipeline.solvers.stiff import STATES
+
+
+class Window(NamedTuple):
+    """Measured displacement q (n,) [m] at the samples of a window, first velocity [m/s], and the voltages."""
+
+    q: FloatArray
+    qdot0: float
+    drive: VoltageKnots
 
 
 @dataclass(frozen=True)
@@ -33,7 +43,7 @@ class Windows:
 
     motions: tuple[Trajectory, ...]
     spans: IntArray
-    parts: tuple[Trajectory, ...]
+    parts: tuple[Window, ...]
 
     def thinned(self, by: int) -> "Windows":
         """Every `by`-th window."""
@@ -72,7 +82,7 @@ def cut_windows(motions: Sequence[Trajectory], duration: float) -> Windows:
     """
     spans: list[tuple[int, int, int]] = []
     for index, motion in enumerate(motions):
-        if motion.v.shape[1] != 2:
+        if motion.v.shape[-1] != 2:
             raise InputError("calibration of the joint needs both voltages; name channels v1 and v2")
         pieces = max(1, round((motion.t[-1] - motion.t[0]) / duration))
         edges = np.linspace(0, motion.t.size - 1, pieces + 1).astype(int)
@@ -85,14 +95,17 @@ def cut_windows(motions: Sequence[Trajectory], duration: float) -> Windows:
 
 
 def _windows(motions: Sequence[Trajectory], spans: Sequence[tuple[int, int, int]]) -> Windows:
-    parts = tuple(_part(motions[index], begin, end) for index, begin, end in spans)
+    drives = [voltage_knots(motion.t, motion.v) for motion in motions]
+    parts = tuple(_window(motions[index], drives[index], begin, end) for index, begin, end in spans)
     return Windows(tuple(motions), np.array(spans, dtype=np.int64).reshape(-1, 3), parts)
 
 
-def _part(motion: Trajectory, begin: int, end: int) -> Trajectory:
+def _window(motion: Trajectory, drive: VoltageKnots, begin: int, end: int) -> Window:
     """Samples `begin` to `end`, both included."""
-    part = slice(begin, end + 1)
-    return Trajectory(motion.t[part], motion.q[part], motion.qdot[part], motion.qddot[part], motion.v[part].copy())
+    rows = drive.rows[begin : end + 1]
+    knots = slice(rows[0], rows[-1] + 1)
+    part = VoltageKnots(drive.t[knots], drive.v[knots], rows - rows[0])
+    return Window(motion.q[begin : end + 1], float(motion.qdot[begin]), part)
 
 
 def _unrest(motion: Trajectory) -> FloatArray:
@@ -109,7 +122,7 @@ NODE = 5e-4
 
 @dataclass(frozen=True)
 class WindowRun:
-    """Solution of one window: states and their rates (N, 11), of which the first `valid` samples hold."""
+    """Solution of one window: states and their rates (M, 11) at its knots, of which the first `valid` hold."""
 
     states: FloatArray
     rates: FloatArray
@@ -165,16 +178,17 @@ def simulate_windows(
         return WindowRuns(parameters, windows, (), np.full(windows.samples, UNREACHABLE))
     p, scale, levers = parameters.vector(), tolerance * state_scale(parameters), parameters.levers[:3]
 
-    def run(start: FloatArray, part: Trajectory) -> WindowRun:
+    def run(start: FloatArray, part: Window) -> WindowRun:
         """The motion over one window."""
-        states, rates = np.full((part.t.size, STATES), np.nan), np.full((part.t.size, STATES), np.nan)
-        force, counts = np.zeros(part.t.size), np.zeros(2, np.int64)
-        return WindowRun(states, rates, integrate(part.t, part.v, force, start, p, scale, REACH, states, rates, counts))
+        t, v, _ = part.drive
+        states, rates = np.full((t.size, STATES), np.nan), np.full((t.size, STATES), np.nan)
+        force, counts = np.zeros(t.size), np.zeros(2, np.int64)
+        return WindowRun(states, rates, integrate(t, v, force, start, p, scale, REACH, states, rates, counts))
 
-    def errors(made: WindowRun, part: Trajectory) -> FloatArray:
+    def errors(made: WindowRun, part: Window) -> FloatArray:
         """Error of q [m] after the first sample; `UNREACHABLE` after a divergence."""
-        known = np.arange(1, part.t.size) < made.valid
-        return np.where(known, made.states[1:, :3] @ levers - part.q[1:], UNREACHABLE)
+        later = part.drive.rows[1:]
+        return np.where(later < made.valid, made.states[later, :3] @ levers - part.q[1:], UNREACHABLE)
 
     runs = tuple((pool.map if pool else map)(run, starts, windows.parts))
     return WindowRuns(parameters, windows, runs, np.concatenate([*map(errors, runs, windows.parts)]))
@@ -208,14 +222,14 @@ def error_derivatives(
     starts = np.stack([_start_derivatives(joint, made.windows, base, h) for joint, h in zip(moved, steps, strict=True)])
     levers = made.parameters.levers[:3]
 
-    def derivatives(run: WindowRun, part: Trajectory, start: FloatArray) -> FloatArray:
+    def derivatives(run: WindowRun, part: Window, start: FloatArray) -> FloatArray:
         """Those of one window, zero behind a divergence."""
-        found, known = np.zeros((part.t.size, steps.size)), slice(0, run.valid)
+        t, v, rows = part.drive
+        found, known = np.zeros((rows.size, steps.size)), slice(0, run.valid)
         if run.valid > 1:
-            states = state_sensitivities(
-                part.t[known], part.v[known], run.states[known], run.rates[known], points, steps, start
-            )
-            found[known] = np.tensordot(states[:, :3], levers, (1, 0))
+            states = state_sensitivities(t[known], v[known], run.states[known], run.rates[known], points, steps, start)
+            reached = rows[rows < run.valid]
+            found[: reached.size] = np.tensordot(states[reached, :3], levers, (1, 0))
         return found[1:]
 
     by_window = np.ascontiguousarray(starts.transpose(1, 2, 0))
@@ -241,8 +255,8 @@ def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:
 
     along = [internal(motion) for motion in windows.motions]
     z = np.array([along[index][begin] for index, begin, _ in windows.spans])
-    known = np.array([(part.q[0], part.qdot[0]) for part in windows.parts])
-    return rest_states(parameters, known, np.array([part.v[0] for part in windows.parts]), z, path)
+    known = np.array([(part.q[0], part.qdot0) for part in windows.parts])
+    return rest_states(parameters, known, np.array([part.drive.v[0] for part in windows.parts]), z, path)
 
 
 def _start_derivatives(moved: JointParameters, windows: Windows, base: FloatArray, step: float) -> FloatArray:

@@ -15,13 +15,10 @@ from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
-from pipeline.signals.trajectory import Record, Trajectory
+from pipeline.signals.trajectory import SHORTEST, Record, Trajectory
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
-
-# Shorter stretches carry no dynamics worth a row in the fit.
-_SHORTEST = 5
 
 _FINE = "v_fine"
 
@@ -132,7 +129,7 @@ def trajectories(table: Table, *, fine: bool = False) -> list[Trajectory]:
     stretches = []
     for number in np.unique(segment[segment >= 0]):
         rows = np.flatnonzero(segment == number)
-        if len(rows) >= _SHORTEST:
+        if len(rows) >= SHORTEST:
             t, q, qdot, qddot = (table[name][rows] for name in ("t", "q", "qdot", "qddot"))
             stretches.append(Trajectory(t, q, qdot, qddot, v[rows]))
     return stretches

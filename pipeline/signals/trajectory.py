@@ -6,8 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.numerics.arrays import BoolArray, FloatArray, sample_interval
+from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from pipeline.signals.timebase import is_uniform
+
+SHORTEST = 5
+"""Samples of a stretch: a shorter one carries no dynamics worth a row in a fit."""
 
 
 @dataclass(frozen=True)
@@ -140,6 +143,14 @@ class Record:
     def interval(self) -> float:
         """Sample interval [s]."""
         return sample_interval(self.t)
+
+    def stretches(self) -> list[Trajectory]:
+        """The gap-free stretches of at least `SHORTEST` samples, with the voltages as finely as they are known."""
+        return [
+            Trajectory(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.drive[s])
+            for s in runs_of(self.valid)
+            if s.stop - s.start >= SHORTEST
+        ]
 
     def part(self, start: int, stop: int) -> "Record":
         """The samples from `start` to `stop`."""

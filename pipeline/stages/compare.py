@@ -18,7 +18,7 @@ from pipeline.stages import validate
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "8"
+ALGORITHM = "9"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:

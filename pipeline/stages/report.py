@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.figure import Figure
     from pipeline.reporting.plotted import Typeface
 
-ALGORITHM = "23"
+ALGORITHM = "24"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

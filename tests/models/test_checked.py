@@ -31,7 +31,6 @@ REFUSED = {
     "one column for two inputs": (T, V[:, :1], 0.01, 0.0, r"v has the shape \(100, 1\); this model has 2 input"),
     "no column": (T, V[:, 0], 0.01, 0.0, r"v has the shape \(100,\)"),
     "inputs in rows": (T, V.T, 0.01, 0.0, r"give \(100, 2\)"),
-    "voltages between the samples": (T, np.zeros((100, 4, 2)), 0.01, 0.0, "at the samples only"),
     "a missing voltage": (T, replaced(V, (7, 1), np.nan), 0.01, 0.0, "v holds samples that are not finite"),
     "text": (T, V.astype(str).astype(object) + "V", 0.01, 0.0, "v does not consist of numbers"),
     "a time stamp that is not finite": (replaced(T, 3, np.inf), V, 0.01, 0.0, "t holds samples that are not finite"),
@@ -52,6 +51,11 @@ def test_signals_that_do_not_fit_are_refused_in_one_line(model, case):
     with pytest.raises(InputError, match=text) as refusal:
         model.simulate(t, v, q0, qdot0)
     assert "\n" not in str(refusal.value)
+
+
+def test_voltages_between_the_samples_are_refused_where_none_are_taken():
+    with pytest.raises(InputError, match="at the samples only"):
+        paper().simulate(T, np.zeros((100, 4, 2)), 0.01, 0.0)
 
 
 def test_a_path_of_another_length_is_refused():
