@@ -280,5 +280,20 @@ def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
     }
 
 
+def heed(v: Values, e: Values) -> Outputs:
+    """Voltages [V] that act on the joint, told from outside: within 0 … the largest, 0 for what is no number."""
+    n = named(e)
+    return {"v": [clip(choose(function("finite", volts), volts, 0.0), 0.0, n["highest"]) for volts in v]}
+
+
+def known_state(s: Values, e: Values) -> Outputs:
+    """What the state says of the joint, `ESTIMATED` numbers: reading of the laser, rest of x, z, voltages, moment."""
+    n, now = named(e), parts(s)
+    q, *others = now["x"]
+    return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"]]}
+
+
+ESTIMATED = STATES + STOPS + 3
+"""Numbers of an estimate."""
 SIZES = {"s": CONTROLLER_STATE, "told": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2, "y": STATES, "dx": STATES}
 """Lengths of the arrays that the functions take."""

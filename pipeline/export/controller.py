@@ -7,12 +7,13 @@ from typing import Any
 from pipeline import __version__
 from pipeline.codegen.sequence import c_sequence, matlab_sequence
 from pipeline.codegen.text_writer import c_function, matlab_function
-from pipeline.control.controller import BEGIN, CONTROL, GRAPHS, TABLES
+from pipeline.control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
 from pipeline.control.estimator import PERIOD, RAMP
-from pipeline.control.law import CONTROLLER_STATE, Law
+from pipeline.control.law import CONTROLLER_STATE, SIDES, Law
 from pipeline.export.c99 import asset, number, template
 from pipeline.export.fmu import identity, packed
-from pipeline.export.subject import Exported
+from pipeline.export.hybrid import states, stop_operators
+from pipeline.export.subject import Exported, Variable
 from pipeline.runs.atomic import write_text
 
 NAME = "controller"
@@ -22,6 +23,14 @@ _VARIABLES = (
     ("v1", "voltage of the left membrane for this period", "output", "V"),
     ("v2", "voltage of the right membrane for this period", "output", "V"),
 )
+ESTIMATES = (
+    Variable("displacement", "m", "displacement as the laser shows it"),
+    *states()[1:],
+    *stop_operators(),
+    *(Variable(f"voltage_{side}", "V", f"voltage behind the converter on the {side}") for side in SIDES),
+    Variable("moment", "N.m", "moment on the slope that the model does not explain"),
+)
+"""What the estimator tells of the joint, in this order (`pipeline.control.estimator.known_state`)."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +65,12 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
         write_text(folder / file, text)
         written.append(folder / file)
     guid = identity(subject.prototype, subject.model, subject.origin, sources[f"{NAME}.c"])
-    more = {"guid": guid, "variables": _VARIABLES, "title": f"Controller of the joint {subject.prototype}"}
+    estimated = [(one.name, f"estimate for the next period: {one.meaning}", "output", one.unit) for one in ESTIMATES]
+    more = {
+        "guid": guid,
+        "variables": [*_VARIABLES, *estimated],
+        "title": f"Controller of the joint {subject.prototype}",
+    }
     files = {each: asset(each) for each in ("fmi2.h", "fmu_common.h")}
     files["fmu.c"] = template("controller_fmu.c.j2").render(fields | more)
     description: str = template("controllerDescription.xml.j2").render(fields | more)
@@ -69,10 +83,13 @@ def _sources(subject: ControllerSubject) -> dict[str, str]:
     fields = _fields(subject) | {
         "begins": "e, rests",
         "constants": ", ".join(("e", *TABLES)),
+        "observes": ", ".join(OBSERVE.given[3:]),
         "functions": [
             *(c_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
             c_sequence("begin_control", BEGIN),
             c_sequence("control", CONTROL),
+            c_sequence("observe", OBSERVE),
+            c_sequence("estimated", ESTIMATE),
         ],
     }
     return {
@@ -87,10 +104,13 @@ def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
         | {
             "begins": "c.e, c.rests",
             "constants": ", ".join(f"c.{table}" for table in ("e", *TABLES)),
+            "observes": ", ".join(f"c.{table}" for table in OBSERVE.given[3:]),
             "functions": [
                 *(matlab_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
                 matlab_sequence("begin_control", BEGIN),
                 matlab_sequence("control", CONTROL),
+                matlab_sequence("observe", OBSERVE),
+                matlab_sequence("estimated", ESTIMATE),
             ],
         }
     )
@@ -118,5 +138,6 @@ def _fields(subject: ControllerSubject) -> dict[str, Any]:
         "name": NAME,
         "tables": {"e": law.numbers} | {table: getattr(law, table).ravel() for table in TABLES},
         "size": CONTROLLER_STATE,
+        "estimates": ESTIMATES,
         "period": number(PERIOD),
     }

@@ -70,10 +70,8 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
             "wall": joint.wall,
         },
         inputs=2,
-        states=_states(),
-        hysteresis_states=tuple(
-            Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS)
-        ),
+        states=states(),
+        hysteresis_states=stop_operators(),
         base=2,
         step=interval / condensed.substeps(model.theta, interval),
         delay=float(joint.seen.delay),
@@ -141,7 +139,13 @@ class _Joint:
         return inline(REST_FORCES, x=x, u=u, c=_corrections(x[0], self.basis, self.weights), p=self.p)
 
 
-def _states() -> tuple[Variable, ...]:
+def stop_operators() -> tuple[Variable, ...]:
+    """What the hysteresis of friction remembers."""
+    return tuple(Variable(f"stop_{i}", "1", f"stop operator {i}, share of its force") for i in range(STOPS))
+
+
+def states() -> tuple[Variable, ...]:
+    """The state of the condensed joint."""
     strains = [
         Variable(f"strain_{side}_{i}", "1", f"strain of Maxwell element {i} of the {side} membrane", 0.1)
         for i in range(BRANCHES)

@@ -13,15 +13,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.control import design_tables
-from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, move
+from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, estimate, move, observe
 from pipeline.control.design import Settings, body_law, design
 from pipeline.control.design_tables import COMMON, charged
+from pipeline.control.estimator import ESTIMATED
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.linear import jacobian, wells_and_saddle
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.export.controller import ControllerSubject, write_controller
+from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
 
@@ -101,6 +102,16 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
         )  # fmt: skip
         np.testing.assert_allclose(volts, running.step(reading, wanted), rtol=0.0, atol=1e-9 * law.number("highest"))
     np.testing.assert_allclose(state, running.state, rtol=1e-6, atol=1e-9)
+    told, commands = np.zeros(ESTIMATED), rng.choice([0.0, 2500.0, np.nan, 1e300, -5.0], (300, 2))
+    for reading, v in zip(q[:300], commands, strict=True):
+        loaded.debist_controller_observe(
+            ctypes.c_void_p(state.ctypes.data), ctypes.c_double(reading), ctypes.c_void_p(v.ctypes.data)
+        )
+        observe(running.state, reading, v, law)
+        loaded.debist_controller_estimate(ctypes.c_void_p(state.ctypes.data), ctypes.c_void_p(told.ctypes.data))
+        np.testing.assert_allclose(told, estimate(running.state, law), rtol=1e-6, atol=1e-9)
+    assert len(ESTIMATES) == ESTIMATED
+    assert all(f"[{i}] {one.name} [{one.unit}]" in header.read_text("utf-8") for i, one in enumerate(ESTIMATES))
 
 
 def nm(library: Path) -> list[str]:
@@ -130,6 +141,29 @@ def test_the_estimate_converges_on_the_true_motion(off: float, noise: float, bou
     p = np.zeros((FILTER, FILTER))
     p[np.tril_indices(FILTER)] = s[PLACES["spread"]]
     assert np.all(np.linalg.eigvalsh(p) > -1e-15)
+
+
+@pytest.mark.parametrize("trust", [1.0, 1.02])
+def test_the_estimator_alone_follows_a_joint_that_others_command(trust: float) -> None:
+    """Open-loop pulses, which it is told two percent too large in the second case."""
+    plant, law = designed()
+    left, _, right = (each.q for each in wells_and_saddle(plant))
+    truth, s = np.zeros(CONTROLLER_STATE), np.zeros(CONTROLLER_STATE)
+    begin_control(left, law, truth)
+    begin_control(left + 0.5e-3, law, s)
+    rng, motion, errors = np.random.default_rng(4), [], []
+    for i in range(3000):
+        v = 2700.0 * np.array([1000 <= i % 2000 < 1300, i % 2000 < 300], dtype=np.float64)
+        observe(s, truth[0] + law.number("offset") + 2e-6 * rng.standard_normal(), trust * v, law)
+        move(truth, v, law)
+        motion.append(estimate(truth, law)[:6])
+        errors.append(np.abs(estimate(s, law)[:6] - motion[-1]))
+    assert min(x[0] for x in motion) < 0.8 * left and max(x[0] for x in motion) > 0.8 * right
+    size = np.abs(motion).max(axis=0)  # q, slope, interior shape, each with its rate
+    assert np.all(np.max(errors[200:], axis=0) < np.array([1e-3, 0.05, 0.1, 0.4, 0.02, 0.4]) * size)
+    assert np.all(
+        np.sqrt(np.mean(np.square(errors[200:]), axis=0)) < np.array([3e-4, 0.015, 0.03, 0.1, 5e-3, 0.1]) * size
+    )
 
 
 @pytest.mark.parametrize("planted", [{}, {"left.b": 0.4}, {"log E": -0.1}])

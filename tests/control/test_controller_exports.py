@@ -9,9 +9,9 @@ import pytest
 from control_joints import Running, designed
 from scipy.io import loadmat, savemat
 
-from pipeline.control.controller import PERIOD, closed_on_model
+from pipeline.control.controller import PERIOD, closed_on_model, estimate, observe
 from pipeline.control.linear import wells_and_saddle
-from pipeline.export.controller import ControllerSubject, write_controller
+from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 from pipeline.numerics.arrays import FloatArray
 
 OCTAVE = shutil.which("octave-cli")
@@ -47,17 +47,21 @@ def test_the_fmu_is_valid_and_answers_in_the_same_period(exported: Path) -> None
     path = str(exported / "controller.fmu")
     assert validate_fmu(path) == []
     about = read_model_description(path)
-    assert [each.name for each in about.modelVariables] == ["q", "target", "v1", "v2"]
+    estimates = [one.name for one in ESTIMATES]
+    assert [each.name for each in about.modelVariables] == ["q", "target", "v1", "v2", *estimates]
     fmu = FMU2Slave(guid=about.guid, unzipDirectory=extract(path), modelIdentifier=about.coSimulation.modelIdentifier)
     fmu.instantiate()
     fmu.setupExperiment()
     fmu.enterInitializationMode()
     fmu.exitInitializationMode()
     q, target, volts = told(400)
-    found = []
+    found, running = [], Running(designed()[1], q[0])
     for i, each in enumerate(zip(q, target, strict=True)):
         fmu.setReal([0, 1], each)
         found.append(fmu.getReal([2, 3]))
+        running.step(*each)
+        estimated = fmu.getReal(range(4, 4 + len(estimates)))
+        np.testing.assert_allclose(estimated, estimate(running.state, running.law), rtol=1e-6, atol=1e-9)
         fmu.doStep(i * PERIOD, PERIOD)
     np.testing.assert_allclose(found, volts, rtol=0.0, atol=1e-9 * volts.max())
     with pytest.raises(Exception, match="fmi2DoStep"):
@@ -72,10 +76,18 @@ def test_the_matlab_function_is_the_controller(exported: Path) -> None:
     savemat(exported / "told.mat", {"q": q, "target": target})
     script = (
         "load told.mat; s = []; v = zeros(2, numel(q)); "
-        "for i = 1:numel(q), [v(:, i), s] = controller(s, q(i), target(i)); end; save -v6 found.mat v"
+        "for i = 1:numel(q), [v(:, i), s, x] = controller(s, q(i), target(i)); end; "
+        "[w, s, y] = controller(s, q(end), NaN, [1500; 0]); save -v6 found.mat v x y"
     )
     done = subprocess.run(
         [str(OCTAVE), "--norc", "--quiet", "--eval", script], cwd=exported, capture_output=True, text=True, timeout=300
     )
     assert done.returncode == 0, done.stderr
-    np.testing.assert_allclose(loadmat(exported / "found.mat")["v"].T, volts, rtol=0.0, atol=1e-9 * volts.max())
+    found, law = loadmat(exported / "found.mat"), designed()[1]
+    np.testing.assert_allclose(found["v"].T, volts, rtol=0.0, atol=1e-9 * volts.max())
+    running = Running(law, q[0])
+    for each in zip(q, target, strict=True):
+        running.step(*each)
+    np.testing.assert_allclose(found["x"].ravel(), estimate(running.state, law), rtol=1e-6, atol=1e-9)
+    observe(running.state, q[-1], np.array([1500.0, 0.0]), law)
+    np.testing.assert_allclose(found["y"].ravel(), estimate(running.state, law), rtol=1e-6, atol=1e-9)
