@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from pipeline.errors import InputError
+from pipeline.models.file_columns import column_of
 from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import read_toml
 from pipeline.runs.schemas import Schema, resolve
@@ -184,6 +185,13 @@ class Device:
         return resolve(
             schema, displacement=self.displacement.symbol, inputs=inputs, phi=phi, velocity=self.velocity is not None
         )
+
+    def model_column(self, path: str) -> tuple[str, str]:
+        """Unit and meaning of an entry of a model's file, by its path there."""
+        mass = ("kg" if self.displacement.symbol == "m" else "kg·m²") if self.known_mass is not None else "1"
+        stiffness = {"N": "N/m", "N·m": "N·m/rad"}.get(self.curve_units["F"], "1/s²")
+        units = {"q": self.displacement.symbol, "v": self.inputs[0].symbol, "m": mass, "c": stiffness}
+        return column_of(path, units | self.curve_units)
 
 
 def device(prototype: Prototype) -> Device:

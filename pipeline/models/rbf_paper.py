@@ -187,6 +187,7 @@ class RbfPaperModel:
         return {
             "centres": self.centres,
             "smoothing": self.smoothing,
+            "width": self.width,
             "weights": self.weights,
             "lag_s": self.lag,
             "mass_kg": self.mass,

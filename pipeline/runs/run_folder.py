@@ -211,9 +211,11 @@ class RunFolder:
         """Write a Parquet artifact that comes in pieces, in the memory of a row group."""
         return Written(tables.write_pieces(self._staged(name), schema, pieces, within=self.root), notes)
 
-    def write_tree(self, name: str, tree: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
-        """Write an HDF5 artifact."""
-        return Written(trees.write_tree(self._staged(name), tree, within=self.root), notes)
+    def write_tree(
+        self, name: str, tree: Mapping[str, Any], notes: Mapping[str, Any], columns: trees.Columns | None = None
+    ) -> Written:
+        """Write an HDF5 artifact with the units and meanings of `columns`."""
+        return Written(trees.write_tree(self._staged(name), tree, columns, within=self.root), notes)
 
     def write_text(self, name: str, text: str, notes: Mapping[str, Any]) -> Written:
         """Write a text artifact."""

@@ -1,6 +1,6 @@
 """HDF5 files as nested mappings of arrays, numbers and texts."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -14,20 +14,25 @@ from pipeline.runs.confined import reading
 from pipeline.runs.hashing import flatten, tree_hash
 
 Tree = dict[str, Any]
+Columns = Callable[[str], tuple[str, str]]
+"""Unit and meaning of a leaf by its path."""
 _UNREADABLE = (OSError, KeyError, RuntimeError, ValueError)
 
 
-def write_tree(target: Path, tree: Mapping[str, Any], *, within: Path | None = None) -> str:
+def write_tree(
+    target: Path, tree: Mapping[str, Any], columns: Columns | None = None, *, within: Path | None = None
+) -> str:
     """Write a tree and return its content hash; `within` as for `atomic_path`.
 
     Every leaf becomes a dataset: arrays chunked with Fletcher-32 checksums, numbers and texts as scalars.
+    What `columns` says of it become its attributes ``unit`` and ``meaning``, which do not count in the hash.
 
     The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. What it was
     refused memory for while it closes a dataset it tells nobody, so the bytes are read back first, which takes as long.
     """
     digest = tree_hash(tree)
     try:
-        content = _laid_out(tree)
+        content = _laid_out(tree, columns)
         whole = tree_hash(parse_tree(content, target)) == digest
     except (OSError, RuntimeError, ValueError, KeyError, CorruptArtifactError) as error:
         if isinstance(error, ValueError | KeyError) and "Unable to synchronously" not in str(error):
@@ -39,7 +44,7 @@ def write_tree(target: Path, tree: Mapping[str, Any], *, within: Path | None = N
     return digest
 
 
-def _laid_out(tree: Mapping[str, Any]) -> bytes:
+def _laid_out(tree: Mapping[str, Any], columns: Columns | None) -> bytes:
     """The bytes of the file."""
     import h5py
 
@@ -47,11 +52,13 @@ def _laid_out(tree: Mapping[str, Any]) -> bytes:
         for path, value in flatten(tree):
             array = np.asarray(value)
             if array.dtype.kind in "US":
-                file.create_dataset(path, data=array.astype(object), dtype=h5py.string_dtype())
+                made = file.create_dataset(path, data=array.astype(object), dtype=h5py.string_dtype())
             elif array.size and array.ndim:
-                file.create_dataset(path, data=array, compression="gzip", shuffle=True, fletcher32=True)
+                made = file.create_dataset(path, data=array, compression="gzip", shuffle=True, fletcher32=True)
             else:
-                file.create_dataset(path, data=array)
+                made = file.create_dataset(path, data=array)
+            if columns is not None:
+                made.attrs["unit"], made.attrs["meaning"] = columns(path)
         file.flush()
         content: bytes = file.id.get_file_image()
     return content

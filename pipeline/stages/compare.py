@@ -5,7 +5,7 @@ import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from pipeline.loading.device import parameter_values
+from pipeline.loading.device import device, parameter_values
 from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import entry
 from pipeline.models.kind import kind
@@ -64,4 +64,4 @@ def _write_fit(
     model = kind(name).fit(training(data, prototype, parameters, keep=keep))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes)}
+    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, device(prototype).model_column)}

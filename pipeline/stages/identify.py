@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from pipeline.models.kind import StoredModel, Training
     from pipeline.signals.quality_gates import Finding
 
-ALGORITHM = "33"
+ALGORITHM = "34"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -77,7 +77,7 @@ def _identify(
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)}
+    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, plant.model_column)}
 
 
 def identified(

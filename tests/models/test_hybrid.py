@@ -19,6 +19,7 @@ from pipeline.models.kind import FITTED_SHARE, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import Compare, Identify
 from pipeline.signals.trajectory import Record
+from tests.file_columns import unknown_entries
 
 PLANTED = {
     "left.log C0": 0.67,
@@ -328,3 +329,7 @@ def test_equations_that_miss_one_passage_stay_before_a_network_that_follows_less
     assert choice.model is missed
     assert choice.held_out["rbf"] < choice.held_out["hybrid"]
     assert "follows" in choice.reason
+
+
+def test_its_file_tells_unit_and_meaning_of_every_entry(identified: tuple[HybridModel, HybridModel]) -> None:
+    assert not unknown_entries(identified[1])

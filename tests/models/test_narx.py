@@ -9,6 +9,7 @@ from pipeline.models.narx import NarxModel, identify_narx
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.signals.trajectory import Trajectory
+from tests.file_columns import unknown_entries
 
 DT = 0.01
 STRUCTURE = NarxStructure(degree=3, increments=1, input_lags=1, inputs=1)
@@ -113,3 +114,7 @@ def test_a_prediction_goes_on_from_the_measured_past() -> None:
     moving = motion(3)
     found = NarxModel(TRUTH).predict(moving.t[50:300], moving.v[50:300], moving.q[50:180], moving.qdot[50:180])
     np.testing.assert_allclose(found, moving.q[179:300], atol=1e-12)
+
+
+def test_its_file_tells_unit_and_meaning_of_every_entry(model: NarxModel) -> None:
+    assert not unknown_entries(model)

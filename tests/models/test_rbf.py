@@ -13,6 +13,7 @@ from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice, candi
 from pipeline.settings import Compare, Identify
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.trajectory import Record
+from tests.file_columns import unknown_entries
 
 STRUCTURE = JointStructure(basis_functions=8, rates=(6.0, 0.2), shape_elements=1)
 INTERVAL = 0.01
@@ -625,3 +626,7 @@ def test_a_lag_a_relaxation_and_a_gain_by_place_are_found_together():
     together = [one.structure for one in once[-1](best)]
     assert {(one.input_lag, one.constant_gain, one.bent_input) for one in together} == {(True, False, False)}
     assert {one.rates for one in together} == {(), (1.5,)}
+
+
+def test_its_file_tells_unit_and_meaning_of_every_entry(identified):
+    assert not unknown_entries(identified)

@@ -10,6 +10,7 @@ from pipeline.models.sindy import SindyModel, identify_default_sindy, identify_s
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.signals.trajectory import Trajectory
+from tests.file_columns import unknown_entries
 
 STIFFNESS, HARDENING, DAMPING, GAIN = 300.0, 2.0e6, 1.5, 1.0e-6
 TRUTH = PolynomialDynamics(
@@ -206,3 +207,7 @@ def test_stretches_shorter_than_the_filters_are_fitted_without(samples: int) -> 
     rows = slice(60, 60 + samples)
     short = Trajectory(data.t[rows], data.q[rows], data.qdot[rows], data.qddot[rows], data.v[rows])
     assert identify_sindy([short]).diagnostics["filter_time_s"] == 0.0
+
+
+def test_its_file_tells_unit_and_meaning_of_every_entry(model: SindyModel) -> None:
+    assert not unknown_entries(model)

@@ -66,7 +66,10 @@ def test_a_truncated_file_is_named(tmp_path: Path) -> None:
 def test_what_hdf5_has_laid_out_wrongly_is_not_written(tmp_path, monkeypatch):
     """As where it closes a dataset without memory, of which nobody is told."""
     laid_out = trees._laid_out
-    for wrong in (lambda tree: laid_out(tree)[:-8], lambda tree: laid_out({**tree, "a": tree["a"] + 1.0})):
+    for wrong in (
+        lambda tree, columns: laid_out(tree, columns)[:-8],
+        lambda tree, columns: laid_out({**tree, "a": tree["a"] + 1.0}, columns),
+    ):
         monkeypatch.setattr(trees, "_laid_out", wrong)
         with pytest.raises(MemoryError):
             trees.write_tree(tmp_path / "model.h5", {"a": np.arange(3.0), "name": "x"})

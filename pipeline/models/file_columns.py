@@ -1,0 +1,138 @@
+"""Unit and meaning of what the files of models hold; HDF5 keeps both as attributes of each array, number and text."""
+
+from collections.abc import Mapping
+from fnmatch import fnmatchcase
+
+from pipeline.joint.parameters import QUANTITIES
+
+TEXT = "text"
+"""Stands where a unit would, for texts and for decisions."""
+
+# {q}, {v}: SI units of displacement and inputs; {F}, {c}, {d}, {g}: of force, stiffness, damping, gain; {m}: of mass.
+_SPREAD = "factor S, a row for each entry of theta, of the covariance S Sᵀ of theta"
+_COLUMNS = (
+    ("settings_json", TEXT, "settings of the fit, as JSON"),
+    ("choice_json", TEXT, "how held-out training data chose, with intervals and the ablation, as JSON"),
+    ("headline", TEXT, "name of the model that the settings put first, or that held-out training data chose"),
+    ("units/?", TEXT, "SI unit of displacement q, inputs v, time t"),
+    ("hybrid/basis", "{q}", "first centre, distance of the centres and width σ of the Gaussians of the corrections"),
+    ("hybrid/centres", "1", "number of Gaussians of each correction"),
+    ("hybrid/largest_voltage_V", "V", "largest voltage of the training logs; held above twice that"),
+    ("hybrid/slope_ratio", "1", "slope of the beam at rest over q/l, from which the search for a rest starts"),
+    ("hybrid/similarity/origin", "m", "reading of the laser that corresponds to q = 0 of the parameter set"),
+    ("hybrid/similarity/*", "1", "size of the device over that of the parameter set"),
+    ("hybrid/constants", TEXT, "names of the constants of the equations, in order"),
+    ("hybrid/deviations", TEXT, "names of the first entries of theta: deviations from the set; weights follow"),
+    ("hybrid/theta", "1", "fitted parameters in widths of their priors"),
+    ("rbf/theta", "1", "fitted parameters in units of the scales"),
+    ("*/curve_spread", "1", f"{_SPREAD}, for the bands of the curves; with corrections that are left open"),
+    ("*/band_spread", "1", f"{_SPREAD}, as the training data show it"),
+    ("rbf-paper/spread", "{c}, {d}, {g}", "factor S of the covariance S Sᵀ of the weights, row by row of weights"),
+    ("*/spread", "1", f"{_SPREAD}, from which outcomes are drawn"),
+    ("rbf-paper/centres", "{q}", "centres ξ of the basis functions"),
+    ("rbf-paper/width", "{q}", "width σ of the basis functions"),
+    ("rbf-paper/smoothing", "1", "smoothing factor σ_n: the width over the distance of the centres"),
+    ("rbf-paper/weights", "{c}, {d}, {g}", "weights by row: stiffness c, damping d, gain g of each input"),
+    ("rbf-paper/basis", TEXT, "basis function"),
+    ("*/lag_s", "s", "time constant T_z of the friction state"),
+    ("*/mass_kg", "{m}", "moving mass or inertia; 1 if it is unknown, and curves are then per unit mass"),
+    ("*/inputs", TEXT, "whether inputs act squared or linear"),
+    ("rbf/parameters/scales/volts", "{v}", "largest input of the training logs"),
+    ("rbf/parameters/scales/stiffness", "1/s²", "RMS acceleration over half the range of q"),
+    ("rbf/parameters/scales/speed", "1/s", "RMS velocity over half the range of q"),
+    ("rbf/parameters/scales/*", "{q}", "middle and half of the range of q"),
+    ("rbf/parameters/signs", "1", "direction in which each input pushes; 0 if it may change"),
+    ("rbf/parameters/law", TEXT, "whether inputs act squared or linear"),
+    ("rbf/parameters/structure/rates", "1", "relaxation rates to start from, over the frequency scale"),
+    ("rbf/parameters/structure/basis_functions", "1", "Gaussians of each curve"),
+    ("rbf/parameters/structure/smoothing", "1", "smoothing factor σ_n: the width over the distance of the centres"),
+    ("rbf/parameters/structure/shape_elements", "1", "hidden shapes"),
+    ("rbf/parameters/structure/slips", "1", "states of Dahl friction"),
+    ("rbf/parameters/structure/*", TEXT, "an element of the structure, see pipeline.identification.joint_structure"),
+    ("sindy*/coefficients", "{q}/s, {q}/s²", "coefficients of the monomials of scaled variables: rows of q̇ and q̈"),
+    ("narx/coefficients", "{q}", "weights of the terms in the next increment of q"),
+    ("*/exponents", "1", "powers of the scaled variables, a row for each monomial"),
+    ("*/scales", "SI", "scale of each variable: displacement, velocities, inputs"),
+    ("*/bounds", "{q}", "smallest and largest displacement, beyond which a run counts as diverged"),
+    ("*/units", TEXT, "SI units of displacement and inputs"),
+    ("*/name", TEXT, "name of the model"),
+    ("narx/structure", "1", "degree, increments, lags of the inputs, number of inputs"),
+    ("narx/interval_s", "s", "sample interval that the equation belongs to"),
+    ("*/tolerance", "1", "local error of the integrator, relative to the usual size of each state"),
+)
+_DIAGNOSTICS = {
+    "ablation/*": ("1", "RMS error of free runs over the last quarter of each training log, over the range of q"),
+    "acceleration_residual": ("1", "RMS of what the equation leaves of the acceleration, over its RMS"),
+    "at_bound": (TEXT, "parameters that ended at a bound"),
+    "candidate_rms_m": ("{q}", "RMS error of each candidate on held-out training data"),
+    "candidates": (TEXT, "structures that were tried"),
+    "candidates_tried": ("1", "number of structures that were tried"),
+    "chaotic": (TEXT, "whether neighbouring free runs part exponentially"),
+    "chosen": (TEXT, "the structure that was taken"),
+    "condition": ("1", "condition number of the regression"),
+    "converged": (TEXT, "whether the fit met its tolerance"),
+    "corrected": (TEXT, "whether the equations are corrected by basis functions"),
+    "correlation": ("1", "correlations of the fitted parameters"),
+    "correlation_time": ("s", "time over which the residual is correlated"),
+    "driven_visits_per_centre": ("1", "training samples around each centre while each input acts"),
+    "effort_s": ("s", "processor time of the fit by the cost model"),
+    "evaluations": ("1", "simulations of the training logs"),
+    "filter_time_s": ("s", "time constant by which both sides of the regression were filtered"),
+    "fitted": (TEXT, "names and units of the fitted parameters"),
+    "held_share": (
+        "1",
+        "share of the training samples near which runs were held, because they would lose the log there",
+    ),
+    "inner_validation_nrmse": ("1", "free-run NRMSE of q on held-out training data"),
+    "inner_validation_nrmse_of_folds": ("1", "the same of each fold"),
+    "lag_converged": (TEXT, "whether the search for T_z met its tolerance"),
+    "lag_iterations": ("1", "iterations of the search for T_z"),
+    "lag_one": ("1", "correlation of neighbouring residuals"),
+    "levels/converged": (TEXT, "whether the fit at each observer gain met its tolerance"),
+    "levels/gain": ("1", "observer gain of each fit, over the frequency scale; 0 in free run"),
+    "levels/iterations": ("1", "iterations of each fit"),
+    "levels/observer_pole_1_per_s": ("1/s", "pole of the observer of each fit; 0 in free run"),
+    "levels/rms": ("1", "RMS error of each fit over half the range of q"),
+    "levels/rms_m": ("{q}", "RMS error of each fit"),
+    "library": (TEXT, "the terms that were offered"),
+    "library_terms": ("1", "number of terms that were offered"),
+    "optimizer": (TEXT, "optimiser of the sparse regression"),
+    "parameters": ("1", "number of weights"),
+    "rank": ("1", "rank of the regression"),
+    "reached_free_run": (TEXT, "whether the last fit was in free run"),
+    "residual_correlation_samples": ("1", "samples over which the residual is correlated"),
+    "residual_lag_one": ("1", "correlation of neighbouring residuals"),
+    "residual_rms": ("{F}", "RMS of the force that the regression leaves"),
+    "rmse_windows_m": ("{q}", "RMS error over the windows of the calibration"),
+    "samples": ("1", "training samples"),
+    "search_status": (TEXT, "whether the search was completed"),
+    "standard_errors": ("SI", "standard errors of the fitted parameters"),
+    "terms_kept": ("1", "number of terms of the equation"),
+    "threshold_of_rms_acceleration": ("1", "threshold of the sparse regression, over the RMS acceleration"),
+    "training_rms_m": ("{q}", "RMS error over the training logs"),
+    "values": ("SI", "fitted values"),
+    "visits_per_centre": ("1", "training samples around each centre"),
+}
+"""Of how a fit went, whatever the model."""
+
+
+def column_of(path: str, units: Mapping[str, str]) -> tuple[str, str]:
+    """Unit and meaning of one entry of a model file.
+
+    Parameters
+    ----------
+    path : str
+        Where it lies in the file, such as ``rbf-paper/weights``.
+    units : dict of str
+        SI units: of the displacement (``q``), the inputs (``v``), the mass (``m``), a stiffness (``c``), and those of
+        the curves (``F``, ``d``, ``g``; `pipeline.units.curve_units`).
+    """
+    group, _, name = path.partition("/")[2].partition("/")
+    if group == "parameters" and name in QUANTITIES:
+        return QUANTITIES[name].unit, QUANTITIES[name].meaning
+    if group == "diagnostics":
+        known = ((pattern, *column) for pattern, column in _DIAGNOSTICS.items() if fnmatchcase(name, pattern))
+    else:
+        known = (column for column in _COLUMNS if fnmatchcase(path, column[0]))
+    _, unit, meaning = next(known, ("", TEXT, name.replace("_", " ")))
+    return unit.format_map(units), meaning

@@ -1,0 +1,20 @@
+"""Units and meanings that the files of models give for their entries."""
+
+from typing import Any
+
+from pipeline.models.file_columns import TEXT, column_of
+from pipeline.runs.hashing import flatten
+
+UNITS = {"q": "m", "v": "V", "m": "kg", "c": "N/m", "F": "N", "d": "N·s/m", "g": "N/V²"}
+
+
+def columns(path: str) -> tuple[str, str]:
+    """Of a device with known mass."""
+    return column_of(path, UNITS)
+
+
+def unknown_entries(model: Any) -> list[str]:
+    """Entries of a model's file of which nothing better is told than their name."""
+    paths = [path for path, _ in flatten({model.name: model.to_tree()})]
+    assert paths
+    return [path for path in paths if columns(path) == (TEXT, path.rpartition("/")[2].replace("_", " "))]

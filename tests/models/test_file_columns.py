@@ -1,0 +1,34 @@
+"""Every entry of a model's file has a unit and a meaning, as attributes in HDF5."""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from pipeline.joint.parameters import NOMINAL
+from pipeline.models.analytical import AnalyticalModel
+from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.runs.hashing import flatten
+from pipeline.runs.trees import read_tree, write_tree
+from tests.file_columns import columns
+
+
+def test_units_and_meanings_stand_beside_the_numbers_and_do_not_count_in_the_hash(tmp_path: Path) -> None:
+    model = RbfPaperModel(np.linspace(-1e-2, 1e-2, 5), 1.0, np.ones((4, 5)), 0.01, diagnostics={"rank": 20})
+    tree = {"rbf-paper": model.to_tree(), "units": {"q": "m"}}
+    assert write_tree(tmp_path / "a.h5", tree, columns) == write_tree(tmp_path / "b.h5", tree)
+    with h5py.File(tmp_path / "a.h5") as file:
+        told = {name: tuple(file[name].attrs[key] for key in ("unit", "meaning")) for name, _ in flatten(tree)}
+    assert told["rbf-paper/weights"][0] == "N/m, N·s/m, N/V²"
+    assert told["rbf-paper/width"] == ("m", "width σ of the basis functions")
+    assert told["rbf-paper/lag_s"][0] == "s"
+    assert read_tree(tmp_path / "a.h5")["rbf-paper"]["width"] == pytest.approx(model.width)
+
+
+def test_a_joints_parameters_have_the_units_of_the_parameter_set() -> None:
+    tree = {"analytical": AnalyticalModel(NOMINAL).to_tree()}
+    told = {path: columns(path) for path, _ in flatten(tree)}
+    assert told["analytical/parameters/left.Y"][0] == "Pa"
+    assert told["analytical/parameters/kappa0"][0] == "1/m"
+    assert all(meaning for _, meaning in told.values())
