@@ -215,8 +215,9 @@ def closed_loop(
             typer.echo(f"warning: {summary[f'commands_{count}']} commands of the controller {what}", err=True)
     for step in summary["steps"]:
         ended = "did not settle" if step["settling_s"] is None else f"settled in {1e3 * step['settling_s']:.0f} ms"
-        emit_text(
-            f"{step['t_s']:.2f} s: target {1e3 * step['target_m']:+.2f} mm, {ended}, overshoot "
-            f"{1e3 * step['overshoot_m']:.2f} mm, then RMS {1e3 * step['rms_m']:.3f} mm"
-        )
+        beyond = "" if step["settling_s"] is None else f", overshoot {1e3 * step['overshoot_m']:.2f} mm"
+        at = f"{step['t_s']:.2f} s: target {1e3 * step['target_m']:+.2f} mm"
+        emit_text(f"{at}, {ended}{beyond}, then RMS {1e3 * step['rms_m']:.3f} mm")
+    if "rms_m" in summary:
+        emit_text(f"moving reference: RMS error {1e3 * summary['rms_m']:.3f} mm")
     typer.echo("\n".join(map(str, files)))

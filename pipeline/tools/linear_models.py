@@ -73,7 +73,7 @@ def bode(model: "LinearModel") -> dict[str, list[float]]:
 
 
 def _measured_ringing(found: ControlRun) -> dict[str, Any]:
-    """Median frequency [Hz] and damping ratio of the ring-downs in both wells after switching off, over all logs."""
+    """Mean frequency [Hz] and damping ratio of the ring-downs in both wells, over all logs, as in the datasheet."""
     from pipeline.device_facts.events import rest_facts
     from pipeline.numerics.arrays import voltages
     from pipeline.scoring.wells import wells_of
@@ -85,8 +85,8 @@ def _measured_ringing(found: ControlRun) -> dict[str, Any]:
     return {
         side: {
             "ring_downs": len(each),
-            "frequency_Hz": float(np.median([ring.frequency for ring in each])) if each else None,
-            "damping_ratio": float(np.median([ring.damping for ring in each])) if each else None,
+            "frequency_Hz": float(np.mean([ring.frequency for ring in each])) if each else None,
+            "damping_ratio": float(np.mean([ring.damping for ring in each])) if each else None,
         }
         for side, each in rings.items()
     }

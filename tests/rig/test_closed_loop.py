@@ -167,6 +167,18 @@ def test_the_command_writes_a_log_that_can_be_read_with_the_reference_in_it(tmp_
     assert Path(told["files"][1]).read_text(encoding="utf-8").count("run.mat") == 1
 
 
+def test_the_error_of_a_moving_reference_and_of_steps_that_do_not_settle_is_printed(tmp_path: Path) -> None:
+    (tmp_path / "still.py").write_text("def still(q):\n    return lambda q, target: (0.0, 0.0)\n")
+    t = np.arange(0.0, 1.0, 0.01)
+    rows = [f"{at},{1e-3 * np.sin(6.0 * at)}" for at in t]
+    (tmp_path / "sine.csv").write_text("\n".join(["time [s],target [m]", *rows]))
+    loop = ["rig", "closed-loop", "nominal", "-c", f"{tmp_path / 'still.py'}:still", "--duration", "1s"]
+    moving = CliRunner().invoke(app, [*loop, "--target", str(tmp_path / "sine.csv"), "-o", str(tmp_path / "a")])
+    steps = CliRunner().invoke(app, [*loop, "--target", "0.1s:right", "-o", str(tmp_path / "b")])
+    assert "moving reference: RMS error 11." in moving.output, moving.output  # the joint stays in its well
+    assert "did not settle, then RMS" in steps.output, steps.output
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [
