@@ -94,7 +94,7 @@ def starting_joint(
     if timing is None:
         found = _best_timing(records, provisional, motion, target)
     else:
-        found = np.zeros(provisional.count)
+        found = _undriven(provisional)
         for name, times in timing.items():
             found[provisional.slices[name]] = times
     u = _driven(records, provisional, found)
@@ -163,6 +163,13 @@ def looks_overdamped(records: Sequence[Record], law: InputLaw) -> bool:
     return explained(overdamped=True) > explained(overdamped=False)
 
 
+def _undriven(p: ParameterLayout) -> FloatArray:
+    """θ of zeros but for a dead zone's logarithm, of which zero would be one as wide as the largest drive."""
+    theta = np.zeros(p.count)
+    theta[p.slices["input_zone"]] = np.log(ZONE)
+    return theta
+
+
 def _best_timing(
     records: Sequence[Record], p: ParameterLayout, motion: list[FloatArray], target: FloatArray
 ) -> FloatArray:
@@ -174,7 +181,7 @@ def _best_timing(
 
     def at(lag: float, delay: float) -> FloatArray:
         """θ of a lag and a delay [1/frequency scale]; all else is zero."""
-        theta = np.zeros(p.count)
+        theta = _undriven(p)
         theta[p.slices["input_lag"]] = np.log(lag / p.units.frequency)
         theta[p.slices["input_delay"]] = np.log(delay / p.units.frequency)
         return theta

@@ -36,7 +36,7 @@ from pipeline.models.rbf_candidates import (
     population_candidate,
     questions,
 )
-from pipeline.models.rbf_search import Fit, Setting, cut, excerpts, search
+from pipeline.models.rbf_search import SEARCH_SHARE, Fit, Setting, cut, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.metrics import rms
@@ -118,6 +118,7 @@ def identify_rbf(
     coupled = COUPLED if pair else GAINS[-1]
     setting = Setting(inputs, known, Effort(time_limit), on_progress, coupled=coupled, keep=keep)
     fine = all(r.fine is not None for r in records)
+    complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
     if pair and not candidates:
         found, tried = _choose_prior(records, setting, first.structure, from_population=wanted.population and not known)
@@ -126,6 +127,7 @@ def identify_rbf(
         usual = questions(wanted, fine=fine, slow=slow, driven=driven)
         asked = ([lambda _: candidates[1:]], []) if candidates else usual
         chosen, like, tried = search(records, setting, first, *asked)
+        complete = not setting.effort.exhausted(SEARCH_SHARE)
         found = _fit_to_all(records, setting, chosen, like)
     if not found.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
@@ -135,7 +137,7 @@ def identify_rbf(
         posterior_factor(found.fit, found.prior),
         found.band_spread,
         mass,
-        _diagnostics(records, found, tried) | {"effort_s": setting.effort.spent},
+        _diagnostics(records, found, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
 
 

@@ -249,6 +249,13 @@ def questions(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tup
         {"constant_damping": True, "constant_gain": True},
     )
     placed = asker.ask(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
+    # A slow drive would be taken for a gain by place, for much damping, for hidden forces and for friction.
+    slowly = asker.ask(
+        *(
+            FRICTION[law] | {"force": force, "constant_gain": True, "overdamped": False} | drive
+            for law in OFFERED[:2] for force in FORCES[:2] for drive in (*resting, DRIVE["delay"])
+        )
+    )  # fmt: skip
     # A slow drive, a slow force and a gain by place may each take the others' parts, so that none is missed alone.
     together = asker.ask(
         *(FRICTION[law] | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for law in OFFERED[:3])
@@ -261,6 +268,7 @@ def questions(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tup
         # A mass that nothing restores is the same everywhere: that its gain is not, is asked later.
         lambda best: [] if best.structure.force == "offset" else placed(best),
         hold,
+        lambda best: [] if best.structure.force == "offset" else slowly(best),
         stops,
         friction,
         drag,

@@ -31,6 +31,10 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
 
 ALGORITHM = "34"
+SEARCH_CUT = (
+    "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
+    "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"
+)
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
@@ -122,6 +126,11 @@ def identified(
         models[model.name], facts = model, model.describe()
         if facts.get("converged") is False:
             notes["warnings"] = [*notes["warnings"], "; ".join(not_converged(model.name))]
+        if facts.get("search_complete") is False:
+            notes["warnings"] = [
+                *notes["warnings"],
+                SEARCH_CUT.format(model=model.name, tried=len(facts["candidates"])),
+            ]
         notes[model.name] = {**facts, TIMES: {"fit_s": time.process_time() - began}}
         notes.setdefault(IDENTIFIED, []).append(model.name)
     return {**models, **beside, **models}, notes

@@ -12,7 +12,7 @@ from pipeline.joint.condensed_prior import prior_root
 from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
 from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import FreeRun, predictor
-from pipeline.models.choose import CHOSEN_TIME, JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose
+from pipeline.models.choose import JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.identify_hybrid import BASIS_FUNCTIONS, identify_hybrid
 from pipeline.models.kind import FITTED_SHARE, Training
@@ -266,7 +266,7 @@ def test_equations_that_follow_the_training_logs_but_predict_badly_are_compared(
 
     lucky = replace(truth, early=joint(WRONG))
     assert choose(given(log(truth, 1)), lambda _: lucky, alone).model is truth
-    assert asked == [QUICK_TIME, JUDGED_TIME, CHOSEN_TIME]
+    assert asked == [QUICK_TIME, JUDGED_TIME, Identify().time_limit]
 
 
 class Follower(HybridModel):
@@ -297,6 +297,22 @@ def test_a_network_that_follows_its_data_and_predicts_badly_gets_no_more_time(
     assert choice.model is stiff
     assert choice.held_out["hybrid"] > NETWORK_ERROR
     assert asked == limits
+
+
+def test_a_network_of_all_data_that_follows_them_less_well_does_not_replace_the_equations() -> None:
+    """A quick fit that happens to predict the last quarter, where the fit of all data ends badly."""
+    truth, limits = joint({}), list[float]()
+    training = given(log(truth, 1))
+
+    def alone(part: Training) -> HybridModel:
+        limits.append(part.identify.time_limit)
+        return joint(WRONG) if len(part.records[0].t) == len(training.records[0].t) else truth
+
+    equations = replace(truth, early=joint(WRONG))
+    choice = choose(training, lambda _: equations, alone)
+    assert choice.model is equations
+    assert choice.equations is None and "less well" in choice.reason
+    assert limits == [QUICK_TIME, JUDGED_TIME, Identify().time_limit]
 
 
 def test_data_alone_where_no_hybrid_joint_can_be_tied_to_the_logs() -> None:

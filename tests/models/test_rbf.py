@@ -9,7 +9,7 @@ from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.identify_rbf import RBF, identify_rbf
 from pipeline.models.kind import Training
 from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice, candidate, questions
+from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice, candidate, first_candidate, questions
 from pipeline.settings import Compare, Identify
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.trajectory import Record
@@ -515,6 +515,40 @@ def test_a_bistable_joint_is_fitted_while_it_is_tied_to_its_log():
     fresh = seen(22)
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 0.03 * np.ptp(fresh.q)
+
+
+@pytest.mark.parametrize("drive", ["lag", "delay"])
+def test_a_dead_zone_behind_a_slow_drive_starts_where_the_input_acts(drive):
+    """The gain starts at its size: a zone as wide as the largest drive would leave nothing that could act."""
+    log = slider(15, n=600, zone=0.2)
+    started = {}
+    for effect in ("plain", "dead-zone"):
+        structure = first_candidate(
+            RbfChoice(drive=drive, effect=effect), pair=False, angle=False, fine=False
+        ).structure
+        p, start = starting_joint([log], structure, "linear", centred=False)
+        started[effect] = np.abs(start[p.slices["input0"]]).max()
+    assert started["dead-zone"] == pytest.approx(started["plain"], rel=0.5)
+
+
+def test_a_slow_drive_is_not_taken_for_a_gain_by_place():
+    """An arm under a propeller with a lag: a gain by place predicts held-out data better than constants do."""
+    rng, interval, lag, u = np.random.default_rng(3), 0.02, 0.12, list[float]()
+    while len(u) < 1500:
+        u += [rng.uniform(0.1, 0.9)] * int(rng.uniform(0.8, 3.0) / interval)
+    q, p, thrust, motion, h = 0.0, 0.0, 0.0, [], 0.1 * interval
+    for each in u[:1500]:
+        motion.append((q, p))
+        for _ in range(10):
+            thrust += h / lag * (each - thrust)
+            p += h * (-12.0 * np.sin(q) - 0.25 * p - 0.08 * abs(p) * p - 0.15 * np.tanh(p / 0.02) + 11.0 * thrust**2)
+            q += h * p
+    q, p = np.array(motion).T
+    t, v = interval * np.arange(q.size), np.array(u[: q.size])[:, None]
+    noisy = q + 1e-3 * rng.standard_normal(q.size)
+    model = identify_rbf([Record(t, noisy, p, np.gradient(p, t), v, np.ones(q.size, dtype=bool))], angle=True)
+    assert model.parameters.structure.input_lag
+    assert model.diagnostics["training_rms_m"] < 0.01 * np.ptp(q)
 
 
 @pytest.mark.parametrize("force", ["curve", "polynomial", "offset"])
