@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from pipeline.errors import InputError
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 
 NORMAL_MEDIAN = 1.482602218505602
@@ -16,11 +17,11 @@ def valid_rows(measured: FloatArray, calculated: FloatArray) -> BoolArray:
 
     Raises
     ------
-    ValueError
-        If the two signals differ in shape or are not one-dimensional.
+    InputError
+        The two signals differ in shape or are not one-dimensional.
     """
     if measured.shape != calculated.shape or measured.ndim != 1:
-        raise ValueError(f"measured {measured.shape} and calculated {calculated.shape} must be equally long vectors")
+        raise InputError(f"measured {measured.shape} and calculated {calculated.shape} must be equally long vectors")
     return np.isfinite(measured)
 
 
@@ -44,6 +45,11 @@ def rmse(measured: FloatArray, calculated: FloatArray) -> float | None:
     float or None
         None where it is undefined: no measured row, or a calculated value that is not finite on a
         measured row (a diverged simulation has no error, it has a time of divergence).
+
+    Raises
+    ------
+    InputError
+        The two signals are not equally long vectors.
     """
     measured, calculated = np.asarray(measured, dtype=np.float64), np.asarray(calculated, dtype=np.float64)
     rows = valid_rows(measured, calculated)
@@ -80,6 +86,11 @@ def nrmse(measured: FloatArray, calculated: FloatArray) -> float | None:
     float or None
         A fraction (0.05 is 5 %). None where it is undefined: the measurement is constant, empty, or the
         calculated signal is not finite on a measured row.
+
+    Raises
+    ------
+    InputError
+        The two signals are not equally long vectors.
     """
     error, span = rmse(measured, calculated), signal_range(measured)
     if error is None or span is None or span == 0.0 or not np.isfinite(span):

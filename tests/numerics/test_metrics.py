@@ -1,10 +1,13 @@
 """NRMSE against its definition, its invariances and its undefined cases."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pipeline.errors import InputError
 from pipeline.numerics.metrics import fit_percent, nrmse, rmse, signal_range
 
 finite = st.floats(-1e6, 1e6, allow_nan=False, width=64)
@@ -63,9 +66,11 @@ def test_counts_of_a_converter_are_numbers(kind: type) -> None:
     assert nrmse(np.array([-20_000, 20_000], np.int16), np.array([-19_900, 20_100], np.int16)) == pytest.approx(0.0025)
 
 
-def test_unequal_lengths_are_refused() -> None:
-    with pytest.raises(ValueError, match="equally long"):
-        nrmse(np.zeros(3), np.zeros(4))
+@pytest.mark.parametrize("measure", [rmse, nrmse, fit_percent])
+def test_unequal_lengths_are_refused(measure: Callable[..., float | None]) -> None:
+    for calculated in (np.zeros(4), np.zeros((3, 1))):
+        with pytest.raises(InputError, match="equally long"):
+            measure(np.zeros(3), calculated)
 
 
 def test_the_fit_is_that_of_matlabs_compare() -> None:
