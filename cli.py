@@ -363,8 +363,9 @@ def batch(
     else:
         with outcome.BatchProgress(len(named)) as progress:
             outcomes = run_batch(
-                named, output, jobs, progress, fail_fast=fail_fast, report=with_report, time_limit=limit
-            )
+                named, output, jobs, progress, program="cli:app", fail_fast=fail_fast, report=with_report,
+                time_limit=limit,
+            )  # fmt: skip
     outcome.emit_outcomes(outcomes, output, as_json=as_json)
     failed = [one.name for one in outcomes if one.failed]
     if failed:

@@ -71,11 +71,15 @@ class Copies:
         What it does before it is copied: a function, named ``module:function``, or a module, which is imported.
     options : str
         Further options of its interpreter, such as ``-S``.
+    arguments : sequence of str
+        What that function is called with.
     """
 
-    def __init__(self, environment: Mapping[str, str], ready: str, *options: str) -> None:
+    def __init__(
+        self, environment: Mapping[str, str], ready: str, *options: str, arguments: Sequence[str] = ()
+    ) -> None:
         self._channel, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        program = f"from pipeline.process_copies import serve; serve({theirs.fileno()}, {ready!r})"
+        program = f"from pipeline.process_copies import serve; serve({theirs.fileno()}, {ready!r}, *{[*arguments]!r})"
         with theirs:
             self._process = subprocess.Popen(
                 isolated(program, *options),
@@ -167,19 +171,19 @@ def _here() -> Iterator[int]:
         os.close(here)
 
 
-def _named(name: str) -> Any:
+def named(name: str) -> Any:
     """The module of this name, or what follows a colon in it."""
     module, _, function = name.partition(":")
     found = importlib.import_module(module)
     return getattr(found, function) if function else found
 
 
-def serve(descriptor: int, ready: str) -> None:
+def serve(descriptor: int, ready: str, *arguments: str) -> None:
     """Be the process that is copied, until the other end of the channel is closed."""
     interrupted = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the program decides what it means
-    made_ready = _named(ready)
+    made_ready = named(ready)
     if callable(made_ready):
-        made_ready()
+        made_ready(*arguments)
     gc.collect()
     gc.freeze()  # a collection in a copy would write to, and so duplicate, every page
     with socket.socket(fileno=descriptor) as channel:
@@ -272,7 +276,7 @@ def _work(request: dict[str, Any], files: list[int], of_server: Sequence[int], p
         end_with(parent)
         with suppress(OSError):
             BADNESS.write_text(request["badness"])
-        code = exit_code(lambda: _named(request["work"])(*request["arguments"]))
+        code = exit_code(lambda: named(request["work"])(*request["arguments"]))
     except BaseException:
         traceback.print_exc()
     finally:

@@ -123,3 +123,12 @@ def logs_read_once() -> Iterator[None]:
 
     with patch("pipeline.rig_logs.guarded._run_child", run_child):
         yield
+
+
+def write_program(folder: Path, text: str) -> str:
+    """Write a program whose work is this text into a folder of modules; its name as workers of a batch take it."""
+    folder.mkdir(exist_ok=True)
+    (folder / "in_its_place.py").write_text(
+        f"class app:\n    @staticmethod\n    def work():\n        exec({text!r}, {{}})\n"
+    )
+    return "in_its_place:app"

@@ -84,6 +84,7 @@ def run_batch(
     jobs: int,
     observer: BatchObserver,
     *,
+    program: str,
     fail_fast: bool = False,
     report: bool = True,
     time_limit: float | None = None,
@@ -100,6 +101,8 @@ def run_batch(
         Processes at a time; results do not depend on it.
     observer : BatchObserver
         Told about each start and end.
+    program : str
+        The command that each process runs, as `pipeline.batch.worker.Workers` takes it.
     fail_fast : bool
         Start no more after the first failure; those left out have an exit code of None.
     report : bool
@@ -122,7 +125,7 @@ def run_batch(
     running: set[Future[Outcome]] = set()
     first_failed = ""
     # Left in this order: the pool waits for what the workers run.
-    with ThreadPoolExecutor(max_workers=jobs) as pool, Workers(warm=len(named) > 2) as workers:
+    with ThreadPoolExecutor(max_workers=jobs) as pool, Workers(program, warm=len(named) > 2) as workers:
         while waiting or running:
             while waiting and len(running) < jobs:
                 name, prototype = waiting.pop(0)

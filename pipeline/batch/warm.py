@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.machine import settle_machine
+from pipeline.process_copies import named
 
 PACKAGES = (
     "numerics", "solvers", "generated", "signals", "joint", "runs", "rig_logs", "scoring", "identification", "models",
@@ -23,17 +24,20 @@ LIBRARIES = (
 """What they import within functions."""
 
 
-def warm_up() -> None:
-    """Make this process ready to be copied for prototypes; one more process is ready to be copied for their readers."""
+def warm_up(program: str) -> None:
+    """Make this process ready to be copied for prototypes; one more process is ready to be copied for their readers.
+
+    `program` is that of `pipeline.batch.worker.Workers`.
+    """
     settle_machine()
-    preload()
+    preload(program)
     from pipeline.rig_logs.guarded import start_readers
 
     start_readers()
 
 
-def preload() -> None:
-    """Import what a run needs, and load the compiled kernels that lie in the cache."""
+def preload(program: str) -> None:
+    """Import what a run by `program` needs, and load the compiled kernels that lie in the cache."""
     from pipeline.runs.environment import current_environment, recorded_versions
 
     for name in PACKAGES:
@@ -42,8 +46,7 @@ def preload() -> None:
             importlib.import_module(module.name)
     for name in LIBRARIES:
         importlib.import_module(name)
-    program: Any = importlib.import_module("cli").app
-    program.make_commands()
+    named(program).make_commands()
     recorded_versions(), current_environment()
     for kernel in _kernels():
         with suppress(Exception):  # a cache that cannot be read costs time only, and is numba's own affair
@@ -68,11 +71,9 @@ def _load_cached(kernel: Any) -> None:
             kernel.compile(signature)
 
 
-def run_debist(title: str, arguments: list[str]) -> None:
-    """Be the command ``debist`` with these arguments; `top` and `ps` show its title."""
-    import cli
-
+def run_debist(program: str, title: str, arguments: list[str]) -> None:
+    """Be the command ``debist``, which is `program`, with these arguments; `top` and `ps` show its title."""
     with suppress(OSError):
         Path("/proc/self/comm").write_text(title)
     sys.argv = ["debist", *arguments]
-    cli.app.work()
+    named(program).work()

@@ -25,7 +25,6 @@ ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "
 _LONGEST_STDERR = 1 << 16
 SACRIFICED = "500"
 """A worker's badness, so that the kernel (Linux) takes it, with its readers, rather than the batch."""
-_PROGRAM = "from cli import app; app.work()"
 
 
 @dataclass(frozen=True)
@@ -69,12 +68,14 @@ class Workers:
 
     Parameters
     ----------
+    program : str
+        The command ``debist``, named ``module:object``: its `make_commands` makes it ready, its `work` runs it.
     warm : bool
         Import beforehand what runs need: 2 s of processor time once, which the third prototype has repaid.
     """
 
-    def __init__(self, warm: bool = True) -> None:
-        self._ready = "pipeline.batch.warm:warm_up" if warm else "pipeline.machine:settle_machine"
+    def __init__(self, program: str, warm: bool = True) -> None:
+        self._program, self._warm = program, warm
         self._copies: Copies | None = None
         self._starting, self._over = threading.Lock(), False
 
@@ -101,15 +102,15 @@ class Workers:
             arguments = ["run", str(prototype), "-o", run, "--json", "--quiet", *options]
             with tempfile.TemporaryFile(prefix="debist-") as said, Path(os.devnull).open("r+b") as nowhere:
                 end = copies.run(
-                    "pipeline.batch.warm:run_debist", name, arguments, badness=SACRIFICED, time_limit=time_limit,
-                    files=[nowhere.fileno(), nowhere.fileno(), said.fileno()],
+                    "pipeline.batch.warm:run_debist", self._program, name, arguments, badness=SACRIFICED,
+                    time_limit=time_limit, files=[nowhere.fileno(), nowhere.fileno(), said.fileno()],
                 )  # fmt: skip
                 if self._over:
                     raise InterruptedError(f"{name}: stopped with its batch")
                 if end is not None:
                     return make_outcome(name, prototype, began, end, said, time_limit)
         # The process that is copied is gone, and with it what it had made, or it has threads of its own.
-        return run_worker(name, prototype, output, options, time_limit=time_limit)
+        return run_worker(self._program, name, prototype, output, options, time_limit=time_limit)
 
     def _running(self) -> Copies:
         """The process that is copied; it is started with the first prototype, and anew if it died."""
@@ -119,21 +120,31 @@ class Workers:
             if self._copies is not None and self._copies.ended:
                 self._copies.close()
                 self._copies = None
-            self._copies = self._copies or Copies(os.environ | ONE_THREAD, self._ready)
+            self._copies = self._copies or self._started()
             return self._copies
+
+    def _started(self) -> Copies:
+        environment = os.environ | ONE_THREAD
+        if self._warm:
+            return Copies(environment, "pipeline.batch.warm:warm_up", arguments=[self._program])
+        return Copies(environment, "pipeline.machine:settle_machine")
 
 
 def run_worker(
-    name: str, prototype: Path, output: Path, options: Sequence[str] = (), *, time_limit: float | None = None
-) -> Outcome:
-    """Run a prototype as ``debist run`` with these options in a child process and wait for it.
+    program: str, name: str, prototype: Path, output: Path, options: Sequence[str] = (), *,
+    time_limit: float | None = None,
+) -> Outcome:  # fmt: skip
+    """Run a prototype as ``debist run``, which is `program`, with these options in a child process and wait for it.
 
     The child ends with this process, however that ends: a worker without its batch would hold its run's lock. After
     `time_limit` [s] of wall time it is killed.
     """
     began = time.perf_counter()
-    program = f"from pipeline.child_processes import end_with; end_with({os.getpid()}); {_PROGRAM}"
-    command = [*isolated(program), "run", str(prototype), "-o", str(output / name)]
+    text = (
+        f"from pipeline.child_processes import end_with; end_with({os.getpid()}); "
+        f"from pipeline.process_copies import named; named({program!r}).work()"
+    )
+    command = [*isolated(text), "run", str(prototype), "-o", str(output / name)]
     with tempfile.TemporaryFile(prefix="debist-") as said:
         child = subprocess.Popen(
             [*command, "--json", "--quiet", *options],

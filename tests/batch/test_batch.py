@@ -22,7 +22,7 @@ from pipeline.batch.worker import ONE_THREAD, Outcome, run_worker
 from pipeline.child_processes import died_of
 from pipeline.errors import InputError
 from pipeline.process_copies import CAN_COPY
-from tests.prototypes import content, motion, settings, write_csv
+from tests.prototypes import content, motion, settings, write_csv, write_program
 
 RUNNER = CliRunner()
 
@@ -91,7 +91,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
 ) -> None:
     named = named_prototypes([_prototype(tmp_path, name, gain) for name, gain in (("b", 0.97), ("a", 1.0))])
     told = Told()
-    one = run_batch(named, tmp_path / "one", 1, told, report=False)
+    one = run_batch(named, tmp_path / "one", 1, told, program="cli:app", report=False)
     assert told.begun == [outcome.name for outcome in told.ended] == ["b", "a"]
     assert [outcome.name for outcome in one] == ["a", "b"]
     ours = 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # a child is charged with it from the fork on
@@ -101,14 +101,16 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
 
     killer = threading.Thread(target=_kill_child_that_works_on, args=("b",))
     killer.start()
-    killed = run_batch(named, tmp_path / "two", 2, Told(), report=False)
+    killed = run_batch(named, tmp_path / "two", 2, Told(), program="cli:app", report=False)
     killer.join()
     assert [(outcome.name, outcome.exit_code, outcome.reason) for outcome in killed] == [
         ("a", 0, ""),
         ("b", -9, died_of(9)),
     ]
     before = (tmp_path / "two/a/manifest.json").stat().st_mtime_ns  # a rerun does only what is missing
-    assert not any(outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), report=False))
+    assert not any(
+        outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), program="cli:app", report=False)
+    )
     assert (tmp_path / "two/a/manifest.json").stat().st_mtime_ns == before
     page = (tmp_path / "two/fleet.html").read_text()  # without reports it has the errors alone
     assert "2 of 2 prototypes were run to the end" in page and "NRMSE of q in %" in page
@@ -118,7 +120,9 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     assert pq.read_table(tmp_path / "one/fleet.parquet").equals(pq.read_table(tmp_path / "two/fleet.parquet"))
 
     monkeypatch.setattr("pipeline.batch.batch.Workers.run", None)  # what is up to date needs no process
-    assert not any(outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), report=False))
+    assert not any(
+        outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), program="cli:app", report=False)
+    )
 
     (tmp_path / "one/fleet.csv").unlink()
     arguments = ["batch", str(tmp_path), "-o", str(tmp_path / "one"), "--collect"]
@@ -128,9 +132,10 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
 
 def test_a_worker_ends_with_its_batch(tmp_path: Path) -> None:
     sleeping = "import os, pathlib, time; pathlib.Path('pid').write_text(str(os.getpid())); time.sleep(60)"
+    name = write_program(tmp_path / "modules", sleeping)
     program = (
-        "from pathlib import Path; from pipeline.batch import worker; "
-        f"worker._PROGRAM = {sleeping!r}; worker.run_worker('x', Path('x'), Path())"
+        f"import sys; sys.path.insert(0, {str(tmp_path / 'modules')!r}); from pathlib import Path; "
+        f"from pipeline.batch import worker; worker.run_worker({name!r}, 'x', Path('x'), Path())"
     )
     batch = subprocess.Popen([sys.executable, "-c", program], cwd=tmp_path)
     for _ in range(1000):
@@ -168,14 +173,14 @@ def test_an_interrupted_batch_does_not_wait_for_what_it_runs(tmp_path: Path) -> 
         "from pipeline.process_copies import Copies\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a job of a shell may be born deaf to it
         "run = Copies.run\n"
-        "def sleeping(self, work, name, arguments, **options):\n"
+        "def sleeping(self, work, *arguments, **options):\n"
         "    threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
         "    return run(self, 'time:sleep', 60.0, **options)\n"
         "Copies.run = sleeping\n"
         "class Told:\n"
         "    def started(self, name): pass\n"
         "    def finished(self, outcome): print('finished', outcome)\n"
-        "run_batch([('a', Path('a.toml'))], Path('runs'), 1, Told())\n"
+        "run_batch([('a', Path('a.toml'))], Path('runs'), 1, Told(), program='cli:app')\n"
     )
     began = time.monotonic()
     ended = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
@@ -218,9 +223,9 @@ def test_what_was_not_started_is_listed(tmp_path: Path) -> None:
 def test_numerical_libraries_of_a_worker_have_one_thread(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for variable in ONE_THREAD:
         monkeypatch.setenv(variable, "7")
-    spy = "import os; sys.exit(':'.join(v for k, v in os.environ.items() if k.endswith('_NUM_THREADS')))"
-    monkeypatch.setattr("pipeline.batch.worker._PROGRAM", spy)
-    assert run_worker("x", tmp_path / "x.toml", tmp_path).reason == "1:1:1:1"
+    spy = "import os, sys; sys.exit(':'.join(v for k, v in os.environ.items() if k.endswith('_NUM_THREADS')))"
+    monkeypatch.syspath_prepend(tmp_path)
+    assert run_worker(write_program(tmp_path, spy), "x", tmp_path / "x.toml", tmp_path).reason == "1:1:1:1"
 
 
 def test_a_fleet_file_names_its_members(tmp_path: Path) -> None:

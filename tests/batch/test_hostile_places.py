@@ -17,7 +17,7 @@ from pipeline.process_copies import End
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.settings import load_prototype
 from pipeline.stages.run import run_prototype
-from tests.prototypes import Silent
+from tests.prototypes import Silent, write_program
 
 CHANNELS = """
 [channels]
@@ -73,7 +73,9 @@ def test_settings_that_no_parser_survives_fail_alone(tmp_path):
     found = [*prototype_files([tmp_path]), *prototype_files([tmp_path / f"{name}.toml" for name in said])]
     named = named_prototypes(list(dict.fromkeys(found)))
     assert {name for name, _ in named} >= set(said) - {"zero"}  # a link is resolved
-    outcomes = run_batch([pair for pair in named if pair[0] == "brackets"], tmp_path / "runs", 1, Quiet())
+    outcomes = run_batch(
+        [pair for pair in named if pair[0] == "brackets"], tmp_path / "runs", 1, Quiet(), program="cli:app"
+    )
     assert [(o.exit_code, "nested too deeply" in o.reason) for o in outcomes] == [(2, True)]
     assert "nested too deeply" in (tmp_path / "runs/fleet.csv").read_text()
 
@@ -115,8 +117,9 @@ def test_what_is_larger_than_it_may_be_is_not_read_on(tmp_path):
 
 
 def test_a_worker_is_stopped_after_its_time_limit_and_says_so(tmp_path, monkeypatch):
-    monkeypatch.setattr("pipeline.batch.worker._PROGRAM", "import time; time.sleep(50)")
-    outcome = run_worker("P", Path("P.toml"), tmp_path, time_limit=0.3)
+    monkeypatch.syspath_prepend(tmp_path)
+    program = write_program(tmp_path, "import time; time.sleep(50)")
+    outcome = run_worker(program, "P", Path("P.toml"), tmp_path, time_limit=0.3)
     assert outcome.exit_code == -signal.SIGKILL and outcome.seconds < 20.0
     assert outcome.reason == "stopped after the time limit of 0.3 s; raise --time-limit, the same command goes on"
 

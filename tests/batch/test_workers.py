@@ -58,7 +58,7 @@ def workers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Workers:
     (tmp_path / "cli.py").write_text(_APP)
     monkeypatch.syspath_prepend(str(tmp_path))
     monkeypatch.setattr("pipeline.child_processes.import_path", lambda: [str(tmp_path), *sys.path[1:]])
-    with Workers(warm=False) as made:
+    with Workers("cli:app", warm=False) as made:
         yield made
 
 
@@ -108,7 +108,7 @@ def test_a_copy_ends_with_its_batch(tmp_path: Path) -> None:
     program = (
         "import sys; from pathlib import Path; from pipeline import child_processes; "
         f"child_processes.import_path = lambda: [{str(tmp_path)!r}, *sys.path]; "
-        "from pipeline.batch.worker import Workers; Workers(warm=False).run('x', Path('x.toml'), Path())"
+        "from pipeline.batch.worker import Workers; Workers('cli:app', warm=False).run('x', Path('x.toml'), Path())"
     )
     batch = subprocess.Popen([sys.executable, "-c", program])
     pid = _wait_for(lambda: (tmp_path / "pid").read_text() if (tmp_path / "pid").exists() else "", 60.0)

@@ -104,9 +104,9 @@ def serve() -> None:
     told = os.fdopen(os.dup(1), "w")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     if warm_by := json.loads(sys.argv[1]):
-        preload()
+        preload("cli:app")
     for arguments in warm_by:
-        exit_code(partial(run_debist, "", arguments))
+        exit_code(partial(run_debist, "cli:app", "", arguments))
     for line in sys.stdin:
         arguments, *limits = json.loads(line)
         for i in range(4):

@@ -70,7 +70,7 @@ def ends(bench, folder: Path, wanted: int, at_a_time: int) -> Counter[tuple[str,
                 ended[kind, child.wait()] += 1
 
     threads = [threading.Thread(target=work, args=(folder / f"run-{i}",)) for i in range(at_a_time)]
-    with Workers(warm=wanted > len(KINDS)) as workers:
+    with Workers("cli:app", warm=wanted > len(KINDS)) as workers:
         for thread in threads:
             thread.start()
         for thread in threads:

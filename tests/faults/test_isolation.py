@@ -41,7 +41,7 @@ def planted(tmp_path, monkeypatch):
 
 
 def test_a_worker_runs_nothing_of_the_current_folder(planted):
-    outcome = run_worker("P", Path("missing.toml"), planted / "runs")
+    outcome = run_worker("cli:app", "P", Path("missing.toml"), planted / "runs")
     assert (outcome.exit_code, (planted / "ran").exists()) == (2, False), outcome.reason
     assert "missing.toml: no such file" in outcome.reason
 
@@ -49,7 +49,7 @@ def test_a_worker_runs_nothing_of_the_current_folder(planted):
 @pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
 @pytest.mark.parametrize("warm", [False, pytest.param(True, marks=pytest.mark.long)])
 def test_a_copied_worker_runs_nothing_of_the_current_folder(planted, warm):
-    with Workers(warm) as workers:
+    with Workers("cli:app", warm) as workers:
         outcomes = [workers.run("P", Path("missing.toml"), planted / "runs") for _ in range(2)]
         assert workers._copies is not None and not workers._copies.ended
     assert not (planted / "ran").exists()

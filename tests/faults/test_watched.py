@@ -13,6 +13,7 @@ import pytest
 from pipeline.batch.worker import run_worker
 from pipeline.child_processes import died_of, isolated
 from tests.checks.first_hour import write_logs
+from tests.prototypes import write_program
 
 _WATCH = "import ctypes, os, signal, time; from pipeline.commands.boundary import watch; watch(); "
 _TELL = """
@@ -87,8 +88,9 @@ def test_an_output_that_is_closed_changes_no_exit_code(bench, code):
 
 
 def test_a_worker_of_a_batch_is_told_with_the_same_words(tmp_path, monkeypatch):
-    monkeypatch.setattr("pipeline.batch.worker._PROGRAM", "import os; os.abort()")
-    assert run_worker("a", tmp_path / "a.toml", tmp_path).reason == died_of(signal.SIGABRT)
+    monkeypatch.syspath_prepend(tmp_path)
+    program = write_program(tmp_path, "import os; os.abort()")
+    assert run_worker(program, "a", tmp_path / "a.toml", tmp_path).reason == died_of(signal.SIGABRT)
 
 
 @pytest.fixture
