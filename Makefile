@@ -47,7 +47,7 @@ check: $(VENV)/.dev-ready
 
 # The kernels that come with the package, after a change of what they are made from: half a minute
 kernels: $(VENV)/.dev-ready
-	$(BIN)/python -m pipeline.stages.first_run
+	$(BIN)/python -m pipeline.first_run
 
 # The table of docs/reference/speed.md, measured anew: 4 minutes. `make bench-all`: every benchmark, half an hour, 4 GB
 bench: $(VENV)/.dev-ready

@@ -21,7 +21,7 @@ from pathlib import Path
 from pipeline.machine import settle_machine
 settle_machine()
 from pipeline import compiled, kernel_parts, prepared_kernels
-from pipeline.stages.first_run import compile_kernels
+from pipeline.first_run import compile_kernels
 
 if sys.argv[1] == "compiled":
     prepared_kernels.PREPARED = Path()

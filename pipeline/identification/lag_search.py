@@ -53,7 +53,8 @@ class LagSearch:
 
 
 @compiled
-def _pair_products(basis: FloatArray, start: int, stop: int, products: FloatArray) -> None:
+def pair_products(basis: FloatArray, start: int, stop: int, products: FloatArray) -> None:
+    """Into `products`, shape (≥ stop − start, M (M + 1)/2), φ_a φ_b for b ≤ a at the samples from `start` to `stop`."""
     for n in range(start, stop):
         k = 0
         for a in range(basis.shape[1]):
@@ -69,7 +70,7 @@ def _accumulate(stretch: LagStretch, first: FloatArray, second: FloatArray) -> F
     sums = np.zeros((first.shape[1], products.shape[1]))
     for start in range(0, len(first), CHUNK):
         stop = min(start + CHUNK, len(first))
-        _pair_products(stretch.basis, start, stop, products)
+        pair_products(stretch.basis, start, stop, products)
         sums += (first[start:stop] * second[start:stop]).T @ products[: stop - start]
     row, column = np.tril_indices(m)
     blocks = np.empty((first.shape[1], m, m))

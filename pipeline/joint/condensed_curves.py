@@ -57,7 +57,7 @@ def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c:
 
 
 @compiled
-def _curves(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
+def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """The four curves of `static_curves`, shape (4, n)."""
     found, u, c, forces, by = np.empty((4, len(q))), np.zeros(2), np.zeros(VALUES), np.empty(3), np.empty(6)
     for i in range(len(q)):
@@ -93,5 +93,5 @@ def static_curves(
     """
     k = k.copy()
     k[[INDEX[level] for level in DRY_LEVELS]] = 0.0
-    restoring, damping, left, right = _curves(q, k, prepare(k[None])[0], basis, weights)
+    restoring, damping, left, right = curves_at(q, k, prepare(k[None])[0], basis, weights)
     return restoring, damping, left, right

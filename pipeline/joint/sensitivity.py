@@ -58,7 +58,9 @@ def state_sensitivities(
     masses, slopes, sources = np.empty((count, 4, 4)), np.empty((count, SLOPES)), np.empty((count, 7, steps.size))
     _tabulate(t, v, states, rates, points, steps, masses, slopes, sources)
     out = np.empty((t.size, STATES, steps.size))
-    _integrate(t, masses.reshape(count, -1), slopes, sources.reshape(count, -1), start.ravel(), out.reshape(t.size, -1))
+    integrate_sensitivities(
+        t, masses.reshape(count, -1), slopes, sources.reshape(count, -1), start.ravel(), out.reshape(t.size, -1)
+    )
     return out
 
 
@@ -142,7 +144,7 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
 
 
 @compiled(nogil=True)
-def _integrate(
+def integrate_sensitivities(
     t: FloatArray, masses: FloatArray, slopes: FloatArray, sources: FloatArray, start: FloatArray, out: FloatArray
 ) -> None:
     """Two steps in every sample interval; `out` (N, 11 P) takes the derivatives at the samples."""

@@ -106,11 +106,11 @@ def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, A
         record = run.manifest.artifacts.get(layout.baseline(name))
         described = record.notes if record else {}
     stated = {key: value for key, value in described.items() if key != TIMES}
-    return stated | _choice(run.record(layout.MODELS).notes.get(CHOICE), name)
+    return stated | choice_facts(run.record(layout.MODELS).notes.get(CHOICE), name)
 
 
-def _choice(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
-    """Why "auto" chose a model, for people."""
+def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
+    """Why "auto" chose the model `name`, for people; empty where it chose another or was not asked."""
     if choice is None or choice["chosen"] != name:
         return {}
     told: dict[str, Any] = {"chosen because": choice["reason"]}

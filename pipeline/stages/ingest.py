@@ -63,8 +63,8 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path, title: str) ->
 def _ingest(
     run: RunFolder, on_progress: OnProgress, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
+    from pipeline.first_run import compile_ahead
     from pipeline.signals.uniform_record import Resampling
-    from pipeline.stages.first_run import compile_ahead
 
     compile_ahead()
     plant, settings = device(prototype), prototype.ingest

@@ -165,7 +165,7 @@ def design_excitation(
     Cost: about 20 places × candidates × simulators runs of half the length on average.
     """
     plain = alternating_pulses(duration=wanted.duration, rest=wanted.rest, voltage=wanted.voltage)
-    weights, wells = _weights(simulators[0], plain, wanted), _wells(simulators[0], wanted.voltage)
+    weights, wells = _weights(simulators[0], plain, wanted), probed_wells(simulators[0], wanted.voltage)
     none = np.empty(0)
     bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, none, none)]
     end, side = wanted.rest + 1.2 + 0.5, 1
@@ -253,8 +253,14 @@ def _covered(visits: Coverage) -> float:
     return float(np.mean(cells >= FEW))
 
 
-def _wells(simulate: Simulator, voltage: float) -> Wells:
-    """The wells of the device as drawn, as pulses of several lengths and heights show them."""
+def probed_wells(simulate: Simulator, voltage: float) -> Wells:
+    """The wells of the device as drawn, as pulses of several lengths and of heights up to `voltage` [V] show them.
+
+    Raises
+    ------
+    InputError
+        The pulses do not take the joint from well to well.
+    """
     none, bursts, end = np.empty(0), [], _PROBED_REST
     for duration in _PROBED:
         for share in _PROBED_SHARES:

@@ -158,7 +158,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
 
     data = read_run(run, prototype, scores.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
-        name: (figure, COLOURED) for name, figure in _joint_figures(parameters).items()
+        name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()
     }
     figures |= {name: (figure, DRAWN) for name, figure in _recipe_figures(run, prototype, data).items()}
     written: dict[str, Written] = {}
@@ -174,7 +174,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
     return written | {layout.PAPER: run.write_text(layout.PAPER, page, {"table_2": rows})}
 
 
-def _joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
+def joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
     from pipeline.joint.bifurcation import characteristics
     from pipeline.joint.reduced_order import pulse_sequence, simulate_both

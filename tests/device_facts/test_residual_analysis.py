@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter, welch
 
-from pipeline.device_facts.residual_analysis import _spectrum, analyse_residual
+from pipeline.device_facts.residual_analysis import analyse_residual
 
 DT, N = 0.01, 4000
 
@@ -70,12 +70,13 @@ def test_gaps_leave_the_longest_stretch_and_short_ones_nothing():
 
 
 @pytest.mark.parametrize("count", [3000, 3749])
-def test_the_spectrum_is_that_of_scipy(count):
+def test_the_spectra_are_those_of_scipy(count):
     x = np.random.default_rng(5).standard_normal(count).cumsum()
     frequency, density = welch(x, 1.0 / DT, nperseg=2 * count // 9, detrend="constant")
-    found = _spectrum(x, DT)
-    np.testing.assert_allclose(found[0], frequency[1:], rtol=1e-12)
-    np.testing.assert_allclose(found[1], density[1:], rtol=1e-9)
+    found = analyse_residual(x, np.zeros(count), np.zeros((count, 1)), DT)
+    np.testing.assert_allclose(found.frequency, frequency[1:], rtol=1e-12)
+    np.testing.assert_allclose(found.density, density[1:], rtol=1e-9)
+    np.testing.assert_allclose(found.measured_density, density[1:], rtol=1e-9)
 
 
 def test_a_short_stretch_at_the_end_of_a_log_says_nothing():

@@ -6,7 +6,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.loading.held_models import compared_models, identified_models, model_artifact
-from pipeline.loading.report_data import _choice
+from pipeline.loading.report_data import choice_facts
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
@@ -48,8 +48,8 @@ def test_the_report_says_why_with_its_interval() -> None:
         "held_out_error": {"hybrid": 0.03, "rbf": 0.01},
         "excess_of_the_other": {"low": 0.01, "high": 0.03, "level": 0.95},
     }
-    told = _choice(choice, "rbf")
+    told = choice_facts(choice, "rbf")
     assert told["chosen because"] == "smaller error"
     assert told["held-out error of hybrid [%]"] == pytest.approx(3.0)
     assert "1.00 to 3.00 % of the range" in told.values()
-    assert _choice(choice, "rbf-paper") == {} == _choice(None, "rbf")
+    assert choice_facts(choice, "rbf-paper") == {} == choice_facts(None, "rbf")

@@ -23,7 +23,7 @@ from pipeline.rig.excitation import (
 )
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.tools.excitation import Limits, drawn_simulators
-from pipeline.tools.excitation_design import Design, Requirements, _wells, assess, design_excitation
+from pipeline.tools.excitation_design import Design, Requirements, assess, design_excitation, probed_wells
 
 WANTED = Requirements(duration=14.0, candidates=6)
 
@@ -102,10 +102,10 @@ def back_after_long_pulses(t, v):
 
 
 def test_the_wells_need_no_certain_length_of_pulse(simulators) -> None:
-    found = _wells(back_after_long_pulses, 3000.0)
+    found = probed_wells(back_after_long_pulses, 3000.0)
     assert (found.left, found.right) == (-0.01, 0.01)
     with pytest.raises(InputError, match="do not take the joint from well to well"):
-        _wells(simulators[0], 300.0)
+        probed_wells(simulators[0], 300.0)
 
 
 def test_a_design_keeps_the_limits_and_follows_the_seed(design, simulators) -> None:

@@ -14,7 +14,7 @@ from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Compare, Prototype, parse_prototype
 from pipeline.stages.run import plan
-from pipeline.tools.paper import FIGURES, _joint_figures, paper_settings, run_paper
+from pipeline.tools.paper import FIGURES, joint_figures, paper_settings, run_paper
 
 PRINTED = {"q": 2.1, "phi": 2.0, "qdot": 4.1, "qddot": 5.0}
 
@@ -68,7 +68,7 @@ def test_table_1_names_every_value_as_printed_and_as_used() -> None:
 
 
 def test_the_figures_of_the_joint_are_drawn_and_the_same_twice() -> None:
-    figures = _joint_figures(NOMINAL)
+    figures = joint_figures(NOMINAL)
     assert set(figures) == {name for name in FIGURES if name[:6] in ("fig-01", *(f"fig-0{n}" for n in range(3, 8)))}
     written = [paper_figure(figures["fig-05"], COLOURED, "svg", "pdf") for _ in range(2)]
     assert written[0] == written[1]

@@ -19,17 +19,21 @@ from pipeline.machine import KERNELS
 
 _PROGRAM = (
     "from pipeline.machine import settle_machine; settle_machine(); "
-    "from pipeline.stages.first_run import compile_kernels; compile_kernels()"
+    "from pipeline.first_run import compile_kernels; compile_kernels()"
 )
 _started: list["subprocess.Popen[bytes]"] = []
 
 
 def compile_ahead() -> None:
     """Start the second process, which ends with this one, unless the kernels are there or only one processor is."""
-    from pipeline.joint.condensed_curves import _curves
-    from pipeline.joint.sensitivity import _integrate
+    from pipeline.joint.condensed_curves import curves_at
+    from pipeline.joint.sensitivity import integrate_sensitivities
 
-    if _started or _processors() < 2 or all(is_cached(each) or is_prepared(each) for each in (_curves, _integrate)):
+    if (
+        _started
+        or _processors() < 2
+        or all(is_cached(each) or is_prepared(each) for each in (curves_at, integrate_sensitivities))
+    ):
         return
     nowhere, program = subprocess.DEVNULL, f"from pipeline.child_processes import end_with; end_with({os.getpid()}); "
     child = subprocess.Popen(isolated(program + _PROGRAM), stdin=nowhere, stdout=nowhere, stderr=nowhere)
@@ -44,9 +48,9 @@ def _processors() -> int:
 
 def compile_kernels() -> None:
     """Call, on next to no data, what models need, in the order of a run; one process at a time."""
-    from pipeline.joint.condensed_curves import _curves
+    from pipeline.joint.condensed_curves import curves_at
 
-    lock = os.open(cache_folder(_curves) / "first_run.lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+    lock = os.open(cache_folder(curves_at) / "first_run.lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
     with suppress(BlockingIOError):
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         _hybrid()
@@ -66,7 +70,7 @@ def write_prepared() -> None:
     """Write the kernels that come with the package anew, in a process that finds no compiled ones."""
     program = (
         "from pipeline.prepared_kernels import PREPARED, write; "
-        "from pipeline.stages.first_run import compile_all; write(PREPARED, compile_all)"
+        "from pipeline.first_run import compile_all; write(PREPARED, compile_all)"
     )
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(isolated(program), check=True, env=os.environ | {KERNELS: folder})
@@ -133,7 +137,7 @@ def _analytical() -> None:
 
 def _measured() -> None:
     """What looks at measured motions: differentiation, and the paper's search for its lag."""
-    from pipeline.identification.lag_search import _pair_products
+    from pipeline.identification.lag_search import pair_products
     from pipeline.identification.rbf import basis_values
     from pipeline.numerics.lag import first_order_lag
     from pipeline.signals.differentiate import differentiate
@@ -141,7 +145,7 @@ def _measured() -> None:
     samples = np.sin(0.1 * np.arange(40.0)) + 0.01 * (np.arange(40) % 3)
     differentiate(samples, 0.001)
     first_order_lag(samples, 0.01, 1.0)
-    _pair_products(basis_values(samples, np.zeros(2), 1.0), 0, 1, np.zeros((1, 3)))
+    pair_products(basis_values(samples, np.zeros(2), 1.0), 0, 1, np.zeros((1, 3)))
 
 
 def _rig() -> None:

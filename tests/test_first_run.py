@@ -7,18 +7,22 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.stages import first_run
+from pipeline import first_run
 
 
 @pytest.mark.long
 def test_what_it_compiles_is_found_by_a_run(tmp_path: Path) -> None:
     code = (
-        "from pipeline.stages.first_run import compile_kernels; compile_kernels(); "
-        "from pipeline.joint.{module} import {kernel}; print(sum({kernel}.stats.cache_hits.values()))"
+        "from pipeline.first_run import compile_kernels; compile_kernels(); "
+        "from pipeline.{module} import {kernel}; print(sum({kernel}.stats.cache_hits.values()))"
     )
     found = []
-    for kernel in (("sensitivity", "_integrate"), ("condensed_curves", "_curves"), ("static_path", "_trace")):
-        program = code.format(module=kernel[0], kernel=kernel[1])
+    for module, kernel in (
+        ("joint.sensitivity", "integrate_sensitivities"),
+        ("joint.condensed_curves", "curves_at"),
+        ("identification.lag_search", "pair_products"),
+    ):
+        program = code.format(module=module, kernel=kernel)
         environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
         done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, check=True)
         found.append(int(done.stdout))
