@@ -1,5 +1,6 @@
 """What a release rests on: equal builds, one version everywhere, completion that answers."""
 
+import ast
 import os
 import re
 import shutil
@@ -17,6 +18,8 @@ from pipeline import __version__
 
 ROOT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+_PACKAGES = {"sklearn": "scikit-learn"}
+"""What brings a module that is named otherwise."""
 
 
 def test_the_version_is_the_same_everywhere() -> None:
@@ -25,6 +28,28 @@ def test_the_version_is_the_same_everywhere() -> None:
     assert citation["license"] == PROJECT["license"]
     assert f"\n## {__version__}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     assert f"debist-{__version__}-py3-none-any.whl" in (ROOT / "docs/how-to/install.md").read_text(encoding="utf-8")
+
+
+def test_what_the_package_imports_is_declared_explained_and_locked() -> None:
+    imported = set()
+    for path in [*(ROOT / "pipeline").rglob("*.py"), ROOT / "cli.py", ROOT / "debist.py"]:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom | ast.Import):
+                names = [node.module or ""] if isinstance(node, ast.ImportFrom) else [one.name for one in node.names]
+                imported |= {name.partition(".")[0] for name in names}
+    ours = {"pipeline", "cli", "debist"}
+    packages = {_PACKAGES.get(name, name) for name in imported - set(sys.stdlib_module_names) - ours}
+    declared = {re.split("[<>=]", entry)[0] for entry in PROJECT["dependencies"]}
+    assert packages - declared == {"casadi"}, "developers alone need it"
+    architecture = (ROOT / "docs/explanation/architecture.md").read_text(encoding="utf-8")
+    table = architecture.partition("## Dependencies")[2].partition("\n## ")[0]
+    explained = {name for row in re.findall(r"^\| ([^|]+) \|", table, re.MULTILINE) for name in re.split("[ ,]+", row)}
+    assert declared <= explained
+    for lock in ROOT.glob("requirements*.lock"):
+        text = lock.read_text(encoding="utf-8")
+        for name in declared:
+            entry = re.search(rf"^{name}==.*\n(?: .*\n)+", text, re.MULTILINE)
+            assert entry and "debist (pyproject.toml)" in entry[0], f"{name} in {lock.name}"
 
 
 def test_the_container_runs_a_supported_python_and_copies_what_exists() -> None:
