@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from pipeline.choices import Typeface
 from pipeline.commands import control, integrity, outcome, physics, results, rig
 from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.console import Force, Json, Progress, PrototypeFile, Quiet, Run, Runs, emit_json, emit_table
@@ -48,7 +49,6 @@ Output = Annotated[
     Path | None,
     typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME]."),
 ]
-Typeface = Literal["sans", "serif"]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
 Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]

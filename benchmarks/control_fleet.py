@@ -30,11 +30,12 @@ from scipy.signal import lfilter
 from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
-from pipeline.control.ensemble import COMMAND, INTERVAL, Converters, Ensemble, ensemble_of
+from pipeline.control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
+from pipeline.control.estimator import PERIOD
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.lowest_voltage import TYPICAL, lowest_voltage, uncertain
-from pipeline.control.plant import plant_of
+from pipeline.control.plant import ASSUMED_LAG, plant_of
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import one_step
 from pipeline.control.switching_map import Well, pulses
@@ -55,7 +56,7 @@ from pipeline.rig.parameters import JointParameters
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.tools.closed_loop import virtual_joint
-from pipeline.tools.controlled_run import ASSUMED, DATA_SHEET, ControlSettings, control_run
+from pipeline.tools.controlled_run import DATA_SHEET, ControlSettings, control_run
 from pipeline.tools.export import load_run_model
 
 SNAPS, BESIDE, ROBUST, PULSES = 50, 10, 6, 12  # of a joint: snaps, plain ones, of each change, pulses to each side
@@ -301,7 +302,7 @@ def step_seconds(law: Law, lags: tuple[float, float], places: tuple[float, float
 @cache
 def nominal_pulses() -> tuple[FloatArray, FloatArray]:
     """Pulses to the right and to the left on the analytical model with nominal parameters."""
-    blank = ensemble_of(drawing(), 0, Converters((ASSUMED, ASSUMED), DATA_SHEET))
+    blank = ensemble_of(drawing(), 0, Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET))
     left, _, right = (each.q for each in wells_and_saddle(plant_of(drawing())))
     return (
         design_pulse(blank, left, right, right - left, TOP).v,
@@ -320,7 +321,7 @@ class OneByOne:
 
     def run(self, commands: FloatArray, start: float) -> FloatArray:
         """Displacements [m] every `INTERVAL`, shape (P, 1, N), from rest at `start` [m]; as `Ensemble.run`."""
-        kept, each = np.exp(-COMMAND / self.lag), round(INTERVAL / COMMAND)
+        kept, each = np.exp(-PERIOD / self.lag), round(INTERVAL / PERIOD)
         volts = lfilter([1.0 - kept], [1.0, -kept], np.pad(commands, ((0, 0), (0, 1), (0, 0))), axis=1)[:, ::each]
         t = INTERVAL * np.arange(volts.shape[1])
         return np.nan_to_num([[self.model.simulate(t, v, start, 0.0).q] for v in volts], nan=1.0, posinf=1.0)

@@ -17,11 +17,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
+from pipeline import machine
 from pipeline.child_processes import died_of, isolated
 from pipeline.process_copies import BADNESS, CAN_COPY, Copies, End
 
 # The processes share the cores, so the numerical libraries within them must not.
-ONE_THREAD = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMBA")}
+ONE_THREAD = dict.fromkeys((*machine.ONE_THREAD, "NUMBA_NUM_THREADS"), "1")
 _LONGEST_STDERR = 1 << 16
 SACRIFICED = "500"
 """A worker's badness, so that the kernel (Linux) takes it, with its readers, rather than the batch."""

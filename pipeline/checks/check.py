@@ -251,7 +251,7 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     coupling, off = ratio * DRAWN_COUPLING, max(ratio, 1.0 / ratio)
     state: State = "wrong" if off > allowed else "note" if off > NOTED_RATIO else "ok"
     if declared.mass is None:
-        what, advice = "coupling if of 40 g", "check the units of the channels"
+        what, advice = f"coupling if of {1e3 * DRAWN_MASS:g} g", "check the units of the channels"
     else:
         shown = quantity(1e3 * mass, "g") if mass < 1.0 else f"{significant(mass)} kg"
         what, advice = f"coupling with {shown}", "check the unit of plant.mass, then those of the channels"

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from pipeline.joint.parameters import NOMINAL
 from pipeline.settings import CheckGate
 from pipeline.signals.quality_gates import Finding
 
@@ -168,5 +169,5 @@ LEAST_PER_PERIOD = 8.0
 MOST_RESOLUTION = 0.01
 """Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
 
-DRAWN_MASS = 0.04
+DRAWN_MASS = NOMINAL.m
 """kg, moving mass of the joint as drawn."""

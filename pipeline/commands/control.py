@@ -1,10 +1,11 @@
 """`debist control`: from the identified joint to linear models, snaps, a switching map and a controller."""
 
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 import typer
 
+from pipeline.choices import Goal, Well
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 
@@ -20,7 +21,6 @@ Lag = Annotated[
 Most = Annotated[
     str | None, typer.Option("--max-voltage", help="Largest voltage, with its unit [default: 3 kV, or the trained].")
 ]
-Side = Literal["left", "right"]
 
 
 @app.command()
@@ -96,9 +96,9 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
 @app.command()
 def pulse(
     run: Run,
-    to: Annotated[Side, typer.Option(help="Well to bring the joint to.")],
-    start: Annotated[Side | None, typer.Option("--from", help="Well it rests in [default: the other one].")] = None,
-    minimise: Annotated[Literal["time", "energy", "voltage"], typer.Option(help="What is to be least.")] = "time",
+    to: Annotated[Well, typer.Option(help="Well to bring the joint to.")],
+    start: Annotated[Well | None, typer.Option("--from", help="Well it rests in [default: the other one].")] = None,
+    minimise: Annotated[Goal, typer.Option(help="What is to be least.")] = "time",
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),

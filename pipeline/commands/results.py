@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from pipeline.choices import Target
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 from pipeline.errors import CorruptArtifactError
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from pipeline.runs.comparison import Comparison, RunDifference
 
 _ALARMING = ("differs", "missing")
-Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 
 
 def diff(
@@ -158,7 +158,7 @@ def paper(
 
 
 if TYPE_CHECKING:
-    from pipeline.tools.study import Sweep
+    from pipeline.runs.schemas import Sweep
 
 study = group("Studies of alpha, the RBF basis, the data, and cross-validation.")
 

@@ -11,7 +11,7 @@ from pipeline.control.controller import PERIOD
 from pipeline.control.design_tables import REACH, SLOW, braking_curves, charged, growth, target_table
 from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
-from pipeline.control.plant import Plant
+from pipeline.control.plant import ASSUMED_LAG, Plant
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STOPS
 from pipeline.generated.condensed_joint_jacobian import PREPARE
@@ -61,7 +61,7 @@ class Settings:
     """
 
     highest: float
-    lags: tuple[float, float] = (4e-3, 4e-3)
+    lags: tuple[float, float] = (ASSUMED_LAG, ASSUMED_LAG)
 
 
 def design(plant: Plant, settings: Settings) -> Law:

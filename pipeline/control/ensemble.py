@@ -5,14 +5,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import ndtri
 
+from pipeline.control.estimator import PERIOD
 from pipeline.joint.condensed_runs import run_joints
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
 INTERVAL = 4e-3
 """Sample interval of the runs [s]."""
-COMMAND = 1e-3
-"""Interval of the commands [s]."""
 PROBE = 0.003
 """Standard deviation of a probe's voltage, relative, as data sheets state it."""
 _SEED = 1911
@@ -89,7 +88,7 @@ class Ensemble:
         Parameters
         ----------
         commands : FloatArray, shape (P, M, 2)
-            Commanded voltages [V] of P runs, one every `COMMAND`, held in between.
+            Commanded voltages [V] of P runs, one every `PERIOD` of the controller, held in between.
         start : float
             Where they begin [m].
 
@@ -105,8 +104,8 @@ class Ensemble:
         Commands that are twice as high give four times as much.
         """
         # An interval without voltage first: a run begins at rest under its first voltages.
-        commands = np.pad(commands, ((0, 0), (round(INTERVAL / COMMAND), 0), (0, 0)))
-        half = 2 * self.steps * round(commands.shape[1] * COMMAND / INTERVAL) + 1
+        commands = np.pad(commands, ((0, 0), (round(INTERVAL / PERIOD), 0), (0, 0)))
+        half = 2 * self.steps * round(commands.shape[1] * PERIOD / INTERVAL) + 1
         width = INTERVAL / (2 * self.steps)
         squares = [
             gain**2 * _mean_squares(_lagged(commands, lags), half, width, delay)
@@ -175,7 +174,7 @@ def _lagged(commands: FloatArray, lags: FloatArray) -> FloatArray:
     fine = np.repeat(commands, _FINE, axis=1)
     for side, lag in enumerate(lags.tolist()):
         if lag > 0.0:
-            kept = float(np.exp(-COMMAND / _FINE / lag))
+            kept = float(np.exp(-PERIOD / _FINE / lag))
             fine[..., side] = lfilter([1.0 - kept], [1.0, -kept], fine[..., side], axis=1)
     return fine
 
@@ -183,7 +182,7 @@ def _lagged(commands: FloatArray, lags: FloatArray) -> FloatArray:
 def _mean_squares(fine: FloatArray, count: int, width: float, delay: float) -> FloatArray:
     """Means of v² [V²] in windows of `width` [s] about the half steps, `delay` [s] earlier, shape (P, count, 2)."""
     total = np.concatenate([np.zeros((len(fine), 1, 2)), np.cumsum(fine**2, axis=1)], axis=1)
-    step = COMMAND / _FINE
+    step = PERIOD / _FINE
     edges = np.clip(((np.arange(count + 1) - 0.5) * width - delay) / step, 0.0, fine.shape[1])
     lower = np.minimum(edges.astype(np.int64), fine.shape[1] - 1)
     share = (edges - lower)[None, :, None]

@@ -22,6 +22,10 @@ NAMES = (
 UNITS = ("m", "m/s", "1", "1/s", "1", "1/s", *("1",) * (2 * BRANCHES), *(unit for _, unit in ELEMENT_STATES))
 
 
+ASSUMED_LAG = 4e-3
+"""Time constant [s] of converters of which nothing is known."""
+
+
 class Constants(NamedTuple):
     """What the kernels need of one joint: constants, prepared constants, RBF basis and weights."""
 

@@ -1,18 +1,19 @@
 """Feedforward snaps: push, brake, catch, optimised on the identified joint and robust over its posterior."""
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from pipeline.control.ensemble import COMMAND, INTERVAL, Ensemble
+from pipeline.choices import Goal
+from pipeline.control.ensemble import INTERVAL, Ensemble
+from pipeline.control.estimator import PERIOD
 from pipeline.control.step_metrics import BAND
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import settling_index
 
-Goal = Literal["time", "energy", "voltage"]
 LENGTH = 1.2
 """Length [s] of the runs by which a pulse is judged."""
 PERMITTED = {"time": 1.0, "energy": 0.5, "voltage": 0.8}
@@ -124,7 +125,7 @@ def design_pulse(
         )
     low, high = np.quantile(settling[1:], [0.05, 0.95], method="nearest") if len(q) > 1 else (settling[0], settling[0])
     last = int(np.flatnonzero(v[0].any(axis=1))[-1]) + 2
-    t = np.linspace(0.0, COMMAND * (v.shape[1] - 1), v.shape[1])
+    t = np.linspace(0.0, PERIOD * (v.shape[1] - 1), v.shape[1])
     return Pulse(
         t[:last], v[0, :last], best.reshape(3, 2), float(settling[0]), float(overshoot[0].max()), float(low),
         float(high), float(right[1:].mean()) if len(q) > 1 else float(right[0]), q,
@@ -133,11 +134,11 @@ def design_pulse(
 
 def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
     """Commands (P, M, 2) [V] of pulses with values (P, 6): duration [s] and effort of push, brake, catch."""
-    t = np.arange(round(LENGTH / COMMAND)) * COMMAND
+    t = np.arange(round(LENGTH / PERIOD)) * PERIOD
     begin, effort = np.zeros((len(values), 1)), np.zeros((len(values), t.size))
     for segment in range(3):
         end = begin + values[:, [2 * segment]]
-        inside = np.clip((end - t) / COMMAND, 0.0, 1.0) - np.clip((begin - t) / COMMAND, 0.0, 1.0)
+        inside = np.clip((end - t) / PERIOD, 0.0, 1.0) - np.clip((begin - t) / PERIOD, 0.0, 1.0)
         effort += values[:, [2 * segment + 1]] * inside
         begin = end
     made = np.zeros((*effort.shape, 2))

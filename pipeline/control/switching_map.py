@@ -1,16 +1,16 @@
 """The probability that a plain pulse switches an identified joint, over its voltage and its duration."""
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
-from pipeline.control.ensemble import COMMAND, Ensemble
+from pipeline.choices import Well
+from pipeline.control.ensemble import Ensemble
+from pipeline.control.estimator import PERIOD
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
 from pipeline.numerics.progress import OnProgress, silent
 
-Well = Literal["left", "right"]
 REST = 1.6
 """Time [s] after the pulse's end at which the well counts."""
 VOLTAGES, DURATIONS = 33, 41
@@ -108,10 +108,10 @@ def _near_boundary(outcome: FloatArray) -> "np.ndarray[tuple[int, int], np.dtype
 
 def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray:
     """Commands (P, M, 2) [V] of pulses with these voltages [V] and durations [s], each of shape (P,), and the rest."""
-    length = round((float(durations.max()) + REST) / COMMAND)
-    t = np.arange(length) * COMMAND
+    length = round((float(durations.max()) + REST) / PERIOD)
+    t = np.arange(length) * PERIOD
     made = np.zeros((len(voltages), length, 2))
     # The last millisecond of a pulse carries what is left of its duration, as a share of the square.
-    share = np.clip((durations[:, None] - t) / COMMAND, 0.0, 1.0)
+    share = np.clip((durations[:, None] - t) / PERIOD, 0.0, 1.0)
     made[:, :, side] = voltages[:, None] * np.sqrt(share)
     return made

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import Curves, device_facts, intervals, model_curves
+from pipeline.device_facts.characteristics import LEVEL, Curves, device_facts, intervals, model_curves
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
 from pipeline.device_facts.run_data import RunData, wells_of_run
@@ -182,7 +182,7 @@ class Datasheet:
             "facts_from": self.model,
             "judged_model": self.headline,
             "choice": None if data.choice is None else dict(data.choice),
-            "level_of_intervals": 0.9,
+            "level_of_intervals": LEVEL,
             "facts": [asdict(fact) for fact in self.facts],
             "verdict": {
                 **self.grades,

@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from pipeline.models.base import Model
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.runs.schemas import StudyName
 from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.units import curve_units, of_joint
 
@@ -66,7 +67,7 @@ class LogData:
 class Study:
     """A hyperparameter study as its table holds it: columns and their units by name."""
 
-    name: Literal["alpha", "basis", "data", "online", "folds"]
+    name: StudyName
     columns: Columns
     units: Mapping[str, str]
 

@@ -15,6 +15,7 @@ from pipeline.numerics.arrays import FloatArray
 INDEX = {name: position for position, name in enumerate(CONSTANTS)}
 """Place of each constant."""
 VALUES = len(CORRECTIONS)
+"""Corrections: the curves, then the slopes of some."""
 REACH = 30.0
 """Widths of a Gaussian beyond the first centre at which corrections end: there bells are zero to rounding."""
 PREPARED = PREPARE.outputs["p"]

@@ -9,16 +9,14 @@ as zero.
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CORRECTIONS
 from pipeline.generated.terms import BELL_SHAPE
+from pipeline.joint.condensed_kernels import VALUES
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.inner_loops import FAST, quintics
 
 NODES_PER_WIDTH = 8
 REACH = 6.5
 """Width σ beyond the outermost centres that a table spans."""
-VALUES = len(CORRECTIONS)
-"""Numbers that a table gives: the curves, then the slopes of some."""
 CURVES = 9
 """Rows of the corrections' weights."""
 CURVED = slice(4, 8)

@@ -16,7 +16,7 @@ from pipeline.errors import DataRefusedError
 from pipeline.models.kind import StoredModel, Training, fitted_samples
 from pipeline.numerics.arrays import FloatArray, samples_of
 from pipeline.numerics.kept import kept_under
-from pipeline.scoring.intervals import BLOCK, Interval, rms_difference_interval, rms_interval
+from pipeline.scoring.intervals import BLOCK, SEED, Interval, rms_difference_interval, rms_interval
 from pipeline.signals.trajectory import Record
 
 NETWORK_ERROR = 0.006
@@ -44,8 +44,6 @@ JUDGED_NETWORKS = ((QUICK_TIME, "first rbf", "lag"), (JUDGED_TIME, "judged rbf",
 
 DIVERGED_ERROR = 1.0
 """Error that a sample counts at most, a share of the operating range."""
-
-SEED = 0  # of the bootstrap
 
 ABLATION = ("equations_alone", "equations_with_rbf", "rbf_alone")
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -19,13 +19,13 @@ from pipeline.baselines.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.errors import CorruptArtifactError
+from pipeline.identification.rbf import InputLaw
 from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.kind import Kind
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.free_run import run_status
 
-InputLaw = Literal["squared", "linear"]
 Units = tuple[str, str]
 
 

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.figure import SubFigure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
+from pipeline.choices import Typeface
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import (
     Cells,
@@ -34,8 +35,6 @@ from pipeline.si_prefix import axis_scale, scale
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
-
-Typeface = Literal["sans", "serif"]
 
 SERIF = ("STIXGeneral", "DejaVu Serif", "DejaVu Sans")
 SANS, FONT = ("DejaVu Sans Figures", "DejaVu Sans"), "dejavu-sans-figures.ttf"

@@ -11,6 +11,7 @@ from pipeline.identification.rbf import basis_values
 from pipeline.models.base import Model
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points
+from pipeline.runs.schemas import StudyName
 from pipeline.signals.differentiate import AlphaStudy
 from pipeline.units import curve_units
 
@@ -92,9 +93,7 @@ PERCENT = 100.0
 Columns = Mapping[str, FloatArray]
 
 
-def study_figure(
-    name: Literal["alpha", "basis", "data", "online", "folds"], columns: Columns, units: Mapping[str, str]
-) -> Figure:
+def study_figure(name: StudyName, columns: Columns, units: Mapping[str, str]) -> Figure:
     """The figure of one study.
 
     Parameters

@@ -138,7 +138,9 @@ FLEET = Schema(
     ),
 )
 
-StudyName = Literal["alpha", "basis", "data", "online", "folds"]
+Sweep = Literal["alpha", "basis", "data", "online"]
+"""A study that repeats the fit with something else."""
+StudyName = Literal[Sweep, "folds"]
 _STUDIES: dict[StudyName, tuple[tuple[str, Dtype, str, str], ...]] = {
     "alpha": (
         ("alpha", "float64", "{q}·s^order", "regularisation parameter"),

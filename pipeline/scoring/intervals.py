@@ -12,6 +12,8 @@ BLOCK = (
     2.0  # s; longer than the ring-down of a switch decays by e² (1.3 s at −0.74 1/s), so blocks are near independent
 )
 RESAMPLES = 1000
+SEED = 0
+"""Of the bootstrap: equal errors have equal intervals."""
 LEVEL = 0.95
 _TAILS = [(1.0 - LEVEL) / 2.0, 1.0 - (1.0 - LEVEL) / 2.0]
 FEWEST = 4  # events; a median of fewer has no spread worth printing

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from pipeline.choices import Typeface
 from pipeline.loading.device import parameter_values
 from pipeline.loading.held_models import control_documents
 from pipeline.runs import layout, schemas
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
-    from pipeline.reporting.plotted import Typeface
 
 ALGORITHM = "24"
 
@@ -41,7 +41,7 @@ def tasks(
     parameters: "JointParameters | None",
     models: Sequence[str],
     studies: Sequence[StudyName] = (),
-    figures: "Typeface | None" = None,
+    figures: Typeface | None = None,
     control: Sequence[str] = (),
 ) -> list[Task]:
     """The page with the datasheet, then the figures for a paper if they are wanted.
@@ -116,7 +116,7 @@ def made_studies(run: RunFolder) -> tuple[StudyName, ...]:
     return tuple(name for name in schemas.STUDIES if layout.study(name) in run.manifest.artifacts)
 
 
-def made_figures(run: RunFolder) -> "Typeface | None":
+def made_figures(run: RunFolder) -> Typeface | None:
     """Typeface of the figures for a paper that a run holds, which a rerun keeps up to date; None if it holds none."""
     for name, record in run.manifest.artifacts.items():
         if record.recipe.stage == "report" and name not in (layout.REPORT, layout.DATASHEET):
@@ -155,7 +155,7 @@ def _page(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
 
 
 def _drawings(
-    run: RunFolder, *, prepared: Callable[[RunFolder], Prepared], typeface: "Typeface"
+    run: RunFolder, *, prepared: Callable[[RunFolder], Prepared], typeface: Typeface
 ) -> Mapping[str, Written]:
     from pipeline.reporting.canvas import paper_figure
 

@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
+from pipeline.choices import Typeface
 from pipeline.errors import DebistError
 from pipeline.loading.device import parameter_set
 from pipeline.loading.held_models import identified_models, made_control
@@ -18,9 +19,6 @@ from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, measured_curves, report, scores, validate
 from pipeline.stages.belonging import Place, before_any_work, edited, place_of, run_folder
-
-if TYPE_CHECKING:
-    from pipeline.reporting.plotted import Typeface
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES = ("ingest", "check", "differentiate", "identify", "validate", "compare", "scores", "report")
@@ -101,9 +99,7 @@ def run_prototype(
         )
 
 
-def run_stage(
-    root: Path, stage: StageName, observer: Observer, *, figures: "Typeface | None" = None
-) -> list[TaskStatus]:
+def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:
     """Bring one stage of an existing run up to date, by the settings that the run holds.
 
     `figures` is the typeface of the figures for a paper, which the report makes if asked, or if the run holds some.

@@ -28,8 +28,6 @@ if TYPE_CHECKING:
 
 ALGORITHM = "7"
 
-_BOOTSTRAP_SEED = 0
-
 
 def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:
     """Score these models, the headline first, on every log."""
@@ -106,7 +104,7 @@ def _pairs(
 def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "dict[str, Interval | None]":
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
     from pipeline.numerics.metrics import signal_range
-    from pipeline.scoring.intervals import BLOCK, excess_over_lowest
+    from pipeline.scoring.intervals import BLOCK, SEED, excess_over_lowest
 
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
     errors = {
@@ -114,17 +112,18 @@ def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "di
         for model, (measured, calculated) in pairs.items()
         if (span := signal_range(measured))
     }
-    return excess_over_lowest(errors, samples_of(BLOCK, interval), _BOOTSTRAP_SEED)
+    return excess_over_lowest(errors, samples_of(BLOCK, interval), SEED)
 
 
 def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWells") -> list[dict[str, Any]]:
+    from pipeline.scoring.intervals import SEED
     from pipeline.scoring.scores import score_run
     from pipeline.scoring.step_responses import response_errors
     from pipeline.scoring.wells import Wells
 
     units = signal_units(plant.displacement.symbol)
     v, interval = voltages(measured), sample_interval(measured["t"])
-    rng = np.random.default_rng(_BOOTSTRAP_SEED)
+    rng = np.random.default_rng(SEED)
     status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]
     scores = score_run(made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, rng=rng)
     more: dict[str, Any] = {name: made.notes.get(name) for name in ("outside_training", "basis_functions")}

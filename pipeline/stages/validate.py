@@ -32,7 +32,6 @@ HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
 
 _RESTARTS = 60
-_BOOTSTRAP_SEED = 0
 _DRAWS = 32
 
 
@@ -108,10 +107,11 @@ def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | N
 def _horizons(table: Table, model: Model, horizons: Mapping[str, float]) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log."""
     from pipeline.scoring.horizons import horizon_errors
+    from pipeline.scoring.intervals import SEED
 
     signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
     found = horizon_errors(
-        predictor(model), *signals, list(horizons.values()), seed=_BOOTSTRAP_SEED, most_starts=_RESTARTS,
+        predictor(model), *signals, list(horizons.values()), seed=SEED, most_starts=_RESTARTS,
         shared=not model.fine_voltages,
     )  # fmt: skip
     return {name: asdict(error) for name, error in zip(horizons, found, strict=True)}

@@ -3,10 +3,11 @@
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.choices import Goal, Well
 from pipeline.errors import InputError
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs.engine import Observer
@@ -20,9 +21,6 @@ if TYPE_CHECKING:
     from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32
-
-Well = Literal["left", "right"]
-Goal = Literal["time", "energy", "voltage"]
 
 
 def switching_maps(root: Path, settings: ControlSettings, observer: Observer) -> dict[str, Any]:

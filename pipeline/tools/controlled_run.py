@@ -26,13 +26,14 @@ _REFUSED = 0.15
 """NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
 _MISSED = 2e-3
 """The same for the RMS residual [m] on the training logs."""
-ASSUMED, DATA_SHEET, GIVEN = 4e-3, 0.36, 0.1
-"""Lag of converters [s] of which no log tells anything, and the standard deviations of the logarithms: of that, for
-converters of 2 to 7 ms, and of a lag that the user states."""
+DATA_SHEET, GIVEN = 0.36, 0.1
+"""Standard deviations of a lag's logarithm: of the one assumed, for converters of 2 to 7 ms, and of one that the user
+states."""
 _LEAST_SPREAD = 0.02
 """The same of a lag from steps, at least: a step of another height takes another time."""
 _SIZES = 1.5
 """Factor in length within which the distances of estimator and law fit a joint."""
+_ROUNDED = 1.01
 MOST = 3000.0
 """Largest voltage [V] where the user names none."""
 
@@ -78,9 +79,13 @@ class ControlRun:
         """
         trained = self.model.joint.largest_voltage
         wanted = min(trained, MOST) if settings.max_voltage is None else settings.max_voltage
-        if not 0.0 < wanted <= 1.01 * trained:
+        if wanted <= 0.0 or not self.within_trained(wanted):
             raise InputError(f"--max-voltage {wanted:g} V: outside the trained range, 0 to {trained:.0f} V")
         return float(min(wanted, trained))
+
+    def within_trained(self, *voltages: float) -> bool:
+        """Whether all voltages [V] lie in the trained range, by one in a hundred at most above it: users round."""
+        return all(0.0 <= v <= _ROUNDED * self.model.joint.largest_voltage for v in voltages)
 
     @property
     def records(self) -> tuple[str, ...]:
@@ -93,6 +98,7 @@ class ControlRun:
         Where the logs tell the lag of one side only, both sides have it.
         """
         from pipeline.control.ensemble import Converters
+        from pipeline.control.plant import ASSUMED_LAG
         from pipeline.device_facts.converters import converter_lag
 
         if settings.lag is not None:
@@ -101,7 +107,7 @@ class ControlRun:
         left, right = (converter_lag([(table["t"], table[v]) for table in tables]) for v in ("v1", "v2"))
         told = [each for each in (left, right) if each is not None]
         if not told:
-            return Converters((ASSUMED, ASSUMED), DATA_SHEET), "assumed"
+            return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET), "assumed"
         one, other = left or told[0], right or told[0]
         spread = max(_LEAST_SPREAD, *(each.scatter for each in told))
         counts = " and ".join(str(each.steps if each else 0) for each in (left, right))

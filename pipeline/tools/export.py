@@ -4,10 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
+from pipeline.choices import Target
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.free_runs import start_of
@@ -28,7 +29,6 @@ from pipeline.settings import ROLES, Prototype
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported, Subject, Validity
 
-Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
 _TAKES_NONE = {
     "crate": "it is the whole run",
     "controller": "it is what `debist control design` made, on the joint's equations",

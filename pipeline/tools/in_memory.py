@@ -146,6 +146,7 @@ def identify_signals(
 
 def score_table(model: Model, table: Table) -> list[dict[str, Any]]:
     """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them."""
+    from pipeline.scoring.intervals import SEED
     from pipeline.scoring.scores import score_run
 
     made, t, v = free_run(table, model), table["t"], voltages(table)
@@ -154,7 +155,7 @@ def score_table(model: Model, table: Table) -> list[dict[str, Any]]:
     wells = wells_of([table])
     scores = score_run(
         pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
-        rng=np.random.default_rng(0),
+        rng=np.random.default_rng(SEED),
     )  # fmt: skip
     return [score_row(score) for score in scores]
 

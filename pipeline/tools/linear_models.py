@@ -53,8 +53,8 @@ def _linear_models(found: ControlRun, voltages: tuple[float, float]) -> "list[Li
 
 
 def _check_range(found: ControlRun, voltages: tuple[float, float]) -> None:
-    v_max = found.model.joint.largest_voltage
-    if not all(0.0 <= v <= 1.01 * v_max for v in voltages):
+    if not found.within_trained(*voltages):
+        v_max = found.model.joint.largest_voltage
         raise InputError(f"v1, v2: outside the trained range, 0 to {v_max:.0f} V")
 
 

@@ -5,8 +5,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
+from pipeline.choices import Typeface
 from pipeline.errors import InputError
 from pipeline.loading.held_models import made_control
 from pipeline.runs.atomic import write_bytes
@@ -38,7 +39,7 @@ class Excerpt:
     start: float | None = None
     stop: float | None = None
     models: Sequence[str] = ()
-    typeface: Literal["sans", "serif"] = "sans"
+    typeface: Typeface = "sans"
 
 
 WHOLE = Excerpt()

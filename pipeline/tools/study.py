@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.schemas import StudyName
+from pipeline.runs.schemas import StudyName, Sweep
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
 from pipeline.units import ALPHA_UNIT
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from pipeline.signals.trajectory import Trajectory
 
 ALGORITHM = "2"
-Sweep = Literal["alpha", "basis", "data", "online"]
 
 ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm, deg or mV
 BASIS_FUNCTIONS = (5, 8, 10, 12, 15, 20)

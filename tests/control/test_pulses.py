@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from control_joints import converters, model
 
-from pipeline.control.ensemble import COMMAND, INTERVAL, ensemble_of
+from pipeline.control.ensemble import INTERVAL, ensemble_of
+from pipeline.control.estimator import PERIOD
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import plant_of
 from pipeline.control.pulses import commands, design_pulse, settling_times
@@ -22,7 +23,7 @@ def test_an_ensemble_runs_as_the_model_does() -> None:
     fine = volts[: 4 * t.size].reshape(t.size, 4, 2)
     # The model's voltages are lines between their values, those of an ensemble are held: half a millisecond.
     assert np.abs(joint.simulate(t, fine, left, 0.0).q[1:] - q[: t.size - 1]).max() < 0.25e-3
-    assert INTERVAL == 4 * COMMAND
+    assert INTERVAL == 4 * PERIOD
 
 
 @pytest.mark.long
