@@ -18,7 +18,7 @@ from scipy.optimize import minimize, root
 from debist import open_run
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.fleet import Experiment, moving_mass, replay
+from pipeline.rig.fleet import Experiment, draw, moving_mass
 from pipeline.rig.joint import membrane_capacitances, potential, rest, tip_displacement
 from pipeline.rig.parameters import JointParameters
 
@@ -75,7 +75,7 @@ def held_at(joint: JointParameters, x: FloatArray, at: float) -> tuple[FloatArra
 def joint_of(path: Path) -> JointParameters:
     """The joint that a truth was drawn from."""
     truth = json.loads(path.read_text(encoding="utf-8"))
-    return replay(Experiment(**truth["experiment"]), seed=truth["seed"])[0]
+    return draw(Experiment(**truth["experiment"]), np.random.default_rng(truth["seed"]))[0]
 
 
 def main() -> None:

@@ -19,7 +19,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.bench import TIME_STEP
-from pipeline.rig.fleet import Experiment, replay
+from pipeline.rig.fleet import Experiment, draw
 from pipeline.rig.joint import simulate
 from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder
@@ -106,7 +106,8 @@ def margins(fleet: Path, names: list[str]) -> None:
     found = []
     for name in names:
         truth = json.loads((fleet / name / "truth/truth.json").read_text(encoding="utf-8"))
-        joint, bench, records = replay(Experiment(**truth["experiment"]), seed=truth["seed"])
+        joint, bench, logs = draw(Experiment(**truth["experiment"]), np.random.default_rng(truth["seed"]))
+        records = {log.stem: log.record for log in logs}
         record, dt = records["validation"], 1.0 / bench.rate
         every, stride = round(INTERVAL * bench.rate), max(1, round(TIME_STEP * bench.rate))
         v = np.column_stack([record.true_v1, record.true_v2])

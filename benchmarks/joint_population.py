@@ -2,7 +2,7 @@
 
 `debist rig fleet 70 -o FLEET --seed 990100`, then `python benchmarks/joint_population.py FLEET`. The usual structure of
 a bistable joint, its curves smooth and its sides alike to 3 %, is fitted to both logs of each joint, coupled to them;
-their information makes one distribution (`pipeline.identification.population_estimate`). About ten seconds of processor
+their information makes one distribution (`population_estimate.py`). About ten seconds of processor
 time a joint.
 """
 
@@ -15,6 +15,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 from measure import Silent
+from population_estimate import Information, estimate_population, information_of, write_population
 
 from pipeline.identification.homotopy import COUPLED
 from pipeline.identification.joint_prior import joint_prior
@@ -22,10 +23,9 @@ from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_start import starting_joint
 from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population_estimate import Information, estimate_population, information_of
 from pipeline.loading.trajectories import training, training_tables
 from pipeline.models.identify_rbf import identify_rbf
-from pipeline.models.joint_population import ASSET, write_population
+from pipeline.models.joint_population import ASSET
 from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.run_folder import RunFolder

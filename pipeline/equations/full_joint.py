@@ -127,13 +127,6 @@ def capacitances(s: Symbols) -> Expression:
     return ca.vertcat(*values)
 
 
-def maxwell_energy(s: Symbols) -> Expression:
-    """½ V_DE Y_MW e_i² of both Maxwell springs [J]."""
-    return 0.5 * sum(
-        membrane_volume(s, side) * s.parameter(f"{side}.Y_MW") * s.z[i] ** 2 for i, side in enumerate(("left", "right"))
-    )
-
-
 def viscous_dissipation(s: Symbols) -> Expression:
     """Half the power [W] lost in the beam and the Kelvin-Voigt dampers: their Rayleigh function (eq. 12)."""
     beam = BEAM_DAMPING_FACTOR * s.parameter("eta") * s.parameter("I")

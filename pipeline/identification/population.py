@@ -1,7 +1,7 @@
 """The population prior of a bistable joint: what others are like, as a normal distribution of θ.
 
-θ counts in units of its joint's own scales. How the distribution is estimated stands in `population_estimate`, what it
-is worth in docs/explanation/identification.md.
+θ counts in units of its joint's own scales. `benchmarks/population_estimate.py` estimates the distribution; what it is
+worth stands in docs/explanation/identification.md.
 """
 
 from dataclasses import dataclass

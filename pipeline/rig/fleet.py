@@ -79,7 +79,7 @@ class Experiment:
 
 
 @dataclass(frozen=True)
-class _Log:
+class Log:
     """One simulated log: its file's stem, what excited it, what was recorded."""
 
     role: Role
@@ -105,8 +105,7 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
         No usable draw, or a sequence to play that cannot be read.
     """
     rng = np.random.default_rng(seed)
-    sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
-    joint, bench, logs = _usable(experiment, sequence, rng)
+    joint, bench, logs = draw(experiment, rng)
     form = LAYOUTS[experiment.format]
     (folder / "truth").mkdir(parents=True, exist_ok=True)
     faults: dict[str, list[Fault]] = {}
@@ -163,21 +162,17 @@ def simulate_fleet(
         yield simulate_prototype(folder / name, name, replace(experiment, kind=kind), seed=own, force=force)
 
 
-def replay(experiment: Experiment, *, seed: int) -> tuple[JointParameters, Bench, dict[str, Record]]:
-    """The joint, its bench and the records by log that `write_prototype` drew for the same experiment and seed.
+def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[JointParameters, Bench, list[Log]]:
+    """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is.
 
-    For a sequence that was played the file must still be there.
+    With the generator of an equal seed it is what `write_prototype` drew.
+
+    Raises
+    ------
+    InputError
+        No usable draw, or a sequence to play that cannot be read.
     """
-    rng = np.random.default_rng(seed)
     sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
-    joint, bench, logs = _usable(experiment, sequence, rng)
-    return joint, bench, {log.stem: log.record for log in logs}
-
-
-def _usable(
-    experiment: Experiment, sequence: Sequence | None, rng: np.random.Generator
-) -> tuple[JointParameters, Bench, list[_Log]]:
-    """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is."""
     for _ in range(_MAX_TRIES):
         drawn = experiment.kind in ("same", "foreign")
         joint = _joint(experiment.kind, rng)
@@ -221,16 +216,16 @@ def _run(
     experiment: Experiment,
     played: Sequence | None,
     rng: np.random.Generator,
-) -> _Log:
+) -> Log:
     """Simulate log number `index` of a role, under the sequence `played` or under a drawn one."""
     stem = _stem(role, index)
     if played is not None:
         t = bench.clock(played.duration)
-        return _Log(role, stem, "played", record(joint, bench, t, played.at(t), rng))
+        return Log(role, stem, "played", record(joint, bench, t, played.at(t), rng))
     excitation = experiment.excitation or _EXCITATIONS[role]
     bursts = random_excitation(rng, duration=experiment.duration, excitation=excitation)
     t = bench.clock(experiment.duration)
-    return _Log(role, stem, excitation, record(joint, bench, t, command(bursts, t), rng))
+    return Log(role, stem, excitation, record(joint, bench, t, command(bursts, t), rng))
 
 
 def _worth_keeping(measured: Record, bench: Bench) -> bool:

@@ -6,17 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks.population_estimate import Information, estimate_population, information_of, write_population
 from pipeline.identification.descent import Prior
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.mirror import mirror_image
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population_estimate import (
-    Information,
-    estimate_population,
-    information_of,
-)
 from pipeline.models.identify_rbf import identify_rbf
-from pipeline.models.joint_population import population, write_population
+from pipeline.models.joint_population import population
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_candidates import RbfChoice, first_candidate
 from pipeline.numerics.arrays import FloatArray

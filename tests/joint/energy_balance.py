@@ -11,7 +11,6 @@ from pipeline.equations.full_joint import (
     capacitances,
     elastic_energy,
     kinetic_energy,
-    maxwell_energy,
     membrane_volume,
     symbols,
     tip,
@@ -38,6 +37,13 @@ class EnergyBalance:
         """What does not close, shape (N,)."""
         stored = self.kinetic + self.elastic + self.maxwell + self.friction
         return np.asarray(stored - stored[0] + self.dissipated - self.work)
+
+
+def maxwell_energy(s: Symbols) -> Expression:
+    """½ V_DE Y_MW e_i² of both Maxwell springs [J]."""
+    return 0.5 * sum(
+        membrane_volume(s, side) * s.parameter(f"{side}.Y_MW") * s.z[i] ** 2 for i, side in enumerate(("left", "right"))
+    )
 
 
 def _flows(s: Symbols) -> Expression:

@@ -6,7 +6,7 @@ from dataclasses import asdict
 import numpy as np
 
 from pipeline.rig.demo import INTERVAL, RECORDING, STEPS
-from pipeline.rig.fleet import Experiment, moving_mass, replay
+from pipeline.rig.fleet import Experiment, draw, moving_mass
 from pipeline.rig.joint import wells
 from pipeline.rig.log import RawLog
 from pipeline.rig.parameters import as_json
@@ -20,11 +20,8 @@ EVERY = round(INTERVAL * EXPERIMENT.rate)  # the recorder keeps every second sam
 
 def record() -> tuple[dict[str, RawLog], str]:
     """Simulate the demo's logs, by name, and the truth behind them (JSON); half a minute with compilation."""
-    joint, bench, records = replay(EXPERIMENT, seed=SEED)
-    logs = {
-        name: RawLog(*(column[::EVERY] for column in (found.t, found.q, found.v1, found.v2)))
-        for name, found in records.items()
-    }
+    joint, bench, drawn = draw(EXPERIMENT, np.random.default_rng(SEED))
+    logs = {log.stem: RawLog(*(getattr(log.record, name)[::EVERY] for name in ("t", "q", "v1", "v2"))) for log in drawn}
     truth = {
         "seed": SEED,
         "units": "SI",

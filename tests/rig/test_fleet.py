@@ -13,7 +13,7 @@ from pipeline.commands.rig import app
 from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
 from pipeline.rig.faults import KINDS, inject_faults, parse_faults
-from pipeline.rig.fleet import Experiment, replay, simulate_fleet, write_prototype
+from pipeline.rig.fleet import Experiment, draw, simulate_fleet, write_prototype
 from pipeline.rig.joint import simulate
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import as_json, from_json
@@ -55,7 +55,8 @@ def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None
 
     experiment = replace(SHORT, kind="foreign")
     truth = truth_of(write_prototype(tmp_path, "X", experiment, seed=7))
-    joint, _, records = replay(Experiment(**truth["experiment"]), seed=truth["seed"])
+    joint, _, logs = draw(Experiment(**truth["experiment"]), np.random.default_rng(truth["seed"]))
+    records = {log.stem: log.record for log in logs}
     assert truth["joint"] == as_json(joint)
     assert set(records) == {"train", "validation"}
     for stem, found in records.items():

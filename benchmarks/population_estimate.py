@@ -7,12 +7,14 @@ mirror image are equally probable, so the distribution is symmetric.
 """
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from pipeline.identification.descent import Prior
 from pipeline.identification.parameter_layout import ParameterLayout
+from pipeline.identification.population import blocks_of
 from pipeline.numerics.arrays import FloatArray
 
 ROUNDS = 50
@@ -90,3 +92,14 @@ def estimate_population(
         covariance = (spread + apart.T @ apart) / (len(both) + 2.0 * PSEUDO)
         covariance = 0.5 * (covariance + covariance.T)
     return mean, covariance
+
+
+def write_population(path: Path, p: ParameterLayout, mean: FloatArray, covariance: FloatArray) -> None:
+    """Write the population of joints of a structure as `pipeline.models.joint_population` reads it."""
+    blocks = blocks_of(p)
+    root = np.linalg.cholesky(np.linalg.inv(covariance)).T
+    path.parent.mkdir(parents=True, exist_ok=True)
+    np.savez_compressed(
+        path, blocks=np.array(list(blocks)), lengths=np.array(list(blocks.values())),
+        smoothing=np.array(p.structure.smoothing), mean=mean, root=root.astype(np.float32),
+    )  # fmt: skip
