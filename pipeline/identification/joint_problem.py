@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.identification.descent import Effort, simulation_effort
+from pipeline.identification.effort import Effort, simulation_effort
 from pipeline.identification.input_path import drive_at_nodes, known_inputs, spline_through
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.viscoelastic_joint import basis, no_sensitivities, observed_run

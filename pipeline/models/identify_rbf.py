@@ -13,7 +13,8 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.coverage import coverage
-from pipeline.identification.descent import Effort, Prior
+from pipeline.identification.descent import Prior
+from pipeline.identification.effort import Effort
 from pipeline.identification.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_problem import JointProblem
 from pipeline.identification.joint_start import is_bistable_pair, looks_overdamped

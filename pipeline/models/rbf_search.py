@@ -5,7 +5,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pipeline.identification.descent import Effort, Prior
+from pipeline.identification.descent import Prior
+from pipeline.identification.effort import Effort
 from pipeline.identification.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
 from pipeline.identification.joint_prior import joint_prior
 from pipeline.identification.joint_problem import COARSE_STEP, JointProblem

@@ -1,7 +1,8 @@
 import numpy as np
 import pytest
 
-from pipeline.identification.descent import Effort, Prior
+from pipeline.identification.descent import Prior
+from pipeline.identification.effort import Effort
 from pipeline.identification.homotopy import fit_homotopy
 from pipeline.runs.checkpoints import Checkpoints
 from pipeline.runs.manifest import Recipe
