@@ -5,35 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.checks import limits
 from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts, misfit
-from pipeline.checks.rows import (
-    ALIKE,
-    DRAWN_COUPLING,
-    DRAWN_MASS,
-    DRAWN_RING_DOWN,
-    LEAST_PER_PERIOD,
-    MOST_CORRELATED,
-    MOST_DELAY,
-    MOST_MISFIT,
-    MOST_RATIO,
-    MOST_RESOLUTION,
-    MOST_SIDES,
-    MOST_UNEXPLAINED,
-    NOTED_RATIO,
-    NOTED_SIDES,
-    OFF_SHARE,
-    OTHER_LAW,
-    REST_LEVEL,
-    REST_SHARE,
-    SIGN_CERTAINTY,
-    SURE_INTERVAL,
-    SURE_LENGTH,
-    SURELY_MISFIT,
-    UNDRIVEN_SNAPS,
-    UNSTATED_RATIO,
-    CheckRow,
-    State,
-)
+from pipeline.checks.rows import CheckRow, State
 from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
@@ -96,7 +70,7 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     rows = [*_unit_rows(fact, declared), _resolution_row(fact, declared), *_rate_rows(fact, declared)]
     rows += [_natural_row(fact, declared), _ring_row(fact), _rest_row(fact, declared)]
-    if fact.undriven >= UNDRIVEN_SNAPS:
+    if fact.undriven >= limits.UNDRIVEN_SNAPS:
         rows.append(_undriven_row(fact))
     for i, known in enumerate(fact.inputs):
         if known is None:
@@ -141,8 +115,8 @@ def _resolution_row(fact: LogFacts, declared: Declared) -> CheckRow:
         noise = "noise below that"
     if log.resolution is None:
         return CheckRow(log.name, "resolution of q", "no steps", "", more=noise)
-    fine = log.resolution <= MOST_RESOLUTION * fact.span
-    limit = f"≤ {_short(MOST_RESOLUTION * fact.span, unit)}"
+    fine = log.resolution <= limits.MOST_RESOLUTION * fact.span
+    limit = f"≤ {_short(limits.MOST_RESOLUTION * fact.span, unit)}"
     state: State = "ok" if fine else "note"
     advice = "" if fine else "velocities come in steps: use the sensor's finer range, or average before recording"
     return CheckRow(log.name, "resolution of q", quantity(log.resolution, unit), limit, state, None, advice, noise)
@@ -154,8 +128,8 @@ def _rate_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     if fact.ring is None:
         return [rate]
     per_period = 1.0 / (fact.ring * interval)
-    enough = per_period >= LEAST_PER_PERIOD
-    found, limit = f"{per_period:.{0 if per_period >= 2.0 else 1}f} samples", f"≥ {LEAST_PER_PERIOD:g}"
+    enough = per_period >= limits.LEAST_PER_PERIOD
+    found, limit = f"{per_period:.{0 if per_period >= 2.0 else 1}f} samples", f"≥ {limits.LEAST_PER_PERIOD:g}"
     advice = "" if enough else f"set [ingest] sample_interval = {significant(0.05 / fact.ring, 1)}"
     return [rate, CheckRow(log.name, "uniform, a period", found, limit, "ok" if enough else "note", None, advice)]
 
@@ -183,7 +157,7 @@ def _natural_row(fact: LogFacts, declared: Declared) -> CheckRow:
     found = quantity(fact.natural, "Hz")
     if not declared.joint:
         return CheckRow(name, what, found, "")
-    low, high = DRAWN_RING_DOWN / MOST_RATIO, DRAWN_RING_DOWN * MOST_RATIO
+    low, high = limits.DRAWN_RING_DOWN / limits.MOST_RATIO, limits.DRAWN_RING_DOWN * limits.MOST_RATIO
     limit = f"{significant(low, 1)} … {significant(high, 2)} Hz"
     if low <= fact.natural <= high:
         return CheckRow(name, what, found, limit)
@@ -195,7 +169,7 @@ def _push_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> 
     push, what = known.push, f"push of v{i + 1}"
     unit = f"{declared.displacement}/s²"
     found = quantity(push.value, unit, push.error)
-    if abs(push.value) <= SIGN_CERTAINTY * push.error:
+    if abs(push.value) <= limits.SIGN_CERTAINTY * push.error:
         state: State = "note" if declared.joint else "not seen"
         advice = f"v{i + 1} hardly moves q: is it the channel that drives this device?"
         return CheckRow(fact.signals.name, what, found, "", state, None, advice)
@@ -219,9 +193,9 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
     found = f"{quantity(delay.value, 's', delay.error, like=declared.sample_interval)}{reached}"
     if not declared.joint:
         return CheckRow(fact.signals.name, what, found, "")
-    most = MOST_DELAY * declared.sample_interval
-    late = abs(delay.value) > most and abs(delay.value) > SIGN_CERTAINTY * delay.error
-    unsure = abs(known.push.value) <= SIGN_CERTAINTY * known.push.error
+    most = limits.MOST_DELAY * declared.sample_interval
+    late = abs(delay.value) > most and abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
+    unsure = abs(known.push.value) <= limits.SIGN_CERTAINTY * known.push.error
     first = f"v{i + 1} hardly moves q: see first whether it is the channel that drives this device; then "
     clocks = "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger"
     advice = first + clocks if unsure else clocks
@@ -241,23 +215,23 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     pushes = [
         abs(known.push.value) / float(peak) ** 2
         for known, peak in zip(fact.inputs, fact.peaks, strict=True)
-        if known is not None and abs(known.push.value) > SIGN_CERTAINTY * known.push.error
+        if known is not None and abs(known.push.value) > limits.SIGN_CERTAINTY * known.push.error
     ]
     if not pushes:
         return []
-    mass = DRAWN_MASS if declared.mass is None else declared.mass
-    allowed = UNSTATED_RATIO if declared.mass is None else MOST_RATIO
-    ratio = max((mass * push / DRAWN_COUPLING for push in pushes), key=lambda r: max(r, 1.0 / r))
-    coupling, off = ratio * DRAWN_COUPLING, max(ratio, 1.0 / ratio)
-    state: State = "wrong" if off > allowed else "note" if off > NOTED_RATIO else "ok"
+    mass = limits.DRAWN_MASS if declared.mass is None else declared.mass
+    allowed = limits.UNSTATED_RATIO if declared.mass is None else limits.MOST_RATIO
+    ratio = max((mass * push / limits.DRAWN_COUPLING for push in pushes), key=lambda r: max(r, 1.0 / r))
+    coupling, off = ratio * limits.DRAWN_COUPLING, max(ratio, 1.0 / ratio)
+    state: State = "wrong" if off > allowed else "note" if off > limits.NOTED_RATIO else "ok"
     if declared.mass is None:
-        what, advice = f"coupling if of {1e3 * DRAWN_MASS:g} g", "check the units of the channels"
+        what, advice = f"coupling if of {1e3 * limits.DRAWN_MASS:g} g", "check the units of the channels"
     else:
         shown = quantity(1e3 * mass, "g") if mass < 1.0 else f"{significant(mass)} kg"
         what, advice = f"coupling with {shown}", "check the unit of plant.mass, then those of the channels"
     stiffness = "" if fact.ring is None else quantity(mass * (2.0 * np.pi * fact.ring) ** 2, "N/m")
-    most = NOTED_RATIO if state == "note" else allowed
-    low, high = DRAWN_COUPLING / most, DRAWN_COUPLING * most
+    most = limits.NOTED_RATIO if state == "note" else allowed
+    low, high = limits.DRAWN_COUPLING / most, limits.DRAWN_COUPLING * most
     return [
         CheckRow(
             fact.signals.name,
@@ -275,14 +249,14 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 def _side_rows(fact: LogFacts) -> list[CheckRow]:
     """Membranes of one joint couple about as strongly."""
     known = [one for one in fact.inputs if one is not None]
-    unsure = any(abs(one.push.value) <= SIGN_CERTAINTY * one.push.error for one in known)
+    unsure = any(abs(one.push.value) <= limits.SIGN_CERTAINTY * one.push.error for one in known)
     if len(known) < 2 or unsure or not isinstance(fact.wells, Wells):
         return []
     left, right = (abs(one.push.value) / float(peak) ** 2 for one, peak in zip(known, fact.peaks, strict=True))
     ratio = left / right
     off = max(ratio, 1.0 / ratio)
-    state: State = "wrong" if off > MOST_SIDES else "note" if off > NOTED_SIDES else "ok"
-    most = MOST_SIDES if state == "wrong" else NOTED_SIDES
+    state: State = "wrong" if off > limits.MOST_SIDES else "note" if off > limits.NOTED_SIDES else "ok"
+    most = limits.MOST_SIDES if state == "wrong" else limits.NOTED_SIDES
     advice = (
         "" if state == "ok"
         else f"voltages wrong by {significant(off**0.5, 2)} on one side do that: check the unit and `scale` of both "
@@ -302,12 +276,12 @@ def _correlated_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         return []
     acting = np.square(fact.signals.v) if declared.squared else fact.signals.v
     correlation = float(np.corrcoef(acting[np.isfinite(acting).all(axis=1)].T)[0, 1])
-    if abs(correlation) < MOST_CORRELATED:
+    if abs(correlation) < limits.MOST_CORRELATED:
         return []
     advice = (
         "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
     )
-    found, limit = f"correlation {correlation:.4f}", f"< {MOST_CORRELATED:g}"
+    found, limit = f"correlation {correlation:.4f}", f"< {limits.MOST_CORRELATED:g}"
     return [CheckRow(fact.signals.name, "v2 beside v1", found, limit, "note", None, advice)]
 
 
@@ -318,14 +292,14 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         if takes_both_signs(float(np.min(fact.signals.v[:, i])), float(np.max(fact.signals.v[:, i]))):
             continue
         size = np.abs(fact.signals.v[:, i])
-        level = float(np.quantile(size, OFF_SHARE))
-        rests = float(np.mean(size <= level + REST_LEVEL * peak)) >= REST_SHARE
-        if declared.squared and level > REST_LEVEL * peak and rests:
+        level = float(np.quantile(size, limits.OFF_SHARE))
+        rests = float(np.mean(size <= level + limits.REST_LEVEL * peak)) >= limits.REST_SHARE
+        if declared.squared and level > limits.REST_LEVEL * peak and rests:
             advice = (
                 f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; give "
                 "it as `offset` in [channels]"
             )
-            limit = f"≤ {_short(REST_LEVEL * peak, unit)}"
+            limit = f"≤ {_short(limits.REST_LEVEL * peak, unit)}"
             found = quantity(level, unit)
             rows.append(CheckRow(fact.signals.name, f"lowest level of v{i + 1}", found, limit, "note", None, advice))
     return rows
@@ -338,7 +312,7 @@ def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         return []
     laws = ("squared", "linear") if declared.squared else ("linear", "squared")
     found = f"{laws[0]} leaves {significant(100.0 * own, 2)} %, {laws[1]} {significant(100.0 * other, 2)} %"
-    fits = other >= OTHER_LAW * own
+    fits = other >= limits.OTHER_LAW * own
     advice = "" if fits else f'an input takes both signs and explains more so: set inputs = "{laws[1]}" in [plant]'
     state: State = "ok" if fits else "note"
     return [CheckRow(fact.signals.name, "law of the inputs", found, "", state, None, advice)]
@@ -366,17 +340,17 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     what = "same device"
     if found is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
-    same, lasts = found.ratio <= MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
-    sure = declared.joint and found.ratio > SURELY_MISFIT and found.unexplained <= MOST_UNEXPLAINED
+    same, lasts = found.ratio <= limits.MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
+    sure = declared.joint and found.ratio > limits.SURELY_MISFIT and found.unexplained <= limits.MOST_UNEXPLAINED
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
-    sure = sure and lasts > SURE_LENGTH * declared.sample_interval and coarsest < SURE_INTERVAL
+    sure = sure and lasts > limits.SURE_LENGTH * declared.sample_interval and coarsest < limits.SURE_INTERVAL
     sure = sure and _driven_alike(first, other)
     state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,
         what,
         f"{significant(found.ratio, 2)} × misfit",
-        f"≤ {MOST_MISFIT:g}",
+        f"≤ {limits.MOST_MISFIT:g}",
         state,
         "device" if state == "wrong" else None,
         "" if same else f"this {'is' if state == 'wrong' else 'may be'} {_ANOTHER_DEVICE}",
@@ -387,7 +361,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
 def _driven_alike(first: LogFacts, other: LogFacts) -> bool:
     """Whether two logs were driven by the same inputs about as strongly: what hidden states do differs with that."""
     both = zip(first.inputs, other.inputs, first.peaks.tolist(), other.peaks.tolist(), strict=True)
-    return all((a is None) == (b is None) and max(p, q) <= ALIKE * min(p, q) for a, b, p, q in both)
+    return all((a is None) == (b is None) and max(p, q) <= limits.ALIKE * min(p, q) for a, b, p, q in both)
 
 
 def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:

@@ -1,10 +1,9 @@
-"""What a check says: one row for each thing looked at, with its number, its limit, and what to do; all limits."""
+"""What a check says: one row for each thing looked at, with its number, its limit, and what to do."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from pipeline.joint.parameters import NOMINAL
 from pipeline.settings import CheckGate
 from pipeline.signals.quality_gates import Finding
 
@@ -95,79 +94,3 @@ def findings(rows: Sequence[CheckRow]) -> list[Finding]:
 def remarks(rows: Sequence[CheckRow]) -> list[str]:
     """What deserves a look and does not make the model wrong."""
     return [f"{row.sentence}: {row.advice}" for row in rows if row.state == "note"]
-
-
-# Every limit with its reason; measured ranges are those of twenty honest pairs of logs (docs).
-MOST_DELAY = 2.5
-"""Sample intervals between an input and the answer of q. Drives, probes, sensors and the creep of the membranes shift
-it by up to 1.3 intervals in honest logs; two recorders that start one after the other by far more."""
-
-MOST_CORRELATED = 0.999
-"""Correlation of the two inputs, as they act, from which on they are one."""
-
-SIGN_CERTAINTY = 4.0
-"""Standard errors by which a push must differ from zero before its sign is judged."""
-
-MOST_MISFIT = 1.6
-"""Residual of one log under the weights of another over its own. Same joint: up to 1.2, of 80 two at 1.7 and 1.8."""
-
-SURELY_MISFIT = 2.0
-"""From here on it is another joint, of which the least had 2.05; in between one is told to look."""
-
-ALIKE = 1.5
-"""Factor between the largest voltages of two logs up to which they can be of one device for sure or not: a joint driven
-at 35 % of the voltage, or by one side only, has had 2.4 to 5.7 times the misfit of its training log."""
-
-SURE_INTERVAL = 0.6
-"""Sample intervals that a log's own step must be shorter than for that: with fewer samples under a bump, the weak form
-itself is off. Of one device at 1 kHz and 160 Hz the ratio was 7, at 200 Hz and more below 0.5."""
-
-MOST_UNEXPLAINED = 0.3
-"""Share of the accelerations that a log's own weights may leave for that: where hidden states leave more (multisines
-leave 0.33 of a link chain's), two excitations of one joint have had a misfit of 3.6."""
-
-SURE_LENGTH = 1000.0
-"""Sample intervals (10 s) that both logs must last for that. Of twenty pairs of logs of one joint, cut to their first
-6 s, two had 2.4 and 2.7 (fourteen weights are told by sixty bumps there); cut to 10 s the most was 1.7."""
-
-MOST_RATIO = 30.0
-"""Factor to either side of the drawing's ring-down and coupling: half way, in powers of ten, to the 1,000 of a wrong
-prefix. A joint built n times as large rings n times slower and couples as strongly (capacitance grows as length)."""
-
-UNSTATED_RATIO = 1e5
-"""The same factor for the coupling where no mass is stated and that of the drawing is taken: a joint of 1 mm and 100 V
-is 1,800 times off; kV read as V make 10⁶."""
-
-MOST_SIDES, NOTED_SIDES = 10.0, 2.5
-"""Factor between the couplings of the two sides that stops, and that is shown. Membranes are cut from one film: 0.65 to
-1.4 in 66 logs of 15 joints. The square of a wrong probe ratio is in it, 4 for twice the voltage."""
-
-REST_LEVEL, OFF_SHARE = 0.02, 0.005
-"""Share of an input's largest magnitude above which its lowest level is shown, and of the samples that are lower."""
-REST_SHARE = 0.1
-"""Share of the samples that are near that level where it is one of rest, and not just the smallest of many."""
-
-OTHER_LAW = 0.7
-"""Times what the weak form leaves of the accelerations, below which the other law of the inputs is shown."""
-
-NOTED_RATIO = 5.0
-"""Factor beyond which the same numbers are shown as remarkable."""
-
-DRAWN_RING_DOWN = 2.8
-"""Hz, of the joint as drawn (parameter set `nominal`) in its wells without voltage."""
-
-DRAWN_COUPLING = 8.5e-9
-"""N/V², half the slope of a membrane's capacitance over q, of the joint as drawn."""
-
-UNDRIVEN_SNAPS = 2
-"""Crossings of the barrier without any input from which on one is told: the logs of P1 to P3 have none, and 2 to 7
-where one of their voltages is left out."""
-
-LEAST_PER_PERIOD = 8.0
-"""Uniform samples in a period of the ring-down: with fewer, the accelerations between them are not seen."""
-
-MOST_RESOLUTION = 0.01
-"""Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
-
-DRAWN_MASS = NOMINAL.m
-"""kg, moving mass of the joint as drawn."""
