@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.checks import limits
-from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts, misfit
+from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts
+from pipeline.checks.misfit import misfit
 from pipeline.checks.rows import CheckRow, State
 from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells

@@ -1,21 +1,25 @@
-"""What one log shows of its device without any model: pushes, delays, rests, ring-down, spans.
-
-And whether two logs show one device: the accelerations of one, predicted by what the other taught, say so.
-"""
+"""What one log shows of its device without any model: pushes, delays, rests, ring-down, spans."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.checks.weak_form import FORCE_ORDER, GAIN_TERMS, LogSignals, WeakTerms, scales_of, solve, weak_terms
+from pipeline.checks.weak_form import (
+    FORCE_ORDER,
+    GAIN_TERMS,
+    LogSignals,
+    WeakTerms,
+    scales_of,
+    solve,
+    unexplained,
+    weak_terms,
+)
 from pipeline.device_facts.events import RestFacts, RingDown, rest_facts
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, samples_of
-from pipeline.numerics.metrics import rms
+from pipeline.numerics.arrays import FloatArray, IntArray, samples_of
 from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells, snaps
 from pipeline.scoring.wells import rests as quiet_rows
 from pipeline.signals.signal_quality import takes_both_signs
 
-_TELLING = 0.01  # of the accelerations: two recorders, or two sampling rates, are that far apart
 BLOCKS = 8
 """Parts of a log of which one at a time is left out; the spread of the results is their uncertainty (jackknife)."""
 REACH = 20
@@ -209,7 +213,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
         damping=float(np.median([ring.damping for ring in rings])) if rings else None,
         natural=natural,
         undriven=_undriven(q, v, every * log.interval, wells, natural),
-        unexplained=None if terms is None else _unexplained(terms),
+        unexplained=None if terms is None else unexplained(terms),
         under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if both_signs else None,
     )
 
@@ -226,7 +230,7 @@ def _rings(rests: RestFacts) -> list[RingDown]:
 
 def _unexplained_by(log: LogSignals, sample_interval: float, *, squared: bool) -> float | None:
     terms = weak_terms(log, sample_interval, scales_of(log, squared=squared), squared=squared)
-    return None if terms is None else _unexplained(terms)
+    return None if terms is None else unexplained(terms)
 
 
 def _undriven(q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells, natural: float | None) -> int:
@@ -253,64 +257,3 @@ def _natural_frequency(terms: WeakTerms) -> float | None:
     squares = -force.deriv()(rests[(rests > low) & (rests < high)])
     stable = squares[squares > 0.0]
     return float(np.exp(np.mean(np.log(stable))) ** 0.5 / (2.0 * np.pi)) if stable.size else None
-
-
-_LEAST_SHARED = 60
-
-
-@dataclass(frozen=True)
-class Misfit:
-    """How one log's weak form explains another.
-
-    Attributes
-    ----------
-    ratio : float
-        Median residual of the other's accelerations over that of its own weights, or over `_TELLING` of their RMS
-        where that is larger.
-    unexplained : float
-        RMS residual of the logs under their own weights over that of the accelerations, the larger of the two.
-    """
-
-    ratio: float
-    unexplained: float
-
-
-def misfit(first: WeakTerms, second: WeakTerms) -> Misfit | None:
-    """How much worse one log's weak form explains the other than that explains itself.
-
-    Each log's weights predict the accelerations of the other, at those displacements that both visit; of the two
-    directions that with the smaller ratio counts. Both logs must share their `Scales`. One device gives 0.8 to 1.2,
-    whatever the voltages; another of the same drawing 2 and more.
-
-    Returns
-    -------
-    Misfit or None
-        None where the logs share too few displacements.
-    """
-    ratios = [
-        ratio for a, b in ((first, second), (second, first)) if (ratio := _ratio(a, b, _shared(a, b))) is not None
-    ]
-    return Misfit(min(ratios), max(_unexplained(first), _unexplained(second))) if ratios else None
-
-
-def _unexplained(terms: WeakTerms) -> float:
-    design = terms.design()
-    own = terms.inertia - design @ solve(design, terms.inertia)
-    return float(np.linalg.norm(own) / max(float(np.linalg.norm(terms.inertia)), np.finfo(float).tiny))
-
-
-def _shared(taught: WeakTerms, judged: WeakTerms) -> BoolArray:
-    """Bumps of `judged` at displacements that `taught` has seen, outliers left out."""
-    low, high = np.quantile(taught.q, (0.01, 0.99))
-    inside: BoolArray = (judged.q >= low) & (judged.q <= high)
-    return inside
-
-
-def _ratio(taught: WeakTerms, judged: WeakTerms, rows: BoolArray) -> float | None:
-    if np.count_nonzero(rows) < _LEAST_SHARED:
-        return None
-    design, inertia = judged.design(), judged.inertia
-    foreign = inertia - design @ solve(taught.design(), taught.inertia)
-    own = inertia - design @ solve(design, inertia)
-    size = max(float(np.median(np.abs(own[rows]))), _TELLING * rms(inertia))
-    return float(np.median(np.abs(foreign[rows]))) / size if size > 0.0 else None

@@ -169,3 +169,10 @@ def _bump(half: int, h: float) -> tuple[FloatArray, FloatArray, FloatArray]:
 def _average(x: FloatArray, weights: FloatArray) -> FloatArray:
     result: FloatArray = np.convolve(x, weights, "same")
     return result
+
+
+def unexplained(terms: WeakTerms) -> float:
+    """RMS residual of the accelerations under the log's own weights, over their RMS."""
+    design = terms.design()
+    own = terms.inertia - design @ solve(design, terms.inertia)
+    return float(np.linalg.norm(own) / max(float(np.linalg.norm(terms.inertia)), np.finfo(float).tiny))
