@@ -52,7 +52,7 @@ Signals = Annotated[
 
 
 def _parameters(name: str, overrides: list[str] | None) -> "JointParameters":
-    from pipeline.loading.device import joint_parameters
+    from pipeline.loading.parameter_sets import joint_parameters
 
     return joint_parameters(name, overrides=overrides or ())
 

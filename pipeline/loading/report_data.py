@@ -9,8 +9,9 @@ import numpy as np
 
 from pipeline.device_facts.run_data import LogData, RunData, Study
 from pipeline.errors import CorruptArtifactError, DebistError
-from pipeline.loading.device import Device, device, parameter_set, rotation_map
+from pipeline.loading.device import Device, device, rotation_map
 from pipeline.loading.held_models import CHOICE, identified_models
+from pipeline.loading.parameter_sets import parameter_set
 from pipeline.models.base import Model
 from pipeline.models.kind import model_from_tree
 from pipeline.names import log_title

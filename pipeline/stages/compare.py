@@ -5,7 +5,8 @@ import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from pipeline.loading.device import device, parameter_values
+from pipeline.loading.device import device
+from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import entry
 from pipeline.models.kind import kind

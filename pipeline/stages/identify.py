@@ -10,8 +10,9 @@ import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
 from pipeline.device_facts.quality import not_converged
-from pipeline.loading.device import device, parameter_values
+from pipeline.loading.device import device
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
+from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, kind

@@ -7,8 +7,8 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from pipeline.choices import Typeface
-from pipeline.loading.device import parameter_values
 from pipeline.loading.held_models import control_documents
+from pipeline.loading.parameter_sets import parameter_values
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written

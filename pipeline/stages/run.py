@@ -7,8 +7,8 @@ from typing import Literal
 
 from pipeline.choices import Typeface
 from pipeline.errors import DebistError
-from pipeline.loading.device import parameter_set
 from pipeline.loading.held_models import identified_models, made_control
+from pipeline.loading.parameter_sets import parameter_set
 from pipeline.runs import layout
 from pipeline.runs.atomic import sweep
 from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.loading.device import Device, RotationMap, device, parameter_values, rotation_map
+from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import free_rows, free_run, start_of
+from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources
 from pipeline.models.base import FreeRun, HasDraws, Model, predictor
 from pipeline.models.kind import model_from_tree

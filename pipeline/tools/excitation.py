@@ -12,7 +12,7 @@ from pipeline.joint.equilibria import equilibria
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduced_order import simulate_reduced
 from pipeline.joint.reduction import reduce_joint
-from pipeline.loading.device import joint_parameters
+from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.outputs import check_places, new_outputs, rebased
 from pipeline.tools.excitation_design import Assessment, Design, Requirements, Simulator, design_excitation

@@ -11,8 +11,9 @@ import numpy as np
 
 from pipeline.child_processes import in_processes
 from pipeline.errors import DataRefusedError, DebistError, InputError
-from pipeline.loading.device import device, parameter_set, parameter_values
+from pipeline.loading.device import device
 from pipeline.loading.held_models import identified_models
+from pipeline.loading.parameter_sets import parameter_set, parameter_values
 from pipeline.loading.trajectories import load_motion, sources, training, trajectories
 from pipeline.models.kind import kind
 from pipeline.runs import layout, schemas

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.loading.device import device, parameter_set
+from pipeline.loading.device import device
 from pipeline.loading.free_runs import free_run
+from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
 from pipeline.loading.trajectories import motion
 from pipeline.models.base import Model, real_numbers

@@ -11,7 +11,8 @@ from pydantic import ValidationError
 from pipeline.device_facts.excitation_advice import Shortfall, shortfalls
 from pipeline.errors import DebistError, InputError
 from pipeline.identification.excitation import Excitation, examine_excitation
-from pipeline.loading.device import device, parameter_set
+from pipeline.loading.device import device
+from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import open_si
 from pipeline.rig_logs.inspection import Inspection, inspect_log, suggested_unit
 from pipeline.rig_logs.source import CsvOptions

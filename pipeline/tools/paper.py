@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.loading.device import device, parameter_set
+from pipeline.loading.device import device
+from pipeline.loading.parameter_sets import parameter_set
 from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date

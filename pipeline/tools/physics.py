@@ -115,7 +115,7 @@ def calibrate(
 
 def write_parameters(fit: "Calibration", target: Path, *, force: bool) -> None:
     """Write a calibrated set as TOML with its standard errors as comments; errors as for `new_outputs`."""
-    from pipeline.loading.device import parameter_file
+    from pipeline.loading.parameter_sets import parameter_file
     from pipeline.runs.outputs import new_outputs
 
     errors = {name: f"± {error:.2g}" for name, error in zip(fit.names, fit.standard_errors, strict=True)}

@@ -11,7 +11,7 @@ from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
 from pipeline.batch.fleet import FLEET_CSV, write_fleet_tables
 from pipeline.batch.worker import Outcome, make_outcome, run_worker
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.loading.device import joint_parameters
+from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.plain_files import read_plain
 from pipeline.process_copies import End
 from pipeline.runs.manifest import MANIFEST, load_manifest

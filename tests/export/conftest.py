@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from joints import hybrid, paper, pulses
 
-from pipeline.loading.device import device, parameter_set
+from pipeline.loading.device import device
+from pipeline.loading.parameter_sets import parameter_set
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe

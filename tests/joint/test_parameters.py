@@ -6,7 +6,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.joint.parameters import NOMINAL, PARAMETER_SETS, QUANTITIES, TABLE1, VECTOR_NAMES
-from pipeline.loading.device import joint_parameters, parameter_file
+from pipeline.loading.parameter_sets import joint_parameters, parameter_file
 from pipeline.units import parse_quantity
 
 

@@ -14,7 +14,7 @@ from pipeline.joint.equilibria import equilibria
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.parameters import NOMINAL, TABLE1
 from pipeline.joint.reduced_order import pulse_sequence
-from pipeline.loading.device import joint_parameters
+from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.runs.schemas import KINEMATICS, SIGNALS, resolve
 from pipeline.runs.tables import write_table
 from pipeline.tools.physics import write_parameters
