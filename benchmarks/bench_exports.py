@@ -25,10 +25,10 @@ from joints import OCTAVE, CompiledModel, half_steps  # noqa: E402
 from pipeline.export.matlab import write_matlab  # noqa: E402
 from pipeline.export.subject import Subject, curve_tables  # noqa: E402
 from pipeline.loading.held_models import identified_models  # noqa: E402
+from pipeline.loading.run_models import subject  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
 from pipeline.settings import parse_prototype  # noqa: E402
-from pipeline.tools.export import subject  # noqa: E402
 
 REPEATS = 5
 OCTAVE_SECONDS = 3.0  # interpreted, it runs slower than the joint

@@ -44,6 +44,7 @@ from pipeline.export.controller import ControllerSubject, write_controller
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import DEVIATIONS
 from pipeline.joint.parameters import NOMINAL
+from pipeline.loading.run_models import load_run_model
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
@@ -57,7 +58,6 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.tools.closed_loop import virtual_joint
 from pipeline.tools.controlled_run import DATA_SHEET, ControlSettings, control_run
-from pipeline.tools.export import load_run_model
 
 SNAPS, BESIDE, ROBUST, PULSES = 50, 10, 6, 12  # of a joint: snaps, plain ones, of each change, pulses to each side
 LENGTHS = (0.1, 0.2)  # s, of the pulses whose lowest voltage is looked for

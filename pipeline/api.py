@@ -114,7 +114,7 @@ class Run:
         InputError
             The run holds no such model.
         """
-        from pipeline.tools.export import load_run_model
+        from pipeline.loading.run_models import load_run_model
 
         return Model(load_run_model(self._folder, self._prototype, name), self._prototype)
 

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.held_models import controlled_model
+from pipeline.loading.run_models import load_run_model
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Prototype
-from pipeline.tools.export import load_run_model
 
 if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters

@@ -141,8 +141,8 @@ def _simulators(source: Source, parameters: JointParameters, rng: np.random.Gene
 
 def _of_run(root: Path, name: str | None) -> Simulator:
     """The motion of a run's model from where one of its logs starts, at rest."""
+    from pipeline.loading.run_models import subject
     from pipeline.runs.run_folder import RunFolder
-    from pipeline.tools.export import subject
 
     run = RunFolder.open(root)
     prototype = run.prototype

@@ -6,28 +6,20 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-import numpy as np
-
 from pipeline.choices import Target
 from pipeline.errors import InputError
-from pipeline.loading.device import device
-from pipeline.loading.free_runs import start_of
 from pipeline.loading.held_models import model_artifact
 from pipeline.loading.measured_curves import named_curves
-from pipeline.loading.trajectories import load_motion, training_tables
-from pipeline.models.base import Model
-from pipeline.models.kind import model_from_tree
-from pipeline.numerics.arrays import voltages
+from pipeline.loading.run_models import subject
 from pipeline.runs import layout
 from pipeline.runs.confined import refuse_link
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.tables import Table
 from pipeline.settings import ROLES, Prototype
 
 if TYPE_CHECKING:
-    from pipeline.export.subject import Exported, Subject, Validity
+    from pipeline.export.subject import Exported
 
 _TAKES_NONE = {
     "crate": "it is the whole run",
@@ -103,64 +95,6 @@ def _origin(run: RunFolder, prototype: Prototype, target: Target, model: str | N
     design = layout.control("design")
     origin = [artifact, design] if target == "controller" and design in run.manifest.artifacts else [artifact]
     return {name: run.record(name).content_hash for name in origin}
-
-
-def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> Model:
-    """An identified model or a baseline of the run; the headline if none is named.
-
-    Raises
-    ------
-    InputError
-        The run holds no such model.
-    """
-    known, artifact = model_artifact(run, prototype, name)
-    return model_from_tree(known, run.read_tree(artifact, known))
-
-
-def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
-    """A model of the run, the headline if none is named, and what travels along with it."""
-    from pipeline.export.subject import Subject
-
-    known, artifact = model_artifact(run, prototype, name)
-    model, check = load_run_model(run, prototype, known), _check_log(run, prototype)
-    start = start_of(check, model)
-    return Subject(
-        prototype=prototype.name,
-        name=known,
-        model=model,
-        validity=_validity(run, prototype),
-        origin=run.record(artifact).content_hash,
-        t=start.t,
-        v=voltages(check)[-len(start.t) :],
-        start=(start.q0, start.qdot0),
-        curve_units=device(prototype).curve_units,
-    )
-
-
-def _check_log(run: RunFolder, prototype: Prototype) -> Table:
-    """The first validation log, or the first training log where there is none."""
-    role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    return load_motion(run, prototype, role, log)
-
-
-def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
-    from pipeline.export.subject import Validity
-
-    tables, plant = training_tables(run, prototype), device(prototype)
-
-    def span(values: list[np.ndarray]) -> tuple[float, float]:
-        """Smallest and largest of all logs."""
-        return min(float(np.nanmin(x)) for x in values), max(float(np.nanmax(x)) for x in values)
-
-    inputs = [name for name in ("v1", "v2") if name in tables[0]]
-    return Validity(
-        q=span([table["q"] for table in tables]),
-        qdot=span([table["qdot"] for table in tables]),
-        v=tuple(span([table[name] for table in tables]) for name in inputs),
-        sample_interval=prototype.ingest.sample_interval,
-        q_unit=plant.displacement.symbol,
-        v_units=tuple(unit.symbol for unit in plant.inputs),
-    )
 
 
 def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | None, folder: Path) -> "Exported":

@@ -18,9 +18,9 @@ from cli import app
 from pipeline.export.json_document import write_json
 from pipeline.export.matlab import write_matlab
 from pipeline.export.subject import Subject, realise
+from pipeline.loading.run_models import subject
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
-from pipeline.tools.export import subject
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "benchmarks" / "prototypes"
 RUNS = {"P1": "", "P2": "", "P3": "", "P3 from data alone": 'parameters = "nominal"', "quarter-drone": ""}
