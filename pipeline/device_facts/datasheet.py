@@ -11,10 +11,11 @@ from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
 from pipeline.device_facts.run_data import RunData, wells_of_run
 from pipeline.models.base import Model
-from pipeline.numerics.arrays import FloatArray, voltages
+from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import quantity
+from pipeline.signals.inputs import voltages
 
 FORMAT = "debist-datasheet/1"
 RING_TIME, RING_STEP = 2.0, 0.005  # s

@@ -7,7 +7,8 @@ import numpy as np
 
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.models.base import Model, SimulatesMany
-from pipeline.numerics.arrays import FloatArray, voltages
+from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.inputs import voltages
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals

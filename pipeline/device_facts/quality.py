@@ -9,9 +9,10 @@ import numpy as np
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.identification.coverage import coverage
 from pipeline.names import ROLE_WORDS, log_title
-from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import percent, quantity, significant
+from pipeline.signals.inputs import voltages
 from pipeline.signals.noise import below_resolution, noise_std, rounding
 from pipeline.signals.signal_quality import examine_signal
 

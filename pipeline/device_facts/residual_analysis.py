@@ -12,7 +12,8 @@ import numpy as np
 from scipy.signal import correlate, welch
 
 from pipeline.device_facts.run_data import LogData, RunData
-from pipeline.numerics.arrays import FloatArray, longest_run, samples_of, voltages
+from pipeline.numerics.arrays import FloatArray, longest_run, samples_of
+from pipeline.signals.inputs import voltages
 
 LEVEL = 2.576
 """Standard deviations of a 99 % band."""

@@ -10,11 +10,11 @@ from pipeline.loading.held_models import model_artifact
 from pipeline.loading.trajectories import load_motion, training_tables
 from pipeline.models.base import Model
 from pipeline.models.kind import model_from_tree
-from pipeline.numerics.arrays import voltages
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
+from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
     from pipeline.export.subject import Subject, Validity

@@ -8,13 +8,14 @@ import numpy as np
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
 from pipeline.models.kind import Training
-from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
+from pipeline.signals.inputs import voltages
 from pipeline.signals.trajectory import SHORTEST, Record, Trajectory
 
 if TYPE_CHECKING:

@@ -1,6 +1,5 @@
 """The array types that the numerics exchange."""
 
-from collections.abc import Mapping
 from typing import Protocol
 
 import numpy as np
@@ -21,11 +20,6 @@ class Samples(Protocol):
 
     def __getitem__(self, rows: slice, /) -> FloatArray:
         """The samples of a range of rows (step 1, bounds not negative), read-only."""
-
-
-def voltages(table: Mapping[str, FloatArray]) -> FloatArray:
-    """The inputs v1, v2 of a table, shape (N, 1) or (N, 2)."""
-    return np.column_stack([table[name] for name in ("v1", "v2") if name in table])
 
 
 def sample_interval(t: FloatArray) -> float:

@@ -11,12 +11,13 @@ from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, unforced, visited_range
 from pipeline.device_facts.quality import centre_visits
 from pipeline.device_facts.run_data import Columns, RunData, Study
-from pipeline.numerics.arrays import FloatArray, voltages
+from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
 from pipeline.reporting.recipe_figures import study_figure
 from pipeline.si_prefix import power, quantity
+from pipeline.signals.inputs import voltages
 
 FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis

@@ -7,12 +7,13 @@ import numpy as np
 from pipeline.device_facts.events import voltage_switches
 from pipeline.device_facts.residual_analysis import Residual, headline_residual
 from pipeline.device_facts.run_data import LogData, RunData, judged_log
-from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval, voltages
+from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
 from pipeline.numerics.metrics import fit_percent, rmse
 from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import grouped, power, quantity, significant
+from pipeline.signals.inputs import voltages
 from pipeline.units import ALPHA_UNIT, signal_units
 
 METHODS = {

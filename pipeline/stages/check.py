@@ -11,12 +11,12 @@ from pipeline.checks.gates import accepted_settings, judge
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.names import log_title, true_name
-from pipeline.numerics.arrays import voltages
 from pipeline.runs import layout
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import CheckGate, Prototype
+from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
     from pipeline.checks.check import Declared

@@ -16,7 +16,6 @@ from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, kind
-from pipeline.numerics.arrays import voltages
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
@@ -24,6 +23,7 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, TrainingGate
+from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters

@@ -11,13 +11,14 @@ from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.held_models import identified_models
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.names import with_true_names
-from pipeline.numerics.arrays import FloatArray, sample_interval, samples_of, voltages
+from pipeline.numerics.arrays import FloatArray, sample_interval, samples_of
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, Role
+from pipeline.signals.inputs import voltages
 from pipeline.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:

@@ -16,13 +16,14 @@ from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources
 from pipeline.models.base import FreeRun, HasDraws, Model, predictor
 from pipeline.models.kind import model_from_tree
-from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype
+from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters

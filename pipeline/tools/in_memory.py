@@ -15,10 +15,11 @@ from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
 from pipeline.loading.trajectories import motion
 from pipeline.models.base import Model, real_numbers
-from pipeline.numerics.arrays import FloatArray, sample_interval, voltages
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.signals.inputs import voltages
 from pipeline.stages.check import declared, log_signals
 from pipeline.stages.differentiate import derivatives
 from pipeline.stages.identify import identified

@@ -75,8 +75,8 @@ def bode(model: "LinearModel") -> dict[str, list[float]]:
 def _measured_ringing(found: ControlRun) -> dict[str, Any]:
     """Mean frequency [Hz] and damping ratio of the ring-downs in both wells, over all logs, as in the datasheet."""
     from pipeline.device_facts.events import rest_facts
-    from pipeline.numerics.arrays import voltages
     from pipeline.scoring.wells import wells_of
+    from pipeline.signals.inputs import voltages
 
     tables = [found.run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(found.prototype)]
     wells = wells_of(tables)

@@ -18,7 +18,7 @@ import pytest
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
 from pipeline.device_facts.quality import THRESHOLDS, Threshold, data_checks
 from pipeline.device_facts.run_data import RunData, Study
-from pipeline.numerics.arrays import FloatArray, voltages
+from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
@@ -31,6 +31,7 @@ from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import headline_table
 from pipeline.scoring.wells import NoWells
 from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
+from pipeline.signals.inputs import voltages
 from pipeline.units import ALPHA_UNIT
 from tests.reporting.synthetic import HOSTILE, run_data, run_figures, run_sheet, without_models
 
