@@ -1,1 +1,1 @@
-"""What the `debist` command shares: console output, progress, and the sub-commands of physics, rig and study."""
+"""The commands of `debist`, one file per group, with the console output and the error boundary that they share."""

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -293,3 +293,10 @@ PrototypeFile = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed; never a log.")]
+Output = Annotated[Path | None, typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME].")]
+TableFormat = Literal["text", "csv", "latex", "markdown"]
+Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
+Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
+Details = Annotated[
+    bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons, switching times.")
+]

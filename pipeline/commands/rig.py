@@ -133,7 +133,7 @@ def excite(
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
-    from pipeline.commands.inspection import emit_design
+    from pipeline.commands.excitation import emit_design
     from pipeline.rig.faults import listed
     from pipeline.tools.excitation import Limits, Source, description, excite
     from pipeline.tools.excitation_design import Requirements

@@ -1,0 +1,150 @@
+"""A run as a whole: made, looked at, drawn."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pipeline.choices import Typeface
+from pipeline.commands import outcome
+from pipeline.commands.console import (
+    Details,
+    Force,
+    Json,
+    Output,
+    Progress,
+    PrototypeFile,
+    Quiet,
+    Report,
+    Run,
+    Runs,
+    emit_json,
+    emit_table,
+)
+
+
+def plot(
+    runs: Runs,
+    figure: Annotated[
+        str | None, typer.Option("-f", "--figure", help="Name of the figure [default: list them].")
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."),
+    ] = None,
+    start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
+    stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
+    typeface: Annotated[Typeface, typer.Option("--typeface", help="Typeface of the figure.")] = "sans",
+    model: Annotated[
+        list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
+    ] = None,
+    force: Force = False,
+    as_json: Json = False,
+) -> None:
+    """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
+
+    Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
+    """
+    from pipeline.tools.plot import Excerpt, plot_runs, run_figures
+
+    if figure is None:
+        names = list(run_figures(runs[0]).titles.items())
+        if as_json:
+            emit_json({"figures": [{"name": name, "title": title} for name, title in names]})
+        else:
+            emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
+        return
+    written = plot_runs(runs, figure, output, Excerpt(start, stop, model or (), typeface), force=force)
+    if as_json:
+        emit_json({"written": written})
+    else:
+        typer.echo("\n".join(map(str, written)))
+
+
+def show(run: Run, as_json: Json = False) -> None:
+    """Datasheet of a run: wells, barriers, switching voltages, ring-down, and the verdict on data and model.
+
+    Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
+    """
+    from pipeline.loading.report_data import load_datasheet
+    from pipeline.reporting.datasheet_rows import show_datasheet
+
+    document = load_datasheet(run)
+    if as_json:
+        emit_json(document)
+        return
+    shown = show_datasheet(document)
+    emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
+    if shown.seen:
+        emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
+    emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
+
+
+def run_command(
+    prototype: PrototypeFile,
+    output: Output = None,
+    with_report: Report = True,
+    details: Details = False,
+    only_plan: Annotated[bool, typer.Option("--dry-run", help="Only say what would be done, and why.")] = False,
+    replace: Annotated[
+        bool, typer.Option("--replace", help="Take over the folder of another prototype's run, overwriting it.")
+    ] = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """All stages from the raw logs to the NRMSE table; what is up to date is skipped.
+
+    NRMSE in percent. Example: debist run P1.toml -o runs/P1
+    """
+    from pipeline.stages.belonging import place_of
+    from pipeline.stages.run import dry_run, run_prototype
+
+    place = place_of(prototype, output)
+    if only_plan:
+        outcome.emit_status(f"plan for {place.root}", dry_run(place, replace=replace), as_json=as_json)
+        return
+    with Progress(quiet=quiet) as progress:
+        results = run_prototype(place, None, progress, with_report=with_report, replace=replace)
+    outcome.emit_scores(place.root, as_json=as_json, details=details)
+    if not as_json:
+        if with_report:
+            outcome.emit_verdict(place.root)
+        typer.echo(outcome.summary(results))
+    outcome.emit_stale_exports(place.root)
+
+
+def demo(output: Output = None, force: Force = False, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Simulated logs of a virtual prototype, then the whole run on them; needs no file and no network.
+
+    NRMSE in percent. Example: debist demo -o runs/demo
+    """
+    from pipeline.rig.demo import write_demo_logs
+    from pipeline.stages.run import run_prototype
+
+    folder = output or Path("runs/demo")
+    with Progress(quiet=quiet) as progress:
+        results = run_prototype(write_demo_logs(folder, force=force), folder, progress)
+    outcome.emit_scores(folder, as_json=as_json)
+    if not as_json:
+        outcome.emit_verdict(folder)
+        typer.echo(f"{outcome.summary(results)}; the logs are simulated. Next: debist status {folder}")
+
+
+def status(
+    runs: Runs,
+    brief_form: Annotated[bool, typer.Option("--brief", help="One line for each run, as always for several.")] = False,
+    as_json: Json = False,
+) -> None:
+    """What is stale in a run, and why: its artifacts against the logs and the settings file of today.
+
+    Example: debist status runs/P1
+    """
+    from pipeline.stages.run import fleet_status, missing_settings, run_status
+
+    if brief_form or len(runs) > 1:
+        outcome.emit_fleet_status(fleet_status(runs), as_json=as_json)
+        return
+    outcome.emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
+    outcome.emit_stale_exports(runs[0])
+    if said := missing_settings(runs[0]):
+        typer.echo(f"note: {said}", err=True)
