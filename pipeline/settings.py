@@ -285,7 +285,7 @@ class Compare(_Settings):
 
 
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
-CheckGate = Literal["sides", "delay", "time-base", "scale", "device"]
+CheckGate = Literal["sides", "delay", "time-base", "scale", "wrapped", "device"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
 Gate = Literal[LogGate, CheckGate, TrainingGate]
 
@@ -297,7 +297,8 @@ class Quality(_Settings):
     """Findings that shall not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
     log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
     "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
-    "time-base", "scale", "device". Of the training data: "idle", "undriven", "one-well", "visits", "rank"."""
+    "time-base", "scale", "wrapped" (an angle that jumps by a turn), "device". Of the training data: "idle",
+    "undriven", "one-well", "visits", "rank"."""
 
 
 class Prototype(_Settings):

@@ -70,7 +70,7 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
 
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     rows = [*_unit_rows(fact, declared), _resolution_row(fact, declared), *_rate_rows(fact, declared)]
-    rows += [_natural_row(fact, declared), _ring_row(fact), _rest_row(fact, declared)]
+    rows += [*_wrapped_rows(fact, declared), _natural_row(fact, declared), _ring_row(fact), _rest_row(fact, declared)]
     if fact.undriven >= limits.UNDRIVEN_SNAPS:
         rows.append(_undriven_row(fact))
     for i, known in enumerate(fact.inputs):
@@ -194,21 +194,40 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
     found = f"{quantity(delay.value, 's', delay.error, like=declared.sample_interval)}{reached}"
     if not declared.joint:
         return CheckRow(fact.signals.name, what, found, "")
-    most = limits.MOST_DELAY * declared.sample_interval
-    late = abs(delay.value) > most and abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
+    intervals = abs(delay.value) / declared.sample_interval
+    sure = abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
     unsure = abs(known.push.value) <= limits.SIGN_CERTAINTY * known.push.error
-    first = f"v{i + 1} hardly moves q: see first whether it is the channel that drives this device; then "
-    clocks = "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger"
-    advice = first + clocks if unsure else clocks
+    late = sure and intervals > limits.MOST_DELAY
+    noted = sure and intervals > limits.NOTED_DELAY
+    advice = f"v{i + 1} hardly moves q: see first whether it is the channel that drives this device; then " * unsure
+    advice += (
+        "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger; if the "
+        'inputs do act late (a filter, a slow drive, electrodes that charge slowly), set models = ["rbf"] and drive = '
+        '"lag" or "delay" in [identify]'
+    )
     return CheckRow(
         fact.signals.name,
         what,
         found,
-        f"± {_short(most, 's')}",
-        "ok" if not late else "note" if unsure else "wrong",
+        f"± {_short((limits.MOST_DELAY if late else limits.NOTED_DELAY) * declared.sample_interval, 's')}",
+        "wrong" if late and not unsure else "note" if noted else "ok",
         "delay" if late and not unsure else None,
-        advice if late else "",
+        advice if noted else "",
     )
+
+
+def _wrapped_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
+    """An angle that jumps by a turn where it leaves the interval that it is kept in."""
+    turns = fact.span / (2.0 * np.pi)
+    if declared.displacement != "rad" or not limits.WRAPPED[0] < turns < limits.WRAPPED[1]:
+        return []
+    q = fact.signals.q
+    jumps = int(np.count_nonzero(np.diff((np.abs(q[3:] - q[:-3]) > limits.TURN * fact.span).astype(np.int8)) > 0))
+    if not jumps:
+        return []
+    advice = "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device"
+    found = f"{jumps} by {_short(fact.span, 'rad')}"
+    return [CheckRow(fact.signals.name, "jumps of the angle", found, "none", "wrong", "wrapped", advice)]
 
 
 def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:

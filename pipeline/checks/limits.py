@@ -6,6 +6,13 @@ MOST_DELAY = 2.5
 """Sample intervals between an input and the answer of q. Drives, probes, sensors and the creep of the membranes shift
 it by up to 1.3 intervals in honest logs; two recorders that start one after the other by far more."""
 
+NOTED_DELAY = 1.4
+"""The same from which on it is shown as remarkable."""
+
+TURN, WRAPPED = 0.7, (0.9, 1.1)
+"""Share of the range of an angle that it runs through within three samples where it wraps, and that range in turns: one
+that is kept within a turn jumps from end to end."""
+
 MOST_CORRELATED = 0.999
 """Correlation of the two inputs, as they act, from which on they are one."""
 

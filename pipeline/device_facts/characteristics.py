@@ -12,12 +12,14 @@ import numpy as np
 from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
 from pipeline.models.base import HasCurveDraws, HasCurves
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.scoring.wells import outermost_pair
 
 LEVEL = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range
 DRAWS = 64  # of the model's curves
+STEEP = 5.0  # times the change of the force two grid points away, beyond which it jumps
+SMALL = 1e-3  # share of the range of the force that is no jump
 COARSER = 20  # grid of their deviation from the model's own curves; divides POINTS - 1
 
 
@@ -111,10 +113,19 @@ def _drawn_curves(
     return [dict(zip(full, rows, strict=True)) for rows in zip(*full.values(), strict=True)]
 
 
+def jumps(force: FloatArray) -> BoolArray:
+    """Between which points of the grid the force jumps, shape (n − 1,): the beam's shape snaps at a held tip there."""
+    change = np.abs(np.diff(force))
+    beside = np.maximum(np.roll(change, 2), np.roll(change, -2))
+    beside[:2], beside[-2:] = change[2:4], change[-4:-2]
+    found: BoolArray = (change > STEEP * beside) & (change > SMALL * np.ptp(force))
+    return found
+
+
 def equilibria(q: FloatArray, force: FloatArray) -> list[Equilibrium]:
-    """Zeros of the force on the grid, by straight lines between its points."""
+    """Zeros of the force on the grid, by straight lines between its points; where it jumps it has none."""
     sign = np.sign(force)
-    rows = np.flatnonzero(sign[:-1] * sign[1:] < 0.0)
+    rows = np.flatnonzero((sign[:-1] * sign[1:] < 0.0) & ~jumps(force))
     slopes: FloatArray = np.diff(force) / np.diff(q)
     exact = [(float(q[i]), float(slopes[min(int(i), slopes.size - 1)])) for i in np.flatnonzero(sign == 0.0)]
     crossed = [(float(q[i] - force[i] / slopes[i]), float(slopes[i])) for i in rows]
@@ -151,28 +162,35 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
 def device_facts(curves: Curves) -> dict[str, float | None]:
     """The numbers of a datasheet that follow from the curves alone, in SI; None where one does not exist.
 
-    Of a device with one stable equilibrium only, ``rest`` and ``stiffness``.
+    Of a device with one stable equilibrium only, ``rest`` and ``stiffness``. Where the force jumps between two wells,
+    what is on the way between them does not follow from the curves.
     """
     at_rest = equilibria(curves.q, curves.force)
-    found = outer_wells(at_rest)
-    if found is None:
-        stable = [e for e in at_rest if e.stable]
-        return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if len(stable) == 1 else {}
-    left, saddle, right = found
-    energy = np.interp([left.q, saddle.q, right.q], curves.q, curves.energy)
+    stable = [e for e in at_rest if e.stable]
+    if len(stable) < 2:
+        return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if stable else {}
+    left, right = stable[0], stable[-1]
     facts: dict[str, float | None] = {
         "well_left": left.q,
         "well_right": right.q,
+        "stiffness_left": left.stiffness,
+        "stiffness_right": right.stiffness,
+        "asymmetry_wells": (left.q + right.q) / (right.q - left.q),
+    }
+    between = (curves.q[:-1] > left.q) & (curves.q[1:] < right.q)
+    if np.any(jumps(curves.force)[between]):
+        return facts
+    passes = [e for e in at_rest if not e.stable and left.q < e.q < right.q]
+    saddle = max(passes, key=lambda e: float(np.interp(e.q, curves.q, curves.energy)))
+    energy = np.interp([left.q, saddle.q, right.q], curves.q, curves.energy)
+    facts |= {
         "saddle": saddle.q,
         "barrier_left": float(energy[1] - energy[0]),
         "barrier_right": float(energy[1] - energy[2]),
-        "stiffness_left": left.stiffness,
-        "stiffness_right": right.stiffness,
     }
     for k in range(len(curves.pushes)):
         facts[f"switch_v{k + 1}_to_right"] = switching_input(curves, k, left.q, saddle.q)
         facts[f"switch_v{k + 1}_to_left"] = switching_input(curves, k, right.q, saddle.q)
-    facts["asymmetry_wells"] = (left.q + right.q) / (right.q - left.q)
     mean = (facts["barrier_left"] + facts["barrier_right"]) / 2.0  # type: ignore[operator]
     facts["asymmetry_barriers"] = float(energy[2] - energy[0]) / mean if mean > 0.0 else None
     return facts

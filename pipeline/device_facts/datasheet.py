@@ -205,8 +205,9 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         values = device_facts(curves[source])
         limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
-        if len(data.inputs) == 1 and "rest" in values and isinstance(wells, Wells):
-            wells = NoWells(f"{source} has a single rest", True)
+        single = "rest" in values
+        if not (data.joint or "well_left" in values) and isinstance(wells, Wells):
+            wells = NoWells(f"{source} has {'a single rest' if single else 'no two wells'}", single)
             rests = rest_facts(records, wells)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)

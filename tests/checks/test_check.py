@@ -166,6 +166,23 @@ def test_the_delay_is_told(pair: list[LogSignals], lag: int) -> None:
         assert abs(value - lag) < 3.0 and error < 3.0
 
 
+def test_a_delay_that_no_clock_need_make_is_shown_and_does_not_refuse(pair: list[LogSignals]) -> None:
+    rows = [row for row in check_logs([_later(pair[0], 17)], JOINT) if row.what.startswith("delay")]
+    assert {(row.state, row.gate) for row in rows} == {("note", None)}
+    assert all('drive = "lag" or "delay"' in row.advice for row in rows)
+
+
+@pytest.mark.parametrize(("kept", "found"), [(True, ["wrapped"]), (False, [])])
+def test_an_angle_that_is_kept_within_a_turn_is_refused(kept: bool, found: list[str]) -> None:
+    """A pendulum that goes round, and one that swings by nearly a turn."""
+    t = np.arange(0.0, 30.0, 1e-3)
+    q = np.pi * (t / 5.0 + np.sin(2.0 * t)) if kept else 0.97 * np.pi * np.sin(2.0 * t)
+    v = np.abs(np.sin(0.7 * t))[:, None]
+    log = LogSignals("train/a", t, (q + np.pi) % (2.0 * np.pi) - np.pi, v, 1e-3)
+    one = Declared(squared=True, displacement="rad", inputs=("V",), mass=None, sample_interval=0.01)
+    assert [row.gate for row in check_logs([log], one) if row.what == "jumps of the angle"] == found
+
+
 def test_one_late_voltage_is_told_from_the_other(pair: list[LogSignals]) -> None:
     log = pair[0]
     v = np.stack([log.v[60:, 0], log.v[:-60, 1]], axis=1)

@@ -13,7 +13,7 @@ from pipeline.device_facts.phase_plane import basins
 from pipeline.device_facts.quality import model_checks
 from pipeline.device_facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells, snaps
-from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, run_data, without_models
+from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, double_well, run_data, without_models
 
 Q = np.linspace(-0.02, 0.02, 4001)
 K = STIFFNESS / (2 * WELL**2)
@@ -216,6 +216,9 @@ def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> Non
     found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, wells)}
     assert found["ambiguous"].grade == "fair"
     assert "2 of 10 outcomes" in found["ambiguous"].statement
+    assert found["outside"].grade == "fair"  # the model errs by 0.1 % there
+    far = [row | {"nrmse": 0.03} for row in rows]
+    found = {check.name: check for check in model_checks(replace(data, scores=far), "rbf", None, wells)}
     assert found["outside"].grade == "poor"
     assert not {"ambiguous", "outside"} & {check.name for check in model_checks(data, "rbf", None, wells)}
     without = {check.name for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("one rest"))}
@@ -286,3 +289,45 @@ def test_a_model_that_a_constant_beats_is_said_to_be_one() -> None:
     q = data.role("validation")[0].kinematics["q"]
     spread = float(np.nanstd(q) / (np.nanmax(q) - np.nanmin(q)))
     assert "constant" in told(1.01 * spread) and "constant" not in told(0.99 * spread)
+
+
+def test_a_jump_of_the_force_is_neither_a_well_nor_a_way_between_wells() -> None:
+    """As of a beam whose shape snaps while its tip is held: other curves beyond, here 2 N higher and lower."""
+    curves = _curves()
+    outside, between = Q < -1.4 * WELL, np.abs(Q) < 0.2 * WELL
+    far = device_facts(replace(curves, force=curves.force + 100.0 * np.abs(curves.force).max() * outside))
+    usual = device_facts(curves)
+    assert far == pytest.approx(usual)
+    near = device_facts(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between))
+    assert near["well_left"] == pytest.approx(usual["well_left"])
+    assert near["stiffness_right"] == pytest.approx(usual["stiffness_right"])
+    assert not near.keys() & {"saddle", "barrier_left", "switch_v1_to_right"}
+
+
+def test_a_barrier_is_the_highest_of_several() -> None:
+    """Two low wells and a shallow one in the middle."""
+    q = np.linspace(-1.3, 1.3, 1201)
+    force = 40.0 * (q + 1.0) * (q + 0.7) * (q + 0.05) * (q - 0.6) * (q - 1.0)
+    facts = device_facts(Curves(q, force, None, np.zeros((0, q.size)), True))
+    energy = Curves(q, force, None, np.zeros((0, q.size)), True).energy
+    inside = (q > -1.0) & (q < 1.0)
+    assert facts["barrier_left"] == pytest.approx(energy[inside].max() - np.interp(-1.0, q, energy), rel=1e-4)
+    assert facts["barrier_right"] > 0.0
+
+
+def test_a_device_with_one_input_that_nothing_restores_has_no_wells() -> None:
+    """It rests in two places, as the double well does, and its model has no restoring force."""
+    data = run_data()
+
+    def single(log: LogData) -> LogData:
+        kept = [{k: v for k, v in columns.items() if k != "v2"} for columns in (log.record, log.kinematics)]
+        return replace(log, record=kept[0], kinematics=kept[1])
+
+    model = double_well()
+    weights = np.delete(model.weights, 3, axis=0) * np.array([[0.0], [1.0], [1.0]])
+    free = replace(model, weights=weights, spread=np.zeros((weights.size, 1)))
+    alone = replace(data, logs=tuple(map(single, data.logs)), models={"rbf": free})
+    assert not alone.joint
+    sheet = make_datasheet(alone)
+    assert not any(check.name == "switches" for check in sheet.checks)
+    assert not {"well_left", "frequency_left"} & {fact.key for fact in sheet.facts}
