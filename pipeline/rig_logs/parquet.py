@@ -82,7 +82,9 @@ def _is_read(kind: Any) -> bool:
 
 
 def _is_number(kind: Any) -> bool:
-    return bool(pa.types.is_integer(kind) or pa.types.is_floating(kind) or pa.types.is_decimal(kind))
+    """Whether numbers are read from a column; a switch that is on or off is 1 or 0."""
+    kinds = (pa.types.is_integer, pa.types.is_floating, pa.types.is_decimal, pa.types.is_boolean)
+    return any(one(kind) for one in kinds)
 
 
 def _unit(field: Any) -> str:

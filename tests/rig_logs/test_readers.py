@@ -115,6 +115,16 @@ def test_parquet_and_hdf5_hold_more_than_vectors(tmp_path):
     np.testing.assert_array_equal(found["again[:,1]"], Q)
 
 
+def test_a_switch_in_parquet_is_one_where_it_is_on(tmp_path):
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    on = [None if i == 3 else i % 5 < 2 for i in range(TIME.size)]
+    pq.write_table(pa.table({"t": TIME, "on": on}), tmp_path / "log.parquet")
+    expected = np.array([np.nan if each is None else float(each) for each in on])
+    np.testing.assert_array_equal(read_here(tmp_path / "log.parquet")["on"], expected)
+
+
 def test_durations_in_parquet_are_seconds_and_what_is_no_number_is_told(tmp_path):
     import pyarrow as pa
     import pyarrow.parquet as pq
