@@ -17,6 +17,7 @@ _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
 _TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
+_VELOCITY = re.compile(r"dot$|vel|speed|geschw|_dt$|/s\b", re.IGNORECASE)
 _BETWEEN = re.compile(r"[_\-.]+")
 
 
@@ -76,6 +77,7 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
             lines.append("# time is left out: the log has none; see sample_rate")
             continue
         lines += _role_lines(suggestion, by_name, first.suggestions)
+    lines += _velocity_lines(first)
     return "\n".join([*lines, "", *_plant_lines(first), *_ingest_lines(first)]) + "\n"
 
 
@@ -91,6 +93,16 @@ def _left_over(log: Inspection) -> list[str]:
     """Channels that no role is suggested for."""
     taken = {name for suggestion in log.suggestions for name in suggestion.candidates}
     return [channel.name for channel in log.channels if channel.name not in taken]
+
+
+def _velocity_lines(log: Inspection) -> list[str]:
+    """A channel that is called a velocity, left out: derivatives and fits would rest on it as well."""
+    taken = {suggestion.only for suggestion in log.suggestions}
+    called = [c for c in log.channels if c.name not in taken and _VELOCITY.search(f"{c.name} {c.unit}")]
+    return [
+        f"# {_entry('qdot', channel.name, channel.unit.strip('[]() ') or FILL_IN)}  # where that is q's measured velocity"
+        for channel in called[:1]
+    ]
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
@@ -184,7 +196,7 @@ def _nothing(role: Role) -> str:
     return "none stands out; a length, an angle, or V of a circuit" if role == "q" else "none stands out"
 
 
-def _entry(role: Role, channel: str, unit: str) -> str:
+def _entry(role: str, channel: str, unit: str) -> str:
     return f"{role} = {{ channel = {quoted(channel)}, unit = {quoted(unit)} }}"
 
 

@@ -319,6 +319,15 @@ def test_draft_is_named_by_the_device_and_not_by_what_the_log_is_for(tmp_path, f
     assert _draft(_csv(folder / file, "t [s],q [mm],v [V]", t, np.sin(t), np.cos(t)))["name"] == name
 
 
+@pytest.mark.parametrize("called", ["xdot", "belt speed", "q_dt"])
+def test_draft_names_a_channel_that_may_be_the_velocity(tmp_path, called):
+    t, head = np.arange(100.0), "t [s],q [mm],v [V]"
+    log = _csv(tmp_path / "log.csv", f"{head},{called} [mm/s]", t, np.sin(t), np.cos(t), t % 7)
+    line = f'# qdot = {{ channel = "{called}", unit = "mm/s" }}  # where that is q\'s measured velocity'
+    assert line in toml_draft([inspect_log(log)]).splitlines()
+    assert "qdot" not in toml_draft([inspect_log(_csv(tmp_path / "log.csv", head, t, np.sin(t), np.cos(t)))])
+
+
 def test_draft_tells_what_the_reader_left_out(tmp_path):
     path = tmp_path / "clock.csv"
     path.write_text("clock,q [mm],v [V]\n" + "".join(f"12:00:{i:02d},{i % 9},{i % 7}\n" for i in range(60)))
