@@ -99,10 +99,8 @@ def _velocity_lines(log: Inspection) -> list[str]:
     """A channel that is called a velocity, left out: derivatives and fits would rest on it as well."""
     taken = {suggestion.only for suggestion in log.suggestions}
     called = [c for c in log.channels if c.name not in taken and _VELOCITY.search(f"{c.name} {c.unit}")]
-    return [
-        f"# {_entry('qdot', channel.name, channel.unit.strip('[]() ') or FILL_IN)}  # where that is q's measured velocity"
-        for channel in called[:1]
-    ]
+    entries = [_entry("qdot", channel.name, channel.unit.strip("[]() ") or FILL_IN) for channel in called[:1]]
+    return [f"# {entry}  # where that is q's measured velocity" for entry in entries]
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
