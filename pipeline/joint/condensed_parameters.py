@@ -126,7 +126,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     *(Deviation(f"log stop travel {i}", 0.5, "m") for i in range(STOPS)),
     *(_unknown(f"creep stiffness {i}", 0.04, "N/m") for i in range(CREEPS)),
     Deviation("laser offset", 0.15e-3, "m"),
-    Deviation("delay", 2e-3, "s"),
+    Deviation("delay", 6e-3, "s"),
     Deviation("probe 1", 10.0, "V"),
     Deviation("probe 2", 10.0, "V"),
 )

@@ -86,6 +86,16 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
 
 
+def test_recorders_that_began_15_ms_apart_are_seen() -> None:
+    late = joint({"delay": 2.5})
+    model = identify_hybrid([log(late, 1)], NOMINAL)
+    assert late.joint.instruments(late.theta).delay == pytest.approx(15e-3)
+    assert model.joint.instruments(model.theta).delay * model.joint.similarity.time == pytest.approx(15e-3, abs=1e-3)
+    unseen = log(late, 2)
+    run = model.simulate(unseen.t, unseen.v, float(unseen.q[0]), 0.0)
+    assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
+
+
 def test_bands_of_curves_leave_force_and_damping_open_where_no_correction_acts(
     identified: tuple[HybridModel, HybridModel],
 ) -> None:
