@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 def inspection_document(inspection: "Inspection", excitation: "LogExcitation | str") -> Any:
     """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
-    from pipeline.runs.manifest import plain
+    from pipeline.runs.manifest import to_json
 
     if isinstance(excitation, str):
         found: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
     else:
         known = {name: value for name, value in asdict(excitation).items() if name not in ("factor", "unit", "joint")}
         found = {"excitation": known}
-    return plain(asdict(inspection) | found)
+    return to_json(asdict(inspection) | found)
 
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:

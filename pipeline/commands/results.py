@@ -216,26 +216,26 @@ def folds(
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
     from pipeline.reporting.short_tables import FOLD_EXPLANATION, fold_table
-    from pipeline.runs.manifest import plain
+    from pipeline.runs.manifest import to_json
     from pipeline.tools.folds import run_folds
 
     with Progress(quiet=as_json) as progress:
         result = run_folds(run, progress, by=by, folds=count, models=model or (), jobs=jobs)
     if as_json:
-        emit_json(plain(vars(result)))
+        emit_json(to_json(vars(result)))
         return
     emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
     emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
 
 
 def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
-    from pipeline.runs.manifest import plain
+    from pipeline.runs.manifest import to_json
     from pipeline.tools.study import run_study
 
     with Progress(quiet=as_json) as progress:
         result = run_study(run, name, progress, jobs=jobs)
     if as_json:
-        emit_json(plain(vars(result)))
+        emit_json(to_json(vars(result)))
         return
     header = [f"{column} [{unit}]" for column, unit in result.units.items()]
     rows = [[f"{value:.4g}" for value in row] for row in zip(*result.columns.values(), strict=True)]

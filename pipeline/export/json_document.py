@@ -8,7 +8,7 @@ from pipeline import __version__
 from pipeline.errors import InputError
 from pipeline.export.subject import Exported, Subject, curve_tables, realise
 from pipeline.runs.atomic import write_text
-from pipeline.runs.manifest import plain
+from pipeline.runs.manifest import to_json
 
 FORMAT = "debist-model/1"
 _BETWEEN = {"linear": "linear", "cubic": "cubic spline", "zero": "held"}
@@ -25,7 +25,7 @@ def write_json(subject: Subject, folder: Path) -> Exported:
 
 def document(subject: Subject) -> dict[str, Any]:
     """The document; every number in SI, units beside the numbers or in the keys."""
-    facts: dict[str, Any] = plain(
+    facts: dict[str, Any] = to_json(
         {
             "format": FORMAT,
             "prototype": subject.prototype,

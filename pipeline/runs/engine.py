@@ -108,7 +108,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
     Damaged files are set aside under a name of their own before the rebuild. A task that fails leaves its old outputs
     as they were.
     """
-    run.settle()
+    run.recover()
     done = []
     for task in tasks:
         seen = _seen(task)
@@ -128,7 +128,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             written = task.work(run, partial(observer.progressed, task)) if task.reports else task.work(run)
             _check_sources(task, recipe, seen)
         except BaseException:
-            run.settle()
+            run.recover()
             raise
         run.commit(recipe, written)
         for warning in dict.fromkeys(w for artifact in written.values() for w in artifact.notes.get("warnings", ())):

@@ -188,14 +188,14 @@ def _dump(manifest: Manifest) -> str:
     )
 
 
-def plain(value: Any) -> Any:
+def to_json(value: Any) -> Any:
     """The value as JSON knows it: arrays as lists, keys as text, a number that is not finite as null."""
     if isinstance(value, Mapping):
-        return {str(key): plain(entry) for key, entry in value.items()}
+        return {str(key): to_json(entry) for key, entry in value.items()}
     if hasattr(value, "tolist"):
-        return plain(value.tolist())
+        return to_json(value.tolist())
     if isinstance(value, list | tuple):
-        return [plain(entry) for entry in value]
+        return [to_json(entry) for entry in value]
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
@@ -231,7 +231,7 @@ def commit(root: Path, manifest: Manifest, paths: Iterable[Path]) -> None:
     _move_all(root, paths)
 
 
-def settle(root: Path) -> None:
+def recover(root: Path) -> None:
     """Complete a commit that was interrupted, and remove what was staged for none. Call it as the only writer."""
     with reading(root):
         if (root / NEXT_MANIFEST).exists():

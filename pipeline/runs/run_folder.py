@@ -26,9 +26,9 @@ from pipeline.runs.manifest import (
     Recipe,
     commit,
     load_manifest,
-    plain,
-    settle,
+    recover,
     staging_place,
+    to_json,
 )
 from pipeline.runs.schemas import Schema
 from pipeline.runs.stage_manifest import withdraw
@@ -87,7 +87,7 @@ class RunFolder:
             sweep(root)
             made.save(root)  # first of all, so that whatever a killed process leaves here is known as a run
             return cls(root, made)
-        settle(root)
+        recover(root)
         sweep(root)
         stored = load_manifest(root)
         made.artifacts, made.environments = stored.artifacts, stored.environments
@@ -170,7 +170,7 @@ class RunFolder:
     def read_records(self, name: str) -> list[dict[str, Any]]:
         """The rows of a Parquet artifact, None where there is no finite number; errors as for `read_bytes`."""
         table = self.read_table(name)
-        return [dict(zip(table, map(plain, row), strict=True)) for row in zip(*table.values(), strict=True)]
+        return [dict(zip(table, map(to_json, row), strict=True)) for row in zip(*table.values(), strict=True)]
 
     def read_tree(self, name: str, group: str = "/") -> trees.Tree:
         """Read an HDF5 artifact, or a branch of it, from bytes that were checked; errors as for `read_bytes`."""
@@ -246,7 +246,7 @@ class RunFolder:
             staged = staging_place(self.path(name))
             with reading(staged):
                 sha256, size = file_sha256(staged), staged.stat().st_size
-            notes = plain(artifact.notes)
+            notes = to_json(artifact.notes)
             self.manifest.artifacts[name] = ArtifactRecord(recipe, sha256, artifact.content_hash, size, notes, key)
         self.manifest.versions = recorded_versions()
         used = {record.environment for record in self.manifest.artifacts.values()}
@@ -262,9 +262,9 @@ class RunFolder:
             raise ValueError("no task is at work")
         return Checkpoints(self.root, self.recipe)
 
-    def settle(self) -> None:
+    def recover(self) -> None:
         """Complete a commit that was interrupted; remove what no commit will ask for."""
-        settle(self.root)
+        recover(self.root)
 
     def set_aside(self, name: str) -> Path:
         """Move a damaged artifact out of the way, never deleting it; returns its new path."""

@@ -157,7 +157,7 @@ def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
     """What other commands made into a run, and is damaged or lost, is struck off: no stage makes it anew."""
-    run.settle()
+    run.recover()
     for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
         if problem := run.strike(name):
             observer.warned(name, f"{problem}; `debist {layout.command_of(name)}` makes it anew")

@@ -13,7 +13,7 @@ from cli import app
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs import layout, schemas
 from pipeline.runs.comparison import Change
-from pipeline.runs.manifest import Recipe, plain
+from pipeline.runs.manifest import Recipe, to_json
 from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.diff import diff_runs, write_diff_page
 
@@ -27,7 +27,7 @@ def twin(planted_run, tmp_path):  # noqa: F811
     other = tmp_path / "twin"
     shutil.copytree(planted_run, other)
     run = RunFolder.open(other)
-    rows = {name: [plain(value) for value in column] for name, column in run.read_table(layout.SCORES).items()}
+    rows = {name: [to_json(value) for value in column] for name, column in run.read_table(layout.SCORES).items()}
     for i, (model, signal) in enumerate(zip(rows["model"], rows["signal"], strict=True)):
         if (model, signal) == ("rbf-paper", "q"):
             rows["nrmse"][i] *= 2.0
@@ -59,7 +59,7 @@ def test_equal_hashes_of_a_damaged_artifact_are_not_called_equal(planted_run, tm
 
 def test_free_runs_of_other_logs_are_not_called_equal(planted_run, twin):  # noqa: F811
     run = RunFolder.open(twin)
-    rows = {name: [plain(value) for value in column] for name, column in run.read_table(layout.SCORES).items()}
+    rows = {name: [to_json(value) for value in column] for name, column in run.read_table(layout.SCORES).items()}
     rows["log"] = [f"other-{log}" for log in rows["log"]]
     run.commit(Recipe("test", "2", {}, {}), {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, rows, {})})
     shown = CliRunner().invoke(app, ["diff", str(planted_run), str(twin)]).stdout
