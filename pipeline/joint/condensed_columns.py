@@ -164,26 +164,26 @@ def propagate(
     for first in range(0, steps, 2):
         for slot in range(_SLOTS):
             _follow(points, slips, first, slot, k, h, z, w, drive, own)
-        for lane in range(STAGES):
-            step, stage = min(first + lane // 4, steps - 1), lane % 4
+        for batch_index in range(STAGES):
+            step, stage = min(first + batch_index // 4, steps - 1), batch_index % 4
             for i in range(STATES):
-                x[i * STAGES + lane] = points[step, stage, i]
+                x[i * STAGES + batch_index] = points[step, stage, i]
             for i in range(2):
-                u[i * STAGES + lane] = squares[2 * step + STAGE_NODES[stage], i]
+                u[i * STAGES + batch_index] = squares[2 * step + STAGE_NODES[stage], i]
             if centres > 0:
-                _corrections(points[step, stage, 0], basis, weights, lane, c, c_q, bells)
+                _corrections(points[step, stage, 0], basis, weights, batch_index, c, c_q, bells)
         _jacobian((x, u, c, z, c_q, p, f, a, b, by_c))
         _by_constants((x, u, c, z, p, by_k))
         for i in range(len(sources)):
             source, target = sources[i] & _PLACE, targets[i] & _PLACE
-            for lane in range(STAGES):
-                drive[target + (lane + lane // 4) * BATCH] = by_k[source + lane]
-        for lane in range(STAGES):
-            step, stage = min(first + lane // 4, steps - 1), lane % 4
+            for batch_index in range(STAGES):
+                drive[target + (batch_index + batch_index // 4) * BATCH] = by_k[source + batch_index]
+        for batch_index in range(STAGES):
+            step, stage = min(first + batch_index // 4, steps - 1), batch_index % 4
             node = 2 * step + STAGE_NODES[stage]
-            _act(by_instruments, pole, lead, 2 * step, node, lane, instruments, a, b, drive)
+            _act(by_instruments, pole, lead, 2 * step, node, batch_index, instruments, a, b, drive)
             if centres > 0:
-                _act_by_weights(bells, by_c, lane, centres, corrected, drive)
+                _act_by_weights(bells, by_c, batch_index, centres, corrected, drive)
         _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, found)
 
 
@@ -207,8 +207,8 @@ def _advance(
             if confined:
                 here[: 2 * BATCH] = 0.0
             if (step + 1) % substeps == 0:
-                for lane in range(BATCH):
-                    found[(step + 1) // substeps, block * BATCH + lane] = here[lane]
+                for batch_index in range(BATCH):
+                    found[(step + 1) // substeps, block * BATCH + batch_index] = here[batch_index]
 
 
 @compiled
@@ -237,55 +237,58 @@ def _follow(
 
 @compiled
 def _corrections(
-    q: float, basis: FloatArray, weights: FloatArray, lane: int, c: SingleArray, c_q: SingleArray, bells: FloatArray
-) -> None:
+    q: float, basis: FloatArray, weights: FloatArray, batch_index: int, c: SingleArray, c_q: SingleArray,
+    bells: FloatArray,
+) -> None:  # fmt: skip
     """The corrections at q, their slopes along q, and the bells with theirs, `bells` (STAGES, 2, M)."""
     for i in range(VALUES):
-        c[i * STAGES + lane] = c_q[i * STAGES + lane] = 0.0
+        c[i * STAGES + batch_index] = c_q[i * STAGES + batch_index] = 0.0
     for j in range(weights.shape[1]):
         bell, slope, bend = _bell((q, basis[0] + j * basis[1], basis[1], basis[2]))
-        bells[lane, 0, j], bells[lane, 1, j] = bell, slope
+        bells[batch_index, 0, j], bells[batch_index, 1, j] = bell, slope
         for i in range(CURVES):
-            c[i * STAGES + lane] += weights[i, j] * bell
-            c_q[i * STAGES + lane] += weights[i, j] * slope
+            c[i * STAGES + batch_index] += weights[i, j] * bell
+            c_q[i * STAGES + batch_index] += weights[i, j] * slope
         for i in range(VALUES - CURVES):
-            c[(CURVES + i) * STAGES + lane] += weights[CURVED.start + i, j] * slope
-            c_q[(CURVES + i) * STAGES + lane] += weights[CURVED.start + i, j] * bend
+            c[(CURVES + i) * STAGES + batch_index] += weights[CURVED.start + i, j] * slope
+            c_q[(CURVES + i) * STAGES + batch_index] += weights[CURVED.start + i, j] * bend
 
 
 @compiled
 def _act(
-    by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, lane: int,
+    by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, batch_index: int,
     places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
 ) -> None:  # fmt: skip
     """How an observer pulls, added to ∂f/∂x, and what instruments do to the rates."""
     strength = pole[begins] if len(pole) > 0 else 0.0
     q, speed, tau, turning = observer(-1.0, strength, lead)
-    a[lane], a[2 * _ALL * STAGES + lane] = q, tau
-    a[_ALL * STAGES + lane] += speed
-    a[3 * _ALL * STAGES + lane] += turning
+    a[batch_index], a[2 * _ALL * STAGES + batch_index] = q, tau
+    a[_ALL * STAGES + batch_index] += speed
+    a[3 * _ALL * STAGES + batch_index] += turning
     for i in range(INSTRUMENTS):
-        at = places[i] + (lane + lane // 4) * BATCH
+        at = places[i] + (batch_index + batch_index // 4) * BATCH
         if i == 0:
             drive[at], drive[at + _ROW] = q, speed
             drive[at + 2 * _ROW], drive[at + 3 * _ROW] = tau, turning
         else:
             left, right = by_instruments[i - 1, node, 0], by_instruments[i - 1, node, 1]
             for row in range(FIRST_STRAIN):
-                drive[at + row * _ROW] = left * b[2 * row * STAGES + lane] + right * b[(2 * row + 1) * STAGES + lane]
+                drive[at + row * _ROW] = (
+                    left * b[2 * row * STAGES + batch_index] + right * b[(2 * row + 1) * STAGES + batch_index]
+                )
 
 
 @compiled
 def _act_by_weights(
-    bells: FloatArray, by_c: SingleArray, lane: int, centres: int, first: int, drive: SingleArray
+    bells: FloatArray, by_c: SingleArray, batch_index: int, centres: int, first: int, drive: SingleArray
 ) -> None:
     """What the weights of the corrections do to the accelerations."""
     for curve in range(CURVES):
         for row in range(1, FIRST_STRAIN, 2):
-            value, slope = by_c[(row * VALUES + curve) * STAGES + lane], 0.0
+            value, slope = by_c[(row * VALUES + curve) * STAGES + batch_index], 0.0
             if CURVED.start <= curve < CURVED.stop:
-                slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * STAGES + lane]
+                slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * STAGES + batch_index]
             for j in range(centres):
                 column = first + curve * centres + j
-                at = column // BATCH * _BLOCK + column % BATCH + row * _ROW + (lane + lane // 4) * BATCH
-                drive[at] = value * bells[lane, 0, j] + slope * bells[lane, 1, j]
+                at = column // BATCH * _BLOCK + column % BATCH + row * _ROW + (batch_index + batch_index // 4) * BATCH
+                drive[at] = value * bells[batch_index, 0, j] + slope * bells[batch_index, 1, j]

@@ -81,13 +81,13 @@ def _tabulate(
         _between(t, v, states, rates, k, x, a, squares)
         motion_slopes(x, squares, force, points[0], a, slopes[k])
         for joint in range(count):
-            lane = joint % BATCH
-            if lane == 0:
+            batch_index = joint % BATCH
+            if batch_index == 0:
                 _motions((x, squares, force, joints[joint // BATCH], mass, right))
             for i in range(7):
-                owed = right[4 + i, lane]
+                owed = right[4 + i, batch_index]
                 for m in range(4 if i < 4 else 0):
-                    owed -= mass[i, m, lane] * a[m]
+                    owed -= mass[i, m, batch_index] * a[m]
                 if joint > 0:
                     sources[k, i, joint - 1] = (owed - base[i]) / steps[joint - 1]
                 else:
