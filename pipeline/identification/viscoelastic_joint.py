@@ -5,9 +5,9 @@ friction state; here they are summed over as many as a joint has. F, d, h_l, g_k
 functions (`POLYNOMIALS`) and Gaussians. The Gaussians, and with them every curve but F, go on as constants outside
 [low, high]; F goes on as its cubic, so that the joint stays confined.
 
-λ > 0 ties a run to the measurement, an observer, with e = x_measured − x: ẋ = p + 2λ e, ṗ = … + λ² e. λ = 0 is the free
-run. Friction states are exact (`elements.dahl_move`): held at their middle value during a step and then moved by the
-distance travelled (second order).
+λ > 0 couples a run to the measurement by an observer, with e = x_measured − x: ẋ = p + 2λ e, ṗ = … + λ² e. λ = 0 is
+the free run. Friction states are exact (`elements.dahl_move`): held at their middle value during a step and then moved
+by the distance travelled (second order).
 
 Sensitivities are those of the discrete scheme itself, so Gauss-Newton sees the exact Jacobian of what it minimises.
 """
