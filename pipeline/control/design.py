@@ -85,8 +85,8 @@ def design(plant: Plant, settings: Settings) -> Law:
     places = np.linspace(left - BEYOND, right + BEYOND, TARGETS)
     lags = acting_lags(plant, settings)
     targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0)
-    body = body_law(plant, lags)
-    numbers = dict(zip(NUMBERS, body.numbers.tolist(), strict=True)) | {
+    law = condensed_joint_law(plant, lags)
+    numbers = dict(zip(NUMBERS, law.numbers.tolist(), strict=True)) | {
         "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
         "per_reach": 1.0 / REACH, "steepness": STEEPNESS, "saddle": saddle,
         "pumped_right": float(slow[0] > SURE * settings.highest),
@@ -96,15 +96,15 @@ def design(plant: Plant, settings: Settings) -> Law:
     for name in ("shake", "twist", "walk"):
         numbers[f"calm_{name}"] *= float(np.clip(left_over, CALMEST, 1.0)) ** 2
     slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
-    braking = [braking_curves(body, wells, slope, places, side, settings.highest) for side in (0, 1)]
-    return body._replace(
+    braking = [braking_curves(law, wells, slope, places, side, settings.highest) for side in (0, 1)]
+    return law._replace(
         numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64),
         targets=targets,
         braking=np.concatenate(braking),
     )
 
 
-def body_law(plant: Plant, lags: tuple[float, float]) -> Law:
+def condensed_joint_law(plant: Plant, lags: tuple[float, float]) -> Law:
     """What estimator and motion need of a plant whose converters have the time constants `lags` [s], without tables."""
     k, p, basis, weights = plant.constants
     farthest, kept = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]

@@ -139,7 +139,7 @@ RESERVE = 0.65
 
 
 def braking_curves(
-    body: Law, wells: list[LinearModel], slope: float, places: FloatArray, side: int, highest: float
+    law: Law, wells: list[LinearModel], slope: float, places: FloatArray, side: int, highest: float
 ) -> FloatArray:
     """Largest speeds [m/s] from which full braking stops at each place, shape (len(places), REACHES).
 
@@ -162,7 +162,7 @@ def braking_curves(
         push[side] = highest * np.sqrt(level)
         s[:STATES], s[PLACES["volts"]] = x0, push
         s[1], s[3] = towards * speed, towards * speed * slope
-        motion, turns = braked(body, s, push, brake, towards)
+        motion, turns = braked(law, s, push, brake, towards)
         for i, place in enumerate(places):
             beyond = towards * (turns - place)
             cross = np.flatnonzero((beyond[1:] > 0.0) & (beyond[:-1] <= 0.0))
@@ -192,7 +192,7 @@ def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray
 
 @compiled
 def braked(
-    body: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
+    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
 ) -> tuple[FloatArray, FloatArray]:
     """(q, q̇) of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
 
@@ -205,11 +205,11 @@ def braked(
         for _ in range(300):
             if towards * end[1] <= 0.0:
                 break
-            move(end, brake, body)
+            move(end, brake, law)
         turns[i] = end[0]
         count = i + 1
         for _ in range(2):
-            move(s, push, body)
+            move(s, push, law)
         if towards * s[1] <= 0.0:
             break
     return motion[:count], turns[:count]
