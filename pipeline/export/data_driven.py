@@ -116,7 +116,7 @@ class _Joint:
         return (
             Variable("x", "1", "displacement from the middle of the operating range over half of it"),
             Variable("p", "1/s", "its rate", 10.0),
-            *(Variable(f"w_{i}", "1/s", f"relaxing element {i}") for i in range(len(self.c.rates))),
+            *(Variable(f"w_{i}", "1/s", f"Maxwell state {i}") for i in range(len(self.c.rates))),
             *(Variable(f"s_{i}", "1", f"Dahl friction state {i}") for i in range(self.slips)),
             *(
                 Variable(f"input_{i}", "1", f"lagged input {i + 1} over the largest trained one")
