@@ -33,7 +33,7 @@ ASYMMETRIC_NAMES = (
 FRICTION_NAMES = ("F_c",)
 """Dahl friction along q."""
 
-LOST = 5e-3
+WRONG_WELL_ERROR_M = 5e-3
 """Error of q [m] from which a window is lost: the simulation is in another well than the joint."""
 
 SEARCH = 1e-2
@@ -205,7 +205,7 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
 def _lost(windows: Windows, residuals: FloatArray) -> BoolArray:
     """Which windows the simulation leaves, in which case their errors say nothing about where it should go."""
     errors, labels = RESOLUTION * np.abs(residuals[: windows.samples]), windows.labels
-    return np.array([errors[labels == w].max(initial=0.0) > LOST for w in range(len(windows.spans))])
+    return np.array([errors[labels == w].max(initial=0.0) > WRONG_WELL_ERROR_M for w in range(len(windows.spans))])
 
 
 def _result(simulated: SimulatedProblem, final: Ended, reached: FloatArray) -> Calibration:

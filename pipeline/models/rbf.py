@@ -14,7 +14,7 @@ from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.solvers.free_run import run_status
 
-FOLLOW = 3.0  # observer gain along a measured path, in units of the frequency scale
+PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
 SLIGHT = 1e-5  # of half the range: for slopes of curves
 SEED = 20251  # of the posterior draws: the same model gives the same draws
 
@@ -106,7 +106,7 @@ class RbfModel:
         """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
         p, s = self.parameters, self.parameters.scales
         x, speed = (q - s.middle) / s.half, qdot / s.half
-        gain = FOLLOW * s.frequency
+        gain = PATH_OBSERVER_GAIN * s.frequency
         states, _ = self._run(self.theta, t, v, x, gain, (float(x[0]), float(speed[0])))
         c = p.coefficients(self.theta)
         steps = steps_per_sample(p, sample_interval(t), self.theta)

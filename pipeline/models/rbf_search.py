@@ -23,7 +23,7 @@ from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record
 
-INNER = 0.65
+FITTED_SHARE = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""
 
 QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
@@ -38,7 +38,7 @@ QUICK_ITERATIONS = 10
 MANY = 40
 """Parameters beyond which they take half as many: each costs more, and the start knows less of each."""
 
-LOST = 1.0
+DIVERGED_ERROR_HALF_RANGES = 1.0
 """Dimensionless error at which a diverged sample counts: half the operating range."""
 
 EXCERPT = 8_000
@@ -252,10 +252,10 @@ def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], 
     judged on that one, so that a structure must carry over to another excitation; with one log, fitted on its last
     part and judged on what was before.
     """
-    folds = [([r.part(0, int(INNER * len(r.t))) for r in records], list(records), INNER)]
+    folds = [([r.part(0, int(FITTED_SHARE * len(r.t))) for r in records], list(records), FITTED_SHARE)]
     if len(records) == 1:
         only = records[0]
-        split = int((1.0 - INNER) * len(only.t))
+        split = int((1.0 - FITTED_SHARE) * len(only.t))
         split += int(np.argmax(only.valid[split:]))
         folds.append(([only.part(split, len(only.t))], [only.part(0, split)], 0.0))
         return folds
@@ -265,8 +265,8 @@ def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], 
 def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _Judged | None) -> _Judged:
     """Errors of a candidate over data of the training logs that its fit has not seen.
 
-    Samples of a run that is lost count `LOST`. The fits start from those of a candidate `near` by, where that is given:
-    what both have in common needs no second search.
+    Samples of a run that is lost count `DIVERGED_ERROR_HALF_RANGES`. The fits start from those of a candidate `near`
+    by, where that is given: what both have in common needs no second search.
     """
     folds, timed = _folds(records), one.structure.input_lag or one.structure.input_delay
     first = setting.begin(folds[0][0], one)
@@ -284,7 +284,7 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
             problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
             at = (COUPLED, setting.coupled)
             both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in at]
-            errors.append(p.scales.half * np.minimum(np.abs(both), LOST))
+            errors.append(p.scales.half * np.minimum(np.abs(both), DIVERGED_ERROR_HALF_RANGES))
             thetas.append(fit.theta)
             chaotic = chaotic or fit.chaotic
             followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
@@ -297,11 +297,11 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
 
 
 def _followed(problem: JointProblem, theta: FloatArray, gain: float) -> FloatArray:
-    """Errors over what was fitted, dimensionless; `LOST` where the run diverged."""
+    """Errors over what was fitted, dimensionless; `DIVERGED_ERROR_HALF_RANGES` where the run diverged."""
     found = problem.residual(theta, gain)
     if found is None:
-        return np.full(sum(int(np.count_nonzero(log.kept)) for log in problem.logs), LOST)
-    return np.minimum(np.abs(found), LOST)
+        return np.full(sum(int(np.count_nonzero(log.kept)) for log in problem.logs), DIVERGED_ERROR_HALF_RANGES)
+    return np.minimum(np.abs(found), DIVERGED_ERROR_HALF_RANGES)
 
 
 def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:
