@@ -117,12 +117,12 @@ def identified(folder: Path, kind: str, seed: int) -> Subject:
 
 def drawing() -> HybridModel:
     """The analytical model with nominal parameters, nothing identified."""
-    body_ratio = condensed_parameters.static_slope_ratio(NOMINAL)
+    slope_ratio = condensed_parameters.static_slope_ratio(NOMINAL)
     from pipeline.joint.condensed_problem import CondensedJoint
 
-    body = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, TOP, body_ratio)
-    theta = np.concatenate([condensed_parameters.drawing_alone(), body.start()[DEVIATIONS:]])
-    return HybridModel(body, theta, *2 * (np.zeros((len(theta), 1)),))
+    condensed = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, TOP, slope_ratio)
+    theta = np.concatenate([condensed_parameters.nominal_deviations(), condensed.start()[DEVIATIONS:]])
+    return HybridModel(condensed, theta, *2 * (np.zeros((len(theta), 1)),))
 
 
 def sequence(count: int, seed: int) -> FloatArray:

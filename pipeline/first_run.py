@@ -54,7 +54,7 @@ def compile_kernels() -> None:
     with suppress(BlockingIOError):
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         _hybrid()
-        _without_a_drawing()
+        _without_parameter_set()
         _analytical()
         _measured()
 
@@ -78,14 +78,14 @@ def write_prepared() -> None:
 
 def _hybrid() -> None:
     from pipeline.joint.condensed_curves import static_curves
-    from pipeline.joint.condensed_parameters import constants, drawing_alone, static_slope_ratio
+    from pipeline.joint.condensed_parameters import constants, nominal_deviations, static_slope_ratio
     from pipeline.joint.condensed_runs import run_joints
     from pipeline.joint.condensed_sensitivity import Driven, sensitivities
     from pipeline.joint.condensed_statics import substeps
     from pipeline.joint.driving_voltages import DrivingVoltages
     from pipeline.joint.parameters import NOMINAL
 
-    k = constants(NOMINAL, drawing_alone(), static_slope_ratio(NOMINAL))
+    k = constants(NOMINAL, nominal_deviations(), static_slope_ratio(NOMINAL))
     basis, weights, dt = np.array([-0.01, 0.01, 0.01]), np.zeros((9, 3)), 0.01
     substeps(k, basis, weights, dt)
     u = np.zeros((2, 5, 2))
@@ -102,7 +102,7 @@ def _hybrid() -> None:
     static_curves(np.zeros(2), k, basis, weights)
 
 
-def _without_a_drawing() -> None:
+def _without_parameter_set() -> None:
     from pipeline.baselines.narx import NarxEquation, NarxStructure, narx_run
     from pipeline.baselines.polynomial_dynamics import PolynomialDynamics, free_run
     from pipeline.solvers.lagged_free_run import lagged_rbf_run
@@ -165,7 +165,7 @@ def _rig() -> None:
 
 def _control() -> None:
     from pipeline.control.controller import begin_control, closed_on_model, control
-    from pipeline.control.design import Settings, body_law, design
+    from pipeline.control.design import Settings, condensed_joint_law, design
     from pipeline.control.law import CONTROLLER_STATE
     from pipeline.control.plant import plant_of
     from pipeline.joint.condensed_parameters import static_slope_ratio
@@ -179,7 +179,7 @@ def _control() -> None:
     law = design(plant, Settings(3000.0, (0.003, 0.003)))
     begin_control(0.0, law, state)
     control(state, 0.0, 0.0, law, np.zeros(2))
-    closed_on_model(law, body_law(plant, (0.003, 0.003)), -0.01, np.zeros(2))
+    closed_on_model(law, condensed_joint_law(plant, (0.003, 0.003)), -0.01, np.zeros(2))
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ FIRST_STRAIN = 6
 FIRST_ELEMENT = FIRST_STRAIN + 2 * BRANCHES
 STATES = FIRST_ELEMENT + len(ELEMENT_STATES)
 
-TIP_CONSTANTS = tuple((c.name, c.typical, c.width, c.unit) for element in tip_elements() for c in element.constants)
+TIP_CONSTANTS = tuple((c.name, c.typical, c.prior_std, c.unit) for element in tip_elements() for c in element.constants)
 """Name, typical value [SI], prior width of the logarithm and unit of the constants of elements on q."""
 DRY_LEVELS = tuple(element.level for element in tip_elements() if element.level)
 """Those which are levels of dry friction."""

@@ -18,7 +18,7 @@ class Constant:
     name : str
     typical : float
         Its typical value [SI].
-    width : float
+    prior_std : float
         Standard deviation of the prior of its logarithm.
     unit : str
         A name in :data:`pipeline.units.POWERS`, for devices of another size.
@@ -26,7 +26,7 @@ class Constant:
 
     name: str
     typical: float
-    width: float
+    prior_std: float
     unit: str
 
 

@@ -145,7 +145,7 @@ def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
 
 def _set_motion(parameters: JointParameters) -> _SmallMotion:
     """The same of the parameter set's joint, from its static curves."""
-    none = condensed_parameters.drawing_alone()
+    none = condensed_parameters.nominal_deviations()
     k = condensed_parameters.constants(parameters, none, condensed_parameters.static_slope_ratio(parameters))
     q = np.linspace(0.02, 0.24, 111) * parameters.l
     force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CURVES, 0)))

@@ -42,7 +42,7 @@ class Deviation:
     ----------
     name : str
         Of the quantity; ``log`` before it where its logarithm is estimated.
-    width : float
+    prior_std : float
         Prior standard deviation, in the unit or of the logarithm.
     unit : str
         SI unit of the quantity, a name in :data:`pipeline.units.POWERS`.
@@ -51,7 +51,7 @@ class Deviation:
     """
 
     name: str
-    width: float
+    prior_std: float
     unit: str
     typical: float | None = None
 
@@ -67,13 +67,13 @@ class Deviation:
         return f"{side}{dot}{name.removeprefix('log ')}"
 
 
-def _sides(name: str, width: float, unit: str) -> list[Deviation]:
-    return [Deviation(f"{side}.{name}", width, unit) for side in ("left", "right")]
+def _sides(name: str, prior_std: float, unit: str) -> list[Deviation]:
+    return [Deviation(f"{side}.{name}", prior_std, unit) for side in ("left", "right")]
 
 
-def _unknown(name: str, typical: float, unit: str, width: float = 1.2) -> Deviation:
+def _unknown(name: str, typical: float, unit: str, prior_std: float = 1.2) -> Deviation:
     """What cannot be negative and is known to its order of magnitude only."""
-    return Deviation(f"log {name}", width, unit, typical)
+    return Deviation(f"log {name}", prior_std, unit, typical)
 
 
 DEVIATIONS: tuple[Deviation, ...] = (
@@ -120,7 +120,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("hardening slope", 1.0, "1"),
     Deviation("electric slope", 0.4, "1"),
     _unknown("viscosity", 5e-3, "N·s/m"),
-    *(_unknown(name.replace("_", " "), typical, unit, width) for name, typical, width, unit in TIP_CONSTANTS),
+    *(_unknown(name.replace("_", " "), typical, unit, prior_std) for name, typical, prior_std, unit in TIP_CONSTANTS),
     Deviation("friction arm", 5e-3, "m"),
     *(_unknown(f"stop force {i}", 0.5e-3, "N") for i in range(STOPS)),
     *(Deviation(f"log stop travel {i}", 0.5, "m") for i in range(STOPS)),
@@ -136,7 +136,7 @@ negative is a logarithm. A square has no slope at zero, and an estimate that cam
 simulated joints four lost a relaxation or the frame's inertia so, with three to six times the error held at the log."""
 
 NAMES = tuple(entry.name for entry in DEVIATIONS)
-_WIDTHS = np.array([entry.width for entry in DEVIATIONS])
+_PRIOR_STD = np.array([entry.prior_std for entry in DEVIATIONS])
 _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
@@ -150,7 +150,7 @@ _FASTEST = 440.0
 are then enough, and a mode faster than any that the logs show replaces one that is faster still."""
 
 
-def drawing_alone() -> FloatArray:
+def nominal_deviations() -> FloatArray:
     """Deviations of the parameter set itself, shape (P,): no friction, creep or whatever else it does not name."""
     return np.array([0.0 if entry.typical is None else -50.0 for entry in DEVIATIONS])
 
@@ -170,7 +170,7 @@ class Instruments:
 def static_slope_ratio(parameters: JointParameters) -> float:
     """τ / Q of the beam at rest at q = l/8: the shape in which tip and beam move slowly."""
     q = parameters.l / 8.0
-    k = constants(parameters, drawing_alone(), 1.25)  # any ratio: without corrections the equilibrium does not read it
+    k = constants(parameters, nominal_deviations(), 1.25)  # any ratio: corrections alone read it
     x, _ = rest_state(q, np.zeros(2), k, prepare(k[None])[0], np.zeros(3), np.zeros((CURVES, 0)))
     return float(x[2] * parameters.l / q)
 
@@ -183,7 +183,7 @@ def moving_mass(p: JointParameters, ratio: float) -> float:
 
 def instruments(deviations: FloatArray) -> Instruments:
     """The instruments' share of the deviations."""
-    offset, delay, *probe = (deviations[OF_INSTRUMENTS] * _WIDTHS[OF_INSTRUMENTS]).tolist()
+    offset, delay, *probe = (deviations[OF_INSTRUMENTS] * _PRIOR_STD[OF_INSTRUMENTS]).tolist()
     return Instruments(offset, delay, np.array(probe))
 
 
@@ -262,7 +262,7 @@ def _rises(d: dict[str, Any], own_slope: tuple[Any, Any, Any], l: float) -> dict
 
 
 @lru_cache(maxsize=32)
-def correction_widths(p: JointParameters) -> FloatArray:
+def correction_prior_std(p: JointParameters) -> FloatArray:
     """Prior widths of the corrections' weights, shape (9,), rows as there.
 
     About a tenth of what the beam and the membranes of the drawing have: 4 mN (10 % of the actuation), 0.04 N·s/m,
@@ -280,7 +280,7 @@ def _values(deviations: FloatArray) -> dict[str, Any]:
 
     Each is a number, or an array where there are several sets of deviations.
     """
-    x = deviations * _WIDTHS
+    x = deviations * _PRIOR_STD
     found = np.where(_LOGARITHMS, _TYPICAL * np.exp(_LOGARITHMS * x), x)
     return dict(zip(_KEYS, found.tolist() if found.ndim == 1 else np.moveaxis(found, -1, 0), strict=True))
 

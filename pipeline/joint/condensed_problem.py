@@ -31,7 +31,7 @@ FARTHEST = 6.0
 """Deviations [prior standard deviations] beyond which a trial is refused: the constants would describe another
 machine."""
 
-LOST, CAUGHT = 0.1, 0.02
+LOST_ERROR_SHARE, CAUGHT_ERROR_SHARE = 0.1, 0.02
 """Shares of the range of q: a run that errs by more has lost the log, and did so after it last erred by less."""
 
 HELD_POLE, HELD_ON = 15.0, 0.3
@@ -88,7 +88,7 @@ class CondensedJoint:
     def weights(self, theta: FloatArray) -> FloatArray:
         """Weights of the corrections [SI], shape (…, CURVES, M)."""
         shares = theta[..., DEVIATIONS:].reshape(*theta.shape[:-1], CURVES, self.centres)
-        widths = condensed_parameters.correction_widths(self.parameters) * self.similarity.weights
+        widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
         return np.ascontiguousarray(shares * widths[:, None])
 
     def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
@@ -110,7 +110,7 @@ class CondensedJoint:
             one = self.instruments(theta + units[i])
             instruments[:2, i] = one.offset - base.offset, one.delay - base.delay
             instruments[2:, i] = one.probe - base.probe
-        widths = condensed_parameters.correction_widths(self.parameters) * self.similarity.weights
+        widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
         return Derivatives(constants, instruments, widths)
 
     def substeps(self, theta: FloatArray, dt: float) -> int:
@@ -261,10 +261,10 @@ class _Log:
         span = 1e3 * (self.q[self.fitted].max() - self.q[self.fitted].min())
         for _ in range(PASSES):
             error = np.abs(self.errors(joint, theta[None], gain, steps)[0]) / span
-            lost = np.flatnonzero(~(error < LOST) & self.fitted & ~self.held)
+            lost = np.flatnonzero(~(error < LOST_ERROR_SHARE) & self.fitted & ~self.held)
             if not len(lost):
                 return
-            first = max(np.flatnonzero(error[: lost[0] + 1] < CAUGHT), default=0)
+            first = max(np.flatnonzero(error[: lost[0] + 1] < CAUGHT_ERROR_SHARE), default=0)
             self.held[first : lost[0] + samples_of(HELD_ON, self.dt)] = True
 
     def compared(self, gain: float) -> BoolArray:

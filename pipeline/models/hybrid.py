@@ -169,8 +169,8 @@ class HybridModel:
         sd = np.sqrt(np.sum(self.spread**2, axis=1))
         facts = {
             f"{entry.name} [{'1' if entry.logarithm else entry.unit}]": [
-                float(self.theta[j] * entry.width),
-                float(sd[j] * entry.width),
+                float(self.theta[j] * entry.prior_std),
+                float(sd[j] * entry.prior_std),
             ]
             for j, entry in enumerate(condensed_parameters.DEVIATIONS)
         }

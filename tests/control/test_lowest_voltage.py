@@ -40,7 +40,7 @@ def only(*deviations: tuple[str, float]) -> HybridModel:
 
 
 def width(name: str) -> float:
-    return condensed_parameters.DEVIATIONS[condensed_parameters.NAMES.index(name)].width
+    return condensed_parameters.DEVIATIONS[condensed_parameters.NAMES.index(name)].prior_std
 
 
 @pytest.mark.parametrize("to", ["right", "left"])

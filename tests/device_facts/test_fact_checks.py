@@ -65,7 +65,7 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     model = HybridModel(joint.joint, theta, spread, spread)
     found = {one.name: one for one in calibrated(model)}
     modulus, nominal = found["E"], joint.joint.parameters.E
-    width = DEVIATIONS[at].width
+    width = DEVIATIONS[at].prior_std
     assert (modulus.unit, modulus.nominal) == ("Pa", nominal)
     assert modulus.value == pytest.approx(nominal * np.exp(-0.5 * width))
     assert np.log(modulus.high / modulus.value) == pytest.approx(NORMAL_90 * 0.1 * width)
@@ -74,7 +74,7 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     assert found["left.b"].nominal == joint.joint.parameters.left.b
     weight = names.index("log weight")
     share = found["weight, share of the nominal value"]
-    assert share.value == pytest.approx(np.exp(theta[weight] * DEVIATIONS[weight].width))
+    assert share.value == pytest.approx(np.exp(theta[weight] * DEVIATIONS[weight].prior_std))
     assert calibrated(None) == []
 
 
@@ -83,7 +83,7 @@ def test_calibrated_quantities_are_those_of_the_device_whichever_way_its_size_is
     names, theta, none = [entry.name for entry in DEVIATIONS], joint.theta.copy(), np.zeros((len(joint.theta), 1))
     at = [names.index(f"log {unit}") for unit in ("length", "time", "voltage")]
     theta[at] = [0.4, -0.3, 0.8]
-    scales = {names[i].removeprefix("log "): np.exp(theta[i] * DEVIATIONS[i].width) for i in at}
+    scales = {names[i].removeprefix("log "): np.exp(theta[i] * DEVIATIONS[i].prior_std) for i in at}
     told = HybridModel(joint.joint, theta, none, none)
     other = replace(joint.joint, similarity=replace(joint.joint.similarity, **scales))
     theta = theta.copy()
@@ -94,9 +94,9 @@ def test_calibrated_quantities_are_those_of_the_device_whichever_way_its_size_is
         if not one.name.startswith(("laser", "delay", "probe")):  # these are told in units of readings
             assert (one.name, one.value) == (like.name, pytest.approx(like.value))
     capacitance = next(one.value for one in found if one.name == "left.C0, share of the nominal value")
-    at_size = np.exp(theta[names.index("left.log C0")] * DEVIATIONS[names.index("left.log C0")].width)
+    at_size = np.exp(theta[names.index("left.log C0")] * DEVIATIONS[names.index("left.log C0")].prior_std)
     assert capacitance == pytest.approx(at_size * (scales["length"] / scales["time"] / scales["voltage"]) ** 2)
     assert {one.name: one for one in found}["E"].value == pytest.approx(
-        joint.joint.parameters.E * np.exp(theta[names.index("log E")] * DEVIATIONS[names.index("log E")].width)
+        joint.joint.parameters.E * np.exp(theta[names.index("log E")] * DEVIATIONS[names.index("log E")].prior_std)
         / scales["length"] / scales["time"] ** 2
     )  # fmt: skip

@@ -50,7 +50,7 @@ NO_BASIS, NO_WEIGHTS = np.zeros(3), np.zeros((CORRECTIONS, 0))
 BASIS = np.array([-0.02, 0.01, 0.008])
 RATIO = 1.26
 NOTHING = np.zeros(0)
-FRICTIONLESS = condensed_parameters.drawing_alone()
+FRICTIONLESS = condensed_parameters.nominal_deviations()
 
 
 def deviating(seed: int, width: float = 0.25) -> FloatArray:
@@ -61,7 +61,7 @@ def deviating(seed: int, width: float = 0.25) -> FloatArray:
 
 def drawn_weights(seed: int) -> FloatArray:
     """Weights of corrections as large as their prior widths."""
-    widths = condensed_parameters.correction_widths(NOMINAL)[:, None]
+    widths = condensed_parameters.correction_prior_std(NOMINAL)[:, None]
     return np.random.default_rng(seed).standard_normal((CORRECTIONS, 5)) * widths
 
 
@@ -477,7 +477,7 @@ from pipeline.joint.parameters import NOMINAL
 k = condensed_parameters.constants(NOMINAL, np.zeros(len(condensed_parameters.NAMES)), 1.26)
 u = np.zeros((1, 1201, 2))
 u[0, 60:600, 0] = 2800.0**2
-weights = np.full((1, 9, 5), 0.5) * condensed_parameters.correction_widths(NOMINAL)[:, None]
+weights = np.full((1, 9, 5), 0.5) * condensed_parameters.correction_prior_std(NOMINAL)[:, None]
 q = run_joints(
     k[None], weights, np.array([-0.02, 0.01, 0.008]), u, np.zeros(1, dtype=np.int64), np.zeros(1),
     np.array([-0.011, 0.0]), np.zeros(0), np.zeros(201), 0.01, 3, 0.045, 14.0,

@@ -15,7 +15,7 @@ from tests.joint.linearisation import Linearised
 
 BASIS = np.array([-0.02, 0.01, 0.008])
 SIZE = np.array([0.01, 0.1, 0.1, 2.0, 0.05, 1.0, *8 * [0.01], *STOPS * [1.0]])
-WIDTHS = condensed_parameters.correction_widths(NOMINAL)
+WIDTHS = condensed_parameters.correction_prior_std(NOMINAL)
 
 
 def rates(y: FloatArray, u: FloatArray, k: FloatArray, weights: FloatArray) -> FloatArray:

@@ -191,7 +191,7 @@ def test_corrections_act_on_the_force() -> None:
     q = np.linspace(-0.015, 0.015, 7)
     difference = corrected.curves(q)["F"] - plain.curves(q)["F"]
     bells = np.exp(-0.5 * ((q[:, None] - (-0.02 + 0.01 * np.arange(5))) / 0.008) ** 2)
-    width = condensed_parameters.correction_widths(NOMINAL)[0]
+    width = condensed_parameters.correction_prior_std(NOMINAL)[0]
     np.testing.assert_allclose(difference, -width * bells.sum(axis=1), rtol=1e-6)
 
 
