@@ -105,7 +105,7 @@ _DIAGNOSTICS = {
     "residual_rms": ("{F}", "RMS of the force that the regression leaves"),
     "rmse_windows_m": ("{q}", "RMS error over the windows of the calibration"),
     "samples": ("1", "training samples"),
-    "search_complete": (TEXT, "whether every question about the structure was asked within the time limit"),
+    "search_complete": (TEXT, "whether the search over structures ended within the time limit"),
     "search_status": (TEXT, "whether the search was completed"),
     "standard_errors": ("SI", "standard errors of the fitted parameters"),
     "terms_kept": ("1", "number of terms of the equation"),

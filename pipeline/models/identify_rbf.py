@@ -34,8 +34,8 @@ from pipeline.models.rbf_candidates import (
     RbfChoice,
     candidate,
     first_candidate,
+    offers,
     population_candidate,
-    questions,
 )
 from pipeline.models.rbf_search import SEARCH_SHARE, Fit, Setting, cut, excerpts, search
 from pipeline.numerics.arrays import FloatArray
@@ -125,9 +125,9 @@ def identify_rbf(
         found, tried = _choose_prior(records, setting, first.structure, from_population=wanted.population and not known)
     else:
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
-        usual = questions(wanted, fine=fine, slow=slow, driven=driven)
-        asked = ([lambda _: candidates[1:]], []) if candidates else usual
-        chosen, like, tried = search(records, setting, first, *asked)
+        usual = offers(wanted, fine=fine, slow=slow, driven=driven)
+        offered = ([lambda _: candidates[1:]], []) if candidates else usual
+        chosen, like, tried = search(records, setting, first, *offered)
         complete = not setting.effort.exhausted(SEARCH_SHARE)
         found = _fit_to_all(records, setting, chosen, like)
     if not found.fit.levels:

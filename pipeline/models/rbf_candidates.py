@@ -184,39 +184,39 @@ def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -
     return candidate(JointStructure(**usual | choice.decided()))
 
 
-Question = Callable[[Candidate], Sequence[Candidate]]
+Offer = Callable[[Candidate], Sequence[Candidate]]
 """From the best candidate so far to those that could be better."""
 
 
-class _Asker:
-    """Makes questions that leave alone what is decided."""
+class _Change:
+    """Offers changes that leave alone what is decided."""
 
     def __init__(self, choice: RbfChoice) -> None:
         self.decided = choice.decided()
 
-    def ask(self, *changes: dict[str, Any]) -> Question:
+    def to(self, *fields: dict[str, Any]) -> Offer:
         """The best candidate so far with each of these changes."""
         decided = self.decided
 
         def offered(best: Candidate) -> list[Candidate]:
-            free = [change for change in changes if not any(decided.get(k, v) != v for k, v in change.items())]
+            free = [change for change in fields if not any(decided.get(k, v) != v for k, v in change.items())]
             others = [candidate(replace(best.structure, **change)) for change in free]
             return [other for other in others if other.structure != best.structure]
 
         return offered
 
-    def each(self, name: str, values: Sequence[Any]) -> Question:
+    def each(self, name: str, values: Sequence[Any]) -> Offer:
         """One field with each of these values."""
-        return self.ask(*({name: value} for value in values))
+        return self.to(*({name: value} for value in values))
 
 
-def questions(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[list[Question], list[Question]]:
-    """What the inner validation asks in turn, each with the answers so far.
+def offers(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[list[Offer], list[Offer]]:
+    """What the inner validation offers in turn, each time as changes of the best candidate so far.
 
     Parameters
     ----------
     choice : RbfChoice
-        What is not asked any more.
+        What is decided and not offered.
     fine : bool
         Whether the inputs are known between the samples.
     slow : bool
@@ -226,12 +226,12 @@ def questions(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tup
 
     Returns
     -------
-    list of Question
-        Those that are asked once.
-    list of Question
-        Those that are asked again and again after them, as long as an answer changes: by then others have changed.
+    list of Offer
+        Those that are made once.
+    list of Offer
+        Those that are made again and again after them, as long as one is taken: by then other fields have changed.
     """
-    asker = _Asker(choice)
+    change = _Change(choice)
     laws = [FRICTION[law] for law in OFFERED]
     holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
     resting = [
@@ -241,31 +241,31 @@ def questions(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tup
     simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]
     if slow:
         simple += [FRICTION["viscous"] | {"force": force, "overdamped": True} for force in FORCES]
-    drives = asker.ask(DRIVE["direct"], *resting, DRIVE["delay"])
-    curves = asker.ask(
+    drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
+    curves = change.to(
         {"constant_damping": False},
         {"constant_gain": False},
         {"constant_damping": False, "constant_gain": False},
         {"constant_damping": True, "constant_gain": True},
     )
-    placed = asker.ask(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
+    placed = change.to(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
     # A slow drive would be taken for a gain by place, for much damping, for hidden forces and for friction.
-    slowly = asker.ask(
+    slowly = change.to(
         *(
             FRICTION[law] | {"force": force, "constant_gain": True, "overdamped": False} | drive
             for law in OFFERED[:2] for force in FORCES[:2] for drive in (*resting, DRIVE["delay"])
         )
     )  # fmt: skip
     # A slow drive, a slow force and a gain by place may each take the others' parts, so that none is missed alone.
-    together = asker.ask(
+    together = change.to(
         *(FRICTION[law] | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for law in OFFERED[:3])
     )
-    drag, stops = (asker.each(name, [False, True]) for name in ("drag", "stops"))
-    effect = asker.ask(*EFFECT.values())
-    hold, friction, force = asker.each("hold", holds), asker.ask(*laws), asker.each("force", FORCES)
+    drag, stops = (change.each(name, [False, True]) for name in ("drag", "stops"))
+    effect = change.to(*EFFECT.values())
+    hold, friction, force = change.each("hold", holds), change.to(*laws), change.each("force", FORCES)
     once = [
-        asker.ask(*simple),
-        # A mass that nothing restores is the same everywhere: that its gain is not, is asked later.
+        change.to(*simple),
+        # A mass that nothing restores is the same everywhere: that its gain is not, is offered later.
         lambda best: [] if best.structure.force == "offset" else placed(best),
         hold,
         lambda best: [] if best.structure.force == "offset" else slowly(best),
@@ -276,6 +276,6 @@ def questions(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tup
         effect,
         together,
     ]
-    sizes = [asker.each("basis_functions", [5, 12]), asker.each("smoothing", [0.8, 1.3])]
-    damped = [asker.each("overdamped", [False, True])] if slow else []
-    return once, [*damped, curves, force, hold, drives, friction, drag, asker.each("stops", [False]), effect, *sizes]
+    sizes = [change.each("basis_functions", [5, 12]), change.each("smoothing", [0.8, 1.3])]
+    damped = [change.each("overdamped", [False, True])] if slow else []
+    return once, [*damped, curves, force, hold, drives, friction, drag, change.each("stops", [False]), effect, *sizes]

@@ -16,7 +16,7 @@ from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.identification.rbf import InputLaw
 from pipeline.identification.residuals import surely_smaller
 from pipeline.models.joint_population import population
-from pipeline.models.rbf_candidates import Candidate, Question
+from pipeline.models.rbf_candidates import Candidate, Offer
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, Parts, make_anew
 from pipeline.numerics.metrics import rms
@@ -59,10 +59,10 @@ TOO_SIMPLE = 3.0
 data say: of a slow device they may hold too little to be sure of anything."""
 
 ROUNDS = 4
-"""Times that questions are asked which other answers may change, at most: answers could take turns."""
+"""Times that offers are made which depend on other fields, at most: fields could change in turns."""
 
 SEARCH_SHARE = 0.6
-"""Share of the effort after which nothing more is asked: the rest is for the fit of the chosen structure."""
+"""Share of the effort after which nothing more is offered: the rest is for the fit of the chosen structure."""
 
 IDLE = 0.01
 """Share of a sample interval below which a lag or a delay does nothing that the samples could tell."""
@@ -133,25 +133,25 @@ def search(
     records: Sequence[Record],
     setting: Setting,
     first: Candidate,
-    once: Sequence[Question],
-    again: Sequence[Question] = (),
+    once: Sequence[Offer],
+    again: Sequence[Offer] = (),
 ) -> tuple[Candidate, Fit | None, dict[str, float]]:
-    """One question after the other, each with the answers so far: `once`, then `again` until no answer changes.
+    """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
 
-    The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. An
-    answer with more parameters replaces the one before only if its free run errs less, and it errs less by more than a
-    standard error (`surely_smaller`) there or coupled to the measurement; one with fewer unless its free run errs more
-    by that, or `FAR` times as much and coupled more by that, or `TOO_SIMPLE` times as much, and surely, over what it
-    was fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is worth
-    few independent samples, where coupled ones forget.
+    The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. A
+    candidate with more parameters replaces the one before only if its free run errs less, and it errs less by more than
+    a standard error (`surely_smaller`) there or coupled to the measurement; one with fewer unless its free run errs
+    more by that, or `FAR` times as much and coupled more by that, or `TOO_SIMPLE` times as much, and surely, over what
+    it was fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is
+    worth few independent samples, where coupled ones forget.
 
     Returns
     -------
     Candidate
     Fit or None
-        Of it, by which it was judged; None if nothing was asked.
+        Of it, by which it was judged; None if nothing was offered.
     dict of str to float
-        RMS held-out error of each that was tried, in the unit of q; empty if nothing was asked.
+        RMS held-out error of each that was tried, in the unit of q; empty if nothing was offered.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
@@ -179,14 +179,14 @@ def search(
         return ParameterLayout(one.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
     best, since = first, len(once)
-    for number, question in enumerate((*once, *ROUNDS * tuple(again))):
+    for number, offer in enumerate((*once, *ROUNDS * tuple(again))):
         if setting.effort.exhausted(SEARCH_SHARE) or number - since >= len(again) > 0:
             break
-        others = question(best)
+        others = offer(best)
         if others and not tried:
             setting, tried = _coupled(records, setting, first)
-        offered = [one for one in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(one)]
-        for one in sorted(offered, key=lambda one: rms(judged(one).errors[-1])):
+        tested = [one for one in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(one)]
+        for one in sorted(tested, key=lambda one: rms(judged(one).errors[-1])):
             if better(one, best):
                 best, since = one, max(number + 1, len(once))
     like = tried[best.label].fits[0] if best.label in tried else None

@@ -9,7 +9,7 @@ from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.identify_rbf import RBF, identify_rbf
 from pipeline.models.kind import Training
 from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice, candidate, first_candidate, questions
+from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice, candidate, first_candidate, offers
 from pipeline.settings import Compare, Identify
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.trajectory import Record
@@ -552,9 +552,9 @@ def test_a_slow_drive_is_not_taken_for_a_gain_by_place():
 
 
 @pytest.mark.parametrize("force", ["curve", "polynomial", "offset"])
-def test_a_gain_by_place_is_asked_early_only_where_a_force_depends_on_place(force):
+def test_a_gain_by_place_is_offered_early_only_where_a_force_depends_on_place(force):
     best = candidate(JointStructure(8, rates=(), shape_elements=0, force=force, constant_gain=True))
-    early = questions(RbfChoice(), fine=False, slow=False, driven=True)[0][1](best)
+    early = offers(RbfChoice(), fine=False, slow=False, driven=True)[0][1](best)
     assert bool(early) == (force != "offset")
     assert not any(one.structure.constant_gain for one in early)
 
@@ -654,8 +654,8 @@ def test_opposed_muscles_are_followed():
 
 
 def test_a_lag_a_relaxation_and_a_gain_by_place_are_found_together():
-    """Each alone takes the others' part; asked for one at a time, friction and a bent input stood in for them."""
-    once, _ = questions(RbfChoice(), fine=False, slow=False, driven=True)
+    """Each alone takes the others' part; offered one at a time, friction and a bent input stood in for them."""
+    once, _ = offers(RbfChoice(), fine=False, slow=False, driven=True)
     best = candidate(JointStructure(8, rates=(), shape_elements=0, slips=0, constant_gain=True, bent_input=True))
     together = [one.structure for one in once[-1](best)]
     assert {(one.input_lag, one.constant_gain, one.bent_input) for one in together} == {(True, False, False)}

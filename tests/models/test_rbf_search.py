@@ -43,7 +43,7 @@ def found(monkeypatch):
 
 
 def only(one):
-    """A question with one answer whatever is best."""
+    """An offer of one candidate whatever is best."""
     return lambda best: [one]
 
 
@@ -59,22 +59,22 @@ def test_a_smaller_one_is_taken_if_it_errs_no_more_and_follows_what_it_was_fitte
     assert found(errors, [only(FREE)])[0] == taken
 
 
-def test_what_other_answers_may_change_is_asked_again_until_nothing_does(found):
-    """Drag helps only once there are stops, and is asked for before them."""
+def test_what_depends_on_other_fields_is_offered_again_until_nothing_is_taken(found):
+    """Drag helps only once there are stops, and is offered before them."""
     both = candidate(replace(PLAIN, drag=True, stops=True))
     errors = {SPRING.label: (1.0, 1.0), DRAGGED.label: (1.0, 1.0), STOPPED.label: (0.8, 1.0), both.label: (0.5, 1.0)}
-    asked = []
+    bests = []
 
     def drag(best):
-        asked.append(best)
+        bests.append(best)
         return [replaced(best, drag=True)]
 
     assert found(errors, [], [drag, lambda best: [replaced(best, stops=True)]])[0] == both
-    assert asked == [SPRING, STOPPED, both]
+    assert bests == [SPRING, STOPPED, both]
 
 
-def test_questions_without_end_are_asked_four_times(found):
-    """Each answer is better than the one before."""
+def test_offers_without_end_are_made_four_times(found):
+    """Each candidate is better than the one before."""
     more = lambda best: [replaced(best, force="curve", basis_functions=best.structure.basis_functions + 1)]  # noqa: E731
     chosen, judged = found(lambda one: (1.0 / one.structure.basis_functions, 1.0), [], [more])
     assert chosen.structure.basis_functions == PLAIN.basis_functions + rbf_search.ROUNDS
