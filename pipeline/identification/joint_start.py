@@ -25,15 +25,15 @@ TIMES = ("input_lag", "input_delay")
 
 RIDGE = 2e-2
 SOFT, STIFF = 0.15, 0.25  # stiffness of plain and of shape elements to start from, in units of the stiffness scale
-RELAXATION, PULL = 3.0, 0.25  # rate of shape elements and the inputs' pull to start from, in units of the scales
+START_RELAXATION, START_PULL = 3.0, 0.25  # rate of shape elements and the inputs' pull, in units of the scales
 LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of the inverse frequency scale
 DELAYS = (0.02, 0.05, 0.12, 0.3)
 REFINEMENTS = (0.8, 0.9, 1.1, 1.25)  # factors by which the best of them is tried again
-SLIP_FORCE, SLIP_LENGTH = 7.5e-3, 0.01  # of dry friction to start from, in units of the stiffness scale and half ranges
+START_SLIP_FORCE, START_SLIP_LENGTH = 7.5e-3, 0.01  # of dry friction, in units of stiffness scale and half ranges
 HYSTERESIS = (0.1, 0.3, 1.0)  # lengths tried beside it, of friction that sets in over a long way
 CLEARLY = 0.9  # share of the misfit of dry friction below which one of them is taken
 SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
-DRAG = 0.05  # to start from, over half ranges
+START_DRAG = 0.05  # over half ranges
 ZONE = 0.1  # of a dead zone to start from, a share of the largest drive
 STOP_PLACES, STOP_LEAST = (0.7, 0.8, 0.88, 0.94, 0.98), 1.0
 """Where end stops are tried [half ranges]; least stiffness and resistance to start from, in units of the scales."""
@@ -106,7 +106,7 @@ def starting_joint(
     sizes = zip(columns[2:], fitted[2:], strict=True)
     typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
     start = _start_vector(parameters, fitted, typical)
-    force, length = SLIP_FORCE * scales.stiffness, SLIP_LENGTH
+    force, length = START_SLIP_FORCE * scales.stiffness, START_SLIP_LENGTH
     if structure.slips and not structure.shape_elements:  # whose memory would be taken for friction
         force, length = _best_slip(records, scales, columns, target)
     start[parameters.slices["slip_force"]] = np.log(force / max(1, structure.slips))
@@ -218,12 +218,12 @@ def _best_slip(
         parts = [-joint.slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)]
         return np.concatenate(parts)[:, None]
 
-    left = {length: _misfit([*columns, states(length)], target) for length in (SLIP_LENGTH, *HYSTERESIS)}
+    left = {length: _misfit([*columns, states(length)], target) for length in (START_SLIP_LENGTH, *HYSTERESIS)}
     best = min(left, key=lambda length: left[length])
     matrix = np.column_stack([*columns, states(best)])
     force = float(np.linalg.lstsq(matrix, target, rcond=None)[0][-1])
-    if left[best] > CLEARLY * left[SLIP_LENGTH] or force <= 0.0:
-        return SLIP_FORCE * scales.stiffness, SLIP_LENGTH
+    if left[best] > CLEARLY * left[START_SLIP_LENGTH] or force <= 0.0:
+        return START_SLIP_FORCE * scales.stiffness, START_SLIP_LENGTH
     return force, best
 
 
@@ -353,10 +353,10 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
         stiffness = (STIFF if i < p.structure.shape_elements else SOFT) * s.stiffness
         theta[at[f"coupling{i}"]] = np.sqrt(stiffness) / overlap
     for i in range(p.structure.shape_elements):
-        theta[at[f"relaxation{i}"]] = np.log(RELAXATION * s.frequency / overlap)
+        theta[at[f"relaxation{i}"]] = np.log(START_RELAXATION * s.frequency / overlap)
         for k, sign in enumerate(p.signs):
-            theta[at[f"pull{i}_{k}"]] = sign * PULL * np.sqrt(s.stiffness) / overlap
+            theta[at[f"pull{i}_{k}"]] = sign * START_PULL * np.sqrt(s.stiffness) / overlap
     theta[at["rate"]] = np.log(np.array(p.structure.rates) * s.frequency)
     theta[at["inertia"]] = np.log(0.1)
-    theta[at["drag"]], theta[at["input_zone"]] = np.log(DRAG), np.log(ZONE)
+    theta[at["drag"]], theta[at["input_zone"]] = np.log(START_DRAG), np.log(ZONE)
     return theta
