@@ -34,8 +34,7 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = 
     if details:
         _emit_details(run)
         return
-    from pipeline.reporting.short_tables import EXPLANATION as BRIEF
-    from pipeline.reporting.short_tables import headline_table
+    from pipeline.reporting.short_tables import BRIEF, headline_table
 
     scores = shown_scores(run)
     table = headline_table(scores)

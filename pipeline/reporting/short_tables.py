@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pipeline.reporting.tables import BEST, HEADINGS, TIED, Record
+from pipeline.reporting.tables import BEST, HEADINGS, TIED, ScoreRow
 from pipeline.scoring.cross_validation import NRMSE_COLUMNS
 
 _SHARES = {"well_agreement": "well", "switch_accuracy": "pulses"}
-EXPLANATION = (
+BRIEF = (
     "NRMSE in % of the measured range, free run from the first sample, worst log.\n"
     "Well: share of time in the measured well. Pulses: share that ends in it."
 )
@@ -29,7 +29,7 @@ class Headline:
     rows: tuple[tuple[str, ...], ...]
 
 
-def headline_table(scores: Sequence[Record]) -> Headline:
+def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     """The worst validation log of each model; the worst training log where there is no validation log.
 
     Parameters

@@ -12,7 +12,7 @@ from pipeline.scoring.step_responses import SETTLED
 from pipeline.scoring.wells import SURE
 from pipeline.units import SIGNALS
 
-Record = Mapping[str, Any]
+ScoreRow = Mapping[str, Any]
 Form = Literal["latex", "markdown"]
 Format = Literal["csv", "latex", "markdown"]
 
@@ -88,7 +88,7 @@ class NrmseTable:
     rows: tuple[Row, ...]
 
 
-def nrmse_table(scores: Sequence[Record], times: Mapping[str, Record] | None = None) -> NrmseTable:
+def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None = None) -> NrmseTable:
     """Table 2 of a run.
 
     Parameters
@@ -99,7 +99,7 @@ def nrmse_table(scores: Sequence[Record], times: Mapping[str, Record] | None = N
         ``fit_s`` and ``simulate_s``: processor time [s] of the fit and of one free run; either may be None.
     """
     signals = tuple(s for s in SIGNALS if any(r["signal"] == s for r in scores))
-    groups: dict[tuple[str, str], dict[str, dict[str, Record]]] = {}
+    groups: dict[tuple[str, str], dict[str, dict[str, ScoreRow]]] = {}
     for r in scores:
         groups.setdefault((r["role"], r["log"]), {}).setdefault(r["model"], {})[r["signal"]] = r
     rows = []
@@ -115,7 +115,7 @@ def nrmse_table(scores: Sequence[Record], times: Mapping[str, Record] | None = N
     return NrmseTable(signals, extras, tuple(rows))
 
 
-def behaviour_table(scores: Sequence[Record], *, free_run: bool = True) -> NrmseTable:
+def behaviour_table(scores: Sequence[ScoreRow], *, free_run: bool = True) -> NrmseTable:
     """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`.
 
     The `free_run` is left out where another table beside has it.
@@ -132,7 +132,7 @@ def behaviour_table(scores: Sequence[Record], *, free_run: bool = True) -> Nrmse
     return NrmseTable((), extras, tuple(rows))
 
 
-def chaos_table(scores: Sequence[Record]) -> NrmseTable:
+def chaos_table(scores: Sequence[ScoreRow]) -> NrmseTable:
     """Short horizon and statistics of the free runs that are chaotic; `scores` as in `nrmse_table`."""
     rows = []
     for r in (r for r in scores if r["signal"] == "q" and r.get("lyapunov_per_s")):
@@ -142,7 +142,7 @@ def chaos_table(scores: Sequence[Record]) -> NrmseTable:
     return NrmseTable((), ("Lyapunov time [s]", "error after it", "distribution", "spectrum"), tuple(rows))
 
 
-def leaders(by_model: Mapping[str, Record]) -> set[str]:
+def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
     """The model of the lowest NRMSE and those that the log does not tell from it; one alone is the best.
 
     Models that diverged are no competitors. Empty where there is nothing to be apart from: fewer than two models, or
@@ -158,7 +158,7 @@ def leaders(by_model: Mapping[str, Record]) -> set[str]:
     return {lowest} | {m for m, low in above.items() if low is not None and low <= 0.0}
 
 
-def _cell(record: Record | None, model: str, front: set[str]) -> Cell:
+def _cell(record: ScoreRow | None, model: str, front: set[str]) -> Cell:
     if record is None:
         return Cell("–")
     if record["status"] == "diverged":
@@ -169,7 +169,7 @@ def _cell(record: Record | None, model: str, front: set[str]) -> Cell:
     return Cell(text, best=front == {model}, tied=len(front) > 1 and model in front)
 
 
-def _quantity(record: Record, key: str, factor: float, unit: str = "", digits: int = 2) -> Cell:
+def _quantity(record: ScoreRow, key: str, factor: float, unit: str = "", digits: int = 2) -> Cell:
     """A number of a record with its interval, such as ``2.31 [1.90, 2.84]``."""
     value, low, high = (record.get(f"{key}{part}{unit}") for part in ("", "_low", "_high"))
     if value is None:
@@ -178,17 +178,17 @@ def _quantity(record: Record, key: str, factor: float, unit: str = "", digits: i
     return Cell(f"{factor * value:.{digits}f}{band}")
 
 
-def _beside_halves(record: Record, key: str) -> Cell:
+def _beside_halves(record: ScoreRow, key: str) -> Cell:
     """A distance, and that of the halves of the measured record, such as ``1.2 (0.9)``."""
     value, halves = record.get(key), record.get(f"{key}_of_halves")
     return Cell("–" if value is None else f"{100.0 * value:.2f}" + (f" ({100.0 * halves:.2f})" if halves else ""))
 
 
-def _share(record: Record, key: str) -> Cell:
+def _share(record: ScoreRow, key: str) -> Cell:
     return _quantity(record, key, 100.0, digits=1)
 
 
-def _ambiguous(record: Record) -> Cell:
+def _ambiguous(record: ScoreRow) -> Cell:
     """How many outcomes hinge on less than the model knows, such as ``2 of 14``."""
     count = record.get("outcomes")
     return Cell(f"{record['ambiguous_outcomes']} of {count}") if count else Cell("–")
@@ -219,7 +219,7 @@ def _marked(cell: Cell, best: str) -> str:
     return best.format(cell.text) if cell.best else cell.text + TIED * cell.tied
 
 
-def scores_csv(scores: Sequence[Record], times: Mapping[str, Record]) -> str:
+def scores_csv(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow]) -> str:
     """Every number of the scores, one row per log, model and signal; SI units and fractions, empty where undefined.
 
     Formulas are disarmed: a spreadsheet would run a name that begins with =.

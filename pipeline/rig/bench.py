@@ -151,7 +151,7 @@ class Bench:
 
 
 @dataclass(frozen=True)
-class Record:
+class BenchRecord:
     """One log in SI units: what was measured, and the truth behind it; all of shape (N,)."""
 
     t: FloatArray
@@ -184,12 +184,12 @@ def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0) -> Bench:
     return Bench(rate, (converter(), converter()), laser, (probe(), probe()))
 
 
-def record(p: JointParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> Record:
+def record(p: JointParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> BenchRecord:
     """Play the commands `u` (N, 2) [V] at the bench's times `t` (N,) [s] on the joint `p` at rest in its left well."""
     dt = 1 / bench.rate
     v: FloatArray = np.stack([bench.converters[side].drive(u[:, side], dt) for side in (0, 1)], axis=1)
     motion = simulate(p, v, dt, stride=max(1, round(TIME_STEP * bench.rate)))
-    return Record(
+    return BenchRecord(
         t=t,
         q=bench.laser.read(t, motion.q, rng),
         v1=bench.probes[0].read(t, v[:, 0], rng),

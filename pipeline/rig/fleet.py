@@ -9,7 +9,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.rig.bench import Bench, Record, random_bench, record
+from pipeline.rig.bench import Bench, BenchRecord, random_bench, record
 from pipeline.rig.excitation import SHARES, Sequence, command, load_sequence, random_excitation
 from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
@@ -85,7 +85,7 @@ class Log:
     role: Role
     stem: str
     excitation: str
-    record: Record
+    record: BenchRecord
 
 
 def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int) -> Path:
@@ -228,14 +228,14 @@ def _run(
     return Log(role, stem, excitation, record(joint, bench, t, command(bursts, t), rng))
 
 
-def _worth_keeping(measured: Record, bench: Bench) -> bool:
+def _worth_keeping(measured: BenchRecord, bench: Bench) -> bool:
     """Whether a log visits both wells often, in proportion to its length, and stays within the laser's range."""
     wanted = _CROSSINGS * min(1.0, float(measured.t[-1]) / 37.5)
     crossings = np.count_nonzero(np.diff(np.sign(measured.true_q)))
     return bool(crossings >= wanted and np.abs(measured.q).max() < bench.laser.rail)
 
 
-def _write_truth(path: Path, measured: Record, rate: float) -> None:
+def _write_truth(path: Path, measured: BenchRecord, rate: float) -> None:
     """The undisturbed motion and voltages every millisecond, SI."""
     import pyarrow as pa
     from pyarrow import parquet
