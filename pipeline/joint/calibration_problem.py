@@ -19,7 +19,7 @@ STEP = 1e-4
 
 
 @dataclass(frozen=True)
-class Prior:
+class ParameterPrior:
     """Width and bounds of an unknown: factors of the starting value, or absolute [SI] where `relative` is false."""
 
     width: float
@@ -28,17 +28,19 @@ class Prior:
     relative: bool = True
 
 
-_ELASTIC, _VISCOUS, _LENGTH = Prior(1.1, 0.7, 1.4), Prior(2.0, 0.05, 20.0), Prior(3e-4, -1.5e-3, 1.5e-3, False)
+_ELASTIC, _VISCOUS = ParameterPrior(1.1, 0.7, 1.4), ParameterPrior(2.0, 0.05, 20.0)
+_LENGTH = ParameterPrior(3e-4, -1.5e-3, 1.5e-3, False)
 PRIORS = {
-    "Y": _ELASTIC, "E": _ELASTIC, "eps_r": _ELASTIC, "rho": _ELASTIC, "m": Prior(1.02, 0.9, 1.1),
-    "Y_MW": Prior(1.5, 0.1, 10.0), "eta_v": _VISCOUS, "eta_MW": _VISCOUS, "eta": _VISCOUS,
+    "Y": _ELASTIC, "E": _ELASTIC, "eps_r": _ELASTIC, "rho": _ELASTIC, "m": ParameterPrior(1.02, 0.9, 1.1),
+    "Y_MW": ParameterPrior(1.5, 0.1, 10.0), "eta_v": _VISCOUS, "eta_MW": _VISCOUS, "eta": _VISCOUS,
     "a": _LENGTH, "b": _LENGTH, "a0": _LENGTH, "e_x": _LENGTH, "e_z": _LENGTH, "l0": _LENGTH,
-    "kappa0": Prior(0.1, -1.0, 1.0, False), "F_c": Prior(5e-3, 0.0, 0.05, False), "s_c": Prior(2.0, 0.1, 10.0),
+    "kappa0": ParameterPrior(0.1, -1.0, 1.0, False), "F_c": ParameterPrior(5e-3, 0.0, 0.05, False),
+    "s_c": ParameterPrior(2.0, 0.1, 10.0),
 }  # fmt: skip
 """What may be calibrated, and how well a designer knows it beforehand."""
 
 
-def prior_of(name: str) -> Prior:
+def prior_of(name: str) -> ParameterPrior:
     """The prior of a parameter, the same for both sides.
 
     Raises
@@ -75,7 +77,7 @@ class CalibrationProblem:
         self.pool, self.evaluations = pool, 0
 
     @staticmethod
-    def _bounds(prior: Prior) -> tuple[float, float]:
+    def _bounds(prior: ParameterPrior) -> tuple[float, float]:
         if prior.relative:
             return np.log(prior.lower) / np.log(prior.width), np.log(prior.upper) / np.log(prior.width)
         return prior.lower / prior.width, prior.upper / prior.width
