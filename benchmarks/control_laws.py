@@ -25,7 +25,7 @@ from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.law import CONTROLLER_STATE, PLACES, TARGET_COLUMNS, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
-from pipeline.control.plant import Plant, forces, inertia, plant_of
+from pipeline.control.plant import ControlledJoint, forces, inertia, plant_of
 from pipeline.generated.condensed_joint import STATES
 from pipeline.joint.condensed_statics import rest_state
 from pipeline.numerics.arrays import FloatArray
@@ -81,7 +81,7 @@ def column(law: Law, start: int, q: float) -> float:
     return float(np.interp(q, np.linspace(first, last, TARGETS), law.targets[:, start]))
 
 
-def energy_switch(plant: Plant, law: Law) -> Effort:
+def energy_switch(plant: ControlledJoint, law: Law) -> Effort:
     """Push along the velocity until the energy suffices, coast, drain."""
     k, p, basis, weights = plant.constants
     grid = np.linspace(*law.places, 121)
@@ -192,7 +192,7 @@ def predictive(law: Law) -> Effort:
     return effort
 
 
-def laws(plant: Plant, law: Law, wells: tuple[float, float]) -> dict[str, Controller]:
+def laws(plant: ControlledJoint, law: Law, wells: tuple[float, float]) -> dict[str, Controller]:
     return {
         "braking curve": running(law, None),
         "energy switch": running(law, lambda: energy_switch(plant, law)),

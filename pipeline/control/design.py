@@ -11,7 +11,7 @@ from pipeline.control.controller import PERIOD
 from pipeline.control.design_tables import REACH, SLOW, braking_curves, charged, growth, target_table
 from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
-from pipeline.control.plant import ASSUMED_LAG, Plant
+from pipeline.control.plant import ASSUMED_LAG, ControlledJoint
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STOPS
 from pipeline.generated.condensed_joint_jacobian import PREPARE
@@ -64,7 +64,7 @@ class Settings:
     lags: tuple[float, float] = (ASSUMED_LAG, ASSUMED_LAG)
 
 
-def design(plant: Plant, settings: Settings) -> Law:
+def design(plant: ControlledJoint, settings: Settings) -> Law:
     """The controller of a plant.
 
     Raises
@@ -104,7 +104,7 @@ def design(plant: Plant, settings: Settings) -> Law:
     )
 
 
-def condensed_joint_law(plant: Plant, lags: tuple[float, float]) -> Law:
+def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
     """What estimator and motion need of a plant whose converters have the time constants `lags` [s], without tables."""
     k, p, basis, weights = plant.constants
     farthest, kept = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
@@ -147,7 +147,7 @@ _SLOPES = PREPARE.outputs["p"]
 _prepare_slopes = kernel(PREPARE)
 
 
-def acting_lags(plant: Plant, settings: Settings) -> tuple[float, float]:
+def acting_lags(plant: ControlledJoint, settings: Settings) -> tuple[float, float]:
     """Time constants [s] from command to force: the converters' own, and the delay that the identification found."""
     left, right = (max(lag + plant.delay, _LEAST_LAG) for lag in settings.lags)
     return left, right

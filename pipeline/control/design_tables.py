@@ -12,7 +12,7 @@ from pipeline.control.controller import move
 from pipeline.control.estimator import PERIOD
 from pipeline.control.law import CONTROLLER_STATE, FEEDBACK, PLACES, REACHES, Law
 from pipeline.control.linear import LinearModel, held, held_at, jacobian
-from pipeline.control.plant import Plant, inertia
+from pipeline.control.plant import ControlledJoint, inertia
 from pipeline.generated.condensed_joint import STATES
 from pipeline.numerics.arrays import FloatArray
 
@@ -26,13 +26,13 @@ SLOW = 15.0
 
 
 def target_table(
-    plant: Plant, wells: list[LinearModel], places: FloatArray, highest: float, lag: float
+    plant: ControlledJoint, wells: list[LinearModel], places: FloatArray, highest: float, lag: float
 ) -> tuple[FloatArray, tuple[float, float]]:
     """Rows as `pipeline.control.law.TARGET_COLUMNS` names them, and what switches the joint slowly.
 
     Parameters
     ----------
-    plant : Plant
+    plant : ControlledJoint
         The joint.
     wells : list of LinearModel
         Left well, saddle, right well.
@@ -62,7 +62,7 @@ def target_table(
     return np.array(rows), slow
 
 
-def moments_per_square(plant: Plant, x: FloatArray, u: FloatArray) -> FloatArray:
+def moments_per_square(plant: ControlledJoint, x: FloatArray, u: FloatArray) -> FloatArray:
     """Moment of each side on the slope in its own direction [N·m/V²] at a state under squared voltages, shape (2,)."""
     _, b = jacobian(x, u, plant.constants)
     left, right = inertia(x, plant.constants.p)[1] @ b[[1, 3, 5]]
@@ -77,12 +77,14 @@ def slow_switching_voltage(path: list[tuple[FloatArray, FloatArray]], wells: lis
     return float(np.sqrt(max(needed, default=0.0)))
 
 
-def growth(plant: Plant, x: FloatArray, u: FloatArray) -> float:
+def growth(plant: ControlledJoint, x: FloatArray, u: FloatArray) -> float:
     """Largest real part [1/s] of the poles about an equilibrium under squared voltages."""
     return float(np.linalg.eigvals(jacobian(x, u, plant.constants)[0]).real.max())
 
 
-def charged(plant: Plant, x: FloatArray, u: FloatArray, highest: float) -> tuple[tuple[FloatArray, FloatArray], float]:
+def charged(
+    plant: ControlledJoint, x: FloatArray, u: FloatArray, highest: float
+) -> tuple[tuple[FloatArray, FloatArray], float]:
     """The equilibrium at the same place with both sides charged, if it is unstable; and the mean share of `highest`².
 
     The charge grows until the unstable pole is `SLOW`, or the difference of both sides needs the rest.
@@ -107,8 +109,9 @@ _UNSTABLE, _LEAST_COMMON = 0.5, 0.02  # 1/s, share
 
 
 def regulator(
-    plant: Plant, x: FloatArray, u: FloatArray, highest: float, lag: float, weights: tuple[float, float, float, float]
-) -> FloatArray:
+    plant: ControlledJoint, x: FloatArray, u: FloatArray, highest: float, lag: float,
+    weights: tuple[float, float, float, float],
+) -> FloatArray:  # fmt: skip
     """Gains of the linear-quadratic regulator about an equilibrium under squared voltages, shape (FEEDBACK,).
 
     The moment that acts follows the commanded one with the converters' lag; it is the last state. Both sides act along

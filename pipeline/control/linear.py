@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.control.plant import NAMES, UNITS, Constants, Plant, forces, slow_rates
+from pipeline.control.plant import NAMES, UNITS, Constants, ControlledJoint, forces, slow_rates
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import DRY_LEVELS, STATES
 from pipeline.joint.condensed_kernels import INDEX, prepare
@@ -131,7 +131,7 @@ def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, Fl
     return a, b
 
 
-def linearise(plant: Plant, x: FloatArray, v: FloatArray) -> LinearModel:
+def linearise(plant: ControlledJoint, x: FloatArray, v: FloatArray) -> LinearModel:
     """The linear model about the equilibrium `x`, shape (STATES,), under the voltages `v`, shape (2,) [V].
 
     Dry friction whose level sets in with the speed is left out with the stop operators: over the few millimetres per
@@ -149,7 +149,7 @@ def _without_dry_friction(c: Constants) -> Constants:
     return c._replace(k=k, p=prepare(k[None])[0])
 
 
-def equilibria(plant: Plant, v: FloatArray) -> list[LinearModel]:
+def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
     """Every equilibrium within a fifth of the beam's length under the voltages `v`, shape (2,) [V], from left to right.
 
     Newton's method on the forces on q, slope and interior shape, from a grid of displacements with the shape at rest
@@ -187,12 +187,14 @@ def newton(c: Constants, near: FloatArray, u: FloatArray) -> FloatArray | None:
     return None
 
 
-def held(plant: Plant, near: FloatArray, base: FloatArray, push: FloatArray) -> tuple[FloatArray, float] | None:
+def held(
+    plant: ControlledJoint, near: FloatArray, base: FloatArray, push: FloatArray
+) -> tuple[FloatArray, float] | None:
     """The equilibrium at the displacement of a state under the squared voltages base + u push, and u.
 
     Parameters
     ----------
-    plant : Plant
+    plant : ControlledJoint
         The joint.
     near : FloatArray, shape (STATES,)
         The displacement, and the shape at which the search starts.
@@ -225,7 +227,7 @@ def held(plant: Plant, near: FloatArray, base: FloatArray, push: FloatArray) -> 
     return None
 
 
-def wells_and_saddle(plant: Plant) -> list[LinearModel]:
+def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
     """Left well, unstable equilibrium between, right well, without voltage.
 
     Raises
@@ -240,7 +242,7 @@ def wells_and_saddle(plant: Plant) -> list[LinearModel]:
     return [found[i] for i in pair]
 
 
-def held_at(plant: Plant, q: float, saddle: FloatArray) -> tuple[FloatArray, FloatArray]:
+def held_at(plant: ControlledJoint, q: float, saddle: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Equilibrium at q [m], shape (STATES,), and the squared voltages [V²] that hold it, shape (2,).
 
     Where the beam has several shapes at one displacement, the one that needs the least voltage.

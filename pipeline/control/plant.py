@@ -36,7 +36,7 @@ class Constants(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Plant:
+class ControlledJoint:
     """One identified joint, or one draw from its posterior.
 
     Attributes
@@ -71,14 +71,14 @@ class Plant:
         return reading - self.offset
 
 
-def plant_of(model: "HybridModel") -> Plant:
+def plant_of(model: "HybridModel") -> ControlledJoint:
     """The plant of an identified hybrid joint."""
     theta, condensed = model.theta, model.joint
     seen = condensed.instruments(theta)
     k = condensed.constants(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
     probe = np.asarray(seen.probe, dtype=np.float64)
-    return Plant(
+    return ControlledJoint(
         constants,
         float(seen.offset),
         float(seen.delay),

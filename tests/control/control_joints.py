@@ -8,7 +8,7 @@ from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings, design
 from pipeline.control.ensemble import Converters
 from pipeline.control.law import CONTROLLER_STATE, Law
-from pipeline.control.plant import Plant, plant_of
+from pipeline.control.plant import ControlledJoint, plant_of
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import CondensedJoint
 from pipeline.joint.parameters import NOMINAL
@@ -32,7 +32,7 @@ def converters(lag: float) -> Converters:
 
 
 @lru_cache(maxsize=4)
-def designed(highest: float = 3000.0) -> tuple[Plant, Law]:
+def designed(highest: float = 3000.0) -> tuple[ControlledJoint, Law]:
     plant = plant_of(model())
     return plant, design(plant, Settings(highest, (3e-3, 3e-3)))
 
