@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
-    from pipeline.models.base import Model as AnyModel
+    from pipeline.models.base import DynamicModel
     from pipeline.runs.tables import Table
     from pipeline.settings import Prototype
     from pipeline.tools.in_memory import Signals
@@ -25,13 +25,13 @@ class Model:
     ----------
     name : str
         Such as ``hybrid`` or ``rbf``.
-    core : Model
+    core : DynamicModel
         What computes: ``simulate(t, v, q0, qdot0)`` and ``accelerate(t, v, q, qdot)`` with arrays.
     notes : dict
         What was accepted and chosen when it was identified.
     """
 
-    def __init__(self, core: "AnyModel", prototype: "Prototype", notes: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, core: "DynamicModel", prototype: "Prototype", notes: Mapping[str, Any] | None = None) -> None:
         self.core = core
         self.name = core.name
         self.notes = dict(notes or {})

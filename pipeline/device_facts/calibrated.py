@@ -6,7 +6,7 @@ import numpy as np
 
 from pipeline.joint.condensed_parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS
 from pipeline.joint.parameters import QUANTITIES, VECTOR_NAMES
-from pipeline.models.base import Model
+from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
@@ -36,7 +36,7 @@ class Calibrated:
     high: float
 
 
-def calibrated(model: Model | None) -> list[Calibrated]:
+def calibrated(model: DynamicModel | None) -> list[Calibrated]:
     """Every quantity that the fit of a hybrid model moves, those of the parameter set first; none of another model.
 
     Each is that of the device, whose size is another than the set's joint's.

@@ -10,7 +10,7 @@ from pipeline.device_facts.characteristics import LEVEL, Curves, device_facts, i
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
 from pipeline.device_facts.run_data import RunData, wells_of_run
-from pipeline.models.base import Model
+from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
 from pipeline.scoring.wells import NoWells, Wells
@@ -222,7 +222,7 @@ def make_datasheet(data: RunData) -> Datasheet:
 
 
 def _simulated_ring_downs(
-    model: Model, values: Mapping[str, float | None], curves: Curves, inputs: int
+    model: DynamicModel, values: Mapping[str, float | None], curves: Curves, inputs: int
 ) -> dict[str, float | None]:
     """Frequency and damping ratio of a small free oscillation in each well, as the whole model simulates it."""
     found: dict[str, float | None] = {}

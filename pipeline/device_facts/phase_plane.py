@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.run_data import LogData, RunData
-from pipeline.models.base import Model, SimulatesMany
+from pipeline.models.base import DynamicModel, SimulatesMany
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.inputs import voltages
 
@@ -77,12 +77,12 @@ def _look(
         index[missing[:, 0], missing[:, 1]] = outcomes(states)
 
 
-def settled(model: Model, starts: FloatArray, seconds: float, step: float, inputs: int) -> FloatArray:
+def settled(model: DynamicModel, starts: FloatArray, seconds: float, step: float, inputs: int) -> FloatArray:
     """Displacement after a free run without input.
 
     Parameters
     ----------
-    model : Model
+    model : DynamicModel
         Any; one that `SimulatesMany` takes them all at once.
     starts : FloatArray, shape (n, 2)
         Displacement [m or rad] and its rate of each run.
@@ -126,7 +126,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
     return np.where(free, log.kinematics["q"], np.nan), np.where(free, log.kinematics["qdot"], np.nan)
 
 
-def basin_map(data: RunData, model: Model, saddle: float) -> tuple[FloatArray, FloatArray, Classes]:
+def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatArray, FloatArray, Classes]:
     """Places (n,) and speeds (m,) over all that was measured, and what becomes of each (m, n), as `OUTCOMES` counts.
 
     The model is let go at each of them without input and simulated for `BASIN_TIME` s; `saddle` parts the wells.

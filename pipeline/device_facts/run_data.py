@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.models.base import Model
+from pipeline.models.base import DynamicModel
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs.schemas import StudyName
@@ -88,7 +88,7 @@ class RunData:
         Whether curves are in newtons, or per unit mass.
     centres : int
         Basis functions of each curve that the settings ask for; where the device was seen is counted by them.
-    models : mapping of str to Model
+    models : mapping of str to DynamicModel
         In the order of the settings; the first is the headline.
     descriptions : mapping of str to mapping
         `describe()` of each.
@@ -117,7 +117,7 @@ class RunData:
     mass_known: bool
     centres: int
     logs: tuple[LogData, ...]
-    models: Mapping[str, Model]
+    models: Mapping[str, DynamicModel]
     descriptions: Mapping[str, Mapping[str, Any]]
     scores: tuple[Mapping[str, Any], ...]
     provenance: Mapping[str, Any]

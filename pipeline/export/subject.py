@@ -11,7 +11,7 @@ import numpy as np
 from pipeline.codegen.graph import Graph
 from pipeline.errors import InputError
 from pipeline.model_list import ENTRIES
-from pipeline.models.base import HasCurves, Model
+from pipeline.models.base import DynamicModel, HasCurves
 from pipeline.models.kind import kind
 from pipeline.names import slug
 from pipeline.numerics.arrays import FloatArray
@@ -53,7 +53,7 @@ class Subject:
     ----------
     prototype, name : str
         Names of the prototype and of the model.
-    model : Model
+    model : DynamicModel
         The model itself.
     validity : Validity
         Where it may be trusted.
@@ -69,7 +69,7 @@ class Subject:
 
     prototype: str
     name: str
-    model: Model
+    model: DynamicModel
     validity: Validity
     origin: str
     t: FloatArray
@@ -183,12 +183,12 @@ class Realisation:
     held: tuple[int, int] | None = None
 
 
-def realise(model: Model, interval: float, unit: str = "m") -> Realisation:
+def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisation:
     """States, constants and kernels of a model.
 
     Parameters
     ----------
-    model : Model
+    model : DynamicModel
         Identified model or baseline.
     interval : float
         Sample interval [s] of its run; it decides the step.

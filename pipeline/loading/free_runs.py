@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.loading.trajectories import EDGE, begins_in_motion, drive
-from pipeline.models.base import FreeRun, Model
+from pipeline.models.base import DynamicModel, FreeRun
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.tables import Table
 
@@ -21,14 +21,14 @@ class Start(NamedTuple):
     qdot0: float
 
 
-def free_run(table: Table, model: Model) -> FreeRun:
+def free_run(table: Table, model: DynamicModel) -> FreeRun:
     """Simulate a model over a log; rows before the first valid sample are NaN.
 
     Parameters
     ----------
     table : Table
         A kinematics table, with the fine voltages of its record if the model takes them.
-    model : Model
+    model : DynamicModel
         What is simulated.
     """
     start = start_of(table, model)
@@ -47,7 +47,7 @@ def free_rows(table: Table) -> Table:
     return {name: values[first:] for name, values in table.items()}
 
 
-def start_of(table: Table, model: Model) -> Start:
+def start_of(table: Table, model: DynamicModel) -> Start:
     """Where a free run of a model over a log starts, whatever is simulated from there.
 
     At rest the velocity is the measured one or the derivative. Where a log begins in motion a derivative at its edge is
@@ -60,7 +60,7 @@ def start_of(table: Table, model: Model) -> Start:
     return Start(known["t"], v, q0, qdot0)
 
 
-def followed_velocity(known: Table, v: FloatArray, model: Model) -> float:
+def followed_velocity(known: Table, v: FloatArray, model: DynamicModel) -> float:
     """The velocity with which a model follows the first samples best, by two Gauss-Newton steps from the derivative.
 
     The derivative stays where nothing lowers the error.

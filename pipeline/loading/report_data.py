@@ -12,7 +12,7 @@ from pipeline.errors import CorruptArtifactError, DebistError
 from pipeline.loading.device import Device, device, rotation_map
 from pipeline.loading.held_models import CHOICE, identified_models
 from pipeline.loading.parameter_sets import parameter_set
-from pipeline.models.base import Model
+from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
 from pipeline.names import log_title
 from pipeline.numerics.arrays import FloatArray
@@ -84,9 +84,9 @@ def _study(run: RunFolder, name: StudyName, plant: Device) -> Study:
 
 def _models(
     run: RunFolder, prototype: Prototype, names: Sequence[str]
-) -> tuple[dict[str, Model], dict[str, dict[str, str]]]:
+) -> tuple[dict[str, DynamicModel], dict[str, dict[str, str]]]:
     """The models that can be loaded, and why others cannot: a run of an older version still has a report."""
-    loaded: dict[str, Model] = {}
+    loaded: dict[str, DynamicModel] = {}
     unreadable: dict[str, dict[str, str]] = {}
     for name in names:
         artifact = layout.MODELS if name in identified_models(run, prototype) else layout.baseline(name)

@@ -8,7 +8,7 @@ from pipeline.loading.device import device
 from pipeline.loading.free_runs import start_of
 from pipeline.loading.held_models import model_artifact
 from pipeline.loading.trajectories import load_motion, training_tables
-from pipeline.models.base import Model
+from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from pipeline.export.subject import Subject, Validity
 
 
-def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> Model:
+def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> DynamicModel:
     """An identified model or a baseline of the run; the headline if none is named.
 
     Raises

@@ -1,1 +1,1 @@
-"""Every model behind one interface (`base.Model`), so that all are simulated and scored by the same code."""
+"""Every model behind one interface (`base.DynamicModel`), so that all are simulated and scored by the same code."""

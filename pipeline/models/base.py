@@ -39,7 +39,7 @@ class FreeRun:
     diverged_at_s: float | None = None
 
 
-class Model(Protocol):
+class DynamicModel(Protocol):
     """A dynamic model of a joint with one displacement and one or two voltages."""
 
     @property
@@ -126,7 +126,7 @@ class SimulatesMany(Protocol):
         """
 
 
-def predictor(model: Model) -> Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]:
+def predictor(model: DynamicModel) -> Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]:
     """How a model predicts displacement [m] from a measured state on, the voltages after it being known.
 
     A model that `Predicts` takes its hidden states from the measurement before; the others begin as in a free run.
@@ -134,9 +134,9 @@ def predictor(model: Model) -> Callable[[FloatArray, FloatArray, FloatArray, Flo
     Returns
     -------
     callable
-        ``(t, v, q, qdot) -> q``: t and v as for `Model.simulate`, shapes (N,) and (N, n_inputs); measured displacement
-        [m] and velocity [m/s] of the first M rows, without gaps. From row M − 1 on, shape (N − M + 1,); NaN after a
-        divergence.
+        ``(t, v, q, qdot) -> q``: t and v as for `DynamicModel.simulate`, shapes (N,) and (N, n_inputs); measured
+        displacement [m] and velocity [m/s] of the first M rows, without gaps. From row M − 1 on, shape (N − M + 1,);
+        NaN after a divergence.
     """
     if isinstance(model, Predicts):
         return model.predict
@@ -187,7 +187,7 @@ def checked(method: MethodT) -> MethodT:
     form = signature(method)
 
     @wraps(method)
-    def call(model: Model, *args: Any, **options: Any) -> Any:
+    def call(model: DynamicModel, *args: Any, **options: Any) -> Any:
         """The method with its arguments checked and as arrays."""
         given = form.bind(model, *args, **options)
         values = given.arguments
@@ -231,7 +231,7 @@ def _time(t: FloatArray) -> FloatArray:
     return time
 
 
-def _voltages(v: FloatArray, model: Model, count: int) -> FloatArray:
+def _voltages(v: FloatArray, model: DynamicModel, count: int) -> FloatArray:
     voltages, inputs = _floats(v, "v"), model.input_count
     if voltages.ndim == 3 and not model.fine_voltages:
         raise InputError(f"v has the shape {voltages.shape}; this model takes voltages at the samples only, (N, K)")

@@ -80,7 +80,7 @@ class HybridModel:
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
-        """Free run; see `pipeline.models.base.Model.simulate`.
+        """Free run; see `pipeline.models.base.DynamicModel.simulate`.
 
         Voltages between samples are a cubic spline, or as fine as they are given (`DrivingVoltages`), and are held at
         twice the largest trained one; a wall at half the beam's length confines the run: it is bounded for any input.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.model_list import ENTRIES, entry
-from pipeline.models.base import Model
+from pipeline.models.base import DynamicModel
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs.trees import read_tree
@@ -82,7 +82,7 @@ class Training:
         return 1.0 if self.known_mass is None else self.known_mass
 
 
-class StoredModel(Model, Protocol):
+class StoredModel(DynamicModel, Protocol):
     """A model that can be filed."""
 
     def to_tree(self) -> dict[str, Any]:
@@ -104,7 +104,7 @@ class Kind:
     """
 
     fit: Callable[[Training], StoredModel]
-    read: Callable[[dict[str, Any]], Model]
+    read: Callable[[dict[str, Any]], DynamicModel]
     equations: str = ""
 
 
@@ -128,7 +128,7 @@ def kind(name: str) -> Kind:
     return found
 
 
-def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
+def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
     """The model called `name` from its tree.
 
     Raises
@@ -150,7 +150,7 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> Model:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 
 
-def load_model(path: Path | str) -> Model:
+def load_model(path: Path | str) -> DynamicModel:
     """A model from a run's ``model.h5`` or ``baselines/NAME.h5``, for notebooks and scripts.
 
     Parameters

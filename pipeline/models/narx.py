@@ -41,7 +41,7 @@ class NarxModel:
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
-        """Free run; see `pipeline.models.base.Model.simulate`.
+        """Free run; see `pipeline.models.base.DynamicModel.simulate`.
 
         Inputs are taken at the samples. q̇ and q̈ are differences of sixth order of the simulated q.
 

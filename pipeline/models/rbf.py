@@ -60,7 +60,10 @@ class RbfModel:
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
-        """Free run; see `pipeline.models.base.Model.simulate`. Hidden states start at rest under the first inputs."""
+        """Free run; see `pipeline.models.base.DynamicModel.simulate`.
+
+        Hidden states start at rest under the first inputs.
+        """
         s = self.parameters.scales
         still = np.zeros(len(t))
         states, valid = self._run(self.theta, t, v, still, 0.0, ((q0 - s.middle) / s.half, qdot0 / s.half))

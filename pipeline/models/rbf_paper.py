@@ -91,7 +91,7 @@ class RbfPaperModel:
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
-        """Free run under measured voltages; see `pipeline.models.base.Model.simulate`.
+        """Free run under measured voltages; see `pipeline.models.base.DynamicModel.simulate`.
 
         The friction state starts at z(0) = q̇(0). The run counts as diverged when q leaves the operating range of
         the training data by more than twice its length.

@@ -61,7 +61,7 @@ class SindyModel:
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
-        """Free run; see `pipeline.models.base.Model.simulate`. The lag state starts at z(0) = q̇(0)."""
+        """Free run; see `pipeline.models.base.DynamicModel.simulate`. The lag state starts at z(0) = q̇(0)."""
         path, reached = free_run(self.dynamics, v, sample_interval(t), q0, qdot0)
         status, diverged_at = run_status(t, reached)
         return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)

@@ -26,7 +26,7 @@ class Described:
 def described(
     name: str, description: Mapping[str, Any], displacement: str = "m", *, mass_known: bool = True
 ) -> Described:
-    """The description of a model; `Model.describe` tells what it may hold.
+    """The description of a model; `DynamicModel.describe` tells what it may hold.
 
     A model calls its displacement a length, and its mass 1 kg if it has none: `displacement` is the true unit.
     """

@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.device_facts.run_data import LogData
 from pipeline.identification.rbf import basis_values
-from pipeline.models.base import Model
+from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points
 from pipeline.runs.schemas import StudyName
@@ -76,7 +76,7 @@ def alpha_figure(t: FloatArray, study: AlphaStudy, recipe: float) -> Figure:
     return Figure("alpha", "Regularisation parameter", "", "t", "s", tuple(panels), columns=2)
 
 
-def curves_figure(models: Mapping[str, Model], q: FloatArray) -> Figure:
+def curves_figure(models: Mapping[str, DynamicModel], q: FloatArray) -> Figure:
     """Figure 14: restoring force, damping and both ∂C/∂q of the models; every curve is whole within its axes."""
     curves = {name: model.curves(q) for name, model in models.items()}  # type: ignore[attr-defined]
     units = curve_units("m", "V", squared=True, mass_known=True)

@@ -34,7 +34,7 @@ class Simulator(Protocol):
     """A fitted model."""
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> Motion:
-        """Free run, see `pipeline.models.base.Model.simulate`."""
+        """Free run, see `pipeline.models.base.DynamicModel.simulate`."""
 
 
 @dataclass(frozen=True)

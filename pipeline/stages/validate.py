@@ -14,7 +14,7 @@ from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import free_rows, free_run, start_of
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources
-from pipeline.models.base import FreeRun, HasDraws, Model, predictor
+from pipeline.models.base import DynamicModel, FreeRun, HasDraws, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
@@ -82,12 +82,12 @@ def _predict(
     return written
 
 
-def _compile(model: Model, table: Table) -> None:
+def _compile(model: DynamicModel, table: Table) -> None:
     """Have the model's kernels compiled, which is done once per machine and is no part of the time of a run."""
     free_run({name: values[:3] for name, values in free_rows(table).items()}, model)
 
 
-def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | None:
+def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> float | None:
     """Rate [1/s] at which free runs of a model part along a log; None where they do not: no chaos."""
     from pipeline.numerics.metrics import signal_range
     from pipeline.scoring.chaos import lyapunov_exponent
@@ -106,7 +106,7 @@ def _lyapunov_exponent(table: Table, model: Model, result: FreeRun) -> float | N
     return lyapunov_exponent(displacement, known["t"], v, known["q"], known["qdot"], span, made)
 
 
-def _horizons(table: Table, model: Model, horizons: Mapping[str, float]) -> dict[str, Any]:
+def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float]) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log."""
     from pipeline.scoring.horizons import horizon_errors
     from pipeline.scoring.intervals import SEED
@@ -135,12 +135,14 @@ def _write(
     return run.write_table(artifact, schema, columns, {**outcome, **notes})
 
 
-def trust_notes(model: "Model", table: Table, every_log: Sequence[Table], trained: Sequence[Table]) -> dict[str, Any]:
+def trust_notes(
+    model: "DynamicModel", table: Table, every_log: Sequence[Table], trained: Sequence[Table]
+) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
     Parameters
     ----------
-    model : Model
+    model : DynamicModel
         Outcomes are noted for one that can draw an ensemble from its parameters' posterior.
     table : Table
         The log.
@@ -173,7 +175,7 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
     return q, qdot
 
 
-def _outcomes(model: "Model", table: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
+def _outcomes(model: "DynamicModel", table: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
     from pipeline.scoring.wells import Wells, pulse_outcomes, rests
 
     wells, rows = wells_of(every_log), free_rows(table)

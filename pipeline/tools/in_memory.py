@@ -14,7 +14,7 @@ from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
 from pipeline.loading.trajectories import motion
-from pipeline.models.base import Model, real_numbers
+from pipeline.models.base import DynamicModel, real_numbers
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
@@ -146,7 +146,7 @@ def identify_signals(
     return models, notes | {"warnings": [*told, *notes["warnings"]], "contradictions": contradictions}, tables
 
 
-def score_table(model: Model, table: Table) -> list[dict[str, Any]]:
+def score_table(model: DynamicModel, table: Table) -> list[dict[str, Any]]:
     """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them."""
     from pipeline.scoring.intervals import SEED
     from pipeline.scoring.scores import score_run

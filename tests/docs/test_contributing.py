@@ -157,10 +157,10 @@ def test_a_new_basis_function(generated: Path, tmp_path: Path) -> None:
 
 def test_the_new_baseline_has_all_that_a_model_has(tree: Path) -> None:
     program = """if True:
-    from pipeline.models.base import Model
+    from pipeline.models.base import DynamicModel
     from pipeline.models.rest import RestModel
     model = RestModel(2)
-    print([name for name in vars(Model) if not name.startswith("_") and not hasattr(model, name)])
+    print([name for name in vars(DynamicModel) if not name.startswith("_") and not hasattr(model, name)])
     """
     done = subprocess.run(
         [sys.executable, "-P", "-c", program],

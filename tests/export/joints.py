@@ -19,7 +19,7 @@ from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_problem import CondensedJoint
 from pipeline.joint.correction_table import CURVES as CORRECTIONS
 from pipeline.joint.parameters import NOMINAL
-from pipeline.models.base import Model
+from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid import HybridModel
 from pipeline.models.rbf import RbfModel
 from pipeline.models.rbf_paper import RbfPaperModel
@@ -175,7 +175,9 @@ def pulses(seconds: float, inputs: int = 2, peak: float = 3000.0) -> tuple[Float
     return t, v
 
 
-def subject(model: Model, seconds: float = 4.0, *, inputs: int = 2, peak: float = 3000.0, unit: str = "m") -> Subject:
+def subject(
+    model: DynamicModel, seconds: float = 4.0, *, inputs: int = 2, peak: float = 3000.0, unit: str = "m"
+) -> Subject:
     """A model with a log of pulses as its check."""
     t, v = pulses(seconds, inputs, peak)
     validity = Validity((-0.02, 0.02), (-0.3, 0.3), ((0.0, peak),) * inputs, INTERVAL, unit, ("V",) * inputs)
