@@ -45,7 +45,7 @@ def simulate(
     faults: Faults = "",
     play: Annotated[
         Path | None,
-        typer.Option("--play", metavar="FILE", help="Sequence (CSV or MAT, of `rig excite`) for the training logs."),
+        typer.Option("--play", metavar="FILE", help="Voltages (CSV or MAT, in V) for the training logs."),
     ] = None,
     force: Force = False,
     as_json: Json = False,
