@@ -12,7 +12,7 @@ import typer
 
 from pipeline.commands import control, integrity, outcome, physics, raw_logs, results, rig, stages, whole_run
 from pipeline.commands.boundary import ErrorBoundary, Program
-from pipeline.commands.console import Json, Report
+from pipeline.commands.console import Json, Quiet, Report
 from pipeline.commands.inspection import check
 from pipeline.errors import BatchFailedError, InputError
 from pipeline.machine import settle_machine
@@ -86,6 +86,7 @@ def batch(
     ] = "4 h",
     with_report: Report = True,
     as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Run many prototypes, one process each; a rerun does only what is missing or stale.
 
@@ -100,7 +101,7 @@ def batch(
     if collect:
         outcomes = collect_batch(named, output)
     else:
-        with outcome.BatchProgress(len(named)) as progress:
+        with outcome.BatchProgress(len(named), quiet=quiet) as progress:
             outcomes = run_batch(
                 named, output, jobs, progress, program="cli:app", fail_fast=fail_fast, report=with_report,
                 time_limit=limit,

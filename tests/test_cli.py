@@ -9,7 +9,9 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.commands.console import printable
+from pipeline.batch.worker import Outcome
+from pipeline.commands.console import printable, progress_report, working
+from pipeline.commands.outcome import BatchProgress
 from pipeline.loading.held_models import TITLES
 from pipeline.runs import layout
 from pipeline.runs.schemas import STUDIES
@@ -35,6 +37,23 @@ def test_every_command_has_help_with_an_example_and_json(command: list[str]) -> 
     shown = RUNNER.invoke(app, [*command, "--help"]).output
     assert "Example: debist" in " ".join(shown.split())
     assert "--json" in shown
+
+
+@pytest.mark.parametrize("command", [c for c in _commands() if c[0] in ("batch", "rig", "study")], ids=" ".join)
+def test_what_simulates_or_fits_many_can_be_quiet(command: list[str]) -> None:
+    assert "--quiet" in RUNNER.invoke(app, [*command, "--help"]).output
+
+
+def test_nothing_is_told_of_progress_where_a_terminal_is_to_be_quiet(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    with working("simulating", quiet=True), progress_report("designing", quiet=True) as report:
+        assert report is None
+    with BatchProgress(1, quiet=True) as progress:
+        progress.started("a")
+        progress.finished(Outcome("a", Path("a.toml"), 1, "no q"))
+    assert capsys.readouterr().err == ""
 
 
 @pytest.mark.parametrize(

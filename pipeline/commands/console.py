@@ -240,9 +240,9 @@ class Progress:
 
 
 @contextmanager
-def working(text: str) -> Iterator[None]:
+def working(text: str, *, quiet: bool = False) -> Iterator[None]:
     """Say on stderr what is done, with a spinner; nothing where stderr is no terminal."""
-    if not sys.stderr.isatty():
+    if quiet or not sys.stderr.isatty():
         yield
         return
     from rich.console import Console
@@ -252,9 +252,9 @@ def working(text: str) -> Iterator[None]:
 
 
 @contextmanager
-def progress_report(first: str) -> Iterator[Callable[[str, float], None] | None]:
+def progress_report(first: str, *, quiet: bool = False) -> Iterator[Callable[[str, float], None] | None]:
     """Yield a callable that shows what is done, to begin with `first`, and its share; None without a terminal."""
-    if not sys.stderr.isatty():
+    if quiet or not sys.stderr.isatty():
         yield None
         return
     from rich.console import Console

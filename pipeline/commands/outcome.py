@@ -138,8 +138,8 @@ _MOST_NAMED = 4
 class BatchProgress:
     """One line on stderr per finished prototype; on a terminal also a bar with the remaining time below them."""
 
-    def __init__(self, total: int) -> None:
-        self._total = total
+    def __init__(self, total: int, *, quiet: bool = False) -> None:
+        self._total, self._quiet = total, quiet
         self._done = 0
         self._made = 0
         self._began: float | None = None
@@ -147,7 +147,7 @@ class BatchProgress:
         self._bar: Any = None
 
     def __enter__(self) -> "BatchProgress":
-        if sys.stderr.isatty():
+        if sys.stderr.isatty() and not self._quiet:
             from rich.console import Console
             from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
@@ -195,6 +195,8 @@ class BatchProgress:
         state = outcome.reason or ("up to date" if _up_to_date(outcome) else "done")
         line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s){self._left()}"
         line = printable(line)
+        if self._quiet:
+            return
         if self._bar is None:
             typer.echo(line, err=True)
         else:

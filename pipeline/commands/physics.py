@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import Force, emit_json, emit_table, progress_report
+from pipeline.commands.console import Force, Quiet, emit_json, emit_table, progress_report
 from pipeline.errors import InputError
 
 if TYPE_CHECKING:
@@ -256,6 +256,7 @@ def calibrate(
     figure: Figure = None,
     force: Force = False,
     as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Fit parameters to logs (§ 3.3): values and standard errors in SI units, error of q in mm.
 
@@ -266,7 +267,7 @@ def calibrate(
     from pipeline.tools import physics
 
     names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
-    with progress_report("calibrating") as report:
+    with progress_report("calibrating", quiet=quiet) as report:
         joint = _parameters(parameters, overrides)
         fit = physics.calibrate(kinematics, joint, names=names, starts=starts, seed=seed, jobs=jobs, report=report)
     if output is not None:

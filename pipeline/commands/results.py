@@ -167,39 +167,39 @@ Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a t
 
 
 @study.command()
-def alpha(run: Run, as_json: Json = False) -> None:
+def alpha(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     """Over- and under-smoothing against alpha (figure 11c), in SI units; writes studies/alpha.parquet and .svg.
 
     Example: debist study alpha runs/P1
     """
-    _study(run, "alpha", 1, as_json)
+    _study(run, "alpha", 1, as_json=as_json, quiet=quiet)
 
 
 @study.command()
-def basis(run: Run, jobs: Jobs = 1, as_json: Json = False) -> None:
+def basis(run: Run, jobs: Jobs = 1, as_json: Json = False, quiet: Quiet = False) -> None:
     """Number M and width of the basis functions of rbf-paper (figure 11b); errors in SI units and fractions.
 
     Example: debist study basis runs/P1 --jobs 2
     """
-    _study(run, "basis", jobs, as_json)
+    _study(run, "basis", jobs, as_json=as_json, quiet=quiet)
 
 
 @study.command()
-def data(run: Run, as_json: Json = False) -> None:
+def data(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     """Free-run NRMSE (a fraction) of rbf-paper against the amount of training data and added noise [m].
 
     Example: debist study data runs/P1
     """
-    _study(run, "data", 1, as_json)
+    _study(run, "data", 1, as_json=as_json, quiet=quiet)
 
 
 @study.command()
-def online(run: Run, as_json: Json = False) -> None:
+def online(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     """Online identification (§ 4.1): recursive least squares over the training logs; errors as fractions, time in s.
 
     How fast the curves converge, and how they follow a planted drift of 10 %. Example: debist study online runs/P1
     """
-    _study(run, "online", 1, as_json)
+    _study(run, "online", 1, as_json=as_json, quiet=quiet)
 
 
 @study.command()
@@ -210,6 +210,7 @@ def folds(
     model: Annotated[list[str] | None, typer.Option(help="A model of the run; repeat for more [default: all].")] = None,
     jobs: Jobs = 1,
     as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """k-fold cross-validation: every model fitted anew without each fold of all logs, and run freely over it.
 
@@ -219,7 +220,7 @@ def folds(
     from pipeline.runs.manifest import to_json
     from pipeline.tools.folds import run_folds
 
-    with Progress(quiet=as_json) as progress:
+    with Progress(quiet=quiet or as_json) as progress:
         result = run_folds(run, progress, by=by, folds=count, models=model or (), jobs=jobs)
     if as_json:
         emit_json(to_json(vars(result)))
@@ -228,11 +229,11 @@ def folds(
     emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
 
 
-def _study(run: Path, name: "Sweep", jobs: int, as_json: bool) -> None:
+def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
     from pipeline.runs.manifest import to_json
     from pipeline.tools.study import run_study
 
-    with Progress(quiet=as_json) as progress:
+    with Progress(quiet=quiet or as_json) as progress:
         result = run_study(run, name, progress, jobs=jobs)
     if as_json:
         emit_json(to_json(vars(result)))

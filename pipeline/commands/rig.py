@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import Force, Json, emit_json, emit_text, progress_report, working
+from pipeline.commands.console import Force, Json, Quiet, emit_json, emit_text, progress_report, working
 
 app = group("The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.")
 
@@ -49,6 +49,7 @@ def simulate(
     ] = None,
     force: Force = False,
     as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Simulate one prototype and write its raw logs, its TOML and the truth.
 
@@ -60,7 +61,7 @@ def simulate(
 
     sequence = None if play is None else str(play)
     experiment = Experiment(kind, form, rate, duration, train, validation, excitation, parse_faults(faults), sequence)
-    with working(f"simulating {train + validation} logs of {duration:g} s at {rate:g} Hz"):
+    with working(f"simulating {train + validation} logs of {duration:g} s at {rate:g} Hz", quiet=quiet):
         prototype = simulate_prototype(output, f"{kind}-{seed}", experiment, seed=seed, force=force)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
@@ -80,6 +81,7 @@ def fleet(
     faults: Faults = "",
     force: Force = False,
     as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Simulate many prototypes, one folder each; with `--kind same` every second one has foreign physics.
 
@@ -92,7 +94,8 @@ def fleet(
     prototypes = []
     for prototype in simulate_fleet(output, count, experiment, seed=seed, force=force):
         prototypes.append(prototype)
-        typer.echo(f"{prototype}", err=True)
+        if not quiet:
+            typer.echo(f"{prototype}", err=True)
     if as_json:
         emit_json({"prototypes": prototypes})
     else:
@@ -127,6 +130,7 @@ def excite(
     seed: Seed = 1,
     force: Force = False,
     as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Design a voltage sequence that visits every basis centre in both wells and tells most about the curves.
 
@@ -150,7 +154,7 @@ def excite(
         parse_quantity(max_voltage, ("V",), "--max-voltage"), parse_quantity(max_field, ("V/m",), "--max-field")
     )
     source = Source(parameters, run, model, joints, seed)
-    with progress_report("designing") as report:
+    with progress_report("designing", quiet=quiet) as report:
         told = None if report is None else partial(report, "designing")
         design, files = excite(
             output, source, wanted, limits, parse_quantity(rate, ("Hz",), "--rate"), report=told, force=force
@@ -195,6 +199,7 @@ def closed_loop(
     seed: Annotated[int, typer.Option(help="Draws the noise.", min=0)] = 1,
     force: Force = False,
     as_json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Run a controller against a simulated joint at 1 kHz and write a raw log with the reference in it.
 
@@ -205,7 +210,7 @@ def closed_loop(
     from pipeline.tools.closed_loop import ClosedLoopOptions, closed_loop_log
 
     options = ClosedLoopOptions(target, duration, form, lag, highest, push, lost, barrier, noise, seed, start)
-    with working(f"simulating {duration} at 1 kHz"):
+    with working(f"simulating {duration} at 1 kHz", quiet=quiet):
         files, summary = closed_loop_log(joint, controller, play, output, options, force=force)
     if as_json:
         emit_json({"files": files, **summary})

@@ -149,3 +149,6 @@ def test_commands_write_and_say_where(tmp_path: Path) -> None:
     assert Path(document["prototype"]).is_file() and Path(document["truth"]).is_file()
     many = CliRunner().invoke(app, ["fleet", "2", "-o", str(tmp_path / "many"), *options])
     assert [Path(path).is_file() for path in json.loads(many.stdout)["prototypes"]] == [True, True]
+    assert len(many.stderr.splitlines()) == 2
+    quiet = CliRunner().invoke(app, ["fleet", "2", "-o", str(tmp_path / "more"), "--quiet", *options])
+    assert (quiet.exit_code, quiet.stderr) == (0, "")
