@@ -232,50 +232,59 @@ def offers(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[
         Those that are made again and again after them, as long as one is taken: by then other fields have changed.
     """
     change = _Change(choice)
-    laws = [FRICTION[law] for law in OFFERED]
-    holds: list[Hold] = ["linear", "zero", "cubic", *(["record"] if fine else [])]  # type: ignore[list-item]
     resting = [
         DRIVE["lag"] | {"rest_at_zero": at_zero}
         for at_zero in ((False, True) if driven else (choice.rest_at_zero or False,))
     ]
-    simple = [FRICTION[law] | {"force": force} for law in ("viscous", "coulomb") for force in FORCES]
-    if slow:
-        simple += [FRICTION["viscous"] | {"force": force, "overdamped": True} for force in FORCES]
     drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
-    curves = change.to(
-        {"constant_damping": False},
-        {"constant_gain": False},
-        {"constant_damping": False, "constant_gain": False},
-        {"constant_damping": True, "constant_gain": True},
-    )
-    placed = change.to(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
-    # A slow drive would be taken for a gain by place, for much damping, for hidden forces and for friction.
-    slowly = change.to(
-        *(
-            FRICTION[law] | {"force": force, "constant_gain": True, "overdamped": False} | drive
-            for law in OFFERED[:2] for force in FORCES[:2] for drive in (*resting, DRIVE["delay"])
-        )
-    )  # fmt: skip
-    # A slow drive, a slow force and a gain by place may each take the others' parts, so that none is missed alone.
-    together = change.to(
-        *(FRICTION[law] | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for law in OFFERED[:3])
-    )
+    hold = change.each("hold", ["linear", "zero", "cubic", *(["record"] if fine else [])])
+    friction, effect = change.to(*(FRICTION[law] for law in OFFERED)), change.to(*EFFECT.values())
     drag, stops = (change.each(name, [False, True]) for name in ("drag", "stops"))
-    effect = change.to(*EFFECT.values())
-    hold, friction, force = change.each("hold", holds), change.to(*laws), change.each("force", FORCES)
     once = [
-        change.to(*simple),
-        # A mass that nothing restores is the same everywhere: that its gain is not, is offered later.
-        lambda best: [] if best.structure.force == "offset" else placed(best),
+        _simple(change, slow=slow),
+        _by_place(change),
         hold,
-        lambda best: [] if best.structure.force == "offset" else slowly(best),
+        _slow_drive(change, resting),
         stops,
         friction,
         drag,
         drives,
         effect,
-        together,
+        _together(change),
     ]
+    curves = change.to(*({"constant_damping": d, "constant_gain": g} for d in (False, True) for g in (False, True)))
     sizes = [change.each("basis_functions", [5, 12]), change.each("smoothing", [0.8, 1.3])]
     damped = [change.each("overdamped", [False, True])] if slow else []
-    return once, [*damped, curves, force, hold, drives, friction, drag, change.each("stops", [False]), effect, *sizes]
+    fewer, force = change.each("stops", [False]), change.each("force", FORCES)
+    return once, [*damped, curves, force, hold, drives, friction, drag, fewer, effect, *sizes]
+
+
+def _simple(change: _Change, *, slow: bool) -> Offer:
+    """Each force with and without dry friction, of a mass and, where the device looks `slow`, without."""
+    laws: list[dict[str, Any]] = [FRICTION["viscous"], FRICTION["coulomb"]]
+    laws += [FRICTION["viscous"] | {"overdamped": True}] * slow
+    return change.to(*(law | {"force": force} for law in laws for force in FORCES))
+
+
+def _by_place(change: _Change) -> Offer:
+    """A gain by place. A mass that nothing restores is the same everywhere: that its gain is not, is offered later."""
+    offered = change.to(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
+    return lambda best: [] if best.structure.force == "offset" else offered(best)
+
+
+def _slow_drive(change: _Change, resting: Sequence[dict[str, Any]]) -> Offer:
+    """A slow drive in place of what would take its part: a gain by place, much damping, hidden forces and friction."""
+    late = {"constant_gain": True, "overdamped": False}
+    offered = change.to(
+        *(
+            FRICTION[law] | {"force": force} | late | drive
+            for law in OFFERED[:2] for force in FORCES[:2] for drive in (*resting, DRIVE["delay"])
+        )
+    )  # fmt: skip
+    return lambda best: [] if best.structure.force == "offset" else offered(best)
+
+
+def _together(change: _Change) -> Offer:
+    """A slow drive, a slow force and a gain by place, which may each take the others' parts, so that none is missed."""
+    laws = [FRICTION[law] for law in OFFERED[:3]]
+    return change.to(*(law | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for law in laws))
