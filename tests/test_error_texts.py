@@ -375,6 +375,11 @@ def test_a_digest_that_openssl_has_no_memory_for_is_told_as_such():
     assert not memory_failure(ValueError("[digital envelope routines] unsupported"))
 
 
+def test_an_object_that_python_has_no_memory_to_fill_is_told_as_such():
+    assert memory_failure(AttributeError("This object has no __dict__"))
+    assert not memory_failure(AttributeError("'Plot' object has no attribute '__dict__'"))
+
+
 def _raised(first: BaseException, then: BaseException) -> BaseException:
     """The second error, raised while the first was handled."""
     try:

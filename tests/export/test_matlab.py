@@ -44,7 +44,9 @@ def test_the_function_runs_like_the_model(name, tmp_path):
     found, run = loadmat(tmp_path / "found.mat", squeeze_me=True), model.simulate(what.t, what.v, *what.start)
     for signal in ("q", "qdot", "qddot"):
         truth = getattr(run, signal)
-        assert np.abs(found[signal] - truth).max() < 3.0 * tolerance * np.ptp(truth), signal
+        known = np.isfinite(truth)  # one of the models diverges
+        np.testing.assert_array_equal(np.isfinite(found[signal]), known)
+        assert np.abs(found[signal] - truth)[known].max() < 3.0 * tolerance * np.ptp(truth[known]), signal
 
 
 @needs_octave

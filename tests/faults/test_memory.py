@@ -23,7 +23,8 @@ CRASHES = {128 + number: f"debist: {died_of(number)}" for number in (signal.SIGA
 NOT_FREED = re.compile(
     r"Traceback \(most recent call last\):\n  File \"h5py/_objects\.pyx\", .*ObjectID\._dealloc\n"
     r"(  File \"h5py/.*\.pyx\", .*\n)*(RuntimeError|MemoryError).*\n(Exception ignored in: 'h5py.*\.__dealloc__'\n)?"
-    r"|Exception ignored on building sys\.unraisablehook arguments: .*\nMemoryError(: )?\n|^MemoryError: \n",
+    r"|Exception ignored on building sys\.unraisablehook arguments: .*\nMemoryError(: )?\n|^MemoryError: \n"
+    r"|^object address  : .*\n(object .*\n)+lost sys\.stderr\n<unknown>\n",
     re.MULTILINE,
 )
 """What h5py and the interpreter themselves say of an object that they could not take down."""
