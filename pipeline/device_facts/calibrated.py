@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.joint.condensed_parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS
+from pipeline.joint.condensed_parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS, PRIOR_STD
 from pipeline.joint.parameters import QUANTITIES, VECTOR_NAMES
 from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid import HybridModel
@@ -53,19 +53,19 @@ def _one(model: HybridModel, i: int) -> Calibrated:
     nominal = model.joint.parameters.value(name) if name in VECTOR_NAMES else None
     begin = nominal if nominal is not None else (entry.typical or float(entry.logarithm))
     powers, row = np.array(POWERS[entry.unit]), np.zeros(len(DEVIATIONS))
-    at, by_size = model.theta[: len(DEVIATIONS)] * _PRIOR_STD, powers[1:] * _PRIOR_STD[_SIZES]
+    at, by_size = model.theta[: len(DEVIATIONS)] * PRIOR_STD, powers[1:] * PRIOR_STD[_SIZES]
     units = np.log([getattr(model.joint.similarity, unit) for unit in ("mass", "length", "time", "voltage")])
     if i not in OF_INSTRUMENTS:
         units[1:] += at[_SIZES]
     if entry.logarithm:
-        row[i] = _PRIOR_STD[i]
+        row[i] = PRIOR_STD[i]
         if i in _SIZES:
             at[i] = row[i] = 0.0  # it is one of the units
         row[_SIZES] += by_size
         ends = begin * np.exp(at[i] + powers @ units + _bounds(model, row))
     else:
         factor = np.exp(powers @ units)
-        row[i] = factor * _PRIOR_STD[i]
+        row[i] = factor * PRIOR_STD[i]
         if i not in OF_INSTRUMENTS:
             row[_SIZES] += factor * (begin + at[i]) * by_size
         ends = factor * (begin + at[i]) + _bounds(model, row)
@@ -85,5 +85,4 @@ def _bounds(model: HybridModel, row: FloatArray) -> FloatArray:
     return NORMAL_90 * sd * np.array([0.0, -1.0, 1.0])
 
 
-_PRIOR_STD = np.array([entry.prior_std for entry in DEVIATIONS])
 _SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]

@@ -13,7 +13,6 @@ from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
 from pipeline.models.base import HasCurveDraws, HasCurves
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.scoring.wells import outermost_pair
 
 LEVEL = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range
@@ -132,10 +131,21 @@ def equilibria(q: FloatArray, force: FloatArray) -> list[Equilibrium]:
     return [Equilibrium(place, slope) for place, slope in sorted(exact + crossed)]
 
 
-def outer_wells(found: list[Equilibrium]) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
-    """Left well, saddle, right well: the outermost pair of stable states with an unstable one between, or None."""
-    pair = outermost_pair([e.q for e in found], [e.stable for e in found])
-    return None if pair is None else (found[pair[0]], found[pair[1]], found[pair[2]])
+def outer_wells(curves: Curves) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
+    """Left well, saddle, right well: the outermost stable states and the highest unstable one between.
+
+    None where there are no two, or where the force jumps between them.
+    """
+    found = equilibria(curves.q, curves.force)
+    stable = [e for e in found if e.stable]
+    if len(stable) < 2:
+        return None
+    left, right = stable[0], stable[-1]
+    between = (curves.q[:-1] > left.q) & (curves.q[1:] < right.q)
+    if np.any(jumps(curves.force)[between]):
+        return None
+    passes = [e for e in found if not e.stable and left.q < e.q < right.q]
+    return left, max(passes, key=lambda e: float(np.interp(e.q, curves.q, curves.energy))), right
 
 
 def switching_input(curves: Curves, k: int, start: float, saddle: float) -> float | None:
@@ -165,8 +175,7 @@ def device_facts(curves: Curves) -> dict[str, float | None]:
     Of a device with one stable equilibrium only, ``rest`` and ``stiffness``. Where the force jumps between two wells,
     what is on the way between them does not follow from the curves.
     """
-    at_rest = equilibria(curves.q, curves.force)
-    stable = [e for e in at_rest if e.stable]
+    stable = [e for e in equilibria(curves.q, curves.force) if e.stable]
     if len(stable) < 2:
         return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if stable else {}
     left, right = stable[0], stable[-1]
@@ -177,11 +186,10 @@ def device_facts(curves: Curves) -> dict[str, float | None]:
         "stiffness_right": right.stiffness,
         "asymmetry_wells": (left.q + right.q) / (right.q - left.q),
     }
-    between = (curves.q[:-1] > left.q) & (curves.q[1:] < right.q)
-    if np.any(jumps(curves.force)[between]):
+    found = outer_wells(curves)
+    if found is None:
         return facts
-    passes = [e for e in at_rest if not e.stable and left.q < e.q < right.q]
-    saddle = max(passes, key=lambda e: float(np.interp(e.q, curves.q, curves.energy)))
+    saddle = found[1]
     energy = np.interp([left.q, saddle.q, right.q], curves.q, curves.energy)
     facts |= {
         "saddle": saddle.q,

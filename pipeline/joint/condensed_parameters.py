@@ -136,7 +136,8 @@ negative is a logarithm. A square has no slope at zero, and an estimate that cam
 simulated joints four lost a relaxation or the frame's inertia so, with three to six times the error held at the log."""
 
 NAMES = tuple(entry.name for entry in DEVIATIONS)
-_PRIOR_STD = np.array([entry.prior_std for entry in DEVIATIONS])
+PRIOR_STD = np.array([entry.prior_std for entry in DEVIATIONS])
+"""Standard deviations of their priors, in which θ counts."""
 _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
@@ -183,7 +184,7 @@ def moving_mass(p: JointParameters, ratio: float) -> float:
 
 def instruments(deviations: FloatArray) -> Instruments:
     """The instruments' share of the deviations."""
-    offset, delay, *probe = (deviations[OF_INSTRUMENTS] * _PRIOR_STD[OF_INSTRUMENTS]).tolist()
+    offset, delay, *probe = (deviations[OF_INSTRUMENTS] * PRIOR_STD[OF_INSTRUMENTS]).tolist()
     return Instruments(offset, delay, np.array(probe))
 
 
@@ -280,7 +281,7 @@ def _values(deviations: FloatArray) -> dict[str, Any]:
 
     Each is a number, or an array where there are several sets of deviations.
     """
-    x = deviations * _PRIOR_STD
+    x = deviations * PRIOR_STD
     found = np.where(_LOGARITHMS, _TYPICAL * np.exp(_LOGARITHMS * x), x)
     return dict(zip(_KEYS, found.tolist() if found.ndim == 1 else np.moveaxis(found, -1, 0), strict=True))
 

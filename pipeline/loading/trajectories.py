@@ -94,10 +94,11 @@ def motion(kinematics: Table, fine: Table, prototype: Prototype) -> Table:
     """What models are fitted to and simulated over: kinematics with the voltages between the samples (see `drive`),
     which begin at zero where the settings say that they were zero before the log.
     """
-    return _rested(_with_fine_voltages(kinematics, fine), prototype)
+    return _rested(with_fine_voltages(kinematics, fine), prototype)
 
 
-def _with_fine_voltages(table: Table, fine: Table) -> Table:
+def with_fine_voltages(table: Table, fine: Table) -> Table:
+    """Kinematics with the voltages of the `fine` record between their samples, where it is finer."""
     t, grid, rows = table["t"], fine["t"], len(table["t"])
     refined = round(sample_interval(t) / sample_interval(grid))
     if refined == 1:

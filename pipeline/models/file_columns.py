@@ -23,6 +23,7 @@ _COLUMNS = (
     ("hybrid/similarity/*", "1", "size of the device over that of the parameter set"),
     ("hybrid/constants", TEXT, "names of the constants of the equations, in order"),
     ("hybrid/deviations", TEXT, "names of the first entries of theta: deviations from the set; weights follow"),
+    ("hybrid/prior_std", "SI", "standard deviations of the deviations' priors, in which theta counts"),
     ("hybrid/theta", "1", "fitted parameters in widths of their priors"),
     ("rbf/theta", "1", "fitted parameters in units of the scales"),
     ("*/curve_spread", "1", f"{_SPREAD}, for the bands of the curves; with corrections that are left open"),

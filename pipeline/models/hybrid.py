@@ -200,6 +200,7 @@ class HybridModel:
             "similarity": self.joint.similarity.to_json(),
             "constants": " | ".join(CONSTANTS),
             "deviations": " | ".join(condensed_parameters.NAMES),
+            "prior_std": condensed_parameters.PRIOR_STD,
             "theta": self.theta,
             "spread": self.spread,
             "band_spread": self.band_spread,
@@ -231,7 +232,9 @@ class HybridModel:
             bands, curves = (np.asarray(tree[f"{name}_spread"], dtype=np.float64) for name in ("band", "curve"))
             names = str(tree["deviations"]).split(" | ")
             constants = str(tree["constants"]).split(" | ")
+            prior_std = np.asarray(tree["prior_std"], dtype=np.float64)
         known = names == list(condensed_parameters.NAMES) and constants == list(CONSTANTS)
+        known = known and np.array_equal(prior_std, condensed_parameters.PRIOR_STD)
         if not known or len(theta) != len(joint.start()):
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"

@@ -37,7 +37,7 @@ from pipeline.models.rbf_candidates import (
     offers,
     population_candidate,
 )
-from pipeline.models.rbf_search import SEARCH_SHARE, Fit, Setting, cut, excerpts, search
+from pipeline.models.rbf_search import Fit, Setting, cut, excerpts, search
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.metrics import rms
@@ -127,8 +127,7 @@ def identify_rbf(
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven)
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
-        chosen, like, tried = search(records, setting, first, *offered)
-        complete = not setting.effort.exhausted(SEARCH_SHARE)
+        chosen, like, tried, complete = search(records, setting, first, *offered)
         found = _fit_to_all(records, setting, chosen, like)
     if not found.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")

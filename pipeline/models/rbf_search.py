@@ -135,7 +135,7 @@ def search(
     first: Candidate,
     once: Sequence[Offer],
     again: Sequence[Offer] = (),
-) -> tuple[Candidate, Fit | None, dict[str, float]]:
+) -> tuple[Candidate, Fit | None, dict[str, float], bool]:
     """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
 
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. A
@@ -152,6 +152,8 @@ def search(
         Of it, by which it was judged; None if nothing was offered.
     dict of str to float
         RMS held-out error of each that was tried, in the unit of q; empty if nothing was offered.
+    bool
+        Whether all was offered and judged before `SEARCH_SHARE` of the effort was spent.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
@@ -178,19 +180,23 @@ def search(
     def size(one: Candidate) -> int:
         return ParameterLayout(one.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
-    best, since = first, len(once)
+    best, since, complete = first, len(once), True
     for number, offer in enumerate((*once, *ROUNDS * tuple(again))):
-        if setting.effort.exhausted(SEARCH_SHARE) or number - since >= len(again) > 0:
+        if number - since >= len(again) > 0:
+            break
+        if setting.effort.exhausted(SEARCH_SHARE):
+            complete = False
             break
         others = offer(best)
         if others and not tried:
             setting, tried = _coupled(records, setting, first)
         tested = [one for one in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(one)]
+        complete = complete and len(tested) == len(others)
         for one in sorted(tested, key=lambda one: rms(judged(one).errors[-1])):
             if better(one, best):
                 best, since = one, max(number + 1, len(once))
     like = tried[best.label].fits[0] if best.label in tried else None
-    return best, like, {label: rms(found.errors[-1]) for label, found in tried.items()}
+    return best, like, {label: rms(found.errors[-1]) for label, found in tried.items()}, complete
 
 
 @dataclass(frozen=True)

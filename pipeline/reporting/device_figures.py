@@ -177,9 +177,9 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
     points: list[Points] = []
     cells, caption = None, "Measured motion without voltage."
     if sheet.model is not None:
-        found = equilibria(sheet.curves[sheet.model].q, sheet.curves[sheet.model].force)
-        points = _marked(found, "v2", np.zeros(1), np.zeros(1))
-        wells = outer_wells(found)
+        curves = sheet.curves[sheet.model]
+        points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))
+        wells = outer_wells(curves)
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (

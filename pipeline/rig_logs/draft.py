@@ -17,7 +17,8 @@ _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
 _TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
-_VELOCITY = re.compile(r"dot$|vel|speed|geschw|_dt$|/s\b", re.IGNORECASE)
+_VELOCITY = re.compile(r"dot$|(?<!le)vel|speed|geschw|_dt$", re.IGNORECASE)
+_RATE = re.compile(r"(?<!/s)/s$|^rpm$", re.IGNORECASE)
 _BETWEEN = re.compile(r"[_\-.]+")
 
 
@@ -98,8 +99,9 @@ def _left_over(log: Inspection) -> list[str]:
 def _velocity_lines(log: Inspection) -> list[str]:
     """A channel that is called a velocity, left out: derivatives and fits would rest on it as well."""
     taken = {suggestion.only for suggestion in log.suggestions}
-    called = [c for c in log.channels if c.name not in taken and _VELOCITY.search(f"{c.name} {c.unit}")]
-    entries = [_entry("qdot", channel.name, channel.unit.strip("[]() ") or FILL_IN) for channel in called[:1]]
+    units = {channel.name: channel.unit.strip("[]() ") for channel in log.channels if channel.name not in taken}
+    called = [name for name, unit in units.items() if _RATE.search(unit) or (not unit and _VELOCITY.search(name))]
+    entries = [_entry("qdot", name, units[name] or FILL_IN) for name in called[:1]]
     return [f"# {entry}  # where that is q's measured velocity" for entry in entries]
 
 

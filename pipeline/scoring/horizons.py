@@ -66,8 +66,8 @@ def horizon_errors(
         The model's prediction of q from the last of the measured rows on.
     t, q, qdot : FloatArray, shape (N,)
         Uniform time [s] and the measured state; NaN where masked.
-    v : FloatArray, shape (N, K)
-        Inputs.
+    v : FloatArray, shape (N, K) or (N, r, K)
+        Inputs, as `predict` takes them.
     horizons : sequence of float
         Times ahead [s]; rounded to samples, at least one.
     seed : int

@@ -98,16 +98,25 @@ def calibrate(
 ) -> "Calibration":
     """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files.
 
+    Voltages between the samples come from the ``record.parquet`` beside each, where there is one.
+
     Raises
     ------
     InputError
         A table lacks a column, or none has a stretch of motion.
     """
     from pipeline.joint.calibration import calibrate as fit
-    from pipeline.loading.trajectories import trajectories
+    from pipeline.loading.trajectories import trajectories, with_fine_voltages
 
-    tables = [_columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment") for path in kinematics]
-    motions = [motion for table in tables for motion in trajectories(table)]
+    def motion(path: Path) -> "Table":
+        """The table, with the voltages between its samples where the run's record is beside it."""
+        table, record = (
+            _columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment"),
+            path.with_name("record.parquet"),
+        )
+        return with_fine_voltages(table, _columns(record, "t", "v1", "v2")) if record.is_file() else table
+
+    motions = [stretch for path in kinematics for stretch in trajectories(motion(path), fine=True)]
     if not motions:
         raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
     return fit(motions, parameters, np.random.default_rng(seed), names=names, starts=starts, jobs=jobs, report=report)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals
+from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals, outer_wells
 from pipeline.device_facts.datasheet import make_datasheet
 from pipeline.device_facts.events import rest_facts, ring_down, voltage_switches
 from pipeline.device_facts.phase_plane import basins
@@ -302,6 +302,7 @@ def test_a_jump_of_the_force_is_neither_a_well_nor_a_way_between_wells() -> None
     assert near["well_left"] == pytest.approx(usual["well_left"])
     assert near["stiffness_right"] == pytest.approx(usual["stiffness_right"])
     assert not near.keys() & {"saddle", "barrier_left", "switch_v1_to_right"}
+    assert outer_wells(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between)) is None
 
 
 def test_a_barrier_is_the_highest_of_several() -> None:
@@ -313,6 +314,7 @@ def test_a_barrier_is_the_highest_of_several() -> None:
     inside = (q > -1.0) & (q < 1.0)
     assert facts["barrier_left"] == pytest.approx(energy[inside].max() - np.interp(-1.0, q, energy), rel=1e-4)
     assert facts["barrier_right"] > 0.0
+    assert outer_wells(Curves(q, force, None, np.zeros((0, q.size)), True))[1].q == facts["saddle"]
 
 
 def test_a_device_with_one_input_that_nothing_restores_has_no_wells() -> None:

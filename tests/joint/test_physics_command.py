@@ -15,7 +15,7 @@ from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.parameters import NOMINAL, TABLE1
 from pipeline.joint.reduced_order import pulse_sequence
 from pipeline.loading.parameter_sets import joint_parameters
-from pipeline.runs.schemas import KINEMATICS, SIGNALS, resolve
+from pipeline.runs.schemas import KINEMATICS, RECORD, SIGNALS, resolve
 from pipeline.runs.tables import write_table
 from pipeline.tools.physics import write_parameters
 
@@ -81,6 +81,23 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     assert figure.read_text().startswith("<?xml")
     assert set(document) >= {"parameters", "correlation", "rmse", "at_bound", "converged"}
     assert pytest.approx(1.7e9, rel=0.01) == joint_parameters(str(target)).E
+
+
+def test_calibrate_takes_the_voltages_of_the_record_beside_the_kinematics(tmp_path: Path) -> None:
+    """Pulses that begin between the samples: the drawing's joint itself errs where they are taken from these alone."""
+    t, v = pulse_sequence(count=3, dt=1e-3)
+    v = np.roll(v, 5, axis=0)
+    run = simulate(NOMINAL, t, v, rest_state(NOMINAL, equilibria(NOMINAL, v[0])[0].q, 0.0, v[0]))
+    columns = {"t": t, "q": run.q, "v1": v[:, 0], "v2": v[:, 1], "segment": np.zeros(t.size, np.int32)}
+    rows = slice(None, None, 10)
+    kinematics = {name: column[rows] for name, column in (columns | {"qdot": run.q_dot, "qddot": run.q_ddot}).items()}
+    source, record = tmp_path / "kinematics.parquet", tmp_path / "record.parquet"
+    write_table(source, resolve(KINEMATICS, displacement="m", inputs=("V", "V")), kinematics)
+    write_table(record, resolve(RECORD, displacement="m", inputs=("V", "V")), columns)
+    command = ("calibrate", str(source), "--paper", "--starts", "1", "--output", str(tmp_path / "joint.toml"))
+    told = answer(*command)["rmse"]
+    record.unlink()
+    assert told < 1e-5 < 5e-5 < answer(*command, "--force")["rmse"]
 
 
 @pytest.mark.parametrize(

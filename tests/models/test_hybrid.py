@@ -174,6 +174,9 @@ def test_the_tree_goes_round(identified: tuple[HybridModel, HybridModel]) -> Non
         HybridModel.from_tree(tree)
     with pytest.raises(CorruptArtifactError, match="another version of debist"):
         HybridModel.from_tree(model.to_tree() | {"constants": "l | bending"})
+    narrower = model.to_tree()["prior_std"] * np.where(np.array(condensed_parameters.NAMES) == "delay", 1.0 / 3.0, 1.0)
+    with pytest.raises(CorruptArtifactError, match="another version of debist"):
+        HybridModel.from_tree(model.to_tree() | {"prior_std": narrower})  # θ would mean another delay
 
 
 @pytest.mark.parametrize("volts", [5e3, 1e6])

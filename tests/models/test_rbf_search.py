@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pipeline.identification.effort import Effort
 from pipeline.identification.joint_structure import JointStructure
 from pipeline.models import rbf_search
 from pipeline.models.rbf_candidates import candidate
@@ -40,6 +41,24 @@ def found(monkeypatch):
         return search([record], Setting("linear", None), SPRING, once, again)[0], judged
 
     return searched
+
+
+def test_a_search_says_whether_all_was_asked(monkeypatch):
+    """The effort that is spent by the last candidate leaves nothing out; that which is spent before it does."""
+    t = 0.01 * np.arange(400)
+    record = Record(t, np.sin(t), np.cos(t), -np.sin(t), np.cos(3.0 * t)[:, None], np.ones(400, dtype=bool))
+
+    def judge(records, setting, one, near):
+        setting.effort.spent += 1.0
+        return rbf_search._Judged(np.ones((2, 400)), np.ones(400), ((None, np.empty(0)),), False, ())
+
+    monkeypatch.setattr(rbf_search, "_judge", judge)
+    offers = [only(CURVED), only(DRAGGED)]  # with the first candidate three to be judged
+    told = {}
+    for limit in (1.0, 2.0, 3.0, 4.0):
+        effort = Effort(limit / rbf_search.SEARCH_SHARE)
+        told[limit] = search([record], Setting("linear", None, effort), SPRING, offers)[-1]
+    assert told == {1.0: False, 2.0: False, 3.0: True, 4.0: True}
 
 
 def only(one):

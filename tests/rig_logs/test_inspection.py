@@ -319,13 +319,20 @@ def test_draft_is_named_by_the_device_and_not_by_what_the_log_is_for(tmp_path, f
     assert _draft(_csv(folder / file, "t [s],q [mm],v [V]", t, np.sin(t), np.cos(t)))["name"] == name
 
 
-@pytest.mark.parametrize("called", ["xdot", "belt speed", "q_dt"])
-def test_draft_names_a_channel_that_may_be_the_velocity(tmp_path, called):
-    t, head = np.arange(100.0), "t [s],q [mm],v [V]"
-    log = _csv(tmp_path / "log.csv", f"{head},{called} [mm/s]", t, np.sin(t), np.cos(t), t % 7)
-    line = f'# qdot = {{ channel = "{called}", unit = "mm/s" }}  # where that is q\'s measured velocity'
-    assert line in toml_draft([inspect_log(log)]).splitlines()
-    assert "qdot" not in toml_draft([inspect_log(_csv(tmp_path / "log.csv", head, t, np.sin(t), np.cos(t)))])
+@pytest.mark.parametrize(
+    ("column", "named"),
+    [
+        ("xdot", ("xdot", "FILL IN")), ("belt speed", ("belt speed", "FILL IN")), ("q_dt", ("q_dt", "FILL IN")),
+        ("tacho [mm/s]", ("tacho", "mm/s")), ("velocity [deg/s]", ("velocity", "deg/s")), ("acc [m/s^2]", None),
+        ("acc [m/s/s]", None), ("level [mm]", None), ("level", None), ("speed [V]", None),
+    ],
+)  # fmt: skip
+def test_draft_names_a_channel_that_may_be_the_velocity(tmp_path, column, named):
+    t = np.arange(100.0)
+    log = _csv(tmp_path / "log.csv", f"t [s],q [mm],v [V],{column}", t, np.sin(t), np.cos(t), t % 7)
+    lines = [line for line in toml_draft([inspect_log(log)]).splitlines() if "qdot" in line]
+    entry = '# qdot = {{ channel = "{}", unit = "{}" }}  # where that is q\'s measured velocity'
+    assert lines == ([entry.format(*named)] if named else [])
 
 
 def test_draft_tells_what_the_reader_left_out(tmp_path):
