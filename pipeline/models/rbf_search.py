@@ -166,16 +166,9 @@ def search(
         return tried[one.label]
 
     def better(one: Candidate, than: Candidate) -> bool:
-        """Whether the first candidate is to be preferred: surely not worse if smaller, surely better if larger."""
         if any(not getattr(than.structure, time) for time in judged(one).idle):
             return False
-        new, old = judged(one).errors, judged(than).errors
-        if size(one) < size(than):
-            far = rms(new[-1]) > FAR * rms(old[-1]) and surely_smaller(old[0], new[0])
-            fitted = judged(than).fitted, judged(one).fitted
-            follows_less = rms(fitted[1]) > TOO_SIMPLE * rms(fitted[0]) and surely_smaller(*fitted)
-            return not (far or follows_less or surely_smaller(old[-1], new[-1]))
-        return rms(new[-1]) < rms(old[-1]) and any(surely_smaller(*pair) for pair in zip(new, old, strict=True))
+        return _preferred(judged(one), judged(than), smaller=size(one) < size(than))
 
     def size(one: Candidate) -> int:
         return ParameterLayout(one.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
@@ -212,6 +205,16 @@ class _Judged:
     fits: tuple[Fit, ...]
     chaotic: bool
     idle: tuple[str, ...]
+
+
+def _preferred(new: _Judged, old: _Judged, *, smaller: bool) -> bool:
+    """Whether one candidate is to be preferred to another: surely not worse if smaller, surely better if larger."""
+    if smaller:
+        far = rms(new.errors[-1]) > FAR * rms(old.errors[-1]) and surely_smaller(old.errors[0], new.errors[0])
+        follows_less = rms(new.fitted) > TOO_SIMPLE * rms(old.fitted) and surely_smaller(old.fitted, new.fitted)
+        return not (far or follows_less or surely_smaller(old.errors[-1], new.errors[-1]))
+    pairs = zip(new.errors, old.errors, strict=True)
+    return rms(new.errors[-1]) < rms(old.errors[-1]) and any(surely_smaller(*pair) for pair in pairs)
 
 
 def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
