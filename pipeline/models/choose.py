@@ -111,7 +111,7 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     -------
     Choice
         Cost: one identification; two to four where the hybrid joint does not predict well. Networks take at most
-        `QUICK_TIME` and `JUDGED_TIME` then, and one that replaces the equations its time limit.
+        `QUICK_TIME` and `JUDGED_TIME` then, and one that replaces the equations what their time limit leaves.
 
     Raises
     ------
@@ -150,7 +150,7 @@ def _compared(
     fitted = _rms(_errors(getattr(model, "early", None) or model, _first_parts(training), held_out=False))
     if network_fitted > POORER * fitted:
         return Choice(model, "rbf follows the data that both were fitted to less well", held_out, excess, interval)
-    best = rbf(training)
+    best = rbf(_within(training, max(training.identify.time_limit - QUICK_TIME - JUDGED_TIME, JUDGED_TIME)))
     if _rms(_errors(best, training.records, held_out=False)) > POORER * _rms(
         _errors(model, training.records, held_out=False)
     ):

@@ -1,6 +1,8 @@
 """The hybrid joint: planted parameters come back, runs are bounded, trees go round."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +13,7 @@ from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_prior import prior_root
 from pipeline.joint.condensed_problem import DEVIATIONS, CondensedJoint, CondensedProblem
 from pipeline.joint.parameters import NOMINAL
+from pipeline.models import identify_hybrid as identify_hybrid_module
 from pipeline.models.base import FreeRun, predictor
 from pipeline.models.choose import JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose
 from pipeline.models.hybrid import HybridModel
@@ -94,6 +97,24 @@ def test_recorders_that_began_15_ms_apart_are_seen() -> None:
     unseen = log(late, 2)
     run = model.simulate(unseen.t, unseen.v, float(unseen.q[0]), 0.0)
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
+
+
+def test_a_fit_that_loses_its_logs_starts_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As if the fit to whole logs had ended in another well: a second one, from the set, takes its place."""
+    fit, asked = identify_hybrid_module._Search.fit, list[Sequence[float]]()
+
+    def losing(search: Any, joint: Any, start: Any, poles: Sequence[float], **steps: int) -> Any:
+        asked.append(poles)
+        found = fit(search, joint, start, poles, **steps)
+        lost = replace(found.levels[-1], rms=10.0)
+        return replace(found, levels=(*found.levels[:-1], lost)) if poles == identify_hybrid_module.WHOLE else found
+
+    monkeypatch.setattr(identify_hybrid_module._Search, "fit", losing)
+    record = log(joint(PLANTED), 1)
+    model = identify_hybrid([record], NOMINAL)
+    assert asked[-3:] == [getattr(identify_hybrid_module, name) for name in ("WHOLE", "COUPLED", "FREE")]
+    assert model.diagnostics["training_rms_m"] < 1e-3 * np.ptp(record.q)
+    assert model.early is not None
 
 
 def test_bands_of_curves_leave_force_and_damping_open_where_no_correction_acts(
@@ -279,7 +300,7 @@ def test_equations_that_follow_the_training_logs_but_predict_badly_are_compared(
 
     lucky = replace(truth, early=joint(WRONG))
     assert choose(given(log(truth, 1)), lambda _: lucky, alone).model is truth
-    assert asked == [QUICK_TIME, JUDGED_TIME, Identify().time_limit]
+    assert asked == [QUICK_TIME, JUDGED_TIME, Identify().time_limit - QUICK_TIME - JUDGED_TIME]
 
 
 class Follower(HybridModel):
@@ -325,7 +346,7 @@ def test_a_network_of_all_data_that_follows_them_less_well_does_not_replace_the_
     choice = choose(training, lambda _: equations, alone)
     assert choice.model is equations
     assert choice.equations is None and "less well" in choice.reason
-    assert limits == [QUICK_TIME, JUDGED_TIME, Identify().time_limit]
+    assert limits == [QUICK_TIME, JUDGED_TIME, Identify().time_limit - QUICK_TIME - JUDGED_TIME]
 
 
 def test_data_alone_where_no_hybrid_joint_can_be_tied_to_the_logs() -> None:
