@@ -19,7 +19,7 @@ from pipeline.joint.window_runs import Windows, cut_windows
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.kept import Keep, make_anew
 from pipeline.numerics.metrics import rms
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.trajectory import MOST_SAMPLES, Trajectory, within
 
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")
 """The seven parameters that the paper adjusts."""
@@ -107,7 +107,7 @@ def calibrate(
     Parameters
     ----------
     motions : sequence of Trajectory
-        Gap-free measured motions with both voltages.
+        Gap-free measured motions with both voltages, of which `MOST_SAMPLES` are taken at most.
     start : JointParameters
         The designer's set: first start, centre of the prior, and value of everything that is not fitted.
     rng : numpy.random.Generator
@@ -130,7 +130,8 @@ def calibrate(
     at 10 ms takes 0.1 to 0.2 s of processor time, a third of that while starts are compared; a calibration with three
     starts 0.6 to 4 s (docs/reference/speed.md).
     """
-    short, wide = cut_windows(motions, WINDOW), cut_windows(motions, 7.5 * WINDOW)
+    taken = within(motions, MOST_SAMPLES)
+    short, wide = cut_windows(taken, WINDOW), cut_windows(taken, 7.5 * WINDOW)
     share = _Share(report, starts * 5 + 3 * MOST_EVALUATIONS)
     with ThreadPoolExecutor(jobs) as pool:
         problem = CalibrationProblem(start, names, pool)

@@ -24,7 +24,7 @@ from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.metrics import rms
-from pipeline.signals.trajectory import Record, operating_range
+from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range
 
 COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
@@ -65,10 +65,6 @@ OPEN = (0, 1)
 """Corrections that bands leave open where none acts: those of the restoring force and of the damping along q, which the
 equations simplify more than the capacitances. With none the bands of 40 simulated joints held 84 to 96 % of the true
 curves, with these 88 to 98 %, with all nine 95 to 100 %."""
-
-MOST_SAMPLES = 12_000
-"""Samples of all logs together that a fit takes: beyond, every log is cut after as large a share. It bounds the work,
-whatever is given: at 10 ms these are 120 s of motion, three logs as the paper's."""
 
 _FOLLOWS_NOT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 

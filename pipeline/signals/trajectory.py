@@ -9,6 +9,10 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from pipeline.signals.timebase import is_uniform
 
+MOST_SAMPLES = 12_000
+"""Samples of all logs together that a fit of the joint's equations takes: beyond, every log is cut after as large a
+share. It bounds the work, whatever is given: at 10 ms these are 120 s of motion, three logs as the paper's."""
+
 SHORTEST = 5
 """Samples of a stretch: a shorter one carries no dynamics worth a row in a fit."""
 
@@ -58,10 +62,21 @@ class Trajectory:
         """Sample interval [s]."""
         return sample_interval(self.t)
 
+    def part(self, start: int, stop: int) -> "Trajectory":
+        """The samples from `start` to `stop`."""
+        s = slice(start, stop)
+        return Trajectory(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s])
+
     @property
     def known_q(self) -> FloatArray:
         """The displacement, every sample of which is valid, shape (N,)."""
         return self.q
+
+
+def within(motions: "Sequence[Trajectory]", samples: int) -> "list[Trajectory]":
+    """So many samples at most, but for `SHORTEST` of each: the first share of every motion."""
+    share = min(1.0, samples / sum(motion.t.size for motion in motions))
+    return [motion.part(0, max(int(share * motion.t.size), SHORTEST)) for motion in motions]
 
 
 def operating_range(logs: "Sequence[Trajectory | Record]") -> tuple[float, float]:

@@ -12,7 +12,7 @@ from pipeline.joint.parameters import NOMINAL, JointParameters
 from pipeline.joint.reduced_order import pulse_sequence
 from pipeline.joint.window_runs import cut_windows, error_derivatives, simulate_windows
 from pipeline.models.analytical import AnalyticalModel, calibrate_analytical
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.trajectory import Trajectory, within
 
 
 def log_of(joint: JointParameters, noise: float = 0.0, seed: int = 0, count: int = 6, dt: float = 0.01) -> Trajectory:
@@ -101,3 +101,12 @@ def test_names_that_cannot_be_calibrated_are_refused() -> None:
         prior_of("left.Z")
     with pytest.raises(InputError, match="both voltages"):
         cut_windows([Trajectory(*(np.arange(5.0) for _ in range(4)), np.zeros((5, 1)))], 1.0)
+
+
+def test_a_long_log_is_cut_to_what_bounds_the_work() -> None:
+    t = 0.01 * np.arange(9_000)
+    logs = [Trajectory(t[:n], *np.zeros((3, n)), np.zeros((n, 2))) for n in (9_000, 3_000, 4)]
+    taken = within(logs, 6_000)
+    assert [one.t.size for one in taken] == [4_498, 1_499, 4]
+    assert taken[0].v.shape == (4_498, 2)
+    assert [one.t.size for one in within(logs[:2], 12_000)] == [9_000, 3_000]
