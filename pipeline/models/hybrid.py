@@ -15,7 +15,7 @@ from pipeline.generated.condensed_joint import CONSTANTS
 from pipeline.joint import condensed_parameters
 from pipeline.joint.condensed_curves import static_curves
 from pipeline.joint.condensed_problem import CondensedJoint, simulate
-from pipeline.joint.condensed_runs import follow_path
+from pipeline.joint.condensed_runs import BATCH, follow_path
 from pipeline.joint.condensed_statics import substeps
 from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
@@ -271,8 +271,16 @@ class HybridModel:
         if not driving.refined:
             return simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, built=built)
         # Samples of a log that is known between them have been low-pass filtered, so these are too.
-        every = simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, every_step=True, built=built)
-        return filtered_samples(every, steps)
+        runs = []
+        for rows in (
+            slice(first, first + BATCH) for first in range(0, len(thetas), BATCH)
+        ):  # every step of all is much
+            begin, made = start if start.ndim == 1 else start[rows], (built[0][rows], built[1][rows])
+            every = simulate(
+                self.joint, thetas[rows], inputs, begin, path, pole, dt, steps, every_step=True, built=made
+            )
+            runs.append(filtered_samples(every, steps))
+        return np.concatenate(runs)
 
     @cached_property
     def _best(self) -> tuple[FloatArray, FloatArray]:
