@@ -24,7 +24,7 @@ from pipeline.models.posterior import posterior_factor, robust_spread
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, kept_under, make_anew
 from pipeline.numerics.metrics import rms
-from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range
+from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
 
 COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
@@ -110,7 +110,7 @@ def identify_hybrid(
 
     Notes
     -----
-    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 24 on whole ones (40 more where it
+    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 24 on whole ones (43 more where it
     starts anew), each with two batches of eight runs. On 37.5 s a Jacobian takes 40 to 65 ms, 65 to 105 with
     corrections; eight runs 5 to 9 ms.
     """
@@ -185,8 +185,7 @@ class _Search:
 
     def within(self, samples: int) -> "_Search":
         """So many samples at most: the first share of every log."""
-        share = min(1.0, samples / sum(len(r.t) for r in self.records))
-        return replace(self, records=tuple(r.part(0, int(share * len(r.t))) for r in self.records))
+        return replace(self, records=tuple(within(self.records, samples)))
 
     def prior(self, count: int) -> Prior:
         """Deviations and weights of corrections about the set."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
@@ -71,12 +72,6 @@ class Trajectory:
     def known_q(self) -> FloatArray:
         """The displacement, every sample of which is valid, shape (N,)."""
         return self.q
-
-
-def within(motions: "Sequence[Trajectory]", samples: int) -> "list[Trajectory]":
-    """So many samples at most, but for `SHORTEST` of each: the first share of every motion."""
-    share = min(1.0, samples / sum(motion.t.size for motion in motions))
-    return [motion.part(0, max(int(share * motion.t.size), SHORTEST)) for motion in motions]
 
 
 def operating_range(logs: "Sequence[Trajectory | Record]") -> tuple[float, float]:
@@ -175,3 +170,12 @@ class Record:
         past = np.concatenate(before) if before else None
         velocity = None if self.velocity is None else self.velocity[s]
         return Record(self.t[s], self.q[s], self.qdot[s], self.qddot[s], self.v[s], self.valid[s], fine, past, velocity)
+
+
+Log = TypeVar("Log", Trajectory, Record)
+
+
+def within(logs: Sequence[Log], samples: int) -> list[Log]:
+    """So many samples at most, but for `SHORTEST` of each: the first share of every stretch or record."""
+    share = min(1.0, samples / sum(log.t.size for log in logs))
+    return [log.part(0, max(int(share * log.t.size), SHORTEST)) for log in logs]
