@@ -1,11 +1,13 @@
 """`import debist`: models from arrays and DataFrames, the same as from a run of the same signals."""
 
+import warnings
 from unittest.mock import Mock
 
 import matplotlib
 import numpy as np
 import pandas as pd
 import pytest
+from scipy.signal import lfilter
 
 import debist
 from pipeline.stages.run import run_prototype
@@ -108,6 +110,24 @@ def test_settings_add_to_what_the_arguments_say(log):
         log, mass=0.04, inputs="linear", model="rbf-paper", settings={"plant": {"inputs_before": "zero"}}
     )
     assert found.describe()["mass_kg"] == 0.04 and found.core.inputs == "linear"
+
+
+@pytest.mark.parametrize(("limit", "cut"), [(0.2, True), (60.0, False)])
+def test_a_search_that_its_time_limit_cut_says_so(limit, cut):
+    t = 0.01 * np.arange(600)
+    u = np.repeat(np.random.default_rng(1).uniform(-1.0, 1.0, 15), 40)
+    q = 1e-2 * lfilter([0.0, 0.02], [1.0, -1.9, 0.92], u)
+    settings = {"identify": {"time_limit": limit}, "quality": {"accept": ["visits"]}}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = debist.identify(t, q, u, inputs="linear", model="rbf", settings=settings)
+    told = [
+        text
+        for text in found.notes["warnings"]
+        if "the search for the structure of rbf ended at its time limit" in text
+    ]
+    assert bool(told) == cut
+    assert found.describe()["search_complete"] is not cut
 
 
 def test_the_overlay_states_the_fit(log, model):
