@@ -78,7 +78,7 @@ def write_prepared() -> None:
 
 def _hybrid() -> None:
     from pipeline.joint.condensed_curves import static_curves
-    from pipeline.joint.condensed_parameters import constants, nominal_deviations, static_slope_ratio
+    from pipeline.joint.condensed_parameters import constants, instruments, nominal_deviations, static_slope_ratio
     from pipeline.joint.condensed_runs import run_joints
     from pipeline.joint.condensed_sensitivity import Driven, sensitivities
     from pipeline.joint.condensed_statics import substeps
@@ -89,15 +89,16 @@ def _hybrid() -> None:
     basis, weights, dt = np.array([-0.01, 0.01, 0.01]), np.zeros((9, 3)), 0.01
     substeps(k, basis, weights, dt)
     u = np.zeros((2, 5, 2))
+    seen = instruments(np.zeros(len(nominal_deviations())))
     for shape in ((2, 2), (3, 10, 2)):
-        u = DrivingVoltages(np.zeros(shape), dt).squared(1, 0.0, np.zeros(2), 1.0)[None]
+        u = DrivingVoltages(np.zeros(shape), dt).squared(1, seen, 1.0)[None]
     for joints in (1, 2):
         run_joints(
             np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis, u, np.zeros(joints, dtype=np.int64),
             np.zeros(joints), np.zeros(2), np.zeros(u.shape[1]),
             np.zeros((u.shape[1] - 1) // 2 + 1), dt, 1, 0.05, 1.0,
         )  # fmt: skip
-    driven = Driven(u[0], np.zeros((3, u.shape[1], 2)), np.zeros(0), np.zeros(0), np.zeros(2))
+    driven = Driven(u[0], np.zeros((4, u.shape[1], 2)), np.zeros(0), np.zeros(0), np.zeros(2))
     sensitivities(k, basis, weights, np.abs(k), np.ones(len(weights)), 0.0, driven, dt, 1, 0.05, 1.0)
     static_curves(np.zeros(2), k, basis, weights)
 

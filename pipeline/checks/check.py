@@ -202,8 +202,8 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
     advice = f"v{i + 1} hardly moves q: see first whether it is the channel that drives this device; then " * unsure
     advice += (
         "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger; if the "
-        'inputs do act late (a filter, a slow drive, electrodes that charge slowly), set models = ["rbf"] and drive = '
-        '"lag" or "delay" in [identify]'
+        "inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid estimates by how much, and "
+        'rbf with drive = "lag" or "delay" in [identify]'
     )
     return CheckRow(
         fact.signals.name,

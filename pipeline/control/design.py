@@ -148,8 +148,8 @@ _prepare_slopes = kernel(PREPARE)
 
 
 def acting_lags(plant: ControlledJoint, settings: Settings) -> tuple[float, float]:
-    """Time constants [s] from command to force: the converters' own, and the delay that the identification found."""
-    left, right = (max(lag + plant.delay, _LEAST_LAG) for lag in settings.lags)
+    """Time constants [s] from command to force: the converters', and delay and charging time of the identification."""
+    left, right = (max(lag + plant.delay + plant.charging, _LEAST_LAG) for lag in settings.lags)
     return left, right
 
 

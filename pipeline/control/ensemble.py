@@ -1,5 +1,6 @@
 """Many runs of an identified joint, its estimate and draws from its posterior, under commanded voltages."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -47,8 +48,8 @@ class Ensemble:
         See `run_joints`.
     offsets : FloatArray, shape (B,)
         Of each laser [m].
-    delays : FloatArray, shape (B,)
-        By which voltages act later [s].
+    delays, charging : FloatArray, shape (B,)
+        By which voltages act later, and time constants of the membranes behind their electrodes [s].
     lags : FloatArray, shape (B, 2)
         Time constants of the left and the right converter [s].
     gains : FloatArray, shape (B,)
@@ -66,6 +67,7 @@ class Ensemble:
     basis: FloatArray
     offsets: FloatArray
     delays: FloatArray
+    charging: FloatArray
     lags: FloatArray
     gains: FloatArray
     highest: float
@@ -79,7 +81,7 @@ class Ensemble:
 
     def chosen(self, which: slice) -> "Ensemble":
         """Some of the vectors."""
-        own = ("constants", "weights", "offsets", "delays", "lags", "gains")
+        own = ("constants", "weights", "offsets", "delays", "charging", "lags", "gains")
         return replace(self, **{name: getattr(self, name)[which] for name in own})
 
     def run(self, commands: FloatArray, start: float) -> FloatArray:
@@ -108,8 +110,8 @@ class Ensemble:
         half = 2 * self.steps * round(commands.shape[1] * PERIOD / INTERVAL) + 1
         width = INTERVAL / (2 * self.steps)
         squares = [
-            gain**2 * _mean_squares(_lagged(commands, lags), half, width, delay)
-            for gain, lags, delay in zip(self.gains, self.lags, self.delays, strict=True)
+            gain**2 * _mean_squares(_behind(_lagged(commands, lags), [charging] * 2), half, width, delay)
+            for gain, lags, charging, delay in zip(self.gains, self.lags, self.charging, self.delays, strict=True)
         ]
         return np.stack(squares, axis=1)
 
@@ -153,6 +155,7 @@ def ensemble_at(model: HybridModel, thetas: FloatArray, lags: FloatArray, gains:
         basis=condensed.basis,
         offsets=np.array([one.offset for one in seen]),
         delays=np.array([one.delay for one in seen]),
+        charging=np.array([one.charging for one in seen]),
         lags=lags,
         gains=gains,
         highest=condensed.largest_voltage,
@@ -169,10 +172,14 @@ def _spread(rng: np.random.Generator, draws: int, count: int) -> FloatArray:
 
 def _lagged(commands: FloatArray, lags: FloatArray) -> FloatArray:
     """Voltages behind each converter's lag, `_FINE` in each interval of the commands, shape (P, _FINE M, 2) [V]."""
+    return _behind(np.repeat(commands, _FINE, axis=1), lags.tolist())
+
+
+def _behind(fine: FloatArray, lags: Sequence[float]) -> FloatArray:
+    """`fine` behind a lag [s] of each side, in place."""
     from scipy.signal import lfilter
 
-    fine = np.repeat(commands, _FINE, axis=1)
-    for side, lag in enumerate(lags.tolist()):
+    for side, lag in enumerate(lags):
         if lag > 0.0:
             kept = float(np.exp(-PERIOD / _FINE / lag))
             fine[..., side] = lfilter([1.0 - kept], [1.0, -kept], fine[..., side], axis=1)

@@ -47,6 +47,8 @@ class ControlledJoint:
         Of the laser [m]: reading = q + offset.
     delay : float
         Time [s] by which the voltages act later than measured.
+    charging : float
+        Time constant [s] with which the membranes charge through their electrodes.
     probe : FloatArray, shape (2,)
         Readings [V] of the probes at zero voltage.
     highest : float
@@ -58,6 +60,7 @@ class ControlledJoint:
     constants: Constants
     offset: float
     delay: float
+    charging: float
     probe: FloatArray
     highest: float
     wall: float
@@ -82,6 +85,7 @@ def plant_of(model: "HybridModel") -> ControlledJoint:
         constants,
         float(seen.offset),
         float(seen.delay),
+        float(seen.charging),
         probe,
         condensed.largest_voltage,
         condensed.q_stop,

@@ -61,7 +61,8 @@ def _one(model: HybridModel, i: int) -> Calibrated:
         row[i] = PRIOR_STD[i]
         if i in _SIZES:
             at[i] = row[i] = 0.0  # it is one of the units
-        row[_SIZES] += by_size
+        if i not in OF_INSTRUMENTS:
+            row[_SIZES] += by_size
         ends = begin * np.exp(at[i] + powers @ units + _bounds(model, row))
     else:
         factor = np.exp(powers @ units)

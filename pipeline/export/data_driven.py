@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph, apply, choose, function, trace
+from pipeline.codegen.graph import Graph, apply, function, trace
+from pipeline.export.input_lag import lagged_nodes
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.terms import (
     ACCELERATION,
@@ -157,9 +158,8 @@ class _Joint:
 
     def behind(self, before: Values, within: Values, after: Values, h: Values, x: Values) -> Outputs:
         """Inputs at the nodes of a step behind their lag, which may be far shorter than the step."""
-        last, half = self.first + self.slips, 0.5 * h[0]
-        middles = [self._lagged(half, x[last + i], before[i], within[i]) for i in range(self.inputs)]
-        ends = [self._lagged(half, middles[i], within[i], after[i]) for i in range(self.inputs)]
+        last = self.first + self.slips
+        middles, ends = lagged_nodes(x[last:], before, within, after, h[0], self.lag)
         return {"before": x[last:], "within": middles, "after": ends, "x": [*x[:last], *ends]}
 
     def read(self, x: Values, dx: Values) -> Outputs:
@@ -208,14 +208,6 @@ class _Joint:
         """Row of ρ of each shape element."""
         first = INPUT + self.inputs + len(self.c.rates)
         return range(first, len(self.c.curves), 1 + self.inputs)
-
-    def _lagged(self, h: Any, lagged: Any, before: Any, after: Any) -> Any:
-        """Lagged input after h [s] in which the input goes on a line, exactly (`pipeline.numerics.lag`)."""
-        ratio = h / self.lag
-        known = function("lt", 0.0, ratio)
-        share = choose(known, -function("expm1", -ratio) / choose(known, ratio, 1.0), 1.0)
-        kept = function("exp", -ratio)
-        return kept * lagged + (share - kept) * before + (1.0 - share) * after
 
 
 def _joint(model: RbfModel) -> _Joint:

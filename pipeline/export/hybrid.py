@@ -1,8 +1,9 @@
-"""The hybrid joint for export: the condensed joint between its instruments."""
+"""The hybrid joint for export: the condensed joint between its instruments, behind its electrodes."""
 
 from typing import Any
 
 from pipeline.codegen.graph import apply, choose, clip, function, inline, square, trace
+from pipeline.export.input_lag import lagged_nodes
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.condensed_joint import (
     AT_REST,
@@ -16,7 +17,7 @@ from pipeline.generated.condensed_joint import (
     STOP_MOVE,
     STOPS,
 )
-from pipeline.generated.terms import FIRST_BELL, NEXT_BELL
+from pipeline.generated.terms import FIRST_BELL, LAG, NEXT_BELL
 from pipeline.joint.condensed_kernels import INDEX, REACH, VALUES, prepare
 from pipeline.joint.correction_table import CURVED, CURVES
 from pipeline.models.hybrid import HybridModel
@@ -24,6 +25,13 @@ from pipeline.numerics.arrays import FloatArray
 
 Values = list[Any]
 Outputs = dict[str, Values]
+
+_MEMBRANES = tuple(
+    Variable(f"{side}_voltage", "V", f"voltage of the {side} membrane", 1e3) for side in ("left", "right")
+)
+ALL_STATES = STATES + len(_MEMBRANES)
+LEAST_CHARGING = 0.5e-3
+"""Charging time [s] below which an integrator with steps of its own takes this one: they need not be shorter then."""
 
 
 def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
@@ -51,26 +59,29 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         functions={
             "drive": trace(joint.drive, v=2),
             "start": trace(joint.start, q0=1, qdot0=1, u=2),
-            "shape": trace(joint.shape, x=STATES, u=2),
-            "stick": trace(joint.stick, x=STATES, u=2),
-            "begin": trace(lambda x, z, h: {"base": [x[0], x[2]]}, x=STATES, z=STOPS, h=1),
-            "rates": trace(joint.rates, x=STATES, z=STOPS, base=2, u=2),
-            "finish": trace(joint.finish, base=2, x=STATES, z=STOPS),
-            "read": trace(joint.read, x=STATES, dx=STATES),
+            "shape": trace(joint.shape, x=ALL_STATES, u=2),
+            "stick": trace(joint.stick, x=ALL_STATES, u=2),
+            "begin": trace(lambda x, z, h: {"base": [x[0], x[2]]}, x=ALL_STATES, z=STOPS, h=1),
+            "lag": trace(joint.lag, before=2, within=2, after=2, h=1, x=ALL_STATES),
+            "rates": trace(joint.rates, x=ALL_STATES, z=STOPS, base=2, u=2),
+            "finish": trace(joint.finish, base=2, x=ALL_STATES, z=STOPS),
+            "flow": trace(joint.flow, x=ALL_STATES, z=STOPS, base=2, u=2),
+            "read": trace(joint.read, x=ALL_STATES, dx=ALL_STATES),
             # The wall confines every run, so only a number that is none lies outside.
-            "within": trace(lambda x: {"ok": [function("finite", x[0])]}, x=STATES),
+            "within": trace(lambda x: {"ok": [function("finite", x[0])]}, x=ALL_STATES),
         },
         constants={
             "k": joint.k,
             "basis": condensed.basis,
             "weights": joint.weights,
             "probe": joint.seen.probe,
+            "charging_time": joint.charging,
             "held_above": joint.held_above,
             "offset": joint.offset,
             "wall": joint.wall,
         },
         inputs=2,
-        states=states(),
+        states=(*states(), *_MEMBRANES),
         hysteresis_states=stop_operators(),
         base=2,
         step=interval / condensed.substeps(model.theta, interval),
@@ -90,12 +101,12 @@ class _Joint:
         self.p = [float(value) for value in prepare(self.k[None])[0]]
         self.constant = {name: float(self.k[place]) for name, place in INDEX.items()}
         self.held_above, self.wall = 2.0 * model.joint.largest_voltage, float(model.joint.q_stop)
-        self.offset = float(self.seen.offset)
+        self.offset, self.charging = float(self.seen.offset), float(self.seen.charging)
 
     def drive(self, v: Values) -> Outputs:
-        """Squared voltages, without the probes' offsets; absurd ones are held."""
+        """Voltages without the probes' offsets; absurd ones are held."""
         freed = [x - float(zero) for x, zero in zip(v, self.seen.probe, strict=True)]
-        return {"u": [square(clip(x, -self.held_above, self.held_above)) for x in freed]}
+        return {"u": [clip(x, -self.held_above, self.held_above) for x in freed]}
 
     def start(self, q0: Values, qdot0: Values, u: Values) -> Outputs:
         """The state at a reading, with the shape from which the search for that at rest starts."""
@@ -103,7 +114,12 @@ class _Joint:
         x[0] = q0[0] - self.offset
         x[1], x[2] = qdot0[0], self.constant["slope_ratio"] * x[0] / self.constant["l"]
         x[FIRST_ELEMENT:] = [at_rest * x[0] for at_rest in AT_REST]
-        return {"x": x, "z": [0.0] * STOPS}
+        return {"x": [*x, *u], "z": [0.0] * STOPS}
+
+    def lag(self, before: Values, within: Values, after: Values, h: Values, x: Values) -> Outputs:
+        """Voltages of the membranes at the nodes of a step, which `rates` takes; x moves to its end."""
+        middles, ends = lagged_nodes(x[STATES:], before, within, after, h[0], self.charging)
+        return {"before": x[STATES:], "within": middles, "after": ends, "x": [*x[:STATES], *ends]}
 
     def shape(self, x: Values, u: Values) -> Outputs:
         """Forces on slope and interior mode at rest, as rates of their overdamped relaxation, and their derivatives."""
@@ -120,23 +136,30 @@ class _Joint:
         return {"z": [share] * STOPS}
 
     def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
-        """The law, with the corrections at q."""
-        c = _corrections(x[0], self.basis, self.weights)
-        return {"dx": inline(RATES, x=x, u=u, c=c, z=z, start=base, p=self.p)["rates"]}
+        """The law, with the corrections at q, under voltages of the membranes that `lag` has moved."""
+        c, squares = _corrections(x[0], self.basis, self.weights), [square(v) for v in u]
+        return {"dx": [*inline(RATES, x=x[:STATES], u=squares, c=c, z=z, start=base, p=self.p)["rates"], 0.0, 0.0]}
+
+    def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
+        """Rates of all states: the membranes charge."""
+        lag = max(self.charging, LEAST_CHARGING)
+        charging = [apply(LAG, v, held, lag)[0] for v, held in zip(u, x[STATES:], strict=True)]
+        return {"dx": [*self.rates(x, z, base, x[STATES:])["dx"][:STATES], *charging]}
 
     def finish(self, base: Values, x: Values, z: Values) -> Outputs:
         """The wall holds the tip, and the stop operators move with the step."""
         beyond = function("lt", self.wall, function("abs", x[0]))
         q = choose(beyond, choose(function("lt", 0.0, x[0]), self.wall, -self.wall), x[0])
         held = [q, choose(beyond, 0.0, x[1]), *x[2:]]
-        return {"x": held, "z": inline(STOP_MOVE, x=held, z=z, start=base, p=self.p)["moved"]}
+        return {"x": held, "z": inline(STOP_MOVE, x=held[:STATES], z=z, start=base, p=self.p)["moved"]}
 
     def read(self, x: Values, dx: Values) -> Outputs:
         """As the laser shows it."""
         return {"y": [x[0] + self.offset, x[1], dx[1]]}
 
     def _forces(self, x: Values, u: Values) -> Outputs:
-        return inline(REST_FORCES, x=x, u=u, c=_corrections(x[0], self.basis, self.weights), p=self.p)
+        c, squares = _corrections(x[0], self.basis, self.weights), [square(v) for v in u]
+        return inline(REST_FORCES, x=x[:STATES], u=squares, c=c, p=self.p)
 
 
 def stop_operators() -> tuple[Variable, ...]:

@@ -147,7 +147,8 @@ class Realisation:
         ``read``: x, dx → y, the measured q, q̇, q̈. ``within``: x → ok, whether x lies within the bounds of the model.
         Where inputs lag, ``lag``: before, within, after, h, x → before, within, after, x replaces those at the start,
         the middle and the end of a step of length h [s] by what acts, and moves their states to its end; with h = 0
-        they are what acts at x. Where an integrator with steps of its own needs other rates, ``flow``: as ``rates``.
+        they are what acts at x. Where an integrator with steps of its own needs other rates, ``flow``: as ``rates``;
+        hysteresis states are moved by ``finish`` after its steps, too.
         Where the shape at rest is found by iteration, ``shape``: x, u → f, two forces on the states `held` and their
         four derivatives, and ``stick``: x, u → z.
     constants : dict

@@ -33,8 +33,8 @@ BATCH = 16
 """Columns side by side."""
 STAGES = 8
 """Stages side by side: those of two steps."""
-INSTRUMENTS = 4
-"""Columns of laser offset, delay and the two probes."""
+INSTRUMENTS = 5
+"""Columns of laser offset, delay, charging time and the two probes."""
 _ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 2 + 2 * STOPS * 5
 _SLOTS = STAGES + 2
 """The four stages and the end of a step, and of the next one."""

@@ -6,6 +6,7 @@ fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth. Wha
 scale counts as right: another scale would be another length or voltage of the joint, and nothing else.
 """
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations_with_replacement
@@ -76,6 +77,9 @@ def _unknown(name: str, typical: float, unit: str, prior_std: float = 1.2) -> De
     return Deviation(f"log {name}", prior_std, unit, typical)
 
 
+CHARGING_TIME = 1e-3
+"""Typical time constant [s] of a membrane behind its electrodes: some 10 nF behind some 100 kΩ."""
+
 DEVIATIONS: tuple[Deviation, ...] = (
     Deviation("log length", 0.2, "m"),
     Deviation("log time", 0.1, "s"),
@@ -127,6 +131,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     *(_unknown(f"creep stiffness {i}", 0.04, "N/m") for i in range(CREEPS)),
     Deviation("laser offset", 0.15e-3, "m"),
     Deviation("delay", 6e-3, "s"),
+    _unknown("charging time", CHARGING_TIME, "s", 1.5),
     Deviation("probe 1", 10.0, "V"),
     Deviation("probe 2", 10.0, "V"),
 )
@@ -141,7 +146,7 @@ PRIOR_STD = np.array([entry.prior_std for entry in DEVIATIONS])
 _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
-OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "delay", "probe 1", "probe 2")]
+OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "delay", "log charging time", "probe 1", "probe 2")]
 _TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
@@ -158,12 +163,14 @@ def nominal_deviations() -> FloatArray:
 
 @dataclass(frozen=True)
 class Instruments:
-    """What laser and probes add to the truth."""
+    """What lies between the joint and what is measured: laser, probes, electrodes."""
 
     offset: float
     """Laser reading [m] at q = 0."""
     delay: float
     """Time [s] by which the voltages act later than measured."""
+    charging: float
+    """Time constant [s] with which the membranes charge through their electrodes."""
     probe: FloatArray
     """Readings [V] of the two probes at zero voltage, shape (2,)."""
 
@@ -184,8 +191,8 @@ def moving_mass(p: JointParameters, ratio: float) -> float:
 
 def instruments(deviations: FloatArray) -> Instruments:
     """The instruments' share of the deviations."""
-    offset, delay, *probe = (deviations[OF_INSTRUMENTS] * PRIOR_STD[OF_INSTRUMENTS]).tolist()
-    return Instruments(offset, delay, np.array(probe))
+    offset, delay, charging, *probe = (deviations[OF_INSTRUMENTS] * PRIOR_STD[OF_INSTRUMENTS]).tolist()
+    return Instruments(offset, delay, CHARGING_TIME * math.exp(charging), np.array(probe))
 
 
 def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> FloatArray:

@@ -5,7 +5,7 @@ RBF corrections, all in prior standard deviations.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -49,8 +49,8 @@ SETTLED = 3.0
 SMALL, ROUNDING = 1e-4, 1e-11
 """Steps [widths] of the differences of constants; and derivatives by θ, in shares of the constant, that are none."""
 
-SOON, OFFSET = 2e-7, 0.02
-"""Steps [s] and [V] of the differences by which voltages depend on delay and probes."""
+SOON, LONGER, OFFSET = 2e-7, 1e-4, 0.02
+"""Steps of the differences by which voltages depend on delay [s], charging time (a share) and probes [V]."""
 
 
 @dataclass(frozen=True)
@@ -92,10 +92,13 @@ class CondensedJoint:
         return np.ascontiguousarray(shares * widths[:, None])
 
     def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
-        """What laser and probes add to the truth."""
+        """What lies between the joint and what is measured."""
         seen, units = condensed_parameters.instruments(theta[:DEVIATIONS]), self.similarity
         return condensed_parameters.Instruments(
-            units.origin + units.length * seen.offset, units.time * seen.delay, units.voltage * seen.probe
+            units.origin + units.length * seen.offset,
+            units.time * seen.delay,
+            units.time * seen.charging,
+            units.voltage * seen.probe,
         )
 
     def derivatives(self, theta: FloatArray) -> "Derivatives":
@@ -106,10 +109,11 @@ class CondensedJoint:
         changes = (self.constants(theta + moved) - self.constants(theta - moved)).T / (2.0 * SMALL)
         rounding = ROUNDING * np.abs(self.constants(theta))[:, None]
         constants[:, :DEVIATIONS] = np.where(np.abs(changes) > rounding, changes, 0.0)
-        for i in condensed_parameters.OF_INSTRUMENTS:  # all of them linear
+        for i in condensed_parameters.OF_INSTRUMENTS:  # all of them linear but the logarithm of the charging time
             one = self.instruments(theta + units[i])
             instruments[:2, i] = one.offset - base.offset, one.delay - base.delay
-            instruments[2:, i] = one.probe - base.probe
+            instruments[2, i] = base.charging * np.log(one.charging / base.charging)
+            instruments[3:, i] = one.probe - base.probe
         widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
         return Derivatives(constants, instruments, widths)
 
@@ -144,7 +148,10 @@ class CondensedJoint:
 
 @dataclass(frozen=True)
 class Derivatives:
-    """How constants (C, P) and instruments (4, P: offset, delay, probes) depend on θ; widths (9,) of weights."""
+    """How constants (C, P) and instruments (5, P: offset, delay, charging time, probes) depend on θ.
+
+    And the widths (9,) of weights.
+    """
 
     constants: FloatArray
     instruments: FloatArray
@@ -253,7 +260,7 @@ class _Log:
         self._seen, self._seen_for = _visibility(record.valid, self.dt)
         self.held = np.zeros(len(self.t), dtype=bool)
         self._followed: dict[int, FloatArray] = {}
-        self._squares: dict[tuple[int, float, float, float, float], FloatArray] = {}
+        self._squares: dict[tuple[int, float, float, float, float, float], FloatArray] = {}
 
     def hold_lost(self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int) -> None:
         """See `CondensedProblem.hold_lost`."""
@@ -293,10 +300,14 @@ class _Log:
         """Errors [mm] of one θ over the samples that are compared, shape (N,), and their derivatives by it, (N, P)."""
         pole, path = self._observer(gain, steps)
         seen, by_theta, largest = joint.instruments(theta), joint.derivatives(theta), joint.largest_voltage
-        u, probes = self._inputs(seen, steps, largest), [seen.probe + OFFSET * side for side in np.eye(2)]
-        late = self.v.squared(steps, seen.delay + SOON, seen.probe, largest)
-        others = [self.v.squared(steps, seen.delay, probe, largest) for probe in probes]
-        by_inputs = np.array([(late - u) / SOON, *((other - u) / OFFSET for other in others)])
+        u = self._inputs(seen, steps, largest)
+        slower = LONGER * seen.charging
+        moves = [
+            (SOON, replace(seen, delay=seen.delay + SOON)),
+            (slower, replace(seen, charging=seen.charging + slower)),
+            *((OFFSET, replace(seen, probe=seen.probe + OFFSET * side)) for side in np.eye(2)),
+        ]
+        by_inputs = np.array([(self.v.squared(steps, one, largest) - u) / step for step, one in moves])
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
         found = sensitivities(
             joint.constants(theta), joint.basis, joint.weights(theta), np.abs(by_theta.constants).max(axis=1),
@@ -323,11 +334,11 @@ class _Log:
 
     def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
         # Joints that run side by side, and steps that are tried one after the other, often share their instruments.
-        key = (steps, seen.delay, float(seen.probe[0]), float(seen.probe[1]), largest)
+        key = (steps, seen.delay, seen.charging, float(seen.probe[0]), float(seen.probe[1]), largest)
         if key not in self._squares:
             if len(self._squares) >= 4:
                 self._squares.clear()
-            self._squares[key] = self.v.squared(steps, seen.delay, seen.probe, largest)
+            self._squares[key] = self.v.squared(steps, seen, largest)
         return self._squares[key]
 
 
@@ -357,7 +368,7 @@ def simulate(
     """
     constants, weights = built or (joint.constants(thetas), joint.weights(thetas))
     seen = [joint.instruments(theta) for theta in thetas]
-    keys = [(one.delay, *one.probe) for one in seen]
+    keys = [(one.delay, one.charging, *one.probe) for one in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}
     order = {key: v for v, key in enumerate(first)}
     return run_joints(

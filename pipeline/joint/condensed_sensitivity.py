@@ -35,8 +35,8 @@ class Driven:
     ----------
     squares : FloatArray, shape (H, 2)
         Squared voltages [V²] on the half steps.
-    by_instruments : FloatArray, shape (3, H, 2)
-        Their derivatives by delay [1/s] and probes [1/V].
+    by_instruments : FloatArray, shape (4, H, 2)
+        Their derivatives by delay and charging time [1/s] and probes [1/V].
     observed, pole : FloatArray, shape (H,) or (0,)
         As in `pipeline.joint.condensed_runs.Joints`.
     start : FloatArray, shape (2,)
@@ -54,8 +54,8 @@ class Driven:
 class Sensitivity:
     """Displacement q [m] of a run at the samples, shape (N,), and its derivatives.
 
-    `columns` (N, C + 4): by the constants, of which those without a scale are left out, then by laser offset [1],
-    delay [m/s] and probes [m/V]; `by_weights` (N, 9, M): by the weights of the corrections.
+    `columns` (N, C + 5): by the constants, of which those without a scale are left out, then by laser offset [1],
+    delay and charging time [m/s] and probes [m/V]; `by_weights` (N, 9, M): by the weights of the corrections.
     """
 
     q: FloatArray
@@ -127,7 +127,7 @@ def _starts(
         step = _NUDGE * scale[i]
         moves.append((column, step, (q, u, k + step * _unit(len(k), i), weights)))
     moves.append((len(active), -_SHIFT, (q + _SHIFT, u, k, weights)))
-    for i in range(3):
+    for i in range(len(by_instruments)):
         step = 1e-6 * max(float(u.max()), 1.0) / max(float(np.abs(by_instruments[i]).max()), 1e-12)
         moves.append((len(active) + 1 + i, step, (q, u + step * by_instruments[i], k, weights)))
     for i in range(weights.size):

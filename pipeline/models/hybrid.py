@@ -257,7 +257,7 @@ class HybridModel:
         steps = _substeps(constants, basis, weights, len(thetas), dt, self.joint.similarity.time)
 
         def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
-            return driving.squared(steps, seen.delay, seen.probe, largest)
+            return driving.squared(steps, seen, largest)
 
         if start.ndim > 1:
             thetas, *parts = (np.repeat(each, len(start), axis=0) for each in (thetas, *built))
@@ -299,7 +299,7 @@ class HybridModel:
         dt = sample_interval(t)
         steps = self.joint.substeps(theta, dt)
         fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
-        u = DrivingVoltages(v, dt).squared(steps, seen.delay, seen.probe, self.joint.largest_voltage)
+        u = DrivingVoltages(v, dt).squared(steps, seen, self.joint.largest_voltage)
         return k, self.joint.weights(theta), dt, steps, fine, u
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:

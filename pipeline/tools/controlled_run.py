@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters
     from pipeline.models.hybrid import HybridModel
 
-ALGORITHM = "13"
+ALGORITHM = "14"
 _REFUSED = 0.15
 """NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
 _MISSED = 2e-3

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from pipeline.control import design_tables
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, estimate, move, observe
-from pipeline.control.design import Settings, condensed_joint_law, design
+from pipeline.control.design import Settings, acting_lags, condensed_joint_law, design
 from pipeline.control.design_tables import COMMON, charged
 from pipeline.control.estimator import ESTIMATED
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
@@ -183,7 +183,8 @@ def test_an_unstable_target_charges_both_sides_and_is_held_on_another_joint_and_
     plant, law = designed()
     left, saddle, right = (each.q for each in wells_and_saddle(plant))
     other = plant_of(model(**{"offset": 1.0, "right.b": 0.5}))
-    truth, targets = condensed_joint_law(other, (1e-3, 1e-3)), np.repeat([left, right, saddle, saddle], 1000)
+    faster = acting_lags(other, Settings(3000.0, (1e-3, 1e-3)))
+    truth, targets = condensed_joint_law(other, faster), np.repeat([left, right, saddle, saddle], 1000)
     q, v = closed_on_model(law, truth, wells_and_saddle(other)[0].q, targets)
     assert v[:2000].min(axis=1).max() == 0.0
     assert np.abs(q[-500:] - saddle).max() < 0.1e-3

@@ -91,7 +91,7 @@ def test_calibrated_quantities_are_those_of_the_device_whichever_way_its_size_is
     found, expected = calibrated(told), calibrated(HybridModel(other, theta, none, none))
     np.testing.assert_allclose(told.joint.constants(told.theta), other.constants(theta), rtol=1e-12)
     for one, like in zip(found, expected, strict=True):
-        if not one.name.startswith(("laser", "delay", "probe")):  # these are told in units of readings
+        if not one.name.startswith(("laser", "delay", "charging", "probe")):  # these are told in units of readings
             assert (one.name, one.value) == (like.name, pytest.approx(like.value))
     capacitance = next(one.value for one in found if one.name == "left.C0, share of the nominal value")
     at_size = np.exp(theta[names.index("left.log C0")] * DEVIATIONS[names.index("left.log C0")].prior_std)

@@ -89,6 +89,18 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
 
 
+def test_electrodes_that_charge_in_20_ms_are_seen() -> None:
+    slow = joint({"log charging time": 2.0})
+    truth = slow.joint.instruments(slow.theta).charging
+    assert truth == pytest.approx(1e-3 * np.exp(3.0))
+    model = identify_hybrid([log(slow, 1)], NOMINAL)
+    seen = model.joint.instruments(model.theta)
+    assert seen.charging * model.joint.similarity.time == pytest.approx(truth, rel=0.1)
+    unseen = log(slow, 2)
+    run = model.simulate(unseen.t, unseen.v, float(unseen.q[0]), 0.0)
+    assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
+
+
 def test_recorders_that_began_15_ms_apart_are_seen() -> None:
     late = joint({"delay": 2.5})
     model = identify_hybrid([log(late, 1)], NOMINAL)
