@@ -22,6 +22,9 @@ Format = Annotated[str, typer.Option("--format", help="mat, mat73, mf4, csv, csv
 Rate = Annotated[float, typer.Option(help="Samples per second [Hz], a multiple of 2000.")]
 Duration = Annotated[float, typer.Option(help="Length of each log [s].")]
 Faults = Annotated[str, typer.Option(help="Any of gaps,dropouts,saturation,nan,repeats; comma-separated.")]
+Charging = Annotated[
+    str, typer.Option("--charging-time", help="Time constant of each membrane behind its electrodes, with its unit.")
+]
 Train = Annotated[int, typer.Option(help="Number of training logs.", min=1, max=99)]
 Validation = Annotated[int, typer.Option(help="Number of validation logs.", min=0, max=99)]
 
@@ -47,6 +50,7 @@ def simulate(
         Path | None,
         typer.Option("--play", metavar="FILE", help="Voltages (CSV or MAT, in V) for the training logs."),
     ] = None,
+    charging: Charging = "0 s",
     force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -58,9 +62,13 @@ def simulate(
     """
     from pipeline.rig.faults import parse_faults
     from pipeline.rig.fleet import Experiment, simulate_prototype
+    from pipeline.units import parse_quantity
 
     sequence = None if play is None else str(play)
-    experiment = Experiment(kind, form, rate, duration, train, validation, excitation, parse_faults(faults), sequence)
+    electrodes = parse_quantity(charging, ("s",), "--charging-time")
+    experiment = Experiment(
+        kind, form, rate, duration, train, validation, excitation, parse_faults(faults), sequence, electrodes
+    )
     with working(f"simulating {train + validation} logs of {duration:g} s at {rate:g} Hz", quiet=quiet):
         prototype = simulate_prototype(output, f"{kind}-{seed}", experiment, seed=seed, force=force)
     if as_json:
@@ -79,6 +87,7 @@ def fleet(
     rate: Rate = 10_000.0,
     duration: Duration = 37.5,
     faults: Faults = "",
+    charging: Charging = "0 s",
     force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -89,8 +98,10 @@ def fleet(
     """
     from pipeline.rig.faults import parse_faults
     from pipeline.rig.fleet import Experiment, simulate_fleet
+    from pipeline.units import parse_quantity
 
-    experiment = Experiment(kind, form, rate, duration, faults=parse_faults(faults))
+    electrodes = parse_quantity(charging, ("s",), "--charging-time")
+    experiment = Experiment(kind, form, rate, duration, faults=parse_faults(faults), charging=electrodes)
     prototypes = []
     for prototype in simulate_fleet(output, count, experiment, seed=seed, force=force):
         prototypes.append(prototype)

@@ -56,6 +56,21 @@ def _drive(u: FloatArray, dt: float, lag: float, rate: float, power: float) -> F
     return v
 
 
+def kept(charging: float, dt: float) -> float:
+    """Share of a membrane's missing charge that is still missing after `dt` [s]; none where it charges at once."""
+    return float(np.exp(-dt / charging)) if charging > 0.0 else 0.0
+
+
+@compiled
+def _behind_electrodes(v: FloatArray, left: float) -> FloatArray:
+    """Voltages of the membranes [V], shape (N, 2), under those of the converters, from charged membranes."""
+    out = v.copy()
+    for i in range(1, len(v)):
+        for side in range(2):
+            out[i, side] = v[i, side] + (out[i - 1, side] - v[i, side]) * left
+    return out
+
+
 @compiled
 def charged(v: float, asked: float, decay: float, rate: float, power: float, dt: float) -> float:
     """The converter's voltage [V] `dt` [s] after it was v; `decay` is 1 − e^(−dt/lag), `power` that over C."""
@@ -138,12 +153,17 @@ class Bench:
     ----------
     rate : float
         Samples per second, a multiple of 2 kHz [Hz].
+    converters, laser, probes
+        Left and right converter, the laser, left and right probe; the probes see the converters' voltages.
+    charging : float
+        Time constant [s] with which each membrane charges through its electrodes; 0: at once.
     """
 
     rate: float = 30_000.0
     converters: tuple[Converter, Converter] = (Converter(), Converter())
     laser: Laser = field(default_factory=Laser)
     probes: tuple[Probe, Probe] = (Probe(), Probe())
+    charging: float = 0.0
 
     def clock(self, duration: float) -> FloatArray:
         """Times [s] of the samples of a log that lasts `duration` [s]."""
@@ -165,8 +185,8 @@ class BenchRecord:
     true_v2: FloatArray
 
 
-def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0) -> Bench:
-    """A bench with its own converters and instrument errors."""
+def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0, charging: float = 0.0) -> Bench:
+    """A bench with its own converters and instrument errors, and the electrodes that are told."""
 
     def converter() -> Converter:
         """Its lag [s], rate limit [V/s] and power limit [W]."""
@@ -181,14 +201,16 @@ def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0) -> Bench:
         return Probe(noise=float(rng.uniform(3.0, 7.0)), gain=1.0 + float(rng.normal(0.0, 3e-3)))
 
     laser = Laser(noise=float(rng.uniform(0.5e-6, 2e-6)), hum=float(rng.uniform(0.01e-6, 0.2e-6)))
-    return Bench(rate, (converter(), converter()), laser, (probe(), probe()))
+    return Bench(rate, (converter(), converter()), laser, (probe(), probe()), charging)
 
 
 def record(p: JointParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> BenchRecord:
     """Play the commands `u` (N, 2) [V] at the bench's times `t` (N,) [s] on the joint `p` at rest in its left well."""
     dt = 1 / bench.rate
     v: FloatArray = np.stack([bench.converters[side].drive(u[:, side], dt) for side in (0, 1)], axis=1)
-    motion = simulate(p, v, dt, stride=max(1, round(TIME_STEP * bench.rate)))
+    motion = simulate(
+        p, _behind_electrodes(v, kept(bench.charging, dt)), dt, stride=max(1, round(TIME_STEP * bench.rate))
+    )
     return BenchRecord(
         t=t,
         q=bench.laser.read(t, motion.q, rng),

@@ -21,7 +21,8 @@ HALVES = 2
 """Time steps of the joint in a period of the controller, and rows of the log."""
 PERIOD = 1e-3
 """Of the controller [s]."""
-_FINE = 10  # steps of a converter in a time step of the joint
+FINE = 10
+"""Steps of a converter in a time step of the joint."""
 
 
 class Surroundings(NamedTuple):
@@ -31,6 +32,8 @@ class Surroundings(NamedTuple):
     ----------
     lag, rate_limit, power_over_capacitance : FloatArray, shape (2,)
         Of the converters: time constant [s], largest slope [V/s], largest v v̇ while charging [V²/s].
+    kept : float
+        Share of a membrane's missing charge that its electrodes leave missing over 1/`FINE` of a row (`bench.kept`).
     highest : float
         Largest voltage [V] that a converter gives.
     noise : FloatArray, shape (N,)
@@ -46,6 +49,7 @@ class Surroundings(NamedTuple):
     lag: FloatArray
     rate_limit: FloatArray
     power_over_capacitance: FloatArray
+    kept: float
     highest: float
     noise: FloatArray
     linearity: float
@@ -74,17 +78,24 @@ call_step: Any = intrinsic(_call_step)
 
 
 @compiled
-def _charge(v: FloatArray, command: FloatArray, h: float, around: Surroundings, charge: FloatArray) -> None:
-    """Move the converters' voltages `v` over a time step of `h` [s] and fill `charge` with the means of v²."""
-    dt = h / _FINE
+def _charge(
+    v: FloatArray, membranes: FloatArray, command: FloatArray, h: float, around: Surroundings, charge: FloatArray
+) -> None:
+    """Move voltages of converters, `v`, and membranes over a time step of `h` [s]; fill `charge` with means of squares.
+
+    The squares are those of the membranes' voltages.
+    """
+    dt = h / FINE
     for side in range(2):
         decay = -np.expm1(-dt / around.lag[side])
         total, rate, power = 0.0, around.rate_limit[side], around.power_over_capacitance[side]
-        for _ in range(_FINE):
-            before = v[side]
-            v[side] = charged(before, command[side], decay, rate, power, dt)
-            total += (before * before + before * v[side] + v[side] * v[side]) / 3.0
-        charge[side] = total / _FINE
+        for _ in range(FINE):
+            before = membranes[side]
+            v[side] = charged(v[side], command[side], decay, rate, power, dt)
+            now = v[side] + (before - v[side]) * around.kept
+            total += (before * before + before * now + now * now) / 3.0
+            membranes[side] = now
+        charge[side] = total / FINE
 
 
 @compiled
@@ -134,7 +145,7 @@ def close_loop(
     n, h = start.size, PERIOD / HALVES
     state, work = at_rest(p, start), workspace(p, n)
     inverse, vm, total = np.zeros((n, n)), np.zeros(n), 0
-    pose, rate, v, command = np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2)
+    pose, rate, v, membranes, command = np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2)
     for row in range(out.shape[0]):
         read_tip(state, p, work, pose, rate)
         reading = laser_reading(pose[0], row, around)
@@ -151,7 +162,7 @@ def close_loop(
         for side in range(2):
             out[row, 1 + side], out[row, 3 + side] = v[side], command[side]
             out[row, 5 + 2 * side], out[row, 6 + 2 * side] = pose[side], rate[side]
-        _charge(v, command, h, around, state.charge)
+        _charge(v, membranes, command, h, around, state.charge)
         state.hand[0], state.hand[1] = around.push[row], around.spring[row]
         taken = advance(h, row % KEEP == 0, state, p, work, inverse, vm)
         if taken < 0:

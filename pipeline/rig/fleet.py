@@ -52,6 +52,8 @@ class Experiment:
         Kinds of faults put into every log, see :func:`pipeline.rig.faults.inject_faults`.
     play : str or None
         File with a voltage sequence that every training log plays from start to end; validation logs stay drawn.
+    charging : float
+        Time constant [s] with which membranes charge through their electrodes; 0: at once.
     """
 
     kind: str = "same"
@@ -63,6 +65,7 @@ class Experiment:
     excitation: str | None = None
     faults: tuple[str, ...] = ()
     play: str | None = None
+    charging: float = 0.0
 
     def __post_init__(self) -> None:
         for option, value, allowed in (
@@ -76,6 +79,8 @@ class Experiment:
             raise InputError(f"--rate {self.rate:g}: the rig samples at multiples of {_RATE_STEP:g} Hz")
         if not 2.0 <= self.duration <= 3600.0:
             raise InputError(f"--duration {self.duration:g}: a log lasts 2 to 3600 s")
+        if not 0.0 <= self.charging <= 1.0:
+            raise InputError(f"--charging-time {self.charging:g} s: membranes charge within 0 to 1 s")
 
 
 @dataclass(frozen=True)
@@ -176,7 +181,7 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[JointParamet
     for _ in range(_MAX_TRIES):
         drawn = experiment.kind in ("same", "foreign")
         joint = _joint(experiment.kind, rng)
-        bench = random_bench(rng, rate=experiment.rate)
+        bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging)
         logs = []
         for role in _EXCITATIONS:
             for i in range(experiment.training_logs if role == "train" else experiment.validation_logs):

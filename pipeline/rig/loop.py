@@ -15,8 +15,8 @@ import numpy as np
 
 from pipeline.errors import DebistError, InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.bench import Bench, Converter, Laser, Probe
-from pipeline.rig.closed_loop import HALVES, PERIOD, Surroundings, close_loop, laser_reading
+from pipeline.rig.bench import Bench, Converter, Laser, Probe, kept
+from pipeline.rig.closed_loop import FINE, HALVES, PERIOD, Surroundings, close_loop, laser_reading
 from pipeline.rig.controllers import Controller, limit, load_controller, played
 from pipeline.rig.excitation import MAX_VOLTAGE
 from pipeline.rig.joint import barrier, rest, tip_displacement, wells
@@ -151,6 +151,7 @@ def _surroundings(
         lag=np.array([c.lag if scenario.lag is None else scenario.lag for c in converters]),
         rate_limit=np.array([c.rate_limit for c in converters]),
         power_over_capacitance=np.array([c.power_limit / c.capacitance for c in converters]),
+        kept=kept(bench.charging, PERIOD / HALVES / FINE),
         highest=scenario.highest,
         noise=noise,
         linearity=laser.linearity,
@@ -207,4 +208,6 @@ def bench_from_json(values: dict[str, Any]) -> Bench:
     """The bench back from `dataclasses.asdict`."""
     left, right = (Converter(**each) for each in values["converters"])
     first, second = (Probe(**each) for each in values["probes"])
-    return Bench(values["rate"], (left, right), Laser(**values["laser"]), (first, second))
+    return Bench(
+        values["rate"], (left, right), Laser(**values["laser"]), (first, second), float(values.get("charging", 0.0))
+    )

@@ -71,7 +71,7 @@ def test_co_simulation_follows_a_spline_by_its_three_derivatives(tmp_path):
 @pytest.mark.parametrize("name", MODELS)
 def test_model_exchange_is_the_models_own_run(name, tmp_path):
     what = subject(MODELS[name], 3.0)
-    # Dahl's friction and the charging of membranes are exact in each step of the model, and stiff differential equations.
+    # Dahl's friction and the charging of membranes are exact in a step of the model, and stiff differential equations.
     parts, tolerance = {"data-driven": (16, 2e-3), "hybrid": (2, 5e-4)}.get(name.split(",")[0], (1, 1e-10))
     run = what.model.simulate(what.t, what.v, *what.start)
     assert np.abs(exchanged(what, tmp_path, parts) - run.q).max() < tolerance * np.ptp(run.q)

@@ -3,7 +3,7 @@
 import json
 import os
 import shutil
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,10 +12,11 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
+from pipeline.numerics.lag import first_order_lag
 from pipeline.rig.bench import Bench
 from pipeline.rig.controllers import c_controller, load_controller, played, python_controller
 from pipeline.rig.joint import potential, rest, saddle, simulate, tip_displacement, wells
-from pipeline.rig.loop import Scenario, run_loop
+from pipeline.rig.loop import Scenario, bench_from_json, run_loop
 from pipeline.rig.parameters import as_json, from_json, nominal
 from pipeline.rig.random_joint import random_joint
 from pipeline.rig_logs import read_recording
@@ -37,15 +38,18 @@ void debist_controller_step(void *state, double q, double target, double v[2])
 """
 
 
-def test_the_loop_moves_a_joint_as_the_simulation_of_logs_does() -> None:
+@pytest.mark.parametrize("charging", [0.0, 8e-3])
+def test_the_loop_moves_a_joint_as_the_simulation_of_logs_does(charging: float) -> None:
     p = nominal()
     t = np.arange(1000) * 1e-3
     u = np.zeros((t.size, 2))
     u[100:400, 0] = 2900.0
-    run = run_loop(p, Bench(), replace(STILL, duration=1.0), played(t, u))
-    bench = Bench(rate=20_000.0)
+    bench = Bench(rate=20_000.0, charging=charging)
+    run = run_loop(p, bench_from_json(asdict(bench)), replace(STILL, duration=1.0), played(t, u))
     fine = np.repeat(u, 20, axis=0)
     v = np.stack([bench.converters[side].drive(fine[:, side], 5e-5) for side in (0, 1)], axis=1)
+    if charging:
+        v = np.column_stack([first_order_lag(np.ascontiguousarray(side), 5e-5, charging)[0] for side in v.T])
     assert np.abs(simulate(p, v, 5e-5, stride=10).q[::10] - run.true_q).max() < 15e-6
 
 

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from pipeline.numerics.lag import first_order_lag
 from pipeline.rig.bench import Bench, Laser, Probe, record
+from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import nominal
 
 T = np.arange(30_000) / 30_000.0
@@ -49,3 +51,16 @@ def test_a_log_of_the_size_of_a_real_one_takes_less_than_five_seconds(tmp_path) 
     begin = time.process_time()
     write_prototype(tmp_path, "full", Experiment(kind="nominal"), seed=1)
     assert (time.process_time() - begin) / 2 < 5.0
+
+
+def test_membranes_charge_behind_their_electrodes_and_probes_see_the_converters() -> None:
+    p, t = nominal(), np.arange(8000) / 4000.0
+    u = np.zeros((t.size, 2))
+    u[400:2000, 0] = 2900.0
+    quick, slow = Bench(rate=4000.0), Bench(rate=4000.0, charging=20e-3)
+    logs = [record(p, bench, t, u, np.random.default_rng(3)) for bench in (quick, slow)]
+    np.testing.assert_array_equal(logs[0].v1, logs[1].v1)
+    behind, _ = first_order_lag(logs[0].true_v1, t[1], 20e-3)
+    lagged = np.column_stack([behind, np.zeros_like(behind)])
+    np.testing.assert_allclose(logs[1].true_q, simulate(p, lagged, t[1], stride=2).q, atol=20e-6)
+    assert np.abs(logs[1].true_q - logs[0].true_q).max() > 1e-3
