@@ -65,9 +65,12 @@ def kept(charging: float, dt: float) -> float:
 def _behind_electrodes(v: FloatArray, left: float) -> FloatArray:
     """Voltages of the membranes [V], shape (N, 2), under those of the converters, from charged membranes."""
     out = v.copy()
+    if left == 0.0:
+        return out
     for i in range(1, len(v)):
         for side in range(2):
-            out[i, side] = v[i, side] + (out[i - 1, side] - v[i, side]) * left
+            mean = 0.5 * (v[i - 1, side] + v[i, side])
+            out[i, side] = mean + (out[i - 1, side] - mean) * left
     return out
 
 

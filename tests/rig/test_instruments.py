@@ -62,5 +62,5 @@ def test_membranes_charge_behind_their_electrodes_and_probes_see_the_converters(
     np.testing.assert_array_equal(logs[0].v1, logs[1].v1)
     behind, _ = first_order_lag(logs[0].true_v1, t[1], 20e-3)
     lagged = np.column_stack([behind, np.zeros_like(behind)])
-    np.testing.assert_allclose(logs[1].true_q, simulate(p, lagged, t[1], stride=2).q, atol=20e-6)
+    np.testing.assert_allclose(logs[1].true_q, simulate(p, lagged, t[1], stride=2).q, atol=2e-6)
     assert np.abs(logs[1].true_q - logs[0].true_q).max() > 1e-3
