@@ -125,10 +125,12 @@ def _si(recording: "Recording[Spooled]", channel: Channel, unit: SiUnit) -> Samp
 def _own_bases(recording: "Recording[Spooled]", channels: list[Channel], rate: float | None) -> list[Samples]:
     """The channels' own time bases, or that of a sample rate [Hz]; equal ones become one object."""
     bases: list[Samples] = []
+    counted: dict[str, int] = {}
     for channel in channels:
         found = recording.channel(channel.channel)
         base: Samples | None = found.time
         if base is None and rate is not None:
+            counted[channel.channel] = found.samples.size
             base = next((known for known in bases if known.size == found.samples.size), None)
             base = np.arange(found.samples.size) / rate if base is None else base
         if base is None:
@@ -137,6 +139,12 @@ def _own_bases(recording: "Recording[Spooled]", channels: list[Channel], rate: f
                 f"or give [ingest] sample_rate (the log has {', '.join(recording.listed)})"
             )
         bases.append(next((known for known in bases if equal(known, base)), base))
+    if len(set(counted.values())) > 1:
+        sizes = ", ".join(f"{name!r} {size} samples" for name, size in counted.items())
+        raise InputError(
+            f"{recording.path}: its channels have no time, and one [ingest] sample_rate cannot be that of {sizes}; name "
+            "channels of one recording in [channels], or save the log with time"
+        )
     return bases
 
 

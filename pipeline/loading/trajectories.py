@@ -29,6 +29,9 @@ EDGE = 10
 _MOVING = 0.02
 """Share of the range of q by which it must change over that many samples to be in motion."""
 
+_FARTHER = 0.1
+"""Share of the range of q that nothing but a log's first samples shows, from which they are kept."""
+
 
 def training(
     tables: Sequence[Table],
@@ -149,7 +152,8 @@ def record(table: Table) -> Record:
     """A whole kinematics table with its mask, from the first valid sample whose velocity is known on.
 
     That is the first valid one, or `EDGE` samples later for a log that begins in motion: its inputs from before are
-    kept as the record's past.
+    kept as the record's past. A log whose first samples go where no others do is taken from the first one on all the
+    same: a model that has never been there would lose a run that starts there.
     """
     rows = slice(int(np.argmax(table["segment"] >= 0)), None)
     valid = table["segment"][rows] >= 0
@@ -160,7 +164,14 @@ def record(table: Table) -> Record:
     begin = EDGE + int(np.argmax(valid[EDGE:]))
     if not begins_in_motion(table) or len(valid) < 10 * EDGE or not valid[begin]:
         return whole
-    return whole.part(begin, len(valid))
+    later = whole.part(begin, len(valid))
+    return whole if _farther(whole, later) else later
+
+
+def _farther(whole: Record, later: Record) -> bool:
+    """Whether a record goes farther than its later part by more than `_FARTHER` of its range."""
+    low, high = whole.known_q.min(), whole.known_q.max()
+    return bool(max(later.known_q.min() - low, high - later.known_q.max()) > _FARTHER * (high - low))
 
 
 def training_tables(run: RunFolder, prototype: Prototype) -> list[Table]:

@@ -8,6 +8,7 @@ from pipeline.errors import InputError
 from pipeline.names import FILL_IN, check_name, slug, true_name
 from pipeline.rig_logs.inspection import TIME_UNITS, InspectedChannel, Inspection, Role, Suggestion, suggested_unit
 from pipeline.settings import Ingest
+from pipeline.signals.bandwidth import LEAST_PER_PERIOD, advised_interval
 from pipeline.signals.quality_gates import UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from pipeline.units import DISPLACEMENT, to_si
@@ -149,10 +150,29 @@ def _ingest_lines(log: Inspection) -> list[str]:
     if channel is not None and suggested_unit(channel.name, channel.unit) not in TIME_UNITS:
         return []
     steps = [base.step for base in log.time_bases]
-    if not steps or min(steps) <= UNTOLD_STEP * Ingest().sample_interval:
+    if not steps:
         return []
-    line = f"sample_interval = {min(steps):.4g}"
-    return ["", "[ingest]", f"{line:<46}# s, suggested: the log's step"]
+    if min(steps) > UNTOLD_STEP * Ingest().sample_interval:
+        line, why = f"sample_interval = {min(steps):.4g}", "the log's step"
+    else:
+        interval, why = _interval_of_fast(log)
+        if interval >= Ingest().sample_interval:
+            return []
+        line = f"sample_interval = {interval:g}"
+    return ["", "[ingest]", f"{line:<46}# s, suggested: {why}"]
+
+
+def _interval_of_fast(log: Inspection) -> tuple[float, str]:
+    """Sample interval [s] for a displacement that moves too fast for the usual one, and why; else the usual one."""
+    usual = Ingest().sample_interval
+    found = next((suggestion.only for suggestion in log.suggestions if suggestion.role == "q"), None)
+    channel = next((one for one in log.channels if one.name == found), None)
+    if channel is None or channel.time_base is None or channel.quality.idle:
+        return usual, ""
+    most = channel.quality.band.most
+    if not most * usual * LEAST_PER_PERIOD > 1.0:
+        return usual, ""
+    return advised_interval(most, log.time_bases[channel.time_base].step), f"q moves up to {most:.3g} Hz"
 
 
 def _listing(channel: InspectedChannel) -> str:

@@ -8,6 +8,7 @@ no measurement.
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pipeline.signals.bandwidth import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from pipeline.signals.missing import Missing
 from pipeline.signals.signal_quality import SignalQuality
 from pipeline.signals.timebase import TimeQuality
@@ -117,8 +118,36 @@ def between_samples(time: TimeQuality, sample_interval: float) -> list[str]:
     ]
 
 
-def rate_findings(time: TimeQuality, sample_interval: float) -> list[Finding]:
-    """Whether a log is sampled finely enough for the sample interval; it is not where its unit of time is wrong."""
+def too_fast(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[str]:
+    """That q moves faster than the sample interval shows well, in a log that could show it."""
+    if not _unshown(time, q, sample_interval, q.band.most, LEAST_PER_PERIOD):
+        return []
+    return [
+        f"q: moves up to {q.band.most:.3g} Hz (99 % of its power), of which [ingest] sample_interval = "
+        f"{sample_interval:g} s leaves little: set sample_interval = {advised_interval(q.band.most, time.step):g}"
+    ]
+
+
+def _unshown(time: TimeQuality, q: SignalQuality, interval: float, frequency: float, least: float) -> bool:
+    """Whether a frequency has fewer samples a period than `least`, and would have more in a finer record of the log."""
+    faster = frequency * interval * least > 1.0  # never of NaN
+    return faster and not q.idle and interval > UNTOLD_STEP * time.step
+
+
+def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[Finding]:
+    """Whether log and sample interval go together.
+
+    A log is too coarse where its unit of time is wrong, and too fine where decimation leaves little of its motion.
+    """
+    if _unshown(time, q, sample_interval, q.band.half, LOST_PER_PERIOD):
+        return [
+            Finding(
+                "rate",
+                f"half of the power of q lies above {q.band.half:.3g} Hz, which decimation to [ingest] "
+                f"sample_interval = {sample_interval:g} s takes away",
+                f"set sample_interval = {advised_interval(q.band.most, time.step):g}, or correct the unit of time",
+            )
+        ]
     if time.step <= COARSEST_STEP * sample_interval:
         return []
     lasts = time.stop - time.start

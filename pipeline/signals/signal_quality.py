@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.signals.bandwidth import Bandwidth, bandwidth
 from pipeline.signals.columns import Rows, chunks, select, take
 from pipeline.signals.mains_hum import EXCERPT, MAINS, Hum, hum
 from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
@@ -63,6 +64,8 @@ class SignalQuality:
         Where, the first `LOCATED` of them.
     hum : tuple of Hum
         Mains lines, as far as the sampling rate and the duration allow.
+    band : Bandwidth
+        How fast it moves.
     """
 
     n: int
@@ -85,6 +88,7 @@ class SignalQuality:
     spikes: int
     spikes_at: tuple[float, ...]
     hum: tuple[Hum, ...]
+    band: Bandwidth
 
     @property
     def constant(self) -> bool:
@@ -134,14 +138,14 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
     if not finite.count:
         nan = float("nan")
         numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan
-        return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), ())
+        return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), (), Bandwidth(nan, nan))
     stamps, values = select(time, finite), select(samples, finite)
     smallest, largest = span(values)
     roughness = noise_level(values)
     frozen, start = _longest_run(values)
     began, ended = take(stamps, np.array([start, start + frozen - 1])).tolist()
     spikes, first_spikes = _spikes(values, roughness)
-    usual = usual_span(values)
+    usual, noise = usual_span(values), min(roughness, high_difference_level(values))
     return SignalQuality(
         n=samples.size,
         not_finite=missing,
@@ -151,7 +155,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         largest=largest,
         mean=sum(float(values[rows].sum()) for rows in chunks(values.size)) / values.size,
         usual=usual,
-        noise=min(roughness, high_difference_level(values)),
+        noise=noise,
         roughness=roughness,
         low_rail=rail_share(values, usual, 0),
         high_rail=rail_share(values, usual, 1),
@@ -163,6 +167,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         spikes=spikes,
         spikes_at=tuple(take(stamps, first_spikes).tolist()),
         hum=tuple(line for f in MAINS if (line := hum(values[: min(values.size, EXCERPT)], step, f)) is not None),
+        band=bandwidth(values, step, noise),
     )
 
 

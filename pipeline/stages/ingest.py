@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
-ALGORITHM = "8"
+ALGORITHM = "9"
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -102,7 +102,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
     from pipeline.signals.noise import resolution
-    from pipeline.signals.quality_gates import between_samples, log_findings, rate_findings
+    from pipeline.signals.quality_gates import between_samples, log_findings, rate_findings, too_fast
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
     from pipeline.signals.uniform_record import Resampling, survey
@@ -133,7 +133,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     clock = examine(signals.q[0])
     lacking, findings = _lacking(signals, settings.sample_interval)
     warnings += [*lacking, *_gaps(clock), *between_samples(clock, settings.sample_interval)]
-    findings += rate_findings(clock, settings.sample_interval)
+    too_fine = rate_findings(clock, quality, settings.sample_interval)
+    findings += too_fine
+    warnings += too_fast(clock, quality, settings.sample_interval) if not too_fine else []
     findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
     if settings.rails == "keep":
         warnings += [f"q: {one.text}; kept ([ingest] rails)" for one in findings if one.gate == "rails"]

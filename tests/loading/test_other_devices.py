@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 import pytest
+from scipy.io import savemat
 from typer.testing import CliRunner
 
 from cli import app
@@ -46,6 +47,24 @@ def test_a_log_without_time_is_read_at_its_sample_rate_and_refused_without_one(t
     assert result.exit_code == 0, result.output
     t = RunFolder.open(run).read_table("train/log/signals.parquet")["t"]
     assert t[-1] == pytest.approx(799 / RATE, abs=0.011)
+
+
+def test_channels_of_different_length_are_not_put_on_one_sample_rate(tmp_path):
+    columns = {"multisine": np.arange(900.0), "sweep": np.arange(1200.0)}
+    savemat(tmp_path / "log.mat", columns)
+    settings = """name = "P"
+[logs]
+train = ["log.mat"]
+[channels]
+q = { channel = "multisine", unit = "mm" }
+v1 = { channel = "sweep", unit = "V" }
+[ingest]
+sample_rate = 100.0
+"""
+    (tmp_path / "P.toml").write_text(settings, encoding="utf-8")
+    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "P.toml")])
+    assert result.exit_code == 2
+    assert "'multisine' 900 samples, 'sweep' 1200 samples" in result.output
 
 
 def test_a_circuit_has_its_displacement_in_volts(tmp_path):

@@ -101,3 +101,13 @@ def test_a_log_that_begins_in_motion_is_learned_from_where_its_velocity_is_known
     assert whole.t[0] == t[EDGE]
     assert whole.past is not None
     np.testing.assert_array_equal(whole.past[:, 0], t[:EDGE])
+
+
+def test_first_samples_that_go_where_no_others_do_are_kept() -> None:
+    """A motor that was off before its log: it runs up within ten samples and never comes back down."""
+    t = 0.01 * np.arange(40 * EDGE)
+    q = 10.0 * (1.0 - np.exp(-t / 0.03)) + 2.0 * np.sin(9.0 * t)
+    rates = {"qdot": np.gradient(q, t), "qddot": np.gradient(np.gradient(q, t), t)}
+    table = {"t": t, "segment": np.zeros(t.size, dtype=np.int32), "v1": t, "q": q} | rates
+    assert begins_in_motion(table)
+    assert record(table).known_q.min() == q[0]

@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.errors import DataRefusedError
 from pipeline.identification.excitation import excitation_findings
-from pipeline.signals.quality_gates import log_findings, rate_findings
+from pipeline.signals.quality_gates import log_findings, rate_findings, too_fast
 from pipeline.signals.signal_quality import examine_signal
 from pipeline.signals.timebase import examine
 
@@ -84,7 +84,31 @@ def test_hum(share, found):
 def test_rate(step, found):
     """Three sample intervals of 20 ms."""
     time = step * np.arange(2000)
-    assert [finding.gate for finding in rate_findings(examine(time), 0.02)] == found
+    slow = examine_signal(time, np.sin(0.3 * time), step)
+    assert [finding.gate for finding in rate_findings(examine(time), slow, 0.02)] == found
+
+
+@pytest.mark.parametrize(("frequency", "said", "refused"), [(15.0, 0, 0), (25.0, 1, 0), (29.0, 1, 0), (40.0, 1, 1)])
+@pytest.mark.parametrize("step", [1e-3, 1e-4])
+def test_what_moves_faster_than_the_sample_interval_shows(frequency, said, refused, step):
+    time = step * np.arange(round(20.0 / step))
+    noise = np.random.default_rng(1).normal(0.0, 0.01, time.size)
+    fast = examine_signal(time, np.sin(2.0 * np.pi * frequency * time) + noise, step)
+    assert fast.band.most == pytest.approx(frequency, abs=2.0 / min(16384 * step, 20.0))
+    found, warnings = rate_findings(examine(time), fast, 0.01), too_fast(examine(time), fast, 0.01)
+    assert (len(warnings), len(found)) == (said, refused)
+    for text in [*warnings, *(finding.advice for finding in found)]:
+        advised = float(text.split("sample_interval = ")[-1].split(",")[0])
+        assert 1.0 / 9.0 < advised * fast.band.most < 1.0 / 7.0
+
+
+def test_a_log_that_could_show_no_more_and_noise_alone_are_not_blamed():
+    time = 0.01 * np.arange(2000)
+    coarse = examine_signal(time, np.sin(2.0 * np.pi * 40.0 * time), 0.01)
+    assert not too_fast(examine(time), coarse, 0.01) and not rate_findings(examine(time), coarse, 0.01)
+    fine = 1e-3 * np.arange(20_000)
+    still = examine_signal(fine, np.random.default_rng(2).normal(0.0, 1e-6, fine.size), 1e-3)
+    assert not too_fast(examine(fine), still, 0.01) and not rate_findings(examine(fine), still, 0.01)
 
 
 def test_a_finding_says_number_bound_and_step():
