@@ -142,8 +142,8 @@ def _own_bases(recording: "Recording[Spooled]", channels: list[Channel], rate: f
     if len(set(counted.values())) > 1:
         sizes = ", ".join(f"{name!r} {size} samples" for name, size in counted.items())
         raise InputError(
-            f"{recording.path}: its channels have no time, and one [ingest] sample_rate cannot be that of {sizes}; name "
-            "channels of one recording in [channels], or save the log with time"
+            f"{recording.path}: its channels have no time, and one [ingest] sample_rate cannot be that of {sizes}; "
+            "name channels of one recording in [channels], or save the log with time"
         )
     return bases
 

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
+from pipeline.rig_logs.matlab4_head import begins_matlab4
 from pipeline.rig_logs.recording import missing_channel
 from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, read_start
 
@@ -234,6 +235,7 @@ FORMATS = (
     Format("Parquet", "parquet", lambda start: start.startswith(b"PAR1")),
     Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB 7.3")),
     Format("HDF5", "hdf5", lambda start: _is_hdf5(start)),
+    Format("MAT v4", "matlab4", begins_matlab4),
     Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""

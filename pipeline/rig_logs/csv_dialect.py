@@ -258,21 +258,12 @@ class _Table:
     numeric: tuple[bool, ...]
 
 
-_MAT4 = (0, 10, 20, 30, 40, 50)
-"""First number of a MAT v4 file of full numeric matrices, by their type."""
-
-
 def _find_encoding(start: bytes) -> str:
     for bom, encoding in _BOMS:
         if start.startswith(bom):
             return encoding
     if b"\0" in start:
-        mat4 = len(start) >= 20 and int.from_bytes(start[:4], "little") in _MAT4
-        raise UnreadableLogError(
-            "this is a MAT v4 file; save it in MATLAB with -v7"
-            if mat4
-            else "this is no text and no format that is known here"
-        )
+        raise UnreadableLogError("this is no text and no format that is known here")
     try:
         codecs.getincrementaldecoder("utf-8")().decode(start)
         return "utf-8"
