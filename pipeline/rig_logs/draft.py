@@ -6,7 +6,15 @@ from pathlib import Path
 
 from pipeline.errors import InputError
 from pipeline.names import FILL_IN, check_name, slug, true_name
-from pipeline.rig_logs.inspection import TIME_UNITS, InspectedChannel, Inspection, Role, Suggestion, suggested_unit
+from pipeline.rig_logs.inspection import (
+    NO_CHANNEL,
+    TIME_UNITS,
+    InspectedChannel,
+    Inspection,
+    Role,
+    Suggestion,
+    suggested_unit,
+)
 from pipeline.settings import Ingest
 from pipeline.signals.quality_gates import UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
@@ -42,9 +50,11 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     Raises
     ------
     InputError
-        A log lacks channels of the first one: they are not of one recorder.
+        The first log holds no channel, or another one lacks channels of it: they are not of one recorder.
     """
     first = inspections[0]
+    if not first.channels:
+        raise InputError(": ".join((f"{first.path}: {NO_CHANNEL}", *filter(None, ["; ".join(first.notes)]))))
     by_name = {channel.name: channel for channel in first.channels}
     for other in inspections[1:]:
         if lacking := sorted(by_name.keys() - {channel.name for channel in other.channels}):

@@ -144,6 +144,9 @@ _LONG_AGO = 1e5
 _MUCH = 10.0
 """Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
 
+NO_CHANNEL = "the log holds no vector of numbers"
+"""Said where nothing can be drafted or examined."""
+
 Clock = Literal["s", "samples", ""]
 """In what places in a log are told: seconds, numbers of samples, or a time of which the log states no unit."""
 
@@ -265,7 +268,8 @@ def _time_column(
     """The column that is taken for time in the description, in s, and in what places are told then."""
     name = next((role.only for role in roles if role.role == "time"), None)
     if name is None:
-        notes.append("no single column is called time; rates and places are in samples")
+        if channels:
+            notes.append("no single column is called time; rates and places are in samples")
         return None, "samples"
     channel = next(c for c in channels if c.name == name)
     unit = suggested_unit(channel.name, channel.unit)

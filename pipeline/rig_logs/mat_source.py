@@ -19,6 +19,15 @@ _RATE = re.compile(r"(?i)(.*\.)?(f_?s|sampl(e|ing)_?(rate|freq(uency)?))")
 _STEP = re.compile(r"(?i)(.*\.)?(t_?s|dt|sampl(e|ing)_?(time|interval|period))")
 """Names of single numbers that say how often a log was sampled."""
 
+_TABLE = "save its columns as arrays, or write it with writetable or writetimetable"
+_WAYS_OUT = {
+    "table": _TABLE,
+    "timetable": _TABLE,
+    "iddata": "save its vectors (NAME.u, NAME.y) and its sample time (NAME.Ts)",
+    "timeseries": "save its vectors (NAME.Time, NAME.Data)",
+}
+"""What to do with an object, by its class."""
+
 
 class MatSource:
     """The numeric channels among the variables of a MAT file."""
@@ -63,7 +72,7 @@ class MatSource:
     def _plain(self, name: str, value: MatValue, depth: int) -> list[MatChannel]:
         """Vectors by their name, columns of matrices as name(:,j), fields of structs as name.field or name(k).field."""
         if isinstance(value, MatObject):
-            advice = "save its columns as arrays, or write it with writetable or writetimetable"
+            advice = _WAYS_OUT.get(value.kind, "save its vectors as variables of their own").replace("NAME", name)
             self.notes.append(f"{name} is a MATLAB {value.kind}, which only MATLAB can read: {advice}")
         elif isinstance(value, MatArray):
             self._note_rate(name, value)

@@ -3,9 +3,22 @@
 import numpy as np
 import pytest
 
+from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
+from pipeline.rig_logs.draft import toml_draft
 from pipeline.rig_logs.source import CsvOptions, unique_names
-from tests.rig_logs.small_logs import TIME, Q, V, matlab_object, open_here, read_here, save_plain_mat, write_matlab73
+from pipeline.tools.inspection import inspect
+from tests.rig_logs.small_logs import (
+    TIME,
+    Q,
+    V,
+    matlab_object,
+    old_matlab_object,
+    open_here,
+    read_here,
+    save_plain_mat,
+    write_matlab73,
+)
 
 START = {"mf4": 12.345}
 FLOAT32 = {"mat", "mf4"}
@@ -255,6 +268,23 @@ def test_objects_that_only_matlab_reads_are_named(tmp_path):
         source = open_here(tmp_path / name)
         assert [entry.name for entry in source.entries()] == ["q"]
         assert "log is a MATLAB table" in source.notes[0] and "writetable" in source.notes[0]
+
+
+def test_an_object_of_an_old_class_is_named_and_none_of_its_fields_is_a_channel(tmp_path):
+    from scipy.io import loadmat, savemat
+
+    savemat(tmp_path / "plain.mat", {"q": Q})
+    raw, data = (tmp_path / "plain.mat").read_bytes(), old_matlab_object("data", "iddata", "last", [2021.0, 4.0])
+    (path := tmp_path / "object.mat").write_bytes(raw + data)
+    assert loadmat(path)["data"]["last"][0, 0][0, 0] == 2021.0  # SciPy takes it for an object too
+    source = open_here(path)
+    assert [entry.name for entry in source.entries()] == ["q"]
+    assert "data is a MATLAB iddata" in source.notes[0] and "save its vectors (data.u, data.y)" in source.notes[0]
+    path.write_bytes(raw[:128] + data)
+    inspection, reason = inspect(path)
+    assert inspection.notes == tuple(source.notes) and reason == "the log holds no vector of numbers"
+    with pytest.raises(InputError, match=r"object.mat: the log holds no vector of numbers: data is a MATLAB iddata"):
+        toml_draft([inspection])
 
 
 def test_simulinks_structure_with_time_in_version_7_3(tmp_path):
