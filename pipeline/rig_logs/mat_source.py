@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
 from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatObject, MatValue, is_struct, scalar_of
 from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
-from pipeline.rig_logs.source import Entry, ranges
+from pipeline.rig_logs.source import MOST_COLUMNS, Entry, not_listed, ranges
 
 _DEEPEST = 8
-_MOST_COLUMNS = 1000
+_MOST_ELEMENTS = 1000
 
 _RATE = re.compile(r"(?i)(.*\.)?(f_?s|sampl(e|ing)_?(rate|freq(uency)?))")
 _STEP = re.compile(r"(?i)(.*\.)?(t_?s|dt|sampl(e|ing)_?(time|interval|period))")
@@ -36,6 +36,7 @@ class MatSource:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
         self._channels: dict[str, MatChannel] = {}
+        self._not_listed: dict[str, tuple[int, ...]] = {}
         recordings = [name for name, value in variables.items() if is_recorder(value) or is_simulink_log(value)]
         makers = {"ControlDesk" if is_recorder(variables[name]) else "Simulink" for name in recordings}
         self.format = ", ".join([f"MAT {version}", *sorted(makers)])
@@ -49,6 +50,7 @@ class MatSource:
                 self._add(simulink_channels(name, value, self.notes), prefix)
             else:
                 self._add(self._plain(name, value, _DEEPEST))
+        self.notes += not_listed(self._not_listed)
 
     def entries(self) -> list[Entry]:
         """Every numeric channel."""
@@ -78,11 +80,13 @@ class MatSource:
             self._note_rate(name, value)
             if value.is_vector:
                 return [MatChannel(Entry(name, "", value.dtype, value.size), value.read, value.step)]
-            if len(value.dims) == 2 and 1 < value.dims[1] <= _MOST_COLUMNS and value.dims[0] > 1:
+            if len(value.dims) == 2 and 1 < value.dims[1] <= MOST_COLUMNS and value.dims[0] > 1:
                 rows, columns = value.dims
                 entries = [Entry(f"{name}(:,{j + 1})", "", value.dtype, rows) for j in range(columns)]
                 return [MatChannel(entry, value.column(j)) for j, entry in enumerate(entries)]
-        elif is_struct(value) and value.count <= _MOST_COLUMNS and depth:
+            if value.size > 1:
+                self._not_listed[name] = value.dims
+        elif is_struct(value) and value.count <= _MOST_ELEMENTS and depth:
             places = [name] if value.count == 1 else [f"{name}({i + 1})" for i in range(value.count)]
             return [
                 channel

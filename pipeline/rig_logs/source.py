@@ -1,7 +1,7 @@
 """What every format reader offers to the guarded child, and what reading one raw log may cost."""
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -107,6 +107,18 @@ class Source(Protocol):
 
 PART = 1 << 17
 """Rows at a time."""
+MOST_COLUMNS = 1000
+"""Columns of a matrix that are channels; a wider one is none of samples in rows."""
+_MOST_NAMED = 3
+
+
+def not_listed(shapes: Mapping[str, tuple[int, ...]]) -> list[str]:
+    """A note on arrays that are neither vectors nor matrices of channels; none where there are none."""
+    sizes = [f"{name} is {' × '.join(map(str, shape))}" for name, shape in shapes.items()]
+    more = [f"{len(sizes) - _MOST_NAMED} more like them"] if len(sizes) > _MOST_NAMED else []
+    told = ", ".join([*sizes[:_MOST_NAMED], *more])
+    way_out = f"only vectors and matrices of at most {MOST_COLUMNS} columns are read: save each channel as a vector"
+    return [f"{told}; {way_out}"] if sizes else []
 
 
 def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:

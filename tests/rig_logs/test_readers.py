@@ -287,6 +287,29 @@ def test_an_object_of_an_old_class_is_named_and_none_of_its_fields_is_a_channel(
         toml_draft([inspection])
 
 
+def test_arrays_that_are_no_channels_are_told_by_their_shape(tmp_path):
+    import h5py
+    from scipy.io import savemat
+
+    runs, wide = np.random.default_rng(0).normal(size=(3, 400, 2)), np.zeros((2, 1500))
+    with h5py.File(path := tmp_path / "runs.h5", "w") as file:
+        file["train/u"], file["wide"], file["one"], file["none"] = runs, wide, np.ones((1, 1, 1)), np.zeros((0, 3, 2))
+        file["remark"] = "text"
+    told = "3 × 400 × 2, wide is 2 × 1500; only vectors and matrices of at most 1000 columns are read"
+    assert told in inspect(path)[0].notes[0]
+    with pytest.raises(InputError, match=r"runs.h5: the log holds no vector of numbers: train/u is 3 × 400 × 2"):
+        toml_draft([inspect(path)[0]])
+    with h5py.File(path, "a") as file:
+        file["q"] = Q
+        for i in range(9):
+            file[f"m{i}"] = runs
+    assert "m2 is 3 × 400 × 2, 8 more like them; only" in (draft := toml_draft([inspect(path)[0]]))
+    assert '#   "q": 400 samples' in draft
+    savemat(tmp_path / "runs.mat", {"q": Q, "u": runs, "log": {"wide": wide}, "one": 3.0})
+    (note,) = open_here(tmp_path / "runs.mat").notes
+    assert note.startswith("u is 3 × 400 × 2, log.wide is 2 × 1500; only vectors")
+
+
 def test_simulinks_structure_with_time_in_version_7_3(tmp_path):
     import h5py
 
