@@ -15,19 +15,19 @@ from pipeline.rig_logs.inspection import (
     Suggestion,
     suggested_unit,
 )
+from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
 from pipeline.settings import Ingest
 from pipeline.signals.quality_gates import UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from pipeline.units import DISPLACEMENT, to_si
 
+_HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _MOST_LISTED, _MOST_NAMED = 100, 5
 _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
-_VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
-_TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
 _VELOCITY = re.compile(r"dot$|(?<!le)vel|speed|geschw|_dt$", re.IGNORECASE)
 _RATE = re.compile(r"(?<!/s)/s$|^rpm$", re.IGNORECASE)
-_BETWEEN = re.compile(r"[_\-.]+")
+_BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
 
 
 def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = None) -> str:
@@ -116,12 +116,16 @@ def _velocity_lines(log: Inspection) -> list[str]:
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Which logs are for training and which for validation: by their names; else the last of several validates."""
-    validation = [log for log in logs if _VALIDATION.search(true_name(log))]
-    if not validation and len(logs) > 1 and not _TRAINING.search(true_name(logs[-1])):
+    """Which logs are for training and which for validation: by the words of their names; else the last validates.
+
+    Where every log is called a test, only those validate that are called validation logs; where all are called so, all
+    but the first.
+    """
+    found = [purposes(true_name(log)) for log in logs]
+    called = [[log for log, each in zip(logs, found, strict=True) if each & wanted] for wanted in _HELD_OUT]
+    validation = next((some for some in called if len(some) < len(logs)), list(logs[1:]))
+    if not validation and len(logs) > 1 and "train" not in found[-1]:
         validation = [logs[-1]]
-    if len(validation) == len(logs):
-        validation = list(logs[1:])
     return [log for log in logs if log not in validation], validation
 
 
@@ -231,10 +235,10 @@ def _plain(text: str) -> str:
 def _prototype_name(log: Path) -> str:
     """A name that the settings allow: the log's without what it is for, or its folder's where nothing else is left."""
     stem = log.stem
-    if _TRAINING.search(stem) or _VALIDATION.search(stem):
-        words = [word for word in _BETWEEN.split(stem) if not (_TRAINING.match(word) or _VALIDATION.match(word))]
-        stem = "_".join(filter(None, words))
-        if not stem or _TRAINING.search(stem) or _VALIDATION.search(stem):
+    if purposes(stem):
+        parts = (part for part in _BETWEEN.split(stem) if part and not purpose_of(part.strip("0123456789")))
+        stem = "_".join(parts)
+        if not stem or purposes(stem):
             stem = log.absolute().parent.name
     try:
         return check_name(stem)

@@ -167,6 +167,13 @@ def test_unclear_channels_are_no_error(logs):
         (["Prüflauf 1.csv", "Prüflauf 2.csv"], ["Prüflauf 2.csv"]),
         (["train-1.mat", "train-2.mat"], []),
         (["log.mat"], []),
+        (["interval_1.mat", "run_2.mat"], ["run_2.mat"]),
+        (["valve.csv", "pump.csv"], ["pump.csv"]),
+        (["prbs_test_60min_val.mat", "prbs_test_60min.mat"], ["prbs_test_60min_val.mat"]),
+        (["train.mat", "val.mat", "test.mat"], ["val.mat", "test.mat"]),
+        (["armVal.mat", "armTrain.mat"], ["armVal.mat"]),
+        (["Testlauf 3.csv", "Lauf 4.csv"], ["Testlauf 3.csv"]),
+        (["profit.csv", "vali.csv", "latest.csv"], ["latest.csv"]),
     ],
 )
 def test_logs_are_proposed_for_training_and_validation(given, validation):
@@ -311,6 +318,9 @@ def test_draft_takes_the_step_of_a_slow_log_and_the_law_of_an_input_of_both_sign
         ("arm-7-validation.csv", "arm_7"),
         ("train.csv", "bench 3"),
         ("traindata.csv", "bench 3"),
+        ("train2.csv", "bench 3"),
+        ("armTrain.csv", "arm"),
+        ("interval_profit.csv", "interval_profit"),
     ],
 )
 def test_draft_is_named_by_the_device_and_not_by_what_the_log_is_for(tmp_path, file, name):
