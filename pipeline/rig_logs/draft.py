@@ -87,7 +87,7 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         if suggestion.role == "time" and not suggestion.candidates and not _left_over(first):
             lines.append("# time is left out: the log has none; see sample_rate")
             continue
-        lines += _role_lines(suggestion, by_name, first.suggestions)
+        lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)
     return "\n".join([*lines, "", *_plant_lines(first), *_ingest_lines(first)]) + "\n"
 
@@ -101,14 +101,14 @@ def _listings(log: Inspection) -> list[str]:
 
 
 def _left_over(log: Inspection) -> list[str]:
-    """Channels that no role is suggested for."""
-    taken = {name for suggestion in log.suggestions for name in suggestion.candidates}
+    """Channels of the record that no role is suggested for."""
+    taken = {name for suggestion in log.suggestions for name in suggestion.candidates}.union(log.apart)
     return [channel.name for channel in log.channels if channel.name not in taken]
 
 
 def _velocity_lines(log: Inspection) -> list[str]:
     """A channel that is called a velocity, left out: derivatives and fits would rest on it as well."""
-    taken = {suggestion.only for suggestion in log.suggestions}
+    taken = {suggestion.only for suggestion in log.suggestions}.union(log.apart)
     units = {channel.name: channel.unit.strip("[]() ") for channel in log.channels if channel.name not in taken}
     called = [name for name, unit in units.items() if _RATE.search(unit) or (not unit and _VELOCITY.search(name))]
     entries = [_entry("qdot", name, units[name] or FILL_IN) for name in called[:1]]
@@ -176,10 +176,10 @@ def _listing(channel: InspectedChannel) -> str:
     return "; ".join((line, *channel.remarks))
 
 
-def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], every: Sequence[Suggestion]) -> list[str]:
+def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], log: Inspection) -> list[str]:
     names, role = suggestion.candidates, suggestion.role
     if role == "v2" and not names:
-        taken = {one.only for one in every}
+        taken = {one.only for one in log.suggestions}.union(log.apart)
         others = [quoted(name) for name in by_name if name not in taken][:_MOST_NAMED]
         more = f" Other channels: {', '.join(others)}" if others else ""
         return [f"# v2 is left out: a device with one input?{more}"]

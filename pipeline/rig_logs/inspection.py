@@ -4,7 +4,7 @@ Suggestions are for a person; nothing decides on them.
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -13,6 +13,7 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import Channel
 from pipeline.rig_logs.source import CsvOptions
@@ -29,16 +30,18 @@ _PINT_NAMES = {
     "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um", "sec": "s", "μs": "us",
     "second": "s", "seconds": "s", "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
 }  # fmt: skip
+_SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z])\w*|\d*)([(\[]:,\d+[)\]])?$"
+"""The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""
 _WORDS: dict[str, re.Pattern[str]] = {
     "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp)([ _.\[(/].*)?$", re.IGNORECASE),
     "q": re.compile(
         r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
-        r"encoder|^[xyq]$|[ _.]q$|^q[ _./])",
+        r"encoder|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
         re.IGNORECASE,
     ),
     "v": re.compile(
         r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]$|pwm|duty|cmd|command|current|strom|"
-        r"torque|throttle|motor|pump|valve|ventil|heater)",
+        r"torque|throttle|motor|pump|valve|ventil|heater|" + _SIGNAL.format("u") + ")",
         re.IGNORECASE,
     ),
 }
@@ -89,7 +92,11 @@ def _spelt(unit: str) -> str:
 
 
 def suggest(
-    channels: Sequence[tuple[str, str]], *, own_time: bool, rising: Sequence[str] = ()
+    channels: Sequence[tuple[str, str]],
+    *,
+    own_time: bool,
+    rising: Sequence[str] = (),
+    counts: Mapping[str, int] | None = None,
 ) -> tuple[Suggestion, ...]:
     """Suggestions for the roles.
 
@@ -101,16 +108,22 @@ def suggest(
         Whether the format carries its own time base, so that none has to be named.
     rising : sequence of str
         Channels that rise by equal steps; a single one may be the time, if no other is called so.
+    counts : mapping of str to int, optional
+        Samples of each channel where they are all of one raster: those of one record have equally many.
     """
+    sizes = dict.fromkeys((name for name, _ in channels), 0) | dict(counts or {})
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
     called = [name for name in names if any(map(_WORDS["time"].search, (name, re.split(r"[./]", name)[-1])))]
     times = tuple(name for name in called if units[name] in ("", *TIME_UNITS))
     times = times or tuple(name for name in names if units[name] in TIME_UNITS)
     times = times or (tuple(name for name in rising if not units[name]) if len(rising) == 1 else ())
+    times = tuple(name for name in times if sizes[name] == max(map(sizes.__getitem__, times)))
     rest = [name for name in names if name not in times and not _WANTED.search(name)]
+    rest = [name for name in rest if not times or sizes[name] == sizes[times[0]]]
     found = [] if own_time else [Suggestion("time", times)]
     q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
+    rest = [name for name in rest if len(q) != 1 or sizes[name] == sizes[q[0]]]
     inputs = _best([name for name in rest if q != (name,)], units, _INPUT_UNITS, "v")
     left_over = tuple(name for name in rest if name not in (*q, *inputs) and not units[name])
     if not q and len(left_over) == 1:
@@ -195,6 +208,8 @@ class Inspection:
         Every numeric channel.
     suggestions : tuple of Suggestion
         Which channel might be what; nothing decides on them.
+    apart : tuple of str
+        Channels for which no role is suggested, as they are not of the same record as the others.
     notes : tuple of str
         What the reader found out or had to assume.
     """
@@ -206,6 +221,7 @@ class Inspection:
     time_bases: tuple[TimeQuality, ...]
     channels: tuple[InspectedChannel, ...]
     suggestions: tuple[Suggestion, ...]
+    apart: tuple[str, ...]
     notes: tuple[str, ...]
 
 
@@ -225,12 +241,8 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         raise InputError(f"{path}: is a settings file; `debist check {path}` looks at the logs that it names")
     recording = read_recording(path, csv=csv)
     own_time = any(channel.time is not None for channel in recording.channels)
-    roles = suggest(
-        [(c.name, c.unit) for c in recording.channels if c.time is not None or not own_time],
-        own_time=own_time,
-        rising=() if own_time else [c.name for c in recording.channels if _rises_evenly(c.samples)],
-    )
     notes = list(recording.notes)
+    roles, apart = _roles(recording.channels, notes, own_time=own_time)
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
     stamps: list[FloatArray] = []
     bases: list[TimeQuality] = []
@@ -252,7 +264,30 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         remarks = () if channel.name in bare else remarks_on(quality, context)
         channels.append(InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks))
     size = path.stat().st_size
-    return Inspection(path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, tuple(notes))
+    return Inspection(path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, tuple(notes))
+
+
+def _roles(
+    channels: Sequence[Channel[FloatArray]], notes: list[str], *, own_time: bool
+) -> tuple[tuple[Suggestion, ...], tuple[str, ...]]:
+    """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
+    usual = [channel for channel in channels if channel.time is not None or not own_time]
+    counts = {} if own_time else {channel.name: channel.samples.size for channel in channels}
+    short = far_shorter(counts)
+    further = second_experiments([channel.name for channel in usual if channel.name not in short], _is_record)
+    notes += note_on(further)
+    kept = [channel for channel in usual if channel.name not in short and channel.name not in further]
+    rising = () if own_time else [channel.name for channel in kept if _rises_evenly(channel.samples)]
+    named = [(channel.name, channel.unit) for channel in kept]
+    roles = suggest(named, own_time=own_time, rising=rising, counts=counts)
+    time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
+    others = () if time is None else (channel.name for channel in kept if counts[channel.name] != counts[time])
+    return roles, (*sorted(short), *further, *others)
+
+
+def _is_record(names: Sequence[str]) -> bool:
+    """Whether an output and an input are among channels of these names."""
+    return all(any(map(_WORDS[word].search, names)) for word in ("q", "v"))
 
 
 def _rises_evenly(samples: FloatArray) -> bool:

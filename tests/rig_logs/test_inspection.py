@@ -358,3 +358,60 @@ def test_what_is_not_clear_says_how_to_make_it_so(tmp_path):
     log = _csv(tmp_path / "log.csv", "t,q,v", t, np.sin(t), np.cos(t))
     _, reason = inspect(log)
     assert f"fill in what `debist init {log} > P.toml` writes, then `debist inspect {log} --settings P.toml`" in reason
+
+
+def _mat(path, **variables):
+    from scipy.io import savemat
+
+    savemat(path, variables)
+    return path
+
+
+def _chosen(path):
+    return {role: channel["channel"] for role, channel in _draft(path)["channels"].items()}
+
+
+def test_parameters_beside_a_record_are_not_proposed(tmp_path):
+    """A result of an identification in the file: its vectors are called angle and voltage too."""
+    t = np.arange(2000.0)
+    est = {"theta": np.ones((6, 3)), "volt": np.arange(8.0), "level": np.zeros(1900)}
+    data = {"time": t, "ydat": np.sin(t)[:, None], "udat": np.column_stack([np.cos(t), t % 7]), "tstep": np.arange(150)}
+    path = _mat(tmp_path / "result.mat", est=est, data=data)
+    assert _chosen(path) == {
+        "time": "data.time", "q": "data.ydat", "v1": "data.udat(:,1)", "v2": "data.udat(:,2)"
+    }  # fmt: skip
+    assert set(inspect_log(path).apart) >= {"est.volt", "est.level", "data.tstep"}
+
+
+@pytest.mark.parametrize(
+    ("names", "q", "v1"),
+    [
+        (("U", "U_val", "Y", "Y_val"), "Y", "U"),
+        (("uEst", "uVal", "yEst", "yVal"), "yEst", "uEst"),
+        (("uval", "yval", "u", "y"), "y", "u"),
+        (("y_test", "y_train", "u_test", "u_train"), "y_train", "u_train"),
+    ],
+)
+def test_a_second_experiment_in_a_file_is_no_second_input(tmp_path, names, q, v1):
+    rng = np.random.default_rng(0)
+    path = _mat(tmp_path / "two.mat", **{name: rng.normal(size=900) for name in names})
+    text = toml_draft([inspect_log(path)])
+    assert _chosen(path) == {"q": q, "v1": v1} and tomllib.loads(text)["ingest"] == {"sample_rate": FILL_IN}
+    further = [name for name in names if name not in (q, v1)]
+    assert set(inspect_log(path).apart) == set(further)
+    told = "look like a second experiment beside"
+    assert any(told in line and "save it as a file of its own" in line for line in text.splitlines())
+
+
+def test_experiments_in_groups_are_told_apart_and_sides_are_not(tmp_path):
+    rng = np.random.default_rng(0)
+    run = {name: rng.normal(size=900) for name in ("r", "y", "u")}
+    path = _mat(tmp_path / "runs.mat", run1=run, run2=run)
+    chosen = _chosen(path)
+    assert (chosen["q"], chosen["v1"]) == ("run1.y", "run1.u") and "v2" not in chosen
+    assert "'run2.r', 'run2.y', 'run2.u' look like a second experiment" in toml_draft([inspect_log(path)])
+    motor = {"volt": rng.normal(size=900), "temp": rng.normal(size=900)}
+    sides = _chosen(_mat(tmp_path / "sides.mat", angle=rng.normal(size=900), side1=motor, side2=motor))
+    assert (sides["v1"], sides["v2"]) == ("side1.volt", "side2.volt")
+    path = _mat(tmp_path / "flag.mat", y=run["y"], y_valid=np.ones(900), u1=run["u"], u2=run["r"])
+    assert not inspect_log(path).apart  # a flag, not an experiment
