@@ -1,7 +1,7 @@
 """A first settings file for a raw log: what is certain is filled in, everything else is left to the user."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from pipeline.errors import InputError
@@ -26,6 +26,7 @@ _MOST_LISTED, _MOST_NAMED = 100, 5
 _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VELOCITY = re.compile(r"dot$|(?<!le)vel|speed|geschw|_dt$", re.IGNORECASE)
+_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
 _RATE = re.compile(r"(?<!/s)/s$|^rpm$", re.IGNORECASE)
 _BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
 
@@ -84,8 +85,9 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     if first.own_time:
         lines.append("# time is left out: the format carries its own time base")
     for suggestion in first.suggestions:
-        if suggestion.role == "time" and not suggestion.candidates and not _left_over(first):
-            lines.append("# time is left out: the log has none; see sample_rate")
+        if suggestion.role == "time" and not suggestion.candidates and (first.rates or not _left_over(first)):
+            found = "states its sample rate" if first.rates else "has none"
+            lines.append(f"# time is left out: the log {found}; see sample_rate")
             continue
         lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)
@@ -155,18 +157,46 @@ def _ingest_lines(log: Inspection) -> list[str]:
     """The rate of a log without time, and the step of one that is slower than the usual sample interval."""
     time = next((suggestion for suggestion in log.suggestions if suggestion.role == "time"), None)
     if time is not None and not time.candidates:
-        rate = f"sample_rate = {quoted(FILL_IN)}"
-        if _left_over(log):
-            rate = f"# {rate}"
-        return ["", "[ingest]", f"{rate:<46}# Hz; for a log without time, in place of `time` under [channels]"]
+        return ["", "[ingest]", *_rate_lines(log)]
     channel = None if time is None else next((one for one in log.channels if one.name == time.only), None)
     if channel is not None and suggested_unit(channel.name, channel.unit) not in TIME_UNITS:
         return []
-    steps = [base.step for base in log.time_bases]
-    if not steps or min(steps) <= UNTOLD_STEP * Ingest().sample_interval:
-        return []
-    line = f"sample_interval = {min(steps):.4g}"
-    return ["", "[ingest]", f"{line:<46}# s, suggested: the log's step"]
+    lines = _interval_lines(min((base.step for base in log.time_bases), default=0.0))
+    return ["", "[ingest]", *lines] if lines else []
+
+
+def _interval_lines(step: float) -> list[str]:
+    """The sample interval where a log's step [s] is longer than the usual one."""
+    line = f"sample_interval = {step:.4g}"
+    told = step > UNTOLD_STEP * Ingest().sample_interval
+    return [f"{line:<46}# s, suggested: the log's step"] if told else []
+
+
+def _rate_lines(log: Inspection) -> list[str]:
+    """The sample rate that the log states beside q, or that is to be filled in."""
+    where = "Hz; for a log without time, in place of `time` under [channels]"
+    if not log.rates:
+        rate = f"sample_rate = {quoted(FILL_IN)}"
+        return [f"{f'# {rate}' if _left_over(log) else rate:<46}# {where}"]
+    stated = _rates_beside(next((each.only for each in log.suggestions if each.role == "q"), None) or "", log.rates)
+    if len(set(stated.values())) > 1:
+        told = ", ".join(f"{name} says {rate:.9g}" for name, rate in list(stated.items())[:_MOST_NAMED])
+        return [f"{f'sample_rate = {quoted(FILL_IN)}':<46}# Hz; {_plain(told)}"]
+    name, hertz = next(iter(stated.items()))
+    return [
+        f"{f'sample_rate = {hertz:.9g}':<46}# Hz, suggested: what {_plain(name)} in the log says",
+        *_interval_lines(1.0 / hertz),
+    ]
+
+
+def _rates_beside(q: str, rates: Mapping[str, float]) -> Mapping[str, float]:
+    """The rates that stand in the group of q, else in the nearest one around it; all where none does."""
+    group = q
+    while group:
+        group = _GROUP_OF.sub("", group)
+        if found := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
+            return found
+    return rates
 
 
 def _listing(channel: InspectedChannel) -> str:

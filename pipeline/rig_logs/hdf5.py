@@ -22,7 +22,9 @@ from pipeline.rig_logs.source import (
     Source,
     UnreadableLogError,
     not_listed,
+    note_on_rate,
     ranges,
+    stated_rate,
 )
 
 _MOST_OBJECTS = 100_000
@@ -142,6 +144,7 @@ class Hdf5Source:
     def __init__(self, path: Path) -> None:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
+        self.rates: dict[str, float] = {}
         self._places: dict[str, tuple[Any, int | str | None]] = {}
         self._entries: list[Entry] = []
         self._file = open_hdf5(path)
@@ -166,7 +169,7 @@ class Hdf5Source:
                     yield name, np.asarray(dataset[first:last, column])
 
     def _list(self, name: str, dataset: Any) -> bool:
-        """List its channels; whether it holds any, or no samples that could be."""
+        """List its channels, or the sample rate that it states; False for numbers that are neither."""
         unit = _unit(dataset)
         shape: tuple[int, ...] = dataset.shape or ()
         if dataset.dtype.names and len(shape) == 1:  # a table of named columns
@@ -179,8 +182,19 @@ class Hdf5Source:
             for j in range(shape[1]):
                 self._add(f"{name}[:,{j}]", unit, dataset.dtype, shape[0], dataset, j)
         else:
-            return dataset.dtype.kind not in "fiu" or dataset.size is None or dataset.size <= 1
+            return self._note_rate(name, dataset)
         return True
+
+    def _note_rate(self, name: str, dataset: Any) -> bool:
+        """Tell of a number that may be the sample rate or interval; whether there are not several numbers."""
+        if dataset.dtype.kind not in "fiu" or not dataset.size:
+            return True
+        if dataset.size == 1:
+            number = float(np.ravel(dataset[()])[0])
+            if (rate := stated_rate(name, number)) is not None:
+                self.rates[name] = rate
+                self.notes.append(note_on_rate(name, number, rate))
+        return bool(dataset.size == 1)
 
     def _add(
         self, name: str, unit: str, dtype: np.dtype[Any], count: int, dataset: Any, column: int | str | None

@@ -4,7 +4,7 @@ Suggestions are for a person; nothing decides on them.
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -16,7 +16,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import Channel
-from pipeline.rig_logs.source import CsvOptions
+from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 
@@ -210,6 +210,8 @@ class Inspection:
         Which channel might be what; nothing decides on them.
     apart : tuple of str
         Channels for which no role is suggested, as they are not of the same record as the others.
+    rates : mapping of str to float
+        Sample rates [Hz] that numbers in the log state, by their names; nothing decides on them.
     notes : tuple of str
         What the reader found out or had to assume.
     """
@@ -222,6 +224,7 @@ class Inspection:
     channels: tuple[InspectedChannel, ...]
     suggestions: tuple[Suggestion, ...]
     apart: tuple[str, ...]
+    rates: Mapping[str, float]
     notes: tuple[str, ...]
 
 
@@ -242,7 +245,8 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     recording = read_recording(path, csv=csv)
     own_time = any(channel.time is not None for channel in recording.channels)
     notes = list(recording.notes)
-    roles, apart = _roles(recording.channels, notes, own_time=own_time)
+    rates = {} if own_time else dict(recording.rates) | _constant_rates(recording.channels, notes)
+    roles, apart = _roles(recording.channels, rates, notes, own_time=own_time)
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
     stamps: list[FloatArray] = []
     bases: list[TimeQuality] = []
@@ -264,25 +268,41 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         remarks = () if channel.name in bare else remarks_on(quality, context)
         channels.append(InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks))
     size = path.stat().st_size
-    return Inspection(path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, tuple(notes))
+    return Inspection(
+        path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes)
+    )
+
+
+def _constant_rates(channels: Sequence[Channel[FloatArray]], notes: list[str]) -> dict[str, float]:
+    """Sample rates [Hz] that columns of one number state (`fs`, `Ts`), which may stand in the first row only."""
+    rates = {}
+    for channel in channels:
+        if stated_rate(channel.name, 1.0) is None:
+            continue
+        numbers = channel.samples[np.isfinite(channel.samples)]
+        number = float(numbers[0]) if numbers.size and np.all(numbers == numbers[0]) else 0.0
+        if (rate := stated_rate(channel.name, number)) is not None:
+            rates[channel.name] = rate
+            notes.append(note_on_rate(channel.name, number, rate))
+    return rates
 
 
 def _roles(
-    channels: Sequence[Channel[FloatArray]], notes: list[str], *, own_time: bool
+    channels: Sequence[Channel[FloatArray]], rates: Collection[str], notes: list[str], *, own_time: bool
 ) -> tuple[tuple[Suggestion, ...], tuple[str, ...]]:
     """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
     usual = [channel for channel in channels if channel.time is not None or not own_time]
     counts = {} if own_time else {channel.name: channel.samples.size for channel in channels}
-    short = far_shorter(counts)
-    further = second_experiments([channel.name for channel in usual if channel.name not in short], _is_record)
+    left_out = far_shorter(counts).union(rates)
+    further = second_experiments([channel.name for channel in usual if channel.name not in left_out], _is_record)
     notes += note_on(further)
-    kept = [channel for channel in usual if channel.name not in short and channel.name not in further]
+    kept = [channel for channel in usual if channel.name not in left_out and channel.name not in further]
     rising = () if own_time else [channel.name for channel in kept if _rises_evenly(channel.samples)]
     named = [(channel.name, channel.unit) for channel in kept]
     roles = suggest(named, own_time=own_time, rising=rising, counts=counts)
     time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
     others = () if time is None else (channel.name for channel in kept if counts[channel.name] != counts[time])
-    return roles, (*sorted(short), *further, *others)
+    return roles, (*sorted(left_out & counts.keys()), *further, *others)
 
 
 def _is_record(names: Sequence[str]) -> bool:

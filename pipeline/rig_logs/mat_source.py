@@ -1,6 +1,5 @@
 """The channels of a MAT file: ControlDesk's and Simulink's recordings, and plain vectors, matrices and structs."""
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -10,14 +9,10 @@ from numpy.typing import NDArray
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
 from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatObject, MatValue, is_struct, scalar_of
 from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
-from pipeline.rig_logs.source import MOST_COLUMNS, Entry, not_listed, ranges
+from pipeline.rig_logs.source import MOST_COLUMNS, Entry, not_listed, note_on_rate, ranges, stated_rate
 
 _DEEPEST = 8
 _MOST_ELEMENTS = 1000
-
-_RATE = re.compile(r"(?i)(.*\.)?(f_?s|sampl(e|ing)_?(rate|freq(uency)?))")
-_STEP = re.compile(r"(?i)(.*\.)?(t_?s|dt|sampl(e|ing)_?(time|interval|period))")
-"""Names of single numbers that say how often a log was sampled."""
 
 _TABLE = "save its columns as arrays, or write it with writetable or writetimetable"
 _WAYS_OUT = {
@@ -35,6 +30,7 @@ class MatSource:
     def __init__(self, version: str, variables: dict[str, MatValue]) -> None:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
+        self.rates: dict[str, float] = {}
         self._channels: dict[str, MatChannel] = {}
         self._not_listed: dict[str, tuple[int, ...]] = {}
         recordings = [name for name, value in variables.items() if is_recorder(value) or is_simulink_log(value)]
@@ -97,9 +93,8 @@ class MatSource:
         return []
 
     def _note_rate(self, name: str, value: MatArray) -> None:
-        """Tell of a number that may be the sample rate or interval: a log without a time channel needs it."""
-        is_rate, is_step = bool(_RATE.fullmatch(name)), bool(_STEP.fullmatch(name))
-        number = scalar_of(value) if is_rate or is_step else None
-        if number is not None and number > 0.0:
-            rate = number if is_rate else 1.0 / number
-            self.notes.append(f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:g}")
+        """Tell of a number that may be the sample rate or interval."""
+        number = scalar_of(value)
+        if number is not None and (rate := stated_rate(name, number)) is not None:
+            self.rates[name] = rate
+            self.notes.append(note_on_rate(name, number, rate))

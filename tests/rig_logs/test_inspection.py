@@ -367,6 +367,15 @@ def _mat(path, **variables):
     return path
 
 
+def _h5(path, **datasets):
+    import h5py
+
+    with h5py.File(path, "w") as file:
+        for name, values in datasets.items():
+            file[name] = values
+    return path
+
+
 def _chosen(path):
     return {role: channel["channel"] for role, channel in _draft(path)["channels"].items()}
 
@@ -415,3 +424,37 @@ def test_experiments_in_groups_are_told_apart_and_sides_are_not(tmp_path):
     assert (sides["v1"], sides["v2"]) == ("side1.volt", "side2.volt")
     path = _mat(tmp_path / "flag.mat", y=run["y"], y_valid=np.ones(900), u1=run["u"], u2=run["r"])
     assert not inspect_log(path).apart  # a flag, not an experiment
+
+
+WAVE, INPUT = np.sin(0.1 * np.arange(900.0)), np.arange(900) % 7 / 7.0
+
+
+@pytest.mark.parametrize("column", [["200"] * 900, ["200", *[""] * 899]], ids=["constant", "first row"])
+def test_a_column_that_tells_the_rate_is_suggested_in_the_draft(tmp_path, column):
+    rows = [f"{q:.5g},{u:.5g},{fs}" for q, u, fs in zip(WAVE, INPUT, column, strict=True)]
+    (path := tmp_path / "log.csv").write_text("\n".join(["q,u,fs", *rows]) + "\n")
+    text, draft = toml_draft([inspect_log(path)]), _draft(path)
+    assert draft["ingest"] == {"sample_rate": 200} and _chosen(path) == {"q": "q", "v1": "u"}
+    assert "suggested: what fs in the log says" in text and "v2 is left out: a device with one input?\n" in text
+
+
+def test_a_column_of_several_numbers_tells_no_rate(tmp_path):
+    path = _csv(tmp_path / "log.csv", "q,u,dt", WAVE, INPUT, np.where(WAVE > 0.0, 0.01, 0.02))
+    assert inspect_log(path).rates == {} and FILL_IN in toml_draft([inspect_log(path)])
+
+
+def test_the_rate_beside_the_channels_is_suggested(tmp_path):
+    draft = _draft(_mat(tmp_path / "log.mat", y=WAVE, u=INPUT, Ts=4.0))
+    assert draft["ingest"] == {"sample_rate": 0.25, "sample_interval": 4} and "time" not in draft["channels"]
+    both = {"a/y": WAVE, "a/u": INPUT, "b/y": WAVE[:50], "b/u": INPUT[:50]}
+    near = _h5(tmp_path / "near.h5", **both, **{"a/fs": np.array([750.0]), "b/fs": 8.0, "fs": 9.0})
+    assert _draft(near)["ingest"] == {"sample_rate": 750}
+    around = _h5(tmp_path / "around.h5", **both, **{"b/fs": 8.0, "fs": 9.0})
+    assert _draft(around)["ingest"]["sample_rate"] == 9
+    two = toml_draft([inspect_log(_h5(tmp_path / "two.h5", **both, **{"b/fs": 8.0, "c/Ts": 0.1}))])
+    assert tomllib.loads(two)["ingest"] == {"sample_rate": FILL_IN} and "b/fs says 8, c/Ts says 10" in two
+
+
+def test_a_log_with_time_needs_no_stated_rate(tmp_path):
+    draft = _draft(_mat(tmp_path / "log.mat", t=np.arange(900.0), y=WAVE, u=INPUT, fs=200.0))
+    assert "ingest" not in draft and draft["channels"]["time"]["channel"] == "t"

@@ -247,6 +247,7 @@ def test_a_number_beside_the_channels_that_tells_the_rate_is_named(tmp_path, var
     source = open_here(tmp_path / "rate.mat")
     assert [entry.name for entry in source.entries()] == ["q"]
     assert len(source.notes) == 1 and "sample_rate = 200" in source.notes[0]
+    assert list(read_recording(tmp_path / "rate.mat").rates.values()) == [200.0]
 
 
 def test_objects_that_only_matlab_reads_are_named(tmp_path):
