@@ -100,6 +100,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits) -> dict[str, Any]
     return {
         "format": source.format,
         "notes": source.notes,
+        "rates": getattr(source, "rates", {}),
         "listed": [entry.name for entry in entries],
         "channels": [
             {

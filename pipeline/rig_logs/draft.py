@@ -1,26 +1,37 @@
 """A first settings file for a raw log: what is certain is filled in, everything else is left to the user."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+
+import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.names import FILL_IN, check_name, slug, true_name
-from pipeline.rig_logs.inspection import TIME_UNITS, InspectedChannel, Inspection, Role, Suggestion, suggested_unit
+from pipeline.rig_logs.inspection import (
+    NO_CHANNEL,
+    TIME_UNITS,
+    InspectedChannel,
+    Inspection,
+    Role,
+    Suggestion,
+    suggested_unit,
+)
+from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
 from pipeline.settings import Ingest
 from pipeline.signals.bandwidth import LEAST_PER_PERIOD, advised_interval
 from pipeline.signals.quality_gates import UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from pipeline.units import DISPLACEMENT, to_si
 
+_HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _MOST_LISTED, _MOST_NAMED = 100, 5
 _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
-_VALIDATION = re.compile(r"val|test|pr[uü]f|check|holdout|unseen", re.IGNORECASE)
-_TRAINING = re.compile(r"train|ident|fit|lern", re.IGNORECASE)
 _VELOCITY = re.compile(r"dot$|(?<!le)vel|speed|geschw|_dt$", re.IGNORECASE)
+_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
 _RATE = re.compile(r"(?<!/s)/s$|^rpm$", re.IGNORECASE)
-_BETWEEN = re.compile(r"[_\-.]+")
+_BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
 
 
 def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = None) -> str:
@@ -43,9 +54,11 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     Raises
     ------
     InputError
-        A log lacks channels of the first one: they are not of one recorder.
+        The first log holds no channel, or another one lacks channels of it: they are not of one recorder.
     """
     first = inspections[0]
+    if not first.channels:
+        raise InputError(": ".join((f"{first.path}: {NO_CHANNEL}", *filter(None, ["; ".join(first.notes)]))))
     by_name = {channel.name: channel for channel in first.channels}
     for other in inspections[1:]:
         if lacking := sorted(by_name.keys() - {channel.name for channel in other.channels}):
@@ -75,10 +88,11 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     if first.own_time:
         lines.append("# time is left out: the format carries its own time base")
     for suggestion in first.suggestions:
-        if suggestion.role == "time" and not suggestion.candidates and not _left_over(first):
-            lines.append("# time is left out: the log has none; see sample_rate")
+        if suggestion.role == "time" and not suggestion.candidates and (first.rates or not _left_over(first)):
+            found = "states its sample rate" if first.rates else "has none"
+            lines.append(f"# time is left out: the log {found}; see sample_rate")
             continue
-        lines += _role_lines(suggestion, by_name, first.suggestions)
+        lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)
     return "\n".join([*lines, "", *_plant_lines(first), *_ingest_lines(first)]) + "\n"
 
@@ -92,14 +106,14 @@ def _listings(log: Inspection) -> list[str]:
 
 
 def _left_over(log: Inspection) -> list[str]:
-    """Channels that no role is suggested for."""
-    taken = {name for suggestion in log.suggestions for name in suggestion.candidates}
+    """Channels of the record that no role is suggested for."""
+    taken = {name for suggestion in log.suggestions for name in suggestion.candidates}.union(log.apart)
     return [channel.name for channel in log.channels if channel.name not in taken]
 
 
 def _velocity_lines(log: Inspection) -> list[str]:
     """A channel that is called a velocity, left out: derivatives and fits would rest on it as well."""
-    taken = {suggestion.only for suggestion in log.suggestions}
+    taken = {suggestion.only for suggestion in log.suggestions}.union(log.apart)
     units = {channel.name: channel.unit.strip("[]() ") for channel in log.channels if channel.name not in taken}
     called = [name for name, unit in units.items() if _RATE.search(unit) or (not unit and _VELOCITY.search(name))]
     entries = [_entry("qdot", name, units[name] or FILL_IN) for name in called[:1]]
@@ -107,12 +121,16 @@ def _velocity_lines(log: Inspection) -> list[str]:
 
 
 def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Which logs are for training and which for validation: by their names; else the last of several validates."""
-    validation = [log for log in logs if _VALIDATION.search(true_name(log))]
-    if not validation and len(logs) > 1 and not _TRAINING.search(true_name(logs[-1])):
+    """Which logs are for training and which for validation: by the words of their names; else the last validates.
+
+    Where every log is called a test, only those validate that are called validation logs; where all are called so, all
+    but the first.
+    """
+    found = [purposes(true_name(log)) for log in logs]
+    called = [[log for log, each in zip(logs, found, strict=True) if each & wanted] for wanted in _HELD_OUT]
+    validation = next((some for some in called if len(some) < len(logs)), list(logs[1:]))
+    if not validation and len(logs) > 1 and "train" not in found[-1]:
         validation = [logs[-1]]
-    if len(validation) == len(logs):
-        validation = list(logs[1:])
     return [log for log in logs if log not in validation], validation
 
 
@@ -142,37 +160,60 @@ def _ingest_lines(log: Inspection) -> list[str]:
     """The rate of a log without time, and the step of one that is slower than the usual sample interval."""
     time = next((suggestion for suggestion in log.suggestions if suggestion.role == "time"), None)
     if time is not None and not time.candidates:
-        rate = f"sample_rate = {quoted(FILL_IN)}"
-        if _left_over(log):
-            rate = f"# {rate}"
-        return ["", "[ingest]", f"{rate:<46}# Hz; for a log without time, in place of `time` under [channels]"]
+        return ["", "[ingest]", *_rate_lines(log)]
     channel = None if time is None else next((one for one in log.channels if one.name == time.only), None)
     if channel is not None and suggested_unit(channel.name, channel.unit) not in TIME_UNITS:
         return []
-    steps = [base.step for base in log.time_bases]
-    if not steps:
-        return []
-    if min(steps) > UNTOLD_STEP * Ingest().sample_interval:
-        line, why = f"sample_interval = {min(steps):.4g}", "the log's step"
+    lines = _interval_lines(log, min((base.step for base in log.time_bases), default=np.nan))
+    return ["", "[ingest]", *lines] if lines else []
+
+
+def _interval_lines(log: Inspection, step: float) -> list[str]:
+    """The sample interval where a log's step [s] is longer than the usual one, or q moves too fast for that."""
+    usual, most = Ingest().sample_interval, _cycles_per_sample(log) / step
+    if step > UNTOLD_STEP * usual:
+        interval, why = float(f"{step:.4g}"), "the log's step"
+    elif most * usual * LEAST_PER_PERIOD > 1.0:
+        interval, why = advised_interval(most, step), f"q moves up to {most:.3g} Hz"
     else:
-        interval, why = _interval_of_fast(log)
-        if interval >= Ingest().sample_interval:
-            return []
-        line = f"sample_interval = {interval:g}"
-    return ["", "[ingest]", f"{line:<46}# s, suggested: {why}"]
+        return []
+    return [f"{f'sample_interval = {interval:g}':<46}# s, suggested: {why}"]
 
 
-def _interval_of_fast(log: Inspection) -> tuple[float, str]:
-    """Sample interval [s] for a displacement that moves too fast for the usual one, and why; else the usual one."""
-    usual = Ingest().sample_interval
+def _cycles_per_sample(log: Inspection) -> float:
+    """How fast the channel moves that is suggested for q; NaN where none is, or it holds nothing but noise."""
     found = next((suggestion.only for suggestion in log.suggestions if suggestion.role == "q"), None)
     channel = next((one for one in log.channels if one.name == found), None)
-    if channel is None or channel.time_base is None or channel.quality.idle:
-        return usual, ""
-    most = channel.quality.band.most
-    if not most * usual * LEAST_PER_PERIOD > 1.0:
-        return usual, ""
-    return advised_interval(most, log.time_bases[channel.time_base].step), f"q moves up to {most:.3g} Hz"
+    if channel is None or channel.quality.idle:
+        return float("nan")
+    return channel.quality.band.most * (1.0 if channel.time_base is None else log.time_bases[channel.time_base].step)
+
+
+def _rate_lines(log: Inspection) -> list[str]:
+    """The sample rate that the log states beside q, or that is to be filled in."""
+    where = "Hz; for a log without time, in place of `time` under [channels]"
+    if not log.rates:
+        rate = f"sample_rate = {quoted(FILL_IN)}"
+        return [f"{f'# {rate}' if _left_over(log) else rate:<46}# {where}"]
+    stated = _rates_beside(next((each.only for each in log.suggestions if each.role == "q"), None) or "", log.rates)
+    if len(set(stated.values())) > 1:
+        told = ", ".join(f"{name} says {rate:.9g}" for name, rate in list(stated.items())[:_MOST_NAMED])
+        return [f"{f'sample_rate = {quoted(FILL_IN)}':<46}# Hz; {_plain(told)}"]
+    name, hertz = next(iter(stated.items()))
+    return [
+        f"{f'sample_rate = {hertz:.9g}':<46}# Hz, suggested: what {_plain(name)} in the log says",
+        *_interval_lines(log, 1.0 / hertz),
+    ]
+
+
+def _rates_beside(q: str, rates: Mapping[str, float]) -> Mapping[str, float]:
+    """The rates that stand in the group of q, else in the nearest one around it; all where none does."""
+    group = q
+    while group:
+        group = _GROUP_OF.sub("", group)
+        if found := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
+            return found
+    return rates
 
 
 def _listing(channel: InspectedChannel) -> str:
@@ -182,10 +223,10 @@ def _listing(channel: InspectedChannel) -> str:
     return "; ".join((line, *channel.remarks))
 
 
-def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], every: Sequence[Suggestion]) -> list[str]:
+def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], log: Inspection) -> list[str]:
     names, role = suggestion.candidates, suggestion.role
     if role == "v2" and not names:
-        taken = {one.only for one in every}
+        taken = {one.only for one in log.suggestions}.union(log.apart)
         others = [quoted(name) for name in by_name if name not in taken][:_MOST_NAMED]
         more = f" Other channels: {', '.join(others)}" if others else ""
         return [f"# v2 is left out: a device with one input?{more}"]
@@ -241,10 +282,10 @@ def _plain(text: str) -> str:
 def _prototype_name(log: Path) -> str:
     """A name that the settings allow: the log's without what it is for, or its folder's where nothing else is left."""
     stem = log.stem
-    if _TRAINING.search(stem) or _VALIDATION.search(stem):
-        words = [word for word in _BETWEEN.split(stem) if not (_TRAINING.match(word) or _VALIDATION.match(word))]
-        stem = "_".join(filter(None, words))
-        if not stem or _TRAINING.search(stem) or _VALIDATION.search(stem):
+    if purposes(stem):
+        parts = (part for part in _BETWEEN.split(stem) if part and not purpose_of(part.strip("0123456789")))
+        stem = "_".join(parts)
+        if not stem or purposes(stem):
             stem = log.absolute().parent.name
     try:
         return check_name(stem)

@@ -300,4 +300,5 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Co
         )
         for entry in answer["channels"]
     )
-    return Recording(path, str(answer["format"]), channels, tuple(answer["listed"]), tuple(answer["notes"]))
+    rates = {str(name): float(rate) for name, rate in answer["rates"].items()}
+    return Recording(path, str(answer["format"]), channels, tuple(answer["listed"]), tuple(answer["notes"]), rates)

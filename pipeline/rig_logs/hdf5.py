@@ -13,7 +13,19 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.source import PART, CsvOptions, Entry, Limits, Source, UnreadableLogError, ranges
+from pipeline.rig_logs.source import (
+    MOST_COLUMNS,
+    PART,
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableLogError,
+    not_listed,
+    note_on_rate,
+    ranges,
+    stated_rate,
+)
 
 _MOST_OBJECTS = 100_000
 _DEEPEST = 16
@@ -122,7 +134,6 @@ def _first_sentence(error: OSError) -> str:
 
 
 _UNIT_ATTRIBUTES = ("unit", "units", "Unit", "Units", "UNIT")
-_MOST_COLUMNS = 1000
 
 
 class Hdf5Source:
@@ -133,11 +144,12 @@ class Hdf5Source:
     def __init__(self, path: Path) -> None:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
+        self.rates: dict[str, float] = {}
         self._places: dict[str, tuple[Any, int | str | None]] = {}
         self._entries: list[Entry] = []
         self._file = open_hdf5(path)
-        for name, dataset in walk(self._file):
-            self._list(name, dataset)
+        others = {name: dataset.shape for name, dataset in walk(self._file) if not self._list(name, dataset)}
+        self.notes += not_listed(others)
 
     def entries(self) -> list[Entry]:
         """Every vector of real numbers."""
@@ -156,7 +168,8 @@ class Hdf5Source:
                 else:
                     yield name, np.asarray(dataset[first:last, column])
 
-    def _list(self, name: str, dataset: Any) -> None:
+    def _list(self, name: str, dataset: Any) -> bool:
+        """List its channels, or the sample rate that it states; False for numbers that are neither."""
         unit = _unit(dataset)
         shape: tuple[int, ...] = dataset.shape or ()
         if dataset.dtype.names and len(shape) == 1:  # a table of named columns
@@ -165,9 +178,23 @@ class Hdf5Source:
                     self._add(f"{name}.{field}", "", dataset.dtype[field], shape[0], dataset, field)
         elif dataset.dtype.kind in "fiu" and dataset.size and dataset.size == max(shape, default=0) > 1:
             self._add(name, unit, dataset.dtype, dataset.size, dataset, None)
-        elif dataset.dtype.kind in "fiu" and len(shape) == 2 and shape[0] > 1 and 1 < shape[1] <= _MOST_COLUMNS:
+        elif dataset.dtype.kind in "fiu" and len(shape) == 2 and shape[0] > 1 and 1 < shape[1] <= MOST_COLUMNS:
             for j in range(shape[1]):
                 self._add(f"{name}[:,{j}]", unit, dataset.dtype, shape[0], dataset, j)
+        else:
+            return self._note_rate(name, dataset)
+        return True
+
+    def _note_rate(self, name: str, dataset: Any) -> bool:
+        """Tell of a number that may be the sample rate or interval; whether there are not several numbers."""
+        if dataset.dtype.kind not in "fiu" or not dataset.size:
+            return True
+        if dataset.size == 1:
+            number = float(np.ravel(dataset[()])[0])
+            if (rate := stated_rate(name, number)) is not None:
+                self.rates[name] = rate
+                self.notes.append(note_on_rate(name, number, rate))
+        return bool(dataset.size == 1)
 
     def _add(
         self, name: str, unit: str, dtype: np.dtype[Any], count: int, dataset: Any, column: int | str | None

@@ -4,7 +4,7 @@ Suggestions are for a person; nothing decides on them.
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -13,9 +13,10 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import Channel
-from pipeline.rig_logs.source import CsvOptions
+from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 
@@ -29,16 +30,18 @@ _PINT_NAMES = {
     "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um", "sec": "s", "μs": "us",
     "second": "s", "seconds": "s", "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
 }  # fmt: skip
+_SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z])\w*|\d*)([(\[]:,\d+[)\]])?$"
+"""The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""
 _WORDS: dict[str, re.Pattern[str]] = {
     "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp)([ _.\[(/].*)?$", re.IGNORECASE),
     "q": re.compile(
         r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
-        r"encoder|^[xyq]$|[ _.]q$|^q[ _./])",
+        r"encoder|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
         re.IGNORECASE,
     ),
     "v": re.compile(
         r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]$|pwm|duty|cmd|command|current|strom|"
-        r"torque|throttle|motor|pump|valve|ventil|heater)",
+        r"torque|throttle|motor|pump|valve|ventil|heater|" + _SIGNAL.format("u") + ")",
         re.IGNORECASE,
     ),
 }
@@ -89,7 +92,11 @@ def _spelt(unit: str) -> str:
 
 
 def suggest(
-    channels: Sequence[tuple[str, str]], *, own_time: bool, rising: Sequence[str] = ()
+    channels: Sequence[tuple[str, str]],
+    *,
+    own_time: bool,
+    rising: Sequence[str] = (),
+    counts: Mapping[str, int] | None = None,
 ) -> tuple[Suggestion, ...]:
     """Suggestions for the roles.
 
@@ -101,16 +108,22 @@ def suggest(
         Whether the format carries its own time base, so that none has to be named.
     rising : sequence of str
         Channels that rise by equal steps; a single one may be the time, if no other is called so.
+    counts : mapping of str to int, optional
+        Samples of each channel where they are all of one raster: those of one record have equally many.
     """
+    sizes = dict.fromkeys((name for name, _ in channels), 0) | dict(counts or {})
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
     called = [name for name in names if any(map(_WORDS["time"].search, (name, re.split(r"[./]", name)[-1])))]
     times = tuple(name for name in called if units[name] in ("", *TIME_UNITS))
     times = times or tuple(name for name in names if units[name] in TIME_UNITS)
     times = times or (tuple(name for name in rising if not units[name]) if len(rising) == 1 else ())
+    times = tuple(name for name in times if sizes[name] == max(map(sizes.__getitem__, times)))
     rest = [name for name in names if name not in times and not _WANTED.search(name)]
+    rest = [name for name in rest if not times or sizes[name] == sizes[times[0]]]
     found = [] if own_time else [Suggestion("time", times)]
     q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
+    rest = [name for name in rest if len(q) != 1 or sizes[name] == sizes[q[0]]]
     inputs = _best([name for name in rest if q != (name,)], units, _INPUT_UNITS, "v")
     left_over = tuple(name for name in rest if name not in (*q, *inputs) and not units[name])
     if not q and len(left_over) == 1:
@@ -143,6 +156,9 @@ _LONG_AGO = 1e5
 """Seconds of a clock from which on stamps are told to the millisecond: it counts from a day or an epoch long ago."""
 _MUCH = 10.0
 """Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
+
+NO_CHANNEL = "the log holds no vector of numbers"
+"""Said where nothing can be drafted or examined."""
 
 Clock = Literal["s", "samples", ""]
 """In what places in a log are told: seconds, numbers of samples, or a time of which the log states no unit."""
@@ -192,6 +208,10 @@ class Inspection:
         Every numeric channel.
     suggestions : tuple of Suggestion
         Which channel might be what; nothing decides on them.
+    apart : tuple of str
+        Channels for which no role is suggested, as they are not of the same record as the others.
+    rates : mapping of str to float
+        Sample rates [Hz] that numbers in the log state, by their names; nothing decides on them.
     notes : tuple of str
         What the reader found out or had to assume.
     """
@@ -203,6 +223,8 @@ class Inspection:
     time_bases: tuple[TimeQuality, ...]
     channels: tuple[InspectedChannel, ...]
     suggestions: tuple[Suggestion, ...]
+    apart: tuple[str, ...]
+    rates: Mapping[str, float]
     notes: tuple[str, ...]
 
 
@@ -222,12 +244,9 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         raise InputError(f"{path}: is a settings file; `debist check {path}` looks at the logs that it names")
     recording = read_recording(path, csv=csv)
     own_time = any(channel.time is not None for channel in recording.channels)
-    roles = suggest(
-        [(c.name, c.unit) for c in recording.channels if c.time is not None or not own_time],
-        own_time=own_time,
-        rising=() if own_time else [c.name for c in recording.channels if _rises_evenly(c.samples)],
-    )
     notes = list(recording.notes)
+    rates = {} if own_time else dict(recording.rates) | _constant_rates(recording.channels, notes)
+    roles, apart = _roles(recording.channels, rates, notes, own_time=own_time)
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
     stamps: list[FloatArray] = []
     bases: list[TimeQuality] = []
@@ -249,7 +268,46 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         remarks = () if channel.name in bare else remarks_on(quality, context)
         channels.append(InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks))
     size = path.stat().st_size
-    return Inspection(path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, tuple(notes))
+    return Inspection(
+        path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes)
+    )
+
+
+def _constant_rates(channels: Sequence[Channel[FloatArray]], notes: list[str]) -> dict[str, float]:
+    """Sample rates [Hz] that columns of one number state (`fs`, `Ts`), which may stand in the first row only."""
+    rates = {}
+    for channel in channels:
+        if stated_rate(channel.name, 1.0) is None:
+            continue
+        numbers = channel.samples[np.isfinite(channel.samples)]
+        number = float(numbers[0]) if numbers.size and np.all(numbers == numbers[0]) else 0.0
+        if (rate := stated_rate(channel.name, number)) is not None:
+            rates[channel.name] = rate
+            notes.append(note_on_rate(channel.name, number, rate))
+    return rates
+
+
+def _roles(
+    channels: Sequence[Channel[FloatArray]], rates: Collection[str], notes: list[str], *, own_time: bool
+) -> tuple[tuple[Suggestion, ...], tuple[str, ...]]:
+    """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
+    usual = [channel for channel in channels if channel.time is not None or not own_time]
+    counts = {} if own_time else {channel.name: channel.samples.size for channel in channels}
+    left_out = far_shorter(counts).union(rates)
+    further = second_experiments([channel.name for channel in usual if channel.name not in left_out], _is_record)
+    notes += note_on(further)
+    kept = [channel for channel in usual if channel.name not in left_out and channel.name not in further]
+    rising = () if own_time else [channel.name for channel in kept if _rises_evenly(channel.samples)]
+    named = [(channel.name, channel.unit) for channel in kept]
+    roles = suggest(named, own_time=own_time, rising=rising, counts=counts)
+    time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
+    others = () if time is None else (channel.name for channel in kept if counts[channel.name] != counts[time])
+    return roles, (*sorted(left_out & counts.keys()), *further, *others)
+
+
+def _is_record(names: Sequence[str]) -> bool:
+    """Whether an output and an input are among channels of these names."""
+    return all(any(map(_WORDS[word].search, names)) for word in ("q", "v"))
 
 
 def _rises_evenly(samples: FloatArray) -> bool:
@@ -265,7 +323,8 @@ def _time_column(
     """The column that is taken for time in the description, in s, and in what places are told then."""
     name = next((role.only for role in roles if role.role == "time"), None)
     if name is None:
-        notes.append("no single column is called time; rates and places are in samples")
+        if channels:
+            notes.append("no single column is called time; rates and places are in samples")
         return None, "samples"
     channel = next(c for c in channels if c.name == name)
     unit = suggested_unit(channel.name, channel.unit)

@@ -1,6 +1,5 @@
 """The channels of a MAT file: ControlDesk's and Simulink's recordings, and plain vectors, matrices and structs."""
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -10,14 +9,19 @@ from numpy.typing import NDArray
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
 from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatObject, MatValue, is_struct, scalar_of
 from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
-from pipeline.rig_logs.source import Entry, ranges
+from pipeline.rig_logs.source import MOST_COLUMNS, Entry, not_listed, note_on_rate, ranges, stated_rate
 
 _DEEPEST = 8
-_MOST_COLUMNS = 1000
+_MOST_ELEMENTS = 1000
 
-_RATE = re.compile(r"(?i)(.*\.)?(f_?s|sampl(e|ing)_?(rate|freq(uency)?))")
-_STEP = re.compile(r"(?i)(.*\.)?(t_?s|dt|sampl(e|ing)_?(time|interval|period))")
-"""Names of single numbers that say how often a log was sampled."""
+_TABLE = "save its columns as arrays, or write it with writetable or writetimetable"
+_WAYS_OUT = {
+    "table": _TABLE,
+    "timetable": _TABLE,
+    "iddata": "save its vectors (NAME.u, NAME.y) and its sample time (NAME.Ts)",
+    "timeseries": "save its vectors (NAME.Time, NAME.Data)",
+}
+"""What to do with an object, by its class."""
 
 
 class MatSource:
@@ -26,7 +30,9 @@ class MatSource:
     def __init__(self, version: str, variables: dict[str, MatValue]) -> None:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
+        self.rates: dict[str, float] = {}
         self._channels: dict[str, MatChannel] = {}
+        self._not_listed: dict[str, tuple[int, ...]] = {}
         recordings = [name for name, value in variables.items() if is_recorder(value) or is_simulink_log(value)]
         makers = {"ControlDesk" if is_recorder(variables[name]) else "Simulink" for name in recordings}
         self.format = ", ".join([f"MAT {version}", *sorted(makers)])
@@ -40,6 +46,7 @@ class MatSource:
                 self._add(simulink_channels(name, value, self.notes), prefix)
             else:
                 self._add(self._plain(name, value, _DEEPEST))
+        self.notes += not_listed(self._not_listed)
 
     def entries(self) -> list[Entry]:
         """Every numeric channel."""
@@ -63,17 +70,19 @@ class MatSource:
     def _plain(self, name: str, value: MatValue, depth: int) -> list[MatChannel]:
         """Vectors by their name, columns of matrices as name(:,j), fields of structs as name.field or name(k).field."""
         if isinstance(value, MatObject):
-            advice = "save its columns as arrays, or write it with writetable or writetimetable"
+            advice = _WAYS_OUT.get(value.kind, "save its vectors as variables of their own").replace("NAME", name)
             self.notes.append(f"{name} is a MATLAB {value.kind}, which only MATLAB can read: {advice}")
         elif isinstance(value, MatArray):
             self._note_rate(name, value)
             if value.is_vector:
                 return [MatChannel(Entry(name, "", value.dtype, value.size), value.read, value.step)]
-            if len(value.dims) == 2 and 1 < value.dims[1] <= _MOST_COLUMNS and value.dims[0] > 1:
+            if len(value.dims) == 2 and 1 < value.dims[1] <= MOST_COLUMNS and value.dims[0] > 1:
                 rows, columns = value.dims
                 entries = [Entry(f"{name}(:,{j + 1})", "", value.dtype, rows) for j in range(columns)]
                 return [MatChannel(entry, value.column(j)) for j, entry in enumerate(entries)]
-        elif is_struct(value) and value.count <= _MOST_COLUMNS and depth:
+            if value.size > 1:
+                self._not_listed[name] = value.dims
+        elif is_struct(value) and value.count <= _MOST_ELEMENTS and depth:
             places = [name] if value.count == 1 else [f"{name}({i + 1})" for i in range(value.count)]
             return [
                 channel
@@ -84,9 +93,8 @@ class MatSource:
         return []
 
     def _note_rate(self, name: str, value: MatArray) -> None:
-        """Tell of a number that may be the sample rate or interval: a log without a time channel needs it."""
-        is_rate, is_step = bool(_RATE.fullmatch(name)), bool(_STEP.fullmatch(name))
-        number = scalar_of(value) if is_rate or is_step else None
-        if number is not None and number > 0.0:
-            rate = number if is_rate else 1.0 / number
-            self.notes.append(f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:g}")
+        """Tell of a number that may be the sample rate or interval."""
+        number = scalar_of(value)
+        if number is not None and (rate := stated_rate(name, number)) is not None:
+            self.rates[name] = rate
+            self.notes.append(note_on_rate(name, number, rate))

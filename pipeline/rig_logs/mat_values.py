@@ -45,7 +45,7 @@ class MatArray:
 
 @dataclass(frozen=True)
 class MatObject:
-    """An object of a MATLAB class (table, timetable, timeseries, …), whose layout MathWorks does not publish."""
+    """An object of a MATLAB class (table, timetable, timeseries, iddata, …), whose layout is its class's own matter."""
 
     kind: str
 

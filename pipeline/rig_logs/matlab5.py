@@ -157,24 +157,30 @@ class _Walker:
         shape = _element(self._buffer, flags.next, end, self._order)
         dims = tuple(int(d) for d in self._numbers(shape))
         label = _element(self._buffer, shape.next, end, self._order)
-        name = bytes(self._buffer[label.start : label.start + label.size]).decode("utf-8", "replace")
+        name = self._label(label)
         if not dims or min(dims) < 0:
             raise UnreadableLogError(TRUNCATED)
         if kind in _NUMERIC:
             return name, None if word & _COMPLEX_FLAG else self._array(dims, _NUMERIC[kind], label.next, end)
         if kind == _CHAR:
             return name, self._text(label.next, end)
-        return name, self._struct(dims, label.next, end, depth, is_object=kind == _OBJECT)
+        if kind == _OBJECT:
+            return name, MatObject(self._label(_element(self._buffer, label.next, end, self._order)) or "object")
+        return name, self._struct(dims, label.next, end, depth)
 
     def _opaque(self, position: int, end: int) -> tuple[str, MatValue]:
         """Name and class of an object: three texts, the second of which says what kind of object."""
         texts = []
         for _ in range(3):
             element = _element(self._buffer, position, end, self._order)
-            content = bytes(self._buffer[element.start : element.start + element.size])
-            texts.append(content.decode("ascii", "replace").rstrip("\0"))
+            texts.append(self._label(element))
             position = element.next
         return texts[0], MatObject(texts[2] or "object")
+
+    def _label(self, element: _Element) -> str:
+        """The name of a variable or a class."""
+        content = bytes(self._buffer[element.start : element.start + element.size])
+        return content.decode("utf-8", "replace").rstrip("\0")
 
     def _numbers(self, element: _Element) -> NDArray[np.generic]:
         stored = _STORED.get(element.kind)
@@ -206,9 +212,7 @@ class _Walker:
             codec += "-le" if self._order == "<" else "-be"
         return bytes(self._buffer[data.start : data.start + data.size]).decode(codec, "replace").rstrip("\0")
 
-    def _struct(self, dims: tuple[int, ...], position: int, end: int, depth: int, *, is_object: bool) -> MatValue:
-        if is_object:  # the class name stands before the fields
-            position = _element(self._buffer, position, end, self._order).next
+    def _struct(self, dims: tuple[int, ...], position: int, end: int, depth: int) -> MatValue:
         length = _element(self._buffer, position, end, self._order)
         if length.size < 4:
             raise UnreadableLogError(TRUNCATED)

@@ -7,8 +7,8 @@ import difflib
 import mmap
 import os
 from collections import OrderedDict
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Generic, TypeVar
 
@@ -63,6 +63,8 @@ class Recording(Generic[Column]):
         Names of all numeric channels of the log.
     notes : tuple of str
         What a reader should know, such as the dialect that was found in a CSV file.
+    rates : mapping of str to float
+        Sample rates [Hz] that single numbers beside the channels state, by their names; information only.
     """
 
     path: Path
@@ -70,6 +72,7 @@ class Recording(Generic[Column]):
     channels: tuple[Channel[Column], ...]
     listed: tuple[str, ...]
     notes: tuple[str, ...] = ()
+    rates: Mapping[str, float] = field(default_factory=dict)
 
     def channel(self, name: str) -> Channel[Column]:
         """The channel of that name.

@@ -1,7 +1,9 @@
 """What every format reader offers to the guarded child, and what reading one raw log may cost."""
 
 import itertools
-from collections.abc import Iterator, Sequence
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -94,6 +96,7 @@ class Source(Protocol):
     notes: list[str]
     texts: dict[str, str]
     """Names of columns that are no numbers, with a cell that shows it."""
+    # `rates` too where a format has single numbers: the sample rates [Hz] that some of them state, by their names.
 
     def entries(self) -> list[Entry]:
         """Every numeric channel, from the headers only."""
@@ -107,11 +110,41 @@ class Source(Protocol):
 
 PART = 1 << 17
 """Rows at a time."""
+MOST_COLUMNS = 1000
+"""Columns of a matrix that are channels; a wider one is none of samples in rows."""
+_MOST_NAMED = 3
+
+
+def not_listed(shapes: Mapping[str, tuple[int, ...]]) -> list[str]:
+    """A note on arrays that are neither vectors nor matrices of channels; none where there are none."""
+    sizes = [f"{name} is {' × '.join(map(str, shape))}" for name, shape in shapes.items()]
+    more = [f"{len(sizes) - _MOST_NAMED} more like them"] if len(sizes) > _MOST_NAMED else []
+    told = ", ".join([*sizes[:_MOST_NAMED], *more])
+    way_out = f"only vectors and matrices of at most {MOST_COLUMNS} columns are read: save each channel as a vector"
+    return [f"{told}; {way_out}"] if sizes else []
 
 
 def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
     """First and end row of consecutive parts."""
     return ((first, min(first + step, count)) for first in range(0, count, step))
+
+
+_RATE = re.compile(r"(?i)(.*[./])?(f_?s|sampl(e|ing)_?(rate|freq(uency)?))")
+_STEP = re.compile(r"(?i)(.*[./])?(t_?s|dt|sampl(e|ing)_?(time|interval|period))")
+"""Names of single numbers that say how often a log was sampled."""
+
+
+def stated_rate(name: str, number: float) -> float | None:
+    """Sample rate [Hz] that a single number of this name states, as `fs` [Hz] or `Ts` [s]; None for other names."""
+    if not 0.0 < number < math.inf:
+        return None
+    rate = number if _RATE.fullmatch(name) else 1.0 / number if _STEP.fullmatch(name) else math.inf
+    return rate if rate < math.inf else None
+
+
+def note_on_rate(name: str, number: float, rate: float) -> str:
+    """What a number that states a sample rate [Hz] is for: a log without a time channel needs it."""
+    return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
 
 
 class UnreadableLogError(Exception):

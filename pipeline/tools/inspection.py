@@ -14,7 +14,7 @@ from pipeline.identification.excitation import Excitation, examine_excitation
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import open_si
-from pipeline.rig_logs.inspection import Inspection, inspect_log, suggested_unit
+from pipeline.rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log, suggested_unit
 from pipeline.rig_logs.source import CsvOptions
 from pipeline.runs.engine import Observer, bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
@@ -111,6 +111,8 @@ def _supposed(inspection: Inspection) -> Prototype:
     InputError
         Something is in doubt.
     """
+    if not inspection.channels:
+        raise InputError(NO_CHANNEL)
     units = {channel.name: suggested_unit(channel.name, channel.unit) for channel in inspection.channels}
     channels: dict[str, Any] = {}
     log = inspection.path

@@ -76,14 +76,29 @@ def write_matlab73(path: Path, axes: list[dict], channels: list[dict], variable:
         file.write(b"MATLAB 7.3 MAT-file, Platform: GLNXA64".ljust(116) + b"\0" * 8 + b"\0\x02IM")
 
 
+def _element(number: int, content: bytes) -> bytes:
+    return struct.pack("<II", number, len(content)) + content + b"\0" * (-len(content) % 8)
+
+
 def matlab_object(name: str, kind: str) -> bytes:
     """An object of a class as version 5 has it: name, "MCOS", class; its data would be in a nameless variable."""
+    texts = b"".join(_element(1, text.encode()) for text in (name, "MCOS", kind))
+    return _element(14, _element(6, struct.pack("<II", 17, 0)) + texts)
 
-    def element(number: int, content: bytes) -> bytes:
-        return struct.pack("<II", number, len(content)) + content + b"\0" * (-len(content) % 8)
 
-    texts = b"".join(element(1, text.encode()) for text in (name, "MCOS", kind))
-    return element(14, element(6, struct.pack("<II", 17, 0)) + texts)
+def old_matlab_object(name: str, kind: str, field: str, numbers: list[float]) -> bytes:
+    """An object of a class of the old kind (iddata): a struct with the class before its fields, here a single one."""
+    shape = _element(5, struct.pack("<ii", 1, len(numbers)))
+    value = _element(
+        14,
+        _element(6, struct.pack("<II", 6, 0))
+        + shape
+        + _element(1, b"")
+        + _element(9, struct.pack(f"<{len(numbers)}d", *numbers)),
+    )
+    head = _element(6, struct.pack("<II", 3, 0)) + _element(5, struct.pack("<ii", 1, 1)) + _element(1, name.encode())
+    fields = _element(5, struct.pack("<i", 32)) + _element(1, field.encode().ljust(32, b"\0"))
+    return _element(14, head + _element(1, kind.encode()) + fields + value)
 
 
 UNITS = (("time", "s"), ("q", "mm"), ("v", "V"))

@@ -167,6 +167,13 @@ def test_unclear_channels_are_no_error(logs):
         (["Prüflauf 1.csv", "Prüflauf 2.csv"], ["Prüflauf 2.csv"]),
         (["train-1.mat", "train-2.mat"], []),
         (["log.mat"], []),
+        (["interval_1.mat", "run_2.mat"], ["run_2.mat"]),
+        (["valve.csv", "pump.csv"], ["pump.csv"]),
+        (["prbs_test_60min_val.mat", "prbs_test_60min.mat"], ["prbs_test_60min_val.mat"]),
+        (["train.mat", "val.mat", "test.mat"], ["val.mat", "test.mat"]),
+        (["armVal.mat", "armTrain.mat"], ["armVal.mat"]),
+        (["Testlauf 3.csv", "Lauf 4.csv"], ["Testlauf 3.csv"]),
+        (["profit.csv", "vali.csv", "latest.csv"], ["latest.csv"]),
     ],
 )
 def test_logs_are_proposed_for_training_and_validation(given, validation):
@@ -311,6 +318,9 @@ def test_draft_takes_the_step_of_a_slow_log_and_the_law_of_an_input_of_both_sign
         ("arm-7-validation.csv", "arm_7"),
         ("train.csv", "bench 3"),
         ("traindata.csv", "bench 3"),
+        ("train2.csv", "bench 3"),
+        ("armTrain.csv", "arm"),
+        ("interval_profit.csv", "interval_profit"),
     ],
 )
 def test_draft_is_named_by_the_device_and_not_by_what_the_log_is_for(tmp_path, file, name):
@@ -348,3 +358,103 @@ def test_what_is_not_clear_says_how_to_make_it_so(tmp_path):
     log = _csv(tmp_path / "log.csv", "t,q,v", t, np.sin(t), np.cos(t))
     _, reason = inspect(log)
     assert f"fill in what `debist init {log} > P.toml` writes, then `debist inspect {log} --settings P.toml`" in reason
+
+
+def _mat(path, **variables):
+    from scipy.io import savemat
+
+    savemat(path, variables)
+    return path
+
+
+def _h5(path, **datasets):
+    import h5py
+
+    with h5py.File(path, "w") as file:
+        for name, values in datasets.items():
+            file[name] = values
+    return path
+
+
+def _chosen(path):
+    return {role: channel["channel"] for role, channel in _draft(path)["channels"].items()}
+
+
+def test_parameters_beside_a_record_are_not_proposed(tmp_path):
+    """A result of an identification in the file: its vectors are called angle and voltage too."""
+    t = np.arange(2000.0)
+    est = {"theta": np.ones((6, 3)), "volt": np.arange(8.0), "level": np.zeros(1900)}
+    data = {"time": t, "ydat": np.sin(t)[:, None], "udat": np.column_stack([np.cos(t), t % 7]), "tstep": np.arange(150)}
+    path = _mat(tmp_path / "result.mat", est=est, data=data)
+    assert _chosen(path) == {
+        "time": "data.time", "q": "data.ydat", "v1": "data.udat(:,1)", "v2": "data.udat(:,2)"
+    }  # fmt: skip
+    assert set(inspect_log(path).apart) >= {"est.volt", "est.level", "data.tstep"}
+
+
+@pytest.mark.parametrize(
+    ("names", "q", "v1"),
+    [
+        (("U", "U_val", "Y", "Y_val"), "Y", "U"),
+        (("uEst", "uVal", "yEst", "yVal"), "yEst", "uEst"),
+        (("uval", "yval", "u", "y"), "y", "u"),
+        (("y_test", "y_train", "u_test", "u_train"), "y_train", "u_train"),
+    ],
+)
+def test_a_second_experiment_in_a_file_is_no_second_input(tmp_path, names, q, v1):
+    rng = np.random.default_rng(0)
+    path = _mat(tmp_path / "two.mat", **{name: rng.normal(size=900) for name in names})
+    text = toml_draft([inspect_log(path)])
+    assert _chosen(path) == {"q": q, "v1": v1} and tomllib.loads(text)["ingest"] == {"sample_rate": FILL_IN}
+    further = [name for name in names if name not in (q, v1)]
+    assert set(inspect_log(path).apart) == set(further)
+    told = "look like a second experiment beside"
+    assert any(told in line and "save it as a file of its own" in line for line in text.splitlines())
+
+
+def test_experiments_in_groups_are_told_apart_and_sides_are_not(tmp_path):
+    rng = np.random.default_rng(0)
+    run = {name: rng.normal(size=900) for name in ("r", "y", "u")}
+    path = _mat(tmp_path / "runs.mat", run1=run, run2=run)
+    chosen = _chosen(path)
+    assert (chosen["q"], chosen["v1"]) == ("run1.y", "run1.u") and "v2" not in chosen
+    assert "'run2.r', 'run2.y', 'run2.u' look like a second experiment" in toml_draft([inspect_log(path)])
+    motor = {"volt": rng.normal(size=900), "temp": rng.normal(size=900)}
+    sides = _chosen(_mat(tmp_path / "sides.mat", angle=rng.normal(size=900), side1=motor, side2=motor))
+    assert (sides["v1"], sides["v2"]) == ("side1.volt", "side2.volt")
+    path = _mat(tmp_path / "flag.mat", y=run["y"], y_valid=np.ones(900), u1=run["u"], u2=run["r"])
+    assert not inspect_log(path).apart  # a flag, not an experiment
+
+
+WAVE, INPUT = np.sin(0.1 * np.arange(900.0)), np.arange(900) % 7 / 7.0
+
+
+@pytest.mark.parametrize("column", [["200"] * 900, ["200", *[""] * 899]], ids=["constant", "first row"])
+def test_a_column_that_tells_the_rate_is_suggested_in_the_draft(tmp_path, column):
+    rows = [f"{q:.5g},{u:.5g},{fs}" for q, u, fs in zip(WAVE, INPUT, column, strict=True)]
+    (path := tmp_path / "log.csv").write_text("\n".join(["q,u,fs", *rows]) + "\n")
+    text, draft = toml_draft([inspect_log(path)]), _draft(path)
+    assert draft["ingest"] == {"sample_rate": 200} and _chosen(path) == {"q": "q", "v1": "u"}
+    assert "suggested: what fs in the log says" in text and "v2 is left out: a device with one input?\n" in text
+
+
+def test_a_column_of_several_numbers_tells_no_rate(tmp_path):
+    path = _csv(tmp_path / "log.csv", "q,u,dt", WAVE, INPUT, np.where(WAVE > 0.0, 0.01, 0.02))
+    assert inspect_log(path).rates == {} and FILL_IN in toml_draft([inspect_log(path)])
+
+
+def test_the_rate_beside_the_channels_is_suggested(tmp_path):
+    draft = _draft(_mat(tmp_path / "log.mat", y=WAVE, u=INPUT, Ts=4.0))
+    assert draft["ingest"] == {"sample_rate": 0.25, "sample_interval": 4} and "time" not in draft["channels"]
+    both = {"a/y": WAVE, "a/u": INPUT, "b/y": WAVE[:50], "b/u": INPUT[:50]}
+    near = _h5(tmp_path / "near.h5", **both, **{"a/fs": np.array([750.0]), "b/fs": 8.0, "fs": 9.0})
+    assert _draft(near)["ingest"] == {"sample_rate": 750}
+    around = _h5(tmp_path / "around.h5", **both, **{"b/fs": 8.0, "fs": 9.0})
+    assert _draft(around)["ingest"]["sample_rate"] == 9
+    two = toml_draft([inspect_log(_h5(tmp_path / "two.h5", **both, **{"b/fs": 8.0, "c/Ts": 0.1}))])
+    assert tomllib.loads(two)["ingest"] == {"sample_rate": FILL_IN} and "b/fs says 8, c/Ts says 10" in two
+
+
+def test_a_log_with_time_needs_no_stated_rate(tmp_path):
+    draft = _draft(_mat(tmp_path / "log.mat", t=np.arange(900.0), y=WAVE, u=INPUT, fs=200.0))
+    assert "ingest" not in draft and draft["channels"]["time"]["channel"] == "t"

@@ -3,9 +3,22 @@
 import numpy as np
 import pytest
 
+from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
+from pipeline.rig_logs.draft import toml_draft
 from pipeline.rig_logs.source import CsvOptions, unique_names
-from tests.rig_logs.small_logs import TIME, Q, V, matlab_object, open_here, read_here, save_plain_mat, write_matlab73
+from pipeline.tools.inspection import inspect
+from tests.rig_logs.small_logs import (
+    TIME,
+    Q,
+    V,
+    matlab_object,
+    old_matlab_object,
+    open_here,
+    read_here,
+    save_plain_mat,
+    write_matlab73,
+)
 
 START = {"mf4": 12.345}
 FLOAT32 = {"mat", "mf4"}
@@ -234,6 +247,7 @@ def test_a_number_beside_the_channels_that_tells_the_rate_is_named(tmp_path, var
     source = open_here(tmp_path / "rate.mat")
     assert [entry.name for entry in source.entries()] == ["q"]
     assert len(source.notes) == 1 and "sample_rate = 200" in source.notes[0]
+    assert list(read_recording(tmp_path / "rate.mat").rates.values()) == [200.0]
 
 
 def test_objects_that_only_matlab_reads_are_named(tmp_path):
@@ -255,6 +269,46 @@ def test_objects_that_only_matlab_reads_are_named(tmp_path):
         source = open_here(tmp_path / name)
         assert [entry.name for entry in source.entries()] == ["q"]
         assert "log is a MATLAB table" in source.notes[0] and "writetable" in source.notes[0]
+
+
+def test_an_object_of_an_old_class_is_named_and_none_of_its_fields_is_a_channel(tmp_path):
+    from scipy.io import loadmat, savemat
+
+    savemat(tmp_path / "plain.mat", {"q": Q})
+    raw, data = (tmp_path / "plain.mat").read_bytes(), old_matlab_object("data", "iddata", "last", [2021.0, 4.0])
+    (path := tmp_path / "object.mat").write_bytes(raw + data)
+    assert loadmat(path)["data"]["last"][0, 0][0, 0] == 2021.0  # SciPy takes it for an object too
+    source = open_here(path)
+    assert [entry.name for entry in source.entries()] == ["q"]
+    assert "data is a MATLAB iddata" in source.notes[0] and "save its vectors (data.u, data.y)" in source.notes[0]
+    path.write_bytes(raw[:128] + data)
+    inspection, reason = inspect(path)
+    assert inspection.notes == tuple(source.notes) and reason == "the log holds no vector of numbers"
+    with pytest.raises(InputError, match=r"object.mat: the log holds no vector of numbers: data is a MATLAB iddata"):
+        toml_draft([inspection])
+
+
+def test_arrays_that_are_no_channels_are_told_by_their_shape(tmp_path):
+    import h5py
+    from scipy.io import savemat
+
+    runs, wide = np.random.default_rng(0).normal(size=(3, 400, 2)), np.zeros((2, 1500))
+    with h5py.File(path := tmp_path / "runs.h5", "w") as file:
+        file["train/u"], file["wide"], file["one"], file["none"] = runs, wide, np.ones((1, 1, 1)), np.zeros((0, 3, 2))
+        file["remark"] = "text"
+    told = "3 × 400 × 2, wide is 2 × 1500; only vectors and matrices of at most 1000 columns are read"
+    assert told in inspect(path)[0].notes[0]
+    with pytest.raises(InputError, match=r"runs.h5: the log holds no vector of numbers: train/u is 3 × 400 × 2"):
+        toml_draft([inspect(path)[0]])
+    with h5py.File(path, "a") as file:
+        file["q"] = Q
+        for i in range(9):
+            file[f"m{i}"] = runs
+    assert "m2 is 3 × 400 × 2, 8 more like them; only" in (draft := toml_draft([inspect(path)[0]]))
+    assert '#   "q": 400 samples' in draft
+    savemat(tmp_path / "runs.mat", {"q": Q, "u": runs, "log": {"wide": wide}, "one": 3.0})
+    (note,) = open_here(tmp_path / "runs.mat").notes
+    assert note.startswith("u is 3 × 400 × 2, log.wide is 2 × 1500; only vectors")
 
 
 def test_simulinks_structure_with_time_in_version_7_3(tmp_path):
