@@ -16,7 +16,7 @@ MOST_MISSING = 0.1
 """Share of a signal that may be missing."""
 _GATES = (
     (
-        "masked", 0.5, "of the rows are masked (gaps, rails, spikes)",
+        "masked", 0.5, "of the rows are masked (gaps, rails, spikes, lost target)",
         "record without gaps and within the sensor's range",
     ),
     ("missing", MOST_MISSING, "of the samples are not finite", "repair the recorder"),
@@ -67,7 +67,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
     q : SignalQuality
         Of the displacement.
     masked : float
-        Share of the uniform rows that are masked, for whatever reason.
+        Share of the uniform rows that are masked or cut off at the log's ends, for whatever reason.
 
     Notes
     -----

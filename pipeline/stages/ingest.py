@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.signal_quality import SignalQuality
     from pipeline.signals.timebase import TimeQuality
-    from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
+    from pipeline.signals.uniform_record import RecordReport, Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
-ALGORITHM = "8"
+ALGORITHM = "9"
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -112,9 +112,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     try:
         raw_step = nominal_step(signals.q[0])
         quality = examine_signal(*signals.q, raw_step)
-        stamps, measured = signals.q
         kept = trusted(
-            measured,
+            signals.q,
+            signals.inputs,
             quality,
             raw_step,
             rails=settings.rails == "mask",
@@ -123,7 +123,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         )
         quality = kept.quality
         warnings = _warnings(signals, prototype, quality)
-        usable = survey((stamps, kept), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal)
+        usable = survey((signals.q[0], kept), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal)
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     left_out = _left_out(kept, warnings)
@@ -134,7 +134,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     lacking, findings = _lacking(signals, settings.sample_interval)
     warnings += [*lacking, *_gaps(clock), *between_samples(clock, settings.sample_interval)]
     findings += rate_findings(clock, settings.sample_interval)
-    findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
+    findings += log_findings(clock, quality, _masked_share(masked, usable, clock))
     if settings.rails == "keep":
         warnings += [f"q: {one.text}; kept ([ingest] rails)" for one in findings if one.gate == "rails"]
         findings = [one for one in findings if one.gate != "rails"]
@@ -154,6 +154,17 @@ def _refuse_no_record(where: str, rows: int, interval: float, covered: float) ->
             f"{where}: holds {covered:.4g} s of samples within {rows * interval:.4g} s; give what lies on both sides "
             "of its gaps as logs of their own, or correct the time stamps"
         )
+
+
+def _masked_share(report: "RecordReport", usable: "Survey", clock: "TimeQuality") -> float:
+    """Share of the rows that are masked; those count that were cut off where no sample of q is left at the log's ends.
+
+    clock: the displacement's time base.
+    """
+    edges = usable.groups[0].edges
+    ends = max(0.0, float(edges[0, 0]) - clock.start) + max(0.0, clock.stop - float(edges[-1, 1]))
+    cut = ends / report.interval
+    return (report.masked_rows + cut) / (report.rows + cut)
 
 
 def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]"]:
