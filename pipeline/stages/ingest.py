@@ -127,7 +127,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     left_out = _left_out(kept, warnings)
-    sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
+    lines = [line.frequency for line in quality.hum if line.stands_out]
+    sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1]), "hum": lines}
     masked = Resampling(usable, settings.sample_interval).report
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
