@@ -70,6 +70,24 @@ THRESHOLDS = {
 }
 
 
+MASKS = (
+    (
+        "masked_without_target", "sample without a target", "samples without a target",
+        'keep the target within the sensor\'s sight, or where the device does rest there set [ingest] lost = "keep"',
+    ),
+    (
+        "masked_at_rails", "sample at the ends of q's range", "samples at the ends of q's range",
+        'widen the sensor\'s range, or where the device does rest there set [ingest] rails = "keep"',
+    ),
+    ("masked_spikes", "spike", "spikes", ""),  # single samples: no row is lost to them alone
+    (
+        "gaps_in_time", "gap in the recording", "gaps in the recording",
+        "repair the recorder, or record again what the gaps cut",
+    ),
+)  # fmt: skip
+"""What leaves rows without a measurement: ingest's note with its number, one and several of it, and what to do."""
+
+
 @dataclass(frozen=True)
 class Check:
     """One judged number: what it is, its grade, the sentence with the number, and what to do unless it is good."""
@@ -90,11 +108,7 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     """The measurement: gaps, noise, rails, excitation, and whether validation stays inside the training range."""
     advice = "judge every number with that in mind, or record again without it"
     checks = [Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted]
-    rows = sum(len(log.kinematics["t"]) for log in data.logs)
-    masked = sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) / rows
-    gaps = sum(int(log.record_notes.get("gaps", 0)) for log in data.logs)
-    text = f"{percent(masked)} of the rows are masked, by {gaps} gap{'s' if gaps > 1 else ''}" if gaps else "no gaps"
-    checks.append(_check("data", "masked", masked, text, "repair the recorder, or record again what the gaps cut"))
+    checks.append(_masked_check(data))
     span, noise, rails = _signal_numbers(data)
     checks.append(_noise_check(data, span, noise))
     share = percent(rails) if rails > 0.0 else "none"
@@ -121,6 +135,27 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
             _check("data", "extrapolation", outside, text, "train on a log with the larger strokes and voltages")
         )
     return checks
+
+
+def _masked_check(data: RunData) -> Check:
+    """Rows that are no measurement, what made them so, and what to do about each; the ends of a log that were cut off
+    count.
+    """
+    cut = sum(float(log.record_notes.get("cut_off_s", 0.0)) / log.interval for log in data.logs)
+    rows = sum(len(log.kinematics["t"]) for log in data.logs) + cut
+    masked = (sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) + cut) / rows
+    counts = [
+        (sum(int(log.record_notes.get(key, 0)) for log in data.logs), one, several, advice)
+        for key, one, several, advice in MASKS
+    ]
+    named = [f"{count} {one if count == 1 else several}" for count, one, several, _ in counts if count]
+    what = " and ".join(named)
+    if masked:
+        text = f"{percent(masked)} of the rows are masked, by {what or 'samples that are not finite'}"
+    else:
+        text = f"{what} left out, and no row masked" if what else "no gaps"
+    advice = "; ".join(advice for count, _, _, advice in counts if count and advice) or "repair the recorder"
+    return _check("data", "masked", masked, text, advice)
 
 
 def _coverage_checks(data: RunData) -> list[Check]:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.signal_quality import SignalQuality
     from pipeline.signals.timebase import TimeQuality
-    from pipeline.signals.uniform_record import RecordReport, Resampling, Survey, UniformRecord
+    from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
 ALGORITHM = "9"
@@ -101,7 +101,6 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
-    from pipeline.signals.noise import resolution
     from pipeline.signals.quality_gates import between_samples, log_findings, rate_findings
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
@@ -127,20 +126,21 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     left_out = _left_out(kept, warnings)
-    lines = [line.frequency for line in quality.hum if line.stands_out]
-    sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1]), "hum": lines}
     masked = Resampling(usable, settings.sample_interval).report
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
     lacking, findings = _lacking(signals, settings.sample_interval)
     warnings += [*lacking, *_gaps(clock), *between_samples(clock, settings.sample_interval)]
     findings += rate_findings(clock, settings.sample_interval)
-    findings += log_findings(clock, quality, _masked_share(masked, usable, clock))
+    ends = _cut_off(usable, clock)
+    cut = ends / masked.interval
+    findings += log_findings(clock, quality, (masked.masked_rows + cut) / (masked.rows + cut))
     if settings.rails == "keep":
         warnings += [f"q: {one.text}; kept ([ingest] rails)" for one in findings if one.gate == "rails"]
         findings = [one for one in findings if one.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
-    return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out | sensor)
+    said = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
+    return Examined(usable, raw_step, said | left_out | {"cut_off_s": ends} | _sensor(signals, quality))
 
 
 def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
@@ -157,15 +157,18 @@ def _refuse_no_record(where: str, rows: int, interval: float, covered: float) ->
         )
 
 
-def _masked_share(report: "RecordReport", usable: "Survey", clock: "TimeQuality") -> float:
-    """Share of the rows that are masked; those count that were cut off where no sample of q is left at the log's ends.
+def _sensor(signals: SiLog, quality: "SignalQuality") -> dict[str, Any]:
+    """What is known of the sensor of q: its noise and steps [m or rad], and the mains lines in it [Hz]."""
+    from pipeline.signals.noise import resolution
 
-    clock: the displacement's time base.
-    """
+    lines = [line.frequency for line in quality.hum if line.stands_out]
+    return {"noise": quality.noise, "resolution": resolution(signals.q[1]), "hum": lines}
+
+
+def _cut_off(usable: "Survey", clock: "TimeQuality") -> float:
+    """Time [s] at both ends of a log in which no sample of q is left; clock: that of q."""
     edges = usable.groups[0].edges
-    ends = max(0.0, float(edges[0, 0]) - clock.start) + max(0.0, clock.stop - float(edges[-1, 1]))
-    cut = ends / report.interval
-    return (report.masked_rows + cut) / (report.rows + cut)
+    return max(0.0, float(edges[0, 0]) - clock.start) + max(0.0, clock.stop - float(edges[-1, 1]))
 
 
 def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]"]:
