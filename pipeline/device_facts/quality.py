@@ -233,12 +233,9 @@ def model_checks(
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     """Logs that their own mean predicts better."""
-    logs = {(log.role, log.name): log for log in data.logs}
     found = []
     for own in judged:
-        q = logs[own["role"], own["log"]].kinematics["q"]
-        q = q[np.isfinite(q)]
-        spread = float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
+        spread = _spread(data, own)
         if own["nrmse"] is not None and own["nrmse"] > spread:
             found.append((own["nrmse"] / spread, spread, own))
     if not found:
@@ -255,20 +252,34 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list
     return [Check("model", "constant", "poor", text, advice)]
 
 
+def _spread(data: RunData, score: Mapping[str, Any]) -> float:
+    """NRMSE of q of a constant, its mean, on the log of a score; infinite where q is constant."""
+    q = next(log for log in data.logs if (log.role, log.name) == (score["role"], score["log"])).kinematics["q"]
+    q = q[np.isfinite(q)]
+    return float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
+
+
 def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Where another model of the run predicts a log surely better."""
+    """Where another model of the run predicts a log surely better, or at all where this one diverged."""
     rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
     found = []
     for own in judged:
         others = {m: e for (*log, m), e in rivals.items() if e and log == [own["role"], own["log"]]}
-        if others and own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
-            best = min(others, key=lambda name: others[name])
+        if not others:
+            continue
+        best = min(others, key=lambda name: others[name])
+        if own["nrmse"] is None and others[best] < _spread(data, own):  # one that a constant beats is no help
+            found.append((np.inf, best, others[best], own))
+        elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
             found.append((own["nrmse"] / others[best], best, others[best], own))
     if not found:
         return []
     ratio, best, error, own = max(found, key=lambda each: each[0])
-    name, errors = own["model"], f"{percent(error)} for {percent(own['nrmse'])}"
-    text = f"{best} predicts the {log_title(own['role'], own['log'])} surely better than {name}: {errors}"
+    name, log = own["model"], log_title(own["role"], own["log"])
+    if own["nrmse"] is None:
+        text = f"{best} predicts the {log} with {percent(error)}, where {name} diverged"
+    else:
+        text = f"{best} predicts the {log} surely better than {name}: {percent(error)} for {percent(own['nrmse'])}"
     advice = (
         f"take {best} for predictions (`--model {best}`), or help {name}: more and longer logs, or decide what is "
         "known of the device in [identify] (force, damping, drag, gain, friction, drive)"
