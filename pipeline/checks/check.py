@@ -81,9 +81,9 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
             rows.append(CheckRow(fact.signals.name, f"push of v{i + 1}", said, "", state, None, advice))
             continue
         rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
-    rows += [*_correlated_rows(fact, declared), *_rest_level_rows(fact, declared), *_law_rows(fact, declared)]
+    rows += [*_correlated_rows(fact, declared), *_law_rows(fact, declared)]
     if declared.joint:
-        rows += [*_scale_rows(fact, declared), *_side_rows(fact)]
+        rows += [*_rest_level_rows(fact, declared), *_scale_rows(fact, declared), *_side_rows(fact)]
     return rows
 
 
@@ -306,7 +306,10 @@ def _correlated_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 
 
 def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
-    """An input of one sign whose lowest level is not zero; one of two signs may switch between them."""
+    """A joint's voltage of one sign whose lowest level is not zero; one of two signs may switch between them.
+
+    What drives another device, as a fan, need never have been off, and an offset would bend the law of its square.
+    """
     rows = []
     for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), declared.inputs, strict=True)):
         if takes_both_signs(float(np.min(fact.signals.v[:, i])), float(np.max(fact.signals.v[:, i]))):
@@ -314,7 +317,7 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         size = np.abs(fact.signals.v[:, i])
         level = float(np.quantile(size, limits.OFF_SHARE))
         rests = float(np.mean(size <= level + limits.REST_LEVEL * peak)) >= limits.REST_SHARE
-        if declared.squared and level > limits.REST_LEVEL * peak and rests:
+        if level > limits.REST_LEVEL * peak and rests:
             advice = (
                 f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; give "
                 "it as `offset` in [channels]"

@@ -196,10 +196,10 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
     every = samples_of(sample_interval, log.interval)
     t, q, v = log.every(every)
     wells = find_wells([(q, v, every * log.interval)])
-    rests = rest_facts([(t, q, v)], wells)
+    rests = rest_facts([(t, q, v)], wells, log.hum)
     rings = _rings(rests)
     if not rings and every > _ring_step(log):  # which a sample interval that is too long hides
-        rings = _rings(rest_facts([log.every(_ring_step(log))], wells))
+        rings = _rings(rest_facts([log.every(_ring_step(log))], wells, log.hum))
     natural = None if terms is None else _natural_frequency(terms)
     both_signs = any(map(takes_both_signs, log.v.min(axis=0).tolist(), log.v.max(axis=0).tolist()))
     return LogFacts(

@@ -39,6 +39,8 @@ class LogSignals:
         Step of the raw log [s].
     noise, resolution : float or None
         Noise of the raw q (standard deviation) and step of its converter, where there is one [m or rad].
+    hum : tuple of float
+        Mains lines [Hz] in it.
     """
 
     name: str
@@ -48,6 +50,7 @@ class LogSignals:
     raw_step: float
     noise: float | None = None
     resolution: float | None = None
+    hum: tuple[float, ...] = ()
 
     @property
     def interval(self) -> float:

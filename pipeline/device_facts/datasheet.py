@@ -197,7 +197,8 @@ def make_datasheet(data: RunData) -> Datasheet:
     """Evaluate curves, rests and ring-downs of a run, and judge it."""
     wells = wells_of_run(data)
     records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
-    rests = rest_facts(records, wells)
+    hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
+    rests = rest_facts(records, wells, hum)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -208,7 +209,7 @@ def make_datasheet(data: RunData) -> Datasheet:
         single = "rest" in values
         if not (data.joint or "well_left" in values) and isinstance(wells, Wells):
             wells = NoWells(f"{source} has {'a single rest' if single else 'no two wells'}", single)
-            rests = rest_facts(records, wells)
+            rests = rest_facts(records, wells, hum)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, rests, wells, events)

@@ -1,11 +1,13 @@
 """What a log shows without any model: switched voltages, and the rests between with their ring-downs."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, end_of_rest, rests
+from pipeline.signals.mains_hum import aliased
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
 QUIET = 0.1  # s without a switch before one counts as an event of its own
@@ -13,6 +15,8 @@ RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
 MOST_RING_DOWNS = 100  # of one log that are looked at
 LEAST_SAMPLES = 20
 MOST_UNEXPLAINED = 0.3  # RMS of the rest over that of the oscillation, beyond which no frequency is stated
+LEAST_DAMPING = 1e-4  # damping ratio below which an oscillation is not a device's own: it is driven, or hum
+MAINS_WIDTH = 0.5  # Hz to either side of a line of the mains, where it appears in the samples
 FARTHEST = 30.0  # of the logarithms of decay and frequency [1/s], which stay finite
 
 
@@ -105,7 +109,9 @@ class RestFacts:
     rings_right: tuple[RingDown, ...]
 
 
-def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: Wells | NoWells) -> RestFacts:
+def rest_facts(
+    records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: Wells | NoWells, hum: Collection[float] = ()
+) -> RestFacts:
     """Rest positions and ring-downs of some logs.
 
     Parameters
@@ -114,6 +120,8 @@ def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: 
         Uniform records: time [s], displacement with NaN where masked, inputs (N, K).
     wells : Wells or NoWells
         Without wells all rests count as one, on the left.
+    hum : collection of float
+        Mains lines in the displacement [Hz]; what oscillates there, or where it is aliased to, is no ring-down.
 
     Notes
     -----
@@ -132,9 +140,15 @@ def rest_facts(records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: 
             side = int(isinstance(wells, Wells) and place > wells.barrier)
             places[side].append(place)
             ring = _ring_down(t, q, rest, interval, wells) if number % step == 0 else None
-            if ring is not None:
+            if ring is not None and not _is_driven(ring, interval, hum):
                 rings[side].append(ring)
     return RestFacts(np.array(places[0]), np.array(places[1]), tuple(rings[0]), tuple(rings[1]))
+
+
+def _is_driven(ring: RingDown, interval: float, hum: Collection[float]) -> bool:
+    """Whether it does not decay, or is a line of the mains [Hz] in samples an interval [s] apart."""
+    at_line = any(abs(ring.frequency - aliased(line, interval)) < MAINS_WIDTH for line in hum)
+    return ring.damping < LEAST_DAMPING or at_line
 
 
 def _ring_down(t: FloatArray, q: FloatArray, rest: slice, interval: float, wells: Wells | NoWells) -> RingDown | None:

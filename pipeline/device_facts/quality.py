@@ -70,6 +70,24 @@ THRESHOLDS = {
 }
 
 
+MASKS = (
+    (
+        "masked_without_target", "sample without a target", "samples without a target",
+        'keep the target within the sensor\'s sight, or where the device does rest there set [ingest] lost = "keep"',
+    ),
+    (
+        "masked_at_rails", "sample at the ends of q's range", "samples at the ends of q's range",
+        'widen the sensor\'s range, or where the device does rest there set [ingest] rails = "keep"',
+    ),
+    ("masked_spikes", "spike", "spikes", ""),  # single samples: no row is lost to them alone
+    (
+        "gaps_in_time", "gap in the recording", "gaps in the recording",
+        "repair the recorder, or record again what the gaps cut",
+    ),
+)  # fmt: skip
+"""What leaves rows without a measurement: ingest's note with its number, one and several of it, and what to do."""
+
+
 @dataclass(frozen=True)
 class Check:
     """One judged number: what it is, its grade, the sentence with the number, and what to do unless it is good."""
@@ -90,11 +108,7 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     """The measurement: gaps, noise, rails, excitation, and whether validation stays inside the training range."""
     advice = "judge every number with that in mind, or record again without it"
     checks = [Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted]
-    rows = sum(len(log.kinematics["t"]) for log in data.logs)
-    masked = sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) / rows
-    gaps = sum(int(log.record_notes.get("gaps", 0)) for log in data.logs)
-    text = f"{percent(masked)} of the rows are masked, by {gaps} gap{'s' if gaps > 1 else ''}" if gaps else "no gaps"
-    checks.append(_check("data", "masked", masked, text, "repair the recorder, or record again what the gaps cut"))
+    checks.append(_masked_check(data))
     span, noise, rails = _signal_numbers(data)
     checks.append(_noise_check(data, span, noise))
     share = percent(rails) if rails > 0.0 else "none"
@@ -121,6 +135,27 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
             _check("data", "extrapolation", outside, text, "train on a log with the larger strokes and voltages")
         )
     return checks
+
+
+def _masked_check(data: RunData) -> Check:
+    """Rows that are no measurement, what made them so, and what to do about each; the ends of a log that were cut off
+    count.
+    """
+    cut = sum(float(log.record_notes.get("cut_off_s", 0.0)) / log.interval for log in data.logs)
+    rows = sum(len(log.kinematics["t"]) for log in data.logs) + cut
+    masked = (sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) + cut) / rows
+    counts = [
+        (sum(int(log.record_notes.get(key, 0)) for log in data.logs), one, several, advice)
+        for key, one, several, advice in MASKS
+    ]
+    named = [f"{count} {one if count == 1 else several}" for count, one, several, _ in counts if count]
+    what = " and ".join(named)
+    if masked:
+        text = f"{percent(masked)} of the rows are masked, by {what or 'samples that are not finite'}"
+    else:
+        text = f"{what} left out, and no row masked" if what else "no gaps"
+    advice = "; ".join(advice for count, _, _, advice in counts if count and advice) or "repair the recorder"
+    return _check("data", "masked", masked, text, advice)
 
 
 def _coverage_checks(data: RunData) -> list[Check]:
@@ -198,12 +233,9 @@ def model_checks(
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     """Logs that their own mean predicts better."""
-    logs = {(log.role, log.name): log for log in data.logs}
     found = []
     for own in judged:
-        q = logs[own["role"], own["log"]].kinematics["q"]
-        q = q[np.isfinite(q)]
-        spread = float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
+        spread = _spread(data, own)
         if own["nrmse"] is not None and own["nrmse"] > spread:
             found.append((own["nrmse"] / spread, spread, own))
     if not found:
@@ -220,20 +252,34 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list
     return [Check("model", "constant", "poor", text, advice)]
 
 
+def _spread(data: RunData, score: Mapping[str, Any]) -> float:
+    """NRMSE of q of a constant, its mean, on the log of a score; infinite where q is constant."""
+    q = next(log for log in data.logs if (log.role, log.name) == (score["role"], score["log"])).kinematics["q"]
+    q = q[np.isfinite(q)]
+    return float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
+
+
 def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Where another model of the run predicts a log surely better."""
+    """Where another model of the run predicts a log surely better, or at all where this one diverged."""
     rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
     found = []
     for own in judged:
         others = {m: e for (*log, m), e in rivals.items() if e and log == [own["role"], own["log"]]}
-        if others and own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
-            best = min(others, key=lambda name: others[name])
+        if not others:
+            continue
+        best = min(others, key=lambda name: others[name])
+        if own["nrmse"] is None and others[best] < _spread(data, own):  # one that a constant beats is no help
+            found.append((np.inf, best, others[best], own))
+        elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
             found.append((own["nrmse"] / others[best], best, others[best], own))
     if not found:
         return []
     ratio, best, error, own = max(found, key=lambda each: each[0])
-    name, errors = own["model"], f"{percent(error)} for {percent(own['nrmse'])}"
-    text = f"{best} predicts the {log_title(own['role'], own['log'])} surely better than {name}: {errors}"
+    name, log = own["model"], log_title(own["role"], own["log"])
+    if own["nrmse"] is None:
+        text = f"{best} predicts the {log} with {percent(error)}, where {name} diverged"
+    else:
+        text = f"{best} predicts the {log} surely better than {name}: {percent(error)} for {percent(own['nrmse'])}"
     advice = (
         f"take {best} for predictions (`--model {best}`), or help {name}: more and longer logs, or decide what is "
         "known of the device in [identify] (force, damping, drag, gain, friction, drive)"

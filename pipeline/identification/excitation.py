@@ -23,8 +23,15 @@ from pipeline.signals.quality_gates import Finding
 _INTERMEDIATE = (0.15, 0.85)  # of the largest value: neither off nor full
 _POWER_SHARE = 0.95
 _SHORTEST = 64  # samples of a stretch that is worth a spectrum
-_WINDOW = 8.0  # s
-_LEAST_RINGING = 0.5  # Hz; below it a peak of the velocity's spectrum is the excitation's, not the joint's
+_WINDOW = 8.0  # s, and `_SHORTEST` samples at least
+_RINGING_ABOVE = 4  # lines of the spectrum; below, a peak of the velocity's is the excitation's, not the device's
+_RINGING_BELOW = 0.8  # of the Nyquist frequency, beyond which a peak is that of noise or folded over
+_PEAK, _BAND, _BESIDE = (
+    0.05,
+    0.1,
+    (0.5, 1.5),
+)  # of a peak's frequency: half widths of it and of bands beside it, and where
+_MOST_BESIDE = 0.45  # power there, of that at the peak
 
 
 @dataclass(frozen=True)
@@ -53,7 +60,7 @@ class Excitation:
         Sample interval [s].
     signals : FloatArray, shape (N, K)
         The inputs as they act.
-    velocity : FloatArray, shape (n,)
+    displacement : FloatArray, shape (n,)
         Of the longest stretch.
     """
 
@@ -67,7 +74,7 @@ class Excitation:
     conditioning: Conditioning
     interval: float
     signals: FloatArray
-    velocity: FloatArray
+    displacement: FloatArray
 
     # Spectra are evaluated when asked for: the library takes longer to load than all the rest.
     @cached_property
@@ -77,8 +84,8 @@ class Excitation:
 
     @cached_property
     def ringing(self) -> float | None:
-        """Frequency [Hz] at which the velocity has most power above 0.5 Hz."""
-        return _ringing(self.velocity, self.interval)
+        """Frequency [Hz] at which the velocity's spectrum has a clear peak; None where the device does not ring."""
+        return _ringing(self.displacement, self.interval)
 
 
 def examine_excitation(
@@ -145,7 +152,7 @@ def examine_excitation(
         conditioning=conditioning(information),
         interval=interval,
         signals=input_signal(v, inputs),
-        velocity=max(motions, key=lambda each: each[0].size)[1],
+        displacement=max(motions, key=lambda each: each[0].size)[0],
     )
 
 
@@ -168,7 +175,8 @@ def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
     """Frequencies [Hz] and power of x without its mean (Welch's average)."""
     from scipy.signal import welch
 
-    frequency, power = welch(x, 1.0 / interval, nperseg=min(x.size, round(_WINDOW / interval)), detrend="constant")
+    size = min(x.size, max(round(_WINDOW / interval), _SHORTEST))
+    frequency, power = welch(x, 1.0 / interval, nperseg=size, detrend="constant")
     return np.asarray(frequency, dtype=np.float64), np.asarray(power, dtype=np.float64)
 
 
@@ -180,10 +188,26 @@ def _bandwidth(x: FloatArray, interval: float) -> float:
     return float(frequency[np.searchsorted(cumulated, _POWER_SHARE * cumulated[-1])])
 
 
-def _ringing(qdot: FloatArray, interval: float) -> float | None:
-    frequency, power = _spectrum(qdot, interval)
-    fast = frequency >= _LEAST_RINGING
-    return float(frequency[fast][np.argmax(power[fast])]) if power[fast].any() else None
+def _ringing(q: FloatArray, interval: float) -> float | None:
+    """The highest inner peak [Hz] of the velocity's spectrum, where it stands clear of what is beside it.
+
+    That is the spectrum of q times f², not that of differences, in which white noise of q has a peak as well.
+    """
+    frequency, power = _spectrum(q, interval)
+    power *= frequency**2
+    last = int(np.searchsorted(frequency, _RINGING_BELOW * 0.5 / interval)) - 1
+    if last <= _RINGING_ABOVE:
+        return None
+    peak = _RINGING_ABOVE + int(np.argmax(power[_RINGING_ABOVE : last + 1]))
+    if peak in (_RINGING_ABOVE, last):  # the spectrum falls, or rises, all along
+        return None
+    ratio = frequency / frequency[peak]
+    low, high = _BESIDE[0], min(_BESIDE[1], float(ratio[-1]) - _BAND)
+    most, *beside = (
+        power[np.abs(ratio - place) <= max(width, float(ratio[1]))].mean()
+        for place, width in ((1.0, _PEAK), (low, _BAND), (high, _BAND))
+    )
+    return float(frequency[peak]) if np.mean(beside) < _MOST_BESIDE * most else None
 
 
 LEAST_VISITS = 3

@@ -159,14 +159,15 @@ class Hdf5Source:
         """The samples of some channels, in slices along the stored chunks."""
         for name in names:
             dataset, column = self._places[name]
-            axis = int(np.argmax(dataset.shape)) if column is None else 0
+            axis = 0 if isinstance(column, str) else int(np.argmax(dataset.shape))
             for first, last in ranges(dataset.shape[axis], rows_at_a_time(dataset, axis)):
                 if column is None:
                     yield name, flat(dataset, first, last)
                 elif isinstance(column, str):
                     yield name, np.asarray(dataset.fields(column)[first:last])
                 else:
-                    yield name, np.asarray(dataset[first:last, column])
+                    part = dataset[first:last, column] if axis == 0 else dataset[column, first:last]
+                    yield name, np.asarray(part)
 
     def _list(self, name: str, dataset: Any) -> bool:
         """List its channels, or the sample rate that it states; False for numbers that are neither."""
@@ -178,9 +179,10 @@ class Hdf5Source:
                     self._add(f"{name}.{field}", "", dataset.dtype[field], shape[0], dataset, field)
         elif dataset.dtype.kind in "fiu" and dataset.size and dataset.size == max(shape, default=0) > 1:
             self._add(name, unit, dataset.dtype, dataset.size, dataset, None)
-        elif dataset.dtype.kind in "fiu" and len(shape) == 2 and shape[0] > 1 and 1 < shape[1] <= MOST_COLUMNS:
-            for j in range(shape[1]):
-                self._add(f"{name}[:,{j}]", unit, dataset.dtype, shape[0], dataset, j)
+        elif dataset.dtype.kind in "fiu" and len(shape) == 2 and 1 < min(shape) <= MOST_COLUMNS:
+            for j in range(min(shape)):
+                place = f"[:,{j}]" if shape[1] <= shape[0] else f"[{j},:]"
+                self._add(name + place, unit, dataset.dtype, max(shape), dataset, j)
         else:
             return self._note_rate(name, dataset)
         return True

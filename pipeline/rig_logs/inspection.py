@@ -147,7 +147,6 @@ def _best(names: list[str], units: dict[str, str], wanted: tuple[str, ...], word
     return tuple(both or by_unit or by_name)
 
 
-_HUM_DB = 10.0
 _RAIL_SHARE = 1e-3
 _FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
 _UNEVEN, _MOSTLY = 0.5, 0.95
@@ -388,7 +387,7 @@ def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[st
         f"{line.frequency:g} Hz hum {line.above_floor_db:.0f} dB over the spectrum beside it, "
         f"amplitude {line.amplitude:.3g}"
         for line in quality.hum
-        if line.above_floor_db > _HUM_DB and clock == "s"
+        if line.stands_out and clock == "s"
     ]
     return tuple(remarks)
 

@@ -68,7 +68,7 @@ class MatSource:
             self._channels[entry.name] = replace(channel, entry=entry)
 
     def _plain(self, name: str, value: MatValue, depth: int) -> list[MatChannel]:
-        """Vectors by their name, columns of matrices as name(:,j), fields of structs as name.field or name(k).field."""
+        """Vectors by their name, signals of matrices, fields of structs as name.field or name(k).field."""
         if isinstance(value, MatObject):
             advice = _WAYS_OUT.get(value.kind, "save its vectors as variables of their own").replace("NAME", name)
             self.notes.append(f"{name} is a MATLAB {value.kind}, which only MATLAB can read: {advice}")
@@ -76,10 +76,8 @@ class MatSource:
             self._note_rate(name, value)
             if value.is_vector:
                 return [MatChannel(Entry(name, "", value.dtype, value.size), value.read, value.step)]
-            if len(value.dims) == 2 and 1 < value.dims[1] <= MOST_COLUMNS and value.dims[0] > 1:
-                rows, columns = value.dims
-                entries = [Entry(f"{name}(:,{j + 1})", "", value.dtype, rows) for j in range(columns)]
-                return [MatChannel(entry, value.column(j)) for j, entry in enumerate(entries)]
+            if len(value.dims) == 2 and 1 < min(value.dims) <= MOST_COLUMNS:
+                return _signals_of(name, value)
             if value.size > 1:
                 self._not_listed[name] = value.dims
         elif is_struct(value) and value.count <= _MOST_ELEMENTS and depth:
@@ -98,3 +96,13 @@ class MatSource:
         if number is not None and (rate := stated_rate(name, number)) is not None:
             self.rates[name] = rate
             self.notes.append(note_on_rate(name, number, rate))
+
+
+def _signals_of(name: str, matrix: MatArray) -> list[MatChannel]:
+    """Columns of a matrix as name(:,j); rows as name(j,:) where it is wider than high, as targets write samples."""
+    rows, columns = matrix.dims
+    if columns <= rows:
+        entries = [Entry(f"{name}(:,{j + 1})", "", matrix.dtype, rows) for j in range(columns)]
+        return [MatChannel(entry, matrix.column(j)) for j, entry in enumerate(entries)]
+    entries = [Entry(f"{name}({j + 1},:)", "", matrix.dtype, columns) for j in range(rows)]
+    return [MatChannel(entry, matrix.row(j)) for j, entry in enumerate(entries)]

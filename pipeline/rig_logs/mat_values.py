@@ -42,6 +42,11 @@ class MatArray:
         rows = self.dims[0]
         return lambda first, last: self.read(j * rows + first, j * rows + last)
 
+    def row(self, j: int) -> Reader:
+        """Samples of row j (from 0) of a matrix: every part of it is read for each row."""
+        rows = self.dims[0]
+        return lambda first, last: self.read(first * rows, last * rows)[j::rows]
+
 
 @dataclass(frozen=True)
 class MatObject:

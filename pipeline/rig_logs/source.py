@@ -111,7 +111,7 @@ class Source(Protocol):
 PART = 1 << 17
 """Rows at a time."""
 MOST_COLUMNS = 1000
-"""Columns of a matrix that are channels; a wider one is none of samples in rows."""
+"""Columns of a matrix that are channels, or rows of one that is wider than high."""
 _MOST_NAMED = 3
 
 
@@ -120,7 +120,9 @@ def not_listed(shapes: Mapping[str, tuple[int, ...]]) -> list[str]:
     sizes = [f"{name} is {' × '.join(map(str, shape))}" for name, shape in shapes.items()]
     more = [f"{len(sizes) - _MOST_NAMED} more like them"] if len(sizes) > _MOST_NAMED else []
     told = ", ".join([*sizes[:_MOST_NAMED], *more])
-    way_out = f"only vectors and matrices of at most {MOST_COLUMNS} columns are read: save each channel as a vector"
+    way_out = (
+        f"only vectors and matrices of at most {MOST_COLUMNS} columns, or rows, are read: save each channel as a vector"
+    )
     return [f"{told}; {way_out}"] if sizes else []
 
 

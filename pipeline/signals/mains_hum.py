@@ -10,6 +10,8 @@ MAINS = (50.0, 60.0)
 """Mains frequencies [Hz] at which hum is looked for."""
 _HUM_WINDOW = 4.0
 _HUM_BAND = 8.0
+_STANDS_OUT = 10.0
+"""Decibels over the spectrum beside it from which on a line is told."""
 EXCERPT = 1 << 21
 """Samples of which a spectrum is taken at most."""
 
@@ -31,6 +33,11 @@ class Hum:
     frequency: float
     above_floor_db: float
     amplitude: float
+
+    @property
+    def stands_out(self) -> bool:
+        """Whether the line is clearly over the spectrum beside it."""
+        return self.above_floor_db > _STANDS_OUT
 
 
 def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
@@ -65,6 +72,12 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     if floor <= 0.0:
         return None
     return Hum(frequency, 10.0 * float(np.log10(total / floor)), float(np.sqrt(2.0 * max(total - floor, 0.0))))
+
+
+def aliased(frequency: float, step: float) -> float:
+    """Where a line [Hz] appears in samples that are a step [s] apart."""
+    turns = frequency * step
+    return abs(turns - round(turns)) / step
 
 
 def _spectrum(samples: FloatArray, size: int) -> FloatArray:

@@ -17,7 +17,7 @@ MOST_MISSING = 0.1
 """Share of a signal that may be missing."""
 _GATES = (
     (
-        "masked", 0.5, "of the rows are masked (gaps, rails, spikes)",
+        "masked", 0.5, "of the rows are masked (gaps, rails, spikes, lost target)",
         "record without gaps and within the sensor's range",
     ),
     ("missing", MOST_MISSING, "of the samples are not finite", "repair the recorder"),
@@ -68,7 +68,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
     q : SignalQuality
         Of the displacement.
     masked : float
-        Share of the uniform rows that are masked, for whatever reason.
+        Share of the uniform rows that are masked or cut off at the log's ends, for whatever reason.
 
     Notes
     -----
@@ -106,20 +106,17 @@ def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
     return found
 
 
-def between_samples(time: TimeQuality, sample_interval: float) -> list[str]:
-    """That a log is slower than the sample interval, so that rows between its samples are interpolated."""
+def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[str]:
+    """That a log is slower than the sample interval, so that rows between its samples are interpolated, or that q moves
+    faster than the interval shows well, in a log that could show it.
+    """
     made_up = 1.0 - sample_interval / time.step
-    if time.step <= UNTOLD_STEP * sample_interval:
-        return []
-    return [
-        f"the log has a sample every {time.step:.4g} s, so {100.0 * made_up:.0f} % of the rows at [ingest] "
-        f"sample_interval = {sample_interval:g} are interpolated: the noise looks smaller and fits take longer; set "
-        f"sample_interval = {time.step:.4g}"
-    ]
-
-
-def too_fast(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[str]:
-    """That q moves faster than the sample interval shows well, in a log that could show it."""
+    if time.step > UNTOLD_STEP * sample_interval:
+        return [
+            f"the log has a sample every {time.step:.4g} s, so {100.0 * made_up:.0f} % of the rows at [ingest] "
+            f"sample_interval = {sample_interval:g} are interpolated: the noise looks smaller and fits take longer; "
+            f"set sample_interval = {time.step:.4g}"
+        ]
     if not _unshown(time, q, sample_interval, q.band.most, LEAST_PER_PERIOD):
         return []
     return [

@@ -140,8 +140,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan
         return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), (), Bandwidth(nan, nan))
     stamps, values = select(time, finite), select(samples, finite)
-    smallest, largest = span(values)
-    roughness = noise_level(values)
+    (smallest, largest), roughness = span(values), noise_level(values)
     frozen, start = _longest_run(values)
     began, ended = take(stamps, np.array([start, start + frozen - 1])).tolist()
     spikes, first_spikes = _spikes(values, roughness)

@@ -2,26 +2,17 @@
 far off. They are masked.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, Samples
-from pipeline.signals.columns import chunks
+from pipeline.signals.columns import Signal, chunks
+from pipeline.signals.lost_target import UNBOUNDED, lost_bounds
 from pipeline.signals.signal_quality import SignalQuality, rail_share, spikes_in, three_in_a_row, usual_span
 
 _NEAR = 2
-_LOST_FOR = 0.05
-"""Time [s] that a sensor stays at the level which says that it lost its target, on average at least."""
-_FAR = 0.5
-"""Gap between that level and the rest, as a share of the range of the rest."""
-_NOISES = 12.0
-"""Width of that level in standard deviations of the noise."""
-_JUMP = 2
-"""Samples that the jumps to it and back may show between the two."""
-
-
-_UNBOUNDED = (-np.inf, np.inf)
 
 
 @dataclass(frozen=True)
@@ -84,7 +75,7 @@ class Trusted:
 
     @property
     def _nothing(self) -> bool:
-        return not self.rails and self.noise is None and self.bounds == _UNBOUNDED
+        return not self.rails and self.noise is None and self.bounds == UNBOUNDED
 
     def _lost(self, part: FloatArray) -> BoolArray:
         found: BoolArray = (part < self.bounds[0]) | (part > self.bounds[1])
@@ -103,13 +94,17 @@ class Trusted:
         return found
 
 
-def trusted(samples: Samples, quality: SignalQuality, step: float, *, rails: bool, lost: bool, spikes: bool) -> Trusted:
+def trusted(
+    q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float, *, rails: bool, lost: bool, spikes: bool
+) -> Trusted:
     """The signal without what is no measurement.
 
     Parameters
     ----------
-    samples : Samples
-        As measured.
+    q : (Samples, Samples)
+        Time stamps [s] and samples as measured.
+    inputs : sequence of (Samples, Samples)
+        The same of what drives the device; their steps tell a place of the device from a sensor's lost target.
     quality : SignalQuality
         Of these samples: says where the rails are and how large the noise is.
     step : float
@@ -117,55 +112,12 @@ def trusted(samples: Samples, quality: SignalQuality, step: float, *, rails: boo
     rails, lost, spikes : bool
         What to leave out.
     """
-    bounds = lost_bounds(samples, quality, step) if lost and not quality.constant else _UNBOUNDED
-    if bounds != _UNBOUNDED:
+    samples = q[1]
+    bounds = lost_bounds(q, inputs, quality, step) if lost and not quality.constant else UNBOUNDED
+    if bounds != UNBOUNDED:
         usual = usual_span(samples, *bounds)
         low, high = (rail_share(samples, usual, end) for end in (0, 1))
         quality = replace(quality, usual=usual, low_rail=low, high_rail=high)
     found = zip(quality.usual, (quality.low_rail, quality.high_rail), strict=True)
     ends = tuple(end for end, share in found if share > 0.0) if rails and not quality.constant else ()
     return Trusted(samples, ends, bounds, quality.roughness if spikes and quality.spikes else None, quality)
-
-
-def lost_bounds(samples: Samples, quality: SignalQuality, step: float) -> tuple[float, float]:
-    """Values beyond which q is a level that the sensor shows without a target; infinite where there is none.
-
-    Such a level is constant but for little noise, lies far outside the rest, and is entered by a jump and kept for
-    50 ms or more. A device that moves passes through the values between; here hardly a sample has one.
-
-    Parameters
-    ----------
-    samples : Samples
-        As measured.
-    quality : SignalQuality
-        Of these samples.
-    step : float
-        Nominal sampling step [s].
-    """
-    smallest, largest = quality.usual
-    width = max(_NOISES * quality.noise, 1e-3 * (largest - smallest))
-    high = _bound(samples, largest - width, smallest, step, 1.0)
-    low = _bound(samples, -smallest - width, -largest, step, -1.0)
-    return (-np.inf if low is None else -low, np.inf if high is None else high)
-
-
-def _bound(samples: Samples, level: float, smallest: float, step: float, sign: float) -> float | None:
-    """The middle of the gap below the level at the top, if the sensor has lost its target there.
-
-    samples are taken times `sign` · level: its lower end · smallest: of all · step: of time [s].
-    """
-    at_level, runs, before = 0, 0, False
-    for rows in chunks(samples.size):
-        there = sign * samples[rows] >= level
-        runs += int(np.count_nonzero(np.diff(there.astype(np.int8), prepend=np.int8(before)) == 1))
-        at_level += int(np.count_nonzero(there))
-        before = bool(there[-1])
-    if not 3 * runs <= at_level < 0.5 * samples.size or at_level * step < _LOST_FOR * runs:
-        return None
-    top, jumps = np.empty(0), _JUMP * runs
-    for rows in chunks(samples.size):
-        part = sign * samples[rows]
-        top = np.sort(np.concatenate((top, part[part < level])))[-jumps - 1 :]
-    if top.size <= jumps or level - top[0] < _FAR * (top[0] - smallest):
-        return None
-    return float(0.5 * (level + top[0]))

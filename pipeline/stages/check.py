@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
     from pipeline.checks.weak_form import LogSignals
 
-ALGORITHM = "9"
+ALGORITHM = "10"
 
 
 def tasks(prototype: Prototype) -> list[Task]:
@@ -93,7 +93,7 @@ def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignal
     from pipeline.checks.weak_form import LogSignals
 
     q = np.where(table["segment"] < 0, np.nan, table["q"])
-    facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"))
+    facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"), tuple(notes.get("hum", ())))
     return LogSignals(name, table["t"], q, voltages(table), *facts)
 
 

@@ -101,8 +101,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
-    from pipeline.signals.noise import resolution
-    from pipeline.signals.quality_gates import between_samples, log_findings, rate_findings, too_fast
+    from pipeline.signals.quality_gates import log_findings, rate_findings, rate_remarks
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
     from pipeline.signals.uniform_record import Resampling, survey
@@ -112,9 +111,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     try:
         raw_step = nominal_step(signals.q[0])
         quality = examine_signal(*signals.q, raw_step)
-        stamps, measured = signals.q
         kept = trusted(
-            measured,
+            signals.q,
+            signals.inputs,
             quality,
             raw_step,
             rails=settings.rails == "mask",
@@ -123,25 +122,25 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         )
         quality = kept.quality
         warnings = _warnings(signals, prototype, quality)
-        usable = survey((stamps, kept), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal)
+        usable = survey((signals.q[0], kept), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal)
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     left_out = _left_out(kept, warnings)
-    sensor = {"noise": quality.noise, "resolution": resolution(signals.q[1])}
     masked = Resampling(usable, settings.sample_interval).report
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
     lacking, findings = _lacking(signals, settings.sample_interval)
-    warnings += [*lacking, *_gaps(clock), *between_samples(clock, settings.sample_interval)]
-    too_fine = rate_findings(clock, quality, settings.sample_interval)
-    findings += too_fine
-    warnings += too_fast(clock, quality, settings.sample_interval) if not too_fine else []
-    findings += log_findings(clock, quality, masked.masked_rows / masked.rows)
+    warnings += [*lacking, *_gaps(clock), *rate_remarks(clock, quality, settings.sample_interval)]
+    findings += rate_findings(clock, quality, settings.sample_interval)
+    ends = _cut_off(usable, clock)
+    cut = ends / masked.interval
+    findings += log_findings(clock, quality, (masked.masked_rows + cut) / (masked.rows + cut))
     if settings.rails == "keep":
         warnings += [f"q: {one.text}; kept ([ingest] rails)" for one in findings if one.gate == "rails"]
         findings = [one for one in findings if one.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
-    return Examined(usable, raw_step, {"warnings": [*warnings, *accepted], "accepted": accepted} | left_out | sensor)
+    said = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
+    return Examined(usable, raw_step, said | left_out | {"cut_off_s": ends} | _sensor(signals, quality))
 
 
 def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
@@ -156,6 +155,20 @@ def _refuse_no_record(where: str, rows: int, interval: float, covered: float) ->
             f"{where}: holds {covered:.4g} s of samples within {rows * interval:.4g} s; give what lies on both sides "
             "of its gaps as logs of their own, or correct the time stamps"
         )
+
+
+def _sensor(signals: SiLog, quality: "SignalQuality") -> dict[str, Any]:
+    """What is known of the sensor of q: its noise and steps [m or rad], and the mains lines in it [Hz]."""
+    from pipeline.signals.noise import resolution
+
+    lines = [line.frequency for line in quality.hum if line.stands_out]
+    return {"noise": quality.noise, "resolution": resolution(signals.q[1]), "hum": lines}
+
+
+def _cut_off(usable: "Survey", clock: "TimeQuality") -> float:
+    """Time [s] at both ends of a log in which no sample of q is left; clock: that of q."""
+    edges = usable.groups[0].edges
+    return max(0.0, float(edges[0, 0]) - clock.start) + max(0.0, clock.stop - float(edges[-1, 1]))
 
 
 def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]"]:

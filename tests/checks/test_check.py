@@ -255,18 +255,22 @@ def test_a_log_that_was_driven_otherwise_is_never_surely_of_another_joint(
     assert [row.state for row in rows if row.what == "same device"] in (["note"], ["ok"], ["not seen"])
 
 
-def test_an_input_that_switches_between_two_signs_need_not_return_to_zero() -> None:
+def test_only_a_voltage_of_a_joint_that_has_one_sign_need_return_to_zero() -> None:
     t = np.arange(0.0, 20.0, 0.01)
-    u = np.repeat(np.random.default_rng(0).choice([-3.0, 3.0], 50), 40)
-    q = np.radians(20.0) * np.sin(3.0 * t)
-    rotary = Declared(squared=True, displacement="rad", inputs=("V",), mass=None, sample_interval=0.01)
-    two_signs = check_logs([LogSignals("train/a", t, q, u[:, None], 0.01)], rotary)
-    assert not _numbers(two_signs, "lowest level of v1")
-    one_sign = check_logs([LogSignals("train/a", t, q, u[:, None] + 5.0, 0.01)], rotary)
-    assert _numbers(one_sign, "lowest level of v1") == ["2.00 V"]
-    steps = np.repeat(np.random.default_rng(1).uniform(0.5, 10.0, 50), 40)  # commanded so, and never at rest
-    any_level = check_logs([LogSignals("train/a", t, q, steps[:, None], 0.01)], rotary)
-    assert not _numbers(any_level, "lowest level of v1")
+    u = np.repeat(np.random.default_rng(0).choice([-3e3, 3e3], 50), 40)
+    q = 0.01 * np.sin(3.0 * t)
+
+    def rows(v: np.ndarray, declared: Declared = JOINT) -> list[CheckRow]:
+        both = np.column_stack([v, np.maximum(u, 0.0)])[:, : len(declared.inputs)]
+        return check_logs([LogSignals("train/a", t, q, both, 0.01)], declared)
+
+    assert not _numbers(rows(u), "lowest level of v1")
+    assert _numbers(rows(u + 5e3), "lowest level of v1") == ["2.00 kV"]
+    for unit, displacement in (("%", "rad"), ("V", "rad"), ("%", "m")):  # a fan that was never off
+        fan = Declared(squared=True, displacement=displacement, inputs=(unit,), mass=None, sample_interval=0.01)
+        assert not _numbers(rows(u + 5e3, fan), "lowest level of v1")
+    steps = np.repeat(np.random.default_rng(1).uniform(0.5e3, 10e3, 50), 40)  # commanded so, and never at rest
+    assert not _numbers(rows(steps), "lowest level of v1")
 
 
 def test_noise_that_an_encoders_steps_hide_is_told_so() -> None:

@@ -333,3 +333,27 @@ def test_a_device_with_one_input_that_nothing_restores_has_no_wells() -> None:
     sheet = make_datasheet(alone)
     assert not any(check.name == "switches" for check in sheet.checks)
     assert not {"well_left", "frequency_left"} & {fact.key for fact in sheet.facts}
+
+
+def _pulsed(step: float, damping: float, frequency: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A device that rings [Hz] after each pulse of 1 s: (t, q, v)."""
+    t = np.arange(0.0, 30.0, step)
+    since = (t - 1.0) % 3.0
+    v = np.where((since < 1.0) & (t > 1.0), 10.0, 0.0)[:, None]
+    natural = 2.0 * np.pi * frequency
+    swing = np.exp(-damping * natural * (since - 1.0)) * np.cos(natural * (since - 1.0))
+    return t, np.where(v[:, 0] > 0.0, 1e-3, 2e-4 * swing), v
+
+
+def test_hum_is_no_ring_down_where_it_is_aliased_to_either() -> None:
+    """60 Hz in samples at 100 Hz: 40 Hz that never decays."""
+    t, q, v = _pulsed(0.01, 0.05, 3.0)
+    ringing = rest_facts([(t, q, v)], NoWells("none")).rings_left
+    assert np.median([ring.frequency for ring in ringing]) == pytest.approx(3.0, rel=0.01)
+    still = np.where(v[:, 0] > 0.0, 1e-3, 0.0)
+    humming = still + 7e-5 * np.sin(2.0 * np.pi * 60.0 * t)
+    assert not rest_facts([(t, humming, v)], NoWells("none")).rings_left
+    drifting = still + 7e-5 * np.exp(-0.3 * (t % 3.0)) * np.sin(2.0 * np.pi * 60.1 * t)
+    assert rest_facts([(t, drifting, v)], NoWells("none")).rings_left
+    assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0]).rings_left
+    assert rest_facts([(t, q, v)], NoWells("none"), [60.0]).rings_left

@@ -88,3 +88,34 @@ def test_another_device_than_the_joint_needs_no_two_wells() -> None:
     told += shortfalls(twice, ("u",), 1.0, "rad", joint=False)
     assert not any("well" in each.finding or "well" in each.add for each in told)
     assert not any("snap" in each.finding for each in told)
+
+
+def _rings(q: np.ndarray, interval: float, v: np.ndarray) -> float | None:
+    return examine_excitation(q, v[:, None], np.zeros(q.size, dtype=np.int64), interval, inputs="linear").ringing
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.1])
+@pytest.mark.parametrize("interval", [1.0, 10.0])
+def test_a_heater_does_not_ring(noise: float, interval: float) -> None:
+    """A first order lag, with and without the noise of its sensor, whose differences have a peak in their spectrum."""
+    rng = np.random.default_rng(2)
+    v = np.repeat(rng.choice([0.0, 50.0], 60), 60)
+    q, rest = np.empty(v.size), 0.0
+    for i, drive in enumerate(v):
+        rest += (drive - rest) / 150.0
+        q[i] = rest
+    assert _rings(q + noise * rng.standard_normal(q.size), interval, v) is None
+
+
+@pytest.mark.parametrize(("frequency", "interval"), [(0.12, 1.0), (3.0, 0.01), (30.0, 0.01), (1.0, 0.1)])
+def test_slow_and_fast_devices_ring_where_they_do(frequency: float, interval: float) -> None:
+    """However they are sampled; a crane logged at 1 Hz rings below 0.5 Hz."""
+    rng = np.random.default_rng(3)
+    v = np.repeat(rng.standard_normal(120), round(0.7 / (frequency * interval)) or 1)
+    transition = np.exp(2.0 * np.pi * frequency * interval * complex(-0.05, 1.0))
+    swing, q = 0.0j, np.empty(v.size)
+    for i, drive in enumerate(v):
+        swing = transition * swing + (1.0 - transition) * drive
+        q[i] = swing.real
+    found = _rings(q + 1e-3 * rng.standard_normal(q.size), interval, v)
+    assert found == pytest.approx(frequency, rel=0.15)

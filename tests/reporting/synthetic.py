@@ -74,7 +74,7 @@ def log_data(role: str, name: str, seed: int, *, seconds: float = 30.0, gap: boo
             "rbf": {"status": "ok", "diverged_at_s": None},
             "sindy": {"status": "diverged", "diverged_at_s": 5.0},
         },
-        record_notes={"raw_rows": 300_000, "raw_step": 1e-4, "gaps": int(gap)},
+        record_notes={"raw_rows": 300_000, "raw_step": 1e-4, "gaps_in_time": int(gap)},
         kinematics_notes={
             "method": "tvregdiff",
             "order": 3,

@@ -292,11 +292,11 @@ def test_arrays_that_are_no_channels_are_told_by_their_shape(tmp_path):
     import h5py
     from scipy.io import savemat
 
-    runs, wide = np.random.default_rng(0).normal(size=(3, 400, 2)), np.zeros((2, 1500))
+    runs, wide = np.random.default_rng(0).normal(size=(3, 400, 2)), np.zeros((1100, 1500))
     with h5py.File(path := tmp_path / "runs.h5", "w") as file:
         file["train/u"], file["wide"], file["one"], file["none"] = runs, wide, np.ones((1, 1, 1)), np.zeros((0, 3, 2))
         file["remark"] = "text"
-    told = "3 × 400 × 2, wide is 2 × 1500; only vectors and matrices of at most 1000 columns are read"
+    told = "3 × 400 × 2, wide is 1100 × 1500; only vectors and matrices of at most 1000 columns, or rows, are read"
     assert told in inspect(path)[0].notes[0]
     with pytest.raises(InputError, match=r"runs.h5: the log holds no vector of numbers: train/u is 3 × 400 × 2"):
         toml_draft([inspect(path)[0]])
@@ -306,9 +306,24 @@ def test_arrays_that_are_no_channels_are_told_by_their_shape(tmp_path):
             file[f"m{i}"] = runs
     assert "m2 is 3 × 400 × 2, 8 more like them; only" in (draft := toml_draft([inspect(path)[0]]))
     assert '#   "q": 400 samples' in draft
-    savemat(tmp_path / "runs.mat", {"q": Q, "u": runs, "log": {"wide": wide}, "one": 3.0})
+    square = np.zeros((1100, 1100))
+    savemat(tmp_path / "runs.mat", {"q": Q, "u": runs, "log": {"square": square}, "one": 3.0})
     (note,) = open_here(tmp_path / "runs.mat").notes
-    assert note.startswith("u is 3 × 400 × 2, log.wide is 2 × 1500; only vectors")
+    assert note.startswith("u is 3 × 400 × 2, log.square is 1100 × 1100; only vectors")
+
+
+def test_rows_of_a_matrix_that_is_wider_than_high_are_channels(tmp_path):
+    import h5py
+    from scipy.io import savemat
+
+    table = np.vstack([np.arange(Q.size) * 0.01, Q, 2.0 * Q])
+    with h5py.File(tmp_path / "rows.h5", "w") as file:
+        file.create_dataset("run/data", data=table, chunks=(3, 64))
+    savemat(tmp_path / "rows.mat", {"data": table})
+    for name, channel in (("rows.h5", "run/data[1,:]"), ("rows.mat", "data(2,:)")):
+        recording = read_recording(tmp_path / name)
+        np.testing.assert_array_equal(recording.channel(channel).samples, Q)
+        assert len(recording.channels) == 3
 
 
 def test_simulinks_structure_with_time_in_version_7_3(tmp_path):

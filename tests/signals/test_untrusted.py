@@ -14,8 +14,9 @@ def log(n=4000, noise=1e-3, seed=1):
     return t, np.sin(2 * np.pi * 0.7 * t) + noise * rng.standard_normal(n)
 
 
-def masked(t, q, **policies):
-    kept = trusted(q, examine_signal(t, q, STEP), STEP, **({"rails": True, "lost": True, "spikes": True} | policies))
+def masked(t, q, inputs=(), step=STEP, **policies):
+    policies = {"rails": True, "lost": True, "spikes": True} | policies
+    kept = trusted((t, q), [(t, v) for v in inputs], examine_signal(t, q, step), step, **policies)
     return kept, kept[0 : kept.size]
 
 
@@ -104,8 +105,85 @@ def test_a_joint_that_rests_in_its_other_well_has_not_lost_the_laser(frequency):
     side = np.where(np.sin(2 * np.pi * 0.2 * t) > 0.4, 1.0, -1.0)
     q = np.convolve(side, np.ones(8) / 8, "same") * (1.0 + 0.2 * np.sin(2 * np.pi * frequency * t))
     q += 1e-3 * rng.standard_normal(t.size)
-    kept = trusted(q, examine_signal(t, q, 0.01), 0.01, rails=True, lost=True, spikes=True)
-    assert kept.bounds == (-np.inf, np.inf)
+    assert masked(t, q, step=0.01)[0].bounds == (-np.inf, np.inf)
+
+
+def _joint(noise=1e-5):
+    """60 s of a bistable joint under pulses every second or so, at 1 kHz: (t, q [m], v [V])."""
+    rng, t = np.random.default_rng(11), STEP * np.arange(60_000)
+    starts = np.arange(1.0, 59.0, 1.0) + 0.3 * rng.random(58)
+    v = 3e3 * np.any([(t >= start) & (t < start + 0.2) for start in starts], axis=0)
+    side = np.where(np.searchsorted(starts + 0.08, t) % 2, 1.0, -1.0)
+    q = 8e-3 * np.convolve(side, np.ones(40) / 40, "same") + 1e-6 * v + 3e-4 * np.sin(2 * np.pi * 9.0 * t)
+    return t, q + noise * rng.standard_normal(t.size), v
+
+
+@pytest.mark.parametrize("begin", [None, 7_350, 7_777])
+def test_a_target_lost_at_a_pulse_by_chance_is_masked_all_the_same(begin):
+    """At the edge of a pulse, or in the middle of nothing; the sensor does not know the voltage."""
+    t, q, v = _joint()
+    begin = begin or int(np.flatnonzero(np.diff(v) > 0.0)[12]) + 3
+    for first, length in ((begin, 140), (30_500, 80)):
+        q[first : first + length] = 25e-3
+    kept, seen = masked(t, q, [v])
+    assert kept.left_out()[1] == 220
+    assert np.isnan(seen[begin : begin + 140]).all()
+    q[30_500:30_580] = q[30_400:30_480]
+    assert masked(t, q, [v])[0].left_out()[1] == 140
+    dense = np.random.default_rng(1).standard_normal(t.size)  # steps at every sample: whatever jumps, jumps at one
+    assert masked(t, q, [dense])[0].left_out()[1] == 140
+
+
+def _lamp(levels, noise):
+    """A lamp that answers every step of its input within two samples, and its sensor, at 200 Hz: (t, q, v)."""
+    rng, t = np.random.default_rng(5), 5e-3 * np.arange(4000)
+    v = np.repeat(np.tile(np.array(levels)[[0, 1, 0, 2]], 4), 250)
+    shown = np.concatenate((v[:2], v[:-2]))
+    return t, shown * (1.0 + noise * rng.standard_normal(t.size)), v
+
+
+def test_a_lamp_at_full_power_is_not_a_lost_target():
+    """It jumps to a far constant level and stays there, but whenever its input does, once or often."""
+    t, q, v = _lamp([0.0, 10.0, 87.0], noise=1e-4)
+    slow = np.sin(2 * np.pi * 0.1 * t)
+    assert masked(t, q, [v, slow], step=5e-3)[0].left_out()[1] == 0
+    assert masked(t, q, [slow], step=5e-3)[0].left_out()[1] > 500
+    once = (t > 5.0) & (t < 9.0)
+    assert masked(t, 80.0 * once + 0.01 * slow, [1.0 * once], step=5e-3)[0].left_out()[1] == 0
+    last = t > 12.0
+    assert masked(t, 80.0 * last + 0.01 * slow, [1.0 * last], step=5e-3)[0].left_out()[1] == 0
+
+
+def test_an_input_on_a_time_base_of_its_own_tells_as_well():
+    t, q, v = _lamp([0.0, 10.0, 87.0], noise=1e-4)
+    finer = np.arange(0.0, t[-1], 7e-4)
+    command = (finer, np.interp(finer, t, v))
+    policies = {"rails": True, "lost": True, "spikes": True}
+    assert trusted((t, q), [command], examine_signal(t, q, 5e-3), 5e-3, **policies).left_out()[1] == 0
+
+
+def test_a_level_that_flickers_is_measured():
+    """Of 3 % of the range at most is what hardly changes; noise of the rest does not make it wider."""
+    t, q, _ = _lamp([0.0, 40.0, 87.0], noise=0.02)
+    assert masked(t, q, step=5e-3)[0].bounds == (-np.inf, np.inf)
+    coarse = np.round(q / 5.0) * 5.0
+    assert masked(t, coarse, step=5e-3)[0].bounds == (-np.inf, np.inf)
+
+
+def test_a_motor_that_starts_is_not_a_sensor_without_a_target():
+    """Three samples far off the rest, each elsewhere."""
+    rng, t = np.random.default_rng(6), 0.02 * np.arange(2000)
+    q = 700.0 + 150.0 * np.sin(2 * np.pi * 0.05 * t) + 5.0 * rng.standard_normal(t.size)
+    q[:4] = [0.0, 45.0, 150.0, 260.0]
+    assert masked(t, q, step=0.02)[0].bounds == (-np.inf, np.inf)
+
+
+def test_half_of_a_log_is_not_without_a_target():
+    """Four samples of ten at the level, and two of the jumps between, beyond the middle of the gap as well."""
+    t = 0.02 * np.arange(3000)
+    there = np.tile([0, 0, 0, 0, 4.0, 5.0, 5.0, 5.0, 5.0, 4.0], 300)
+    q = np.where(there > 0, there, np.sin(2 * np.pi * 0.33 * t))
+    assert masked(t, q, step=0.02)[0].bounds == (-np.inf, np.inf)
 
 
 def test_a_turning_point_in_steps_is_no_rail_but_the_same_signal_clipped_is():
