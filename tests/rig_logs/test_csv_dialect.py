@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from pipeline.errors import InputError
+from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.csv_dialect import find_dialect
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
@@ -212,6 +214,19 @@ def test_columns_that_are_no_numbers_are_told(tmp_path):
     path = tmp_path / "log.csv"
     path.write_text("clock,q,v\n" + "".join(f"12:00:{i:02d},{i},{2 * i}\n" for i in range(60)))
     assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'clock' ('12:00:00')"
+
+
+def test_of_a_column_that_is_no_number_the_first_cell_that_is_none_is_named(tmp_path):
+    """A clock in ms with marks between thousands begins with numbers: 0.000 … 902.000, 1.002.000."""
+    path = tmp_path / "log.csv"
+    stamps = ["0.000", *(f"{100_000 * i + 2_000:,}".replace(",", ".") for i in range(1, 60))]
+    path.write_text("t;q;v\n" + "".join(f"{stamp};{i % 7}.5;{i % 3}\n" for i, stamp in enumerate(stamps)))
+    told = "'1.002.000' in line 12; marks between thousands: export it without them"
+    assert CsvSource(path, CsvOptions()).notes[-1] == f"no numbers, and left out: 't' ({told})"
+    with pytest.raises(InputError, match=f"log.csv: channel 't' holds no plain numbers, but {told}"):
+        read_recording(path, channels=["t"])
+    path.write_text("t;q;mode\n" + "".join(f"{i};{i % 7};{'run' if i > 1 else 0}\n" for i in range(60)))
+    assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'mode' ('run' in line 4)"
 
 
 @pytest.mark.parametrize("rows", [500, 30_000])
