@@ -340,11 +340,20 @@ def _find_table(lines: list[str], options: CsvOptions) -> _Table:
     tables = [_table(lines, delimiter, decimal, options.header_row) for delimiter, decimal in _candidates(options)]
     found = [table for table in tables if table is not None]
     if not found:
-        raise UnreadableLogError(
-            "no table of numbers with two columns or more found; if it is one, set [ingest.csv] encoding, delimiter, "
-            "decimal and header_row"
-        )
+        way_out = "if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
+        if _is_single_column(lines):
+            way_out = (
+                "it holds a single one; if input and displacement stand in files of their own, join them as columns of "
+                "one file"
+            )
+        raise UnreadableLogError(f"no table of numbers with two columns or more found; {way_out}")
     return max(found, key=lambda table: sum(table.numeric))
+
+
+def _is_single_column(lines: list[str]) -> bool:
+    """Whether most lines are one number each."""
+    cells = [line.strip(' \t"') for line in lines[:_MOST_ROWS] if line.strip()]
+    return 2 * sum(_is_value(cell, ".") for cell in cells) > len(cells)
 
 
 def _candidates(options: CsvOptions) -> list[tuple[str, str]]:

@@ -252,5 +252,14 @@ def test_a_cell_that_is_no_number_is_named_with_its_column(tmp_path):
         read_here(path)
 
 
+@pytest.mark.parametrize("form", ["{:.2f}", '"{:.2f}"', "{:.0f}"])
+@pytest.mark.parametrize("header", ["", "q\n"])
+def test_a_single_column_says_to_join_the_files(form, header):
+    with pytest.raises(UnreadableLogError, match=r"a single one; .* join them as columns of one file"):
+        _find(header + "".join(f"{form.format(0.25 * i)}\n" for i in range(60)))
+    with pytest.raises(UnreadableLogError, match=r"no table .* found; if it is one, set \[ingest.csv\]"):
+        _find("no numbers here\nat all\n")
+
+
 def test_a_preamble_of_more_cells_is_no_heading():
     assert _find("Rig 7; run 3; Monday; 2 kHz\n0,0;1,5\n0,5;2,5\n").header == ("column 1", "column 2")
