@@ -125,9 +125,7 @@ def _wanted(
     found.update({entry.name: entry for entry in entries})
     for name in names:
         if name in texts:
-            raise _RefusedError(
-                f"{path}: channel {name!r} holds no plain numbers, but {texts[name][:40]!r}; export it as numbers"
-            )
+            raise _RefusedError(f"{path}: channel {name!r} holds no plain numbers, but {texts[name]}")
         if name not in found:
             raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)))
     return [(name, found[name]) for name in names]

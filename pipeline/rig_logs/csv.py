@@ -53,16 +53,17 @@ class CsvSource:
         self._columns = unique_names(list(dialect.header))
         self._origins: dict[str, int] = {}
         self.notes = [dialect.describe()]
-        self.texts = {
-            name: cell
-            for name, cell, numeric in zip(self._columns, dialect.first_row, dialect.numeric, strict=False)
-            if not numeric
-        }
+        shown = {name: text for name, text in zip(self._columns, dialect.texts, strict=True) if text is not None}
+        self.texts = {name: f"{text.shown}; {text.way_out or 'export it as numbers'}" for name, text in shown.items()}
         self._stamped = {
             name for name, cell in zip(self._columns, dialect.first_row, strict=False) if STAMP.match(cell)
         }
         self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
-        left_out = [f"{name!r} ({cell[:40]!r})" for name, cell in self.texts.items() if cell]
+        left_out = [
+            f"{name!r} ({'; '.join(filter(None, [text.shown, text.way_out]))})"
+            for name, text in shown.items()
+            if text.cell
+        ]
         if left_out:
             self.notes.append(f"no numbers, and left out: {', '.join(left_out)}")
         # The number of rows is not declared anywhere.

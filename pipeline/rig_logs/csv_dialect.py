@@ -90,6 +90,15 @@ STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-
 
 
 @dataclass(frozen=True)
+class Text:
+    """The first cell of a column that is no number, how to show it, and what to do if that is not plain."""
+
+    cell: str
+    shown: str
+    way_out: str
+
+
+@dataclass(frozen=True)
 class Dialect:
     """How a CSV file is written; rows count from 0."""
 
@@ -104,6 +113,8 @@ class Dialect:
     first_row: tuple[str, ...]
     open_marks: tuple[bool, ...]
     """Of which columns it is open yet whether `decimal` stands before decimals or between thousands."""
+    texts: tuple["Text | None", ...]
+    """What stands in the columns that are no numbers; None for the others."""
 
     def describe(self) -> str:
         """The dialect in one line."""
@@ -153,8 +164,27 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     unnamed = [not heading and empty for heading, empty in zip(headings, _empty(table), strict=False)]
     numeric = tuple(is_numeric and not any(unnamed[j : j + 1]) for j, is_numeric in enumerate(table.numeric))
     return Dialect(
-        encoding, table.delimiter, table.decimal, header, units, headings, table.first, numeric, first_row, open_marks
+        encoding,
+        table.delimiter,
+        table.decimal,
+        header,
+        units,
+        headings,
+        table.first,
+        numeric,
+        first_row,
+        open_marks,
+        tuple(None if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
     )
+
+
+def _first_text(table: "_Table", column: int) -> Text:
+    """The first cell below the header that is no number, with its line counted from 1 where that is not the first."""
+    cells = ((line, row[column]) for line, row in enumerate(table.rows) if line >= table.first and len(row) > column)
+    texts = (each for each in cells if not _is_value(each[1], table.decimal, table.delimiter))
+    line, cell = next(texts, (table.first, table.rows[table.first][column]))
+    shown = f"{cell[:40]!r}" if line == table.first else f"{cell[:40]!r} in line {line + 1}"
+    return Text(cell, shown, marks_between_thousands(cell))
 
 
 def _above(table: "_Table", lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
@@ -223,10 +253,15 @@ def mark_is_open(cells: Iterable[str], decimal: str) -> bool:
     return True
 
 
+def marks_between_thousands(cell: str) -> str:
+    """What to say of a cell in which marks stand between thousands; nothing of any other one."""
+    return "marks between thousands: export it without them" if _GROUPED.fullmatch(cell) else ""
+
+
 def no_number(cell: str, column: str, decimal: str) -> str:
     """What to say of a cell that is no number."""
-    if _GROUPED.fullmatch(cell):
-        return f"{cell!r} in column {column!r} has marks between thousands: export it without them"
+    if marks := marks_between_thousands(cell):
+        return f"{cell!r} in column {column!r} has {marks}"
     return (
         f"{cell!r} in column {column!r} is no number with the decimal mark {decimal!r}: repair or delete that row, or "
         "leave the cell empty for a missing value"
@@ -296,11 +331,20 @@ def _find_table(lines: list[str], options: CsvOptions) -> _Table:
     tables = [_table(lines, delimiter, decimal, options.header_row) for delimiter, decimal in _candidates(options)]
     found = [table for table in tables if table is not None]
     if not found:
-        raise UnreadableLogError(
-            "no table of numbers with two columns or more found; if it is one, set [ingest.csv] encoding, delimiter, "
-            "decimal and header_row"
-        )
+        way_out = "if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
+        if _is_single_column(lines):
+            way_out = (
+                "it holds a single one; if input and displacement stand in files of their own, join them as columns of "
+                "one file"
+            )
+        raise UnreadableLogError(f"no table of numbers with two columns or more found; {way_out}")
     return max(found, key=lambda table: sum(table.numeric))
+
+
+def _is_single_column(lines: list[str]) -> bool:
+    """Whether most lines are one number each."""
+    cells = [line.strip(' \t"') for line in lines[:_MOST_ROWS] if line.strip()]
+    return 2 * sum(_is_value(cell, ".") for cell in cells) > len(cells)
 
 
 def _candidates(options: CsvOptions) -> list[tuple[str, str]]:

@@ -95,7 +95,7 @@ class Source(Protocol):
     format: str
     notes: list[str]
     texts: dict[str, str]
-    """Names of columns that are no numbers, with a cell that shows it."""
+    """Names of columns that are no numbers, with a cell that shows it and what to do."""
     # `rates` too where a format has single numbers: the sample rates [Hz] that some of them state, by their names.
 
     def entries(self) -> list[Entry]:

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from pipeline.errors import InputError
+from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.csv_dialect import find_dialect
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
@@ -214,6 +216,19 @@ def test_columns_that_are_no_numbers_are_told(tmp_path):
     assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'clock' ('12:00:00')"
 
 
+def test_of_a_column_that_is_no_number_the_first_cell_that_is_none_is_named(tmp_path):
+    """A clock in ms with marks between thousands begins with numbers: 0.000 … 902.000, 1.002.000."""
+    path = tmp_path / "log.csv"
+    stamps = ["0.000", *(f"{100_000 * i + 2_000:,}".replace(",", ".") for i in range(1, 60))]
+    path.write_text("t;q;v\n" + "".join(f"{stamp};{i % 7}.5;{i % 3}\n" for i, stamp in enumerate(stamps)))
+    told = "'1.002.000' in line 12; marks between thousands: export it without them"
+    assert CsvSource(path, CsvOptions()).notes[-1] == f"no numbers, and left out: 't' ({told})"
+    with pytest.raises(InputError, match=f"log.csv: channel 't' holds no plain numbers, but {told}"):
+        read_recording(path, channels=["t"])
+    path.write_text("t;q;mode\n" + "".join(f"{i};{i % 7};{'run' if i > 1 else 0}\n" for i in range(60)))
+    assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'mode' ('run' in line 4)"
+
+
 @pytest.mark.parametrize("rows", [500, 30_000])
 def test_marks_between_thousands_are_found_wherever_they_begin(tmp_path, rows):
     """The first rows are whole numbers below a thousand, and then 1,908 would be read as 1.908."""
@@ -235,6 +250,15 @@ def test_a_cell_that_is_no_number_is_named_with_its_column(tmp_path):
     path.write_text(path.read_text().replace("5.607.427,22", "0,5"))
     with pytest.raises(UnreadableLogError, match=r"row 53: 'x' in column 'q' is no number with the decimal mark ','"):
         read_here(path)
+
+
+@pytest.mark.parametrize("form", ["{:.2f}", '"{:.2f}"', "{:.0f}"])
+@pytest.mark.parametrize("header", ["", "q\n"])
+def test_a_single_column_says_to_join_the_files(form, header):
+    with pytest.raises(UnreadableLogError, match=r"a single one; .* join them as columns of one file"):
+        _find(header + "".join(f"{form.format(0.25 * i)}\n" for i in range(60)))
+    with pytest.raises(UnreadableLogError, match=r"no table .* found; if it is one, set \[ingest.csv\]"):
+        _find("no numbers here\nat all\n")
 
 
 def test_a_preamble_of_more_cells_is_no_heading():
