@@ -10,6 +10,17 @@ from pydantic import BaseModel
 _BRANCH = re.compile(r"int|float|literal\[.*\]|constrained-.*|tuple\[.*\]", re.DOTALL)
 """Parts of pydantic's locations that name a branch of a union and no key."""
 
+_TOO_FAST = {
+    ("sample_interval", "greater_than_equal"),
+    ("record_interval", "greater_than_equal"),
+    ("sample_rate", "less_than_equal"),
+}
+"""Keys that a log which is too fast needs, and the bound that they pass."""
+_STRETCHED = (
+    "; for a faster log stretch time, as by 1e4: time = { …, scale = 1e4 } in [channels], or sample_rate over 1e4, and "
+    "intervals times 1e4; a second of the results is then 1e-4 s"
+)
+
 
 def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
     """Every mistake once: of the branches of a union the first, of a mistyped mandatory key that it is unknown.
@@ -65,9 +76,9 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
     message = str(error["msg"]).removeprefix("Value error, ")
     if not key:  # a check of the whole names its keys itself
         return message
-    return f"{key}: {message[:1].lower()}{message[1:]}" + (
-        "" if error["type"] == "value_error" else f" (got {given:.60})"
-    )
+    got = "" if error["type"] == "value_error" else f" (got {given:.60})"
+    fast = (location[-1], error["type"]) in _TOO_FAST and error["input"] > 0.0
+    return f"{key}: {message[:1].lower()}{message[1:]}{got}{_STRETCHED if fast else ''}"
 
 
 def _hint(location: list[str], settings: type[BaseModel]) -> str:

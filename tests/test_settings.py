@@ -53,6 +53,16 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
             lambda d: d.update(ingest={"sample_interval": 0}),
             ["sample_interval", "than or equal to 0.00001"],
         ),
+        (
+            lambda d: d.update(ingest={"sample_interval": 5e-7}),
+            [
+                "than or equal to 0.00001 (got 5e-07); for a faster log stretch time",
+                "scale = 1e4",
+                "sample_rate over 1e4",
+            ],
+        ),
+        (lambda d: d.update(ingest={"record_interval": 5e-7}), ["record_interval", "scale = 1e4"]),
+        (lambda d: d.update(ingest={"sample_rate": 2e7}), ["sample_rate", "sample_rate over 1e4"]),
         (lambda d: d.update(identify={"basis_functions": 2.5}), ["identify.basis_functions", "2.5"]),
         (lambda d: d.update(identify={"models": ["hybird"]}), ["identify.models", "did you mean 'hybrid'?"]),
         (lambda d: d.update(identify={"models": ["hybrid"]}), ["identify.models", "two squared inputs"]),

@@ -13,6 +13,7 @@ import json
 import os
 import resource
 import sys
+from collections import Counter
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
@@ -24,7 +25,7 @@ from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
 from pipeline.rig_logs.matlab4_head import begins_matlab4
-from pipeline.rig_logs.recording import missing_channel
+from pipeline.rig_logs.recording import for_any_variable, missing_channel
 from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, read_start
 
 _LONGEST_ERROR = 2000
@@ -121,7 +122,10 @@ def _wanted(
     """The entries asked for, each under the name by which it was asked for."""
     if names is None:
         return [(entry.name, entry) for entry in entries]
-    found = {alias: entry for entry in entries for alias in entry.aliases}
+    wild = [for_any_variable(entry.name) for entry in entries]
+    times = Counter(wild)
+    found = {alias: entry for alias, entry in zip(wild, entries, strict=True) if times[alias] == 1}
+    found.update({alias: entry for entry in entries for alias in entry.aliases})
     found.update({entry.name: entry for entry in entries})
     for name in names:
         if name in texts:

@@ -18,6 +18,7 @@ from pipeline.rig_logs.inspection import (
     suggested_unit,
 )
 from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
+from pipeline.rig_logs.recording import as_other_logs
 from pipeline.settings import Ingest
 from pipeline.signals.bandwidth import LEAST_PER_PERIOD, advised_interval
 from pipeline.signals.quality_gates import UNTOLD_STEP
@@ -60,12 +61,7 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     if not first.channels:
         raise InputError(": ".join((f"{first.path}: {NO_CHANNEL}", *filter(None, ["; ".join(first.notes)]))))
     by_name = {channel.name: channel for channel in first.channels}
-    for other in inspections[1:]:
-        if lacking := sorted(by_name.keys() - {channel.name for channel in other.channels}):
-            raise InputError(
-                f"{other.path}: has no channel {lacking[0]!r}, which {first.path} has; a settings file is for logs "
-                "with the same channels"
-            )
+    _check_same_channels(inspections)
     train, validation = proposed_roles(logs or [inspection.path.name for inspection in inspections])
     named = " and ".join(quoted(inspection.path.name) for inspection in inspections)
     own = "suggested" if len(inspections) > 1 else "a log that no identification sees; record one"
@@ -95,6 +91,19 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)
     return "\n".join([*lines, "", *_plant_lines(first), *_ingest_lines(first)]) + "\n"
+
+
+def _check_same_channels(inspections: Sequence[Inspection]) -> None:
+    """Refuse logs that lack channels of the first one."""
+    first = {channel.name for channel in inspections[0].channels}
+    for other in inspections[1:]:
+        names = [channel.name for channel in other.channels]
+        if lacking := sorted(first.difference(names)):
+            way_out = as_other_logs(lacking[0], names) or "give both the same header, or make a settings file for each"
+            raise InputError(
+                f"{other.path}: has no channel {lacking[0]!r}, which {inspections[0].path} has; a settings file is for "
+                f"logs with the same channels: {way_out}"
+            )
 
 
 def _listings(log: Inspection) -> list[str]:

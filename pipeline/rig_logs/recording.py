@@ -6,8 +6,9 @@ The guarded child writes their columns into a temporary file, which is mapped as
 import difflib
 import mmap
 import os
+import re
 from collections import OrderedDict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Generic, TypeVar
@@ -18,6 +19,8 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, Samples
 
 _MOST_LISTED = 30
+_NUMBERED = re.compile(r"column \d+")
+"""Names of columns without a header."""
 
 Column = TypeVar("Column", bound=Samples)
 
@@ -96,7 +99,24 @@ def missing_channel(path: Path, name: str, listed: tuple[str, ...]) -> str:
     close = [folded[match] for match in difflib.get_close_matches(name.casefold(), list(folded), n=3, cutoff=0.5)]
     hint = f"did you mean {' or '.join(map(repr, close))}? " if close else ""
     shown = ", ".join(map(repr, listed[:_MOST_LISTED])) + (", …" if len(listed) > _MOST_LISTED else "")
-    return f"{path}: no channel {name!r}; {hint}it has {shown}"
+    way_out = as_other_logs(name, listed)
+    return f"{path}: no channel {name!r}; {hint}it has {shown}" + (f"; {way_out}" if way_out else "")
+
+
+def for_any_variable(name: str) -> str:
+    """``*.y`` for the channel ``run1.y``, by which it may be asked for in whatever variable it is; "" without a dot."""
+    variable, dot, rest = name.partition(".")
+    return f"*.{rest}" if variable and dot and rest else ""
+
+
+def as_other_logs(name: str, listed: Sequence[str]) -> str:
+    """What to do where a channel of other logs is called otherwise here, or has no name; "" where neither is seen."""
+    alias = for_any_variable(name)
+    if alias and [for_any_variable(other) for other in listed].count(alias) == 1:
+        return f"save all logs under the same variable name, or write {alias!r} in [channels]"
+    if listed and all(map(_NUMBERED.fullmatch, listed)) and not _NUMBERED.fullmatch(name):
+        return "it has no header: give it that of the other logs, or make a settings file for each"
+    return ""
 
 
 Places = list[tuple[int, int]]

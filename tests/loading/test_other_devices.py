@@ -67,6 +67,23 @@ sample_rate = 100.0
     assert "'multisine' 900 samples, 'sweep' 1200 samples" in result.output
 
 
+def test_a_log_of_two_megahertz_is_read_in_stretched_time(tmp_path):
+    """The way out that the refusal of such an interval names."""
+    t = np.arange(800) / 2e6
+    rows = np.column_stack([t, np.sin(2e5 * t), np.sign(np.sin(3e4 * t))])
+    np.savetxt(tmp_path / "log.csv", rows, fmt="%.9g", delimiter=",", header="t,q,v", comments="")
+    channels = (
+        'q = { channel = "q", unit = "V" }\nv1 = { channel = "v", unit = "V" }\ntime = { channel = "t", unit = "s"'
+    )
+    for time, interval, told in ((" }", 5e-7, "stretch time"), (", scale = 1e4 }", 5e-3, "")):
+        text = f"[channels]\n{channels}{time}\n[ingest]\nsample_interval = {interval}\n"
+        (tmp_path / "d.toml").write_text(f'name = "d"\n[logs]\ntrain = ["log.csv"]\n{text}', encoding="utf-8")
+        result = RUNNER.invoke(app, ["ingest", str(tmp_path / "d.toml"), "-o", str(tmp_path / "run")])
+        assert (result.exit_code == 2) == bool(told) and told in result.output
+    table = RunFolder.open(tmp_path / "run").read_table("train/log/signals.parquet")
+    assert np.diff(table["t"]) == pytest.approx(5e-3) and table["t"].size >= 799
+
+
 def test_a_circuit_has_its_displacement_in_volts(tmp_path):
     channels = 'q = { channel = "q", unit = "V" }\nv1 = { channel = "v", unit = "V" }'
     result, run = ingested(tmp_path, channels, f"[ingest]\nsample_rate = {RATE}")

@@ -6,6 +6,7 @@ import pytest
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.draft import toml_draft
+from pipeline.rig_logs.inspection import inspect_log
 from pipeline.rig_logs.source import CsvOptions, unique_names
 from pipeline.tools.inspection import inspect
 from tests.rig_logs.small_logs import (
@@ -324,6 +325,41 @@ def test_rows_of_a_matrix_that_is_wider_than_high_are_channels(tmp_path):
         recording = read_recording(tmp_path / name)
         np.testing.assert_array_equal(recording.channel(channel).samples, Q)
         assert len(recording.channels) == 3
+
+
+def test_logs_that_differ_in_the_name_of_the_variable_have_a_way_out(tmp_path):
+    from scipy.io import savemat
+
+    run = {"y": Q, "u": V}
+    one, two, both = (tmp_path / f"{name}.mat" for name in ("one", "two", "both"))
+    savemat(one, {"run1": run})
+    savemat(two, {"run2": run | {"t": TIME}})
+    savemat(both, {"run1": run, "run2": run | {"t": TIME}})
+    told = r"save all logs under the same variable name, or write '\*.u' in \[channels\]"
+    with pytest.raises(InputError, match=rf"two.mat: has no channel 'run1.u', which .*one.mat has; .*: {told}"):
+        toml_draft([inspect_log(one), inspect_log(two)])
+    with pytest.raises(InputError, match=rf"two.mat: no channel 'run1.u'; .*; {told}"):
+        read_recording(two, channels=["run1.u"])
+    for path in (one, two):
+        (channel,) = read_recording(path, channels=["*.u"]).channels
+        assert channel.name == "*.u"
+        np.testing.assert_array_equal(channel.samples, V)
+    np.testing.assert_array_equal(read_recording(both, channels=["*.t"]).channels[0].samples, TIME)
+    with pytest.raises(InputError, match=r"both.mat: no channel '\*.u'; it has 'run1.y', 'run1.u'"):
+        read_recording(both, channels=["*.u"])
+
+
+def test_a_log_without_a_header_beside_one_with_it_has_a_way_out(tmp_path):
+    rows = "".join(f"{i},{i % 7},{i % 5}\n" for i in range(400))
+    (named := tmp_path / "named.csv").write_text("t,q,u\n" + rows)
+    (bare := tmp_path / "bare.csv").write_text(rows)
+    told = "it has no header: give it that of the other logs, or make a settings file for each"
+    with pytest.raises(InputError, match=f"bare.csv: has no channel 'q', which .*named.csv has; .*: {told}"):
+        toml_draft([inspect_log(named), inspect_log(bare)])
+    with pytest.raises(InputError, match=f"bare.csv: no channel 'q'; .*; {told}"):
+        read_recording(bare, channels=["q"])
+    with pytest.raises(InputError, match=r"named.csv: has no channel 'column 1', .*: give both the same header, or"):
+        toml_draft([inspect_log(bare), inspect_log(named)])
 
 
 def test_simulinks_structure_with_time_in_version_7_3(tmp_path):
