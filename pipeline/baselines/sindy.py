@@ -41,6 +41,10 @@ DEGREES = (3, 5, 7)
 START_THRESHOLD = 0.05
 FILTER_TIMES = (0.0, 0.04, 0.16)  # s, standard deviation of the Gaussian that both sides are filtered with
 THRESHOLDS = (0.0, 0.02, 0.05, 0.1, 0.2, 0.4)
+_SHORTEST_LAG, _WHOLE = (
+    0.25,
+    1.0 - 1e-6,
+)  # of a sample interval: a lag that is seen in samples, and all but for rounding
 ENSEMBLE_THRESHOLDS = (0.1, 0.2)  # each costs 80 fits
 
 
@@ -146,15 +150,21 @@ def fit_sindy(
 
     status: SearchStatus = "completed"
     try:
-        _search(error, angle)
+        _search(error, angle, max(x.interval for x in trajectories))
     except _LimitReachedError:
         status = "limit"
     chosen = simplest_within_one_standard_error(errors, terms)
     return _refit(problem, chosen, errors[chosen], (len(errors), status), np.random.default_rng(0))
 
 
-def _search(error: Callable[[Candidate], float], angle: bool) -> None:
-    """Try candidates in order of promise; each stage keeps the best of the one before."""
+def _search(error: Callable[[Candidate], float], angle: bool, interval: float) -> None:
+    """Try candidates in order of promise; each stage keeps the best of the one before.
+
+    A lag far shorter than the sample interval [s] is over between two samples: its state and the velocity differ by the
+    acceleration alone, which is what is sought. And a filter shorter than that does nothing.
+    """
+    lags = [lag for lag in LAG_TIMES if lag == 0.0 or lag >= _SHORTEST_LAG * interval]
+    filters = [width for width in FILTER_TIMES if width == 0.0 or width >= _WHOLE * interval]
 
     def best_of(treatments: Iterable[tuple[Library, float]]) -> tuple[Library, float]:
         """The library and filter time of least held-out error."""
@@ -163,9 +173,9 @@ def _search(error: Callable[[Candidate], float], angle: bool) -> None:
     library, filter_time = best_of(
         (Library(shape, 5, False, friction, lag), width)
         for shape in (("polynomial", "trigonometric") if angle else ("polynomial",))
-        for lag in LAG_TIMES
+        for lag in lags
         for friction in (False, True)
-        for width in FILTER_TIMES
+        for width in filters
     )
     shapes = [
         replace(library, degree=degree, full=full, friction=friction, coupling=coupling)

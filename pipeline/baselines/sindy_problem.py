@@ -99,6 +99,7 @@ def _row(inputs: int, powers: dict[int, int]) -> list[int]:
 
 
 TRUNCATE = 4.0  # half length of the filter in standard deviations
+_WIDE = 50.0  # samples, the width from which on a filter is evaluated at the rows that are kept alone
 SUBBLOCKS = 8  # blocks per window for the ensemble's resampling, about 1 s each in a 37.5 s log
 
 
@@ -183,7 +184,7 @@ def compressed_library(problem: Problem, library: Library, filter_time: float) -
             if kept.stop <= kept.start:  # a filter longer than the window
                 continue
             rows = np.column_stack([monomials(exponents, scaled[wide]), x.qddot[wide]])
-            rows = _filtered(rows, filter_time / x.interval)[kept]
+            rows = _filtered(rows, filter_time / x.interval, kept)
             squares, count = squares + float(np.sum(rows[:, -1] ** 2)), count + len(rows)
             if len(rows):
                 parts.append(triangular_factor([rows])[0])
@@ -207,8 +208,18 @@ def _filter_rows(window: HeldOutBlock, span: tuple[int, int], width: float) -> t
     return slice(low, high), slice(first - low, max(last, first) - low, max(1, int(width / 2)))
 
 
-def _filtered(rows: FloatArray, width: float) -> FloatArray:
-    """Gaussian filter of `width` samples along time; nothing below one sample."""
+def _filtered(rows: FloatArray, width: float, kept: slice) -> FloatArray:
+    """The rows `kept` of a Gaussian filter of `width` samples along time; nothing is filtered below one sample.
+
+    Of a wide one only they are evaluated: a log of 50 kHz has widths of thousands.
+    """
     if width < 1.0 or not len(rows):
-        return rows
-    return np.asarray(scipy.ndimage.gaussian_filter1d(rows, width, axis=0, truncate=TRUNCATE), dtype=np.float64)
+        return rows[kept]
+    if width < _WIDE:
+        filtered = scipy.ndimage.gaussian_filter1d(rows, width, axis=0, truncate=TRUNCATE)
+        return np.asarray(filtered[kept], dtype=np.float64)
+    reach = int(TRUNCATE * width + 0.5)
+    kernel = np.exp(-0.5 * np.square(np.arange(-reach, reach + 1) / width))
+    kernel /= kernel.sum()
+    found = [kernel @ rows[row - reach : row + reach + 1] for row in range(*kept.indices(len(rows)))]
+    return np.array(found).reshape(-1, rows.shape[1])

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.baselines.polynomial_dynamics import FIRST_INPUT
+from pipeline.baselines.polynomial_dynamics import FIRST_INPUT, steps_between_samples
 from pipeline.codegen.graph import Graph, apply, function, trace
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.basis_functions import GRAPHS
@@ -73,7 +73,7 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
         states=_states(unit, "velocity that a friction term feels; constant where there is none"),
         hysteresis_states=(),
         base=1,
-        step=interval / steps_per_sample(interval, d.lag_time if lagged else np.inf),
+        step=interval / steps_between_samples(d, interval),
         delay=0.0,
         between="linear",
         structure="; ".join(model.equations()),
