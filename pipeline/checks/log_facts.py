@@ -1,9 +1,12 @@
 """What one log shows of its device without any model: pushes, delays, rests, ring-down, spans."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from pipeline.checks import limits
+from pipeline.checks.input_lag import input_lag
 from pipeline.checks.weak_form import (
     FORCE_ORDER,
     GAIN_TERMS,
@@ -170,6 +173,8 @@ class LogFacts:
     unexplained, under_other_law : float or None
         Share of the accelerations that the weak form leaves, and that it leaves where inputs act by their other law (in
         proportion for by their squares); the latter only where an input takes both signs.
+    lag : float or None
+        Time constant [s] of a lag of the inputs that explains a late answer surely better than a delay.
     """
 
     signals: LogSignals
@@ -184,6 +189,7 @@ class LogFacts:
     undriven: int
     unexplained: float | None = None
     under_other_law: float | None = None
+    lag: float | None = None
 
 
 def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogFacts:
@@ -215,7 +221,21 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
         undriven=_undriven(q, v, every * log.interval, wells, natural),
         unexplained=None if terms is None else unexplained(terms),
         under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if both_signs else None,
+        lag=_lag(log, terms, inputs, sample_interval, squared=squared),
     )
+
+
+def _lag(
+    log: LogSignals,
+    terms: WeakTerms | None,
+    inputs: Sequence[InputFacts | None],
+    sample_interval: float,
+    *,
+    squared: bool,
+) -> float | None:
+    """See `LogFacts`: looked for only where an input acts remarkably late."""
+    late = any(one is not None and one.delay.value > limits.NOTED_DELAY * sample_interval for one in inputs)
+    return input_lag(log, terms, sample_interval, REACH, squared=squared) if late and terms is not None else None
 
 
 def _ring_step(log: LogSignals) -> int:

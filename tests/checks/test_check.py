@@ -9,6 +9,7 @@ from pipeline.checks.check import Declared, check_logs
 from pipeline.checks.log_facts import log_facts
 from pipeline.checks.rows import CheckRow, findings
 from pipeline.checks.weak_form import LogSignals
+from pipeline.numerics.lag import first_order_lag
 from pipeline.scoring.wells import snaps
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
@@ -170,6 +171,20 @@ def test_a_delay_that_no_clock_need_make_is_shown_and_does_not_refuse(pair: list
     rows = [row for row in check_logs([_later(pair[0], 17)], JOINT) if row.what.startswith("delay")]
     assert {(row.state, row.gate) for row in rows} == {("note", None)}
     assert all('drive = "lag" or "delay"' in row.advice for row in rows)
+
+
+@pytest.mark.parametrize("lag", [0.03, 0.05])
+def test_a_lag_of_the_inputs_is_told_from_a_delay_and_does_not_refuse(pair: list[LogSignals], lag: float) -> None:
+    """Electrodes that charge slowly; the voltages of the log are those in front of them."""
+    v = pair[0].v
+    behind = np.column_stack([first_order_lag(np.ascontiguousarray(side), 1.0 / RATE, lag)[0] for side in v.T])
+    slow = replace(pair[0], q=DoubleWell().simulate(behind, 1.0 / RATE))
+    assert log_facts(slow, 0.01, squared=True).lag == pytest.approx(lag, rel=0.4)
+    rows = [row for row in check_logs([slow], JOINT) if row.what.startswith("delay")]
+    assert {(row.state, row.gate) for row in rows} == {("note", None)}
+    assert all("better than any delay" in row.advice for row in rows)
+    for late in (40, 80):
+        assert log_facts(_later(pair[0], late), 0.01, squared=True).lag is None
 
 
 @pytest.mark.parametrize(("kept", "found"), [(True, ["wrapped"]), (False, [])])
