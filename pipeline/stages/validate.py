@@ -28,7 +28,7 @@ from pipeline.signals.inputs import voltages
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "17"
+ALGORITHM = "18"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; at least one sample."""
@@ -74,7 +74,9 @@ def _predict(
         result = free_run(table, model)
         notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
         rate = notes["lyapunov_per_s"] = _lyapunov_exponent(table, model, result)
-        notes["horizons"] = _horizons(table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate})
+        notes["horizons"] = _horizons(
+            table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate}, joint=plant.joint
+        )
         notes["basis_functions"] = model.describe().get("basis_functions")
         notes |= trust_notes(model, table, list(tables.values()), trained)
         artifact = layout.predictions(role, log, name)
@@ -106,7 +108,7 @@ def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> fl
     return lyapunov_exponent(displacement, known["t"], v, known["q"], known["qdot"], span, made)
 
 
-def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float]) -> dict[str, Any]:
+def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log."""
     from pipeline.scoring.horizons import horizon_errors
     from pipeline.scoring.intervals import SEED
@@ -114,7 +116,7 @@ def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float]) 
     signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
     found = horizon_errors(
         predictor(model), *signals, list(horizons.values()), seed=SEED, most_starts=_RESTARTS,
-        shared=not model.fine_voltages,
+        joint=joint, shared=not model.fine_voltages,
     )  # fmt: skip
     return {name: asdict(error) for name, error in zip(horizons, found, strict=True)}
 

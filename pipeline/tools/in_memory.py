@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.loading.device import device
+from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
@@ -146,7 +146,7 @@ def identify_signals(
     return models, notes | {"warnings": [*told, *notes["warnings"]], "contradictions": contradictions}, tables
 
 
-def score_table(model: DynamicModel, table: Table) -> list[dict[str, Any]]:
+def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[str, Any]]:
     """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them."""
     from pipeline.scoring.intervals import SEED
     from pipeline.scoring.scores import score_run
@@ -157,7 +157,7 @@ def score_table(model: DynamicModel, table: Table) -> list[dict[str, Any]]:
     wells = wells_of([table])
     scores = score_run(
         pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
-        rng=np.random.default_rng(SEED),
+        joint=plant.joint, rng=np.random.default_rng(SEED),
     )  # fmt: skip
     return [score_row(score) for score in scores]
 
