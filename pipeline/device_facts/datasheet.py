@@ -6,7 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import LEVEL, Curves, device_facts, intervals, model_curves
+from pipeline.device_facts.characteristics import (
+    LEVEL,
+    Curves,
+    believed_wells,
+    device_facts,
+    equilibria,
+    intervals,
+    model_curves,
+)
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
 from pipeline.device_facts.run_data import RunData, wells_of_run
@@ -206,10 +214,10 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         values = device_facts(curves[source])
         limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
-        single = "rest" in values
-        if not (data.joint or "well_left" in values) and isinstance(wells, Wells):
-            wells = NoWells(f"{source} has {'a single rest' if single else 'no two wells'}", single)
-            rests = rest_facts(records, wells, hum)
+        stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
+        believed = believed_wells(wells, source, stable, joint=data.joint)
+        if believed is not wells:
+            wells, rests = believed, rest_facts(records, believed, hum)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, rests, wells, events)

@@ -69,8 +69,8 @@ def _score(
     run: RunFolder, prototype: Prototype, rotation: RotationMap | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
-    wells = wells_of([table for _, _, table in logs])
     plant, rows = device(prototype), []
+    wells = _wells(run, [table for _, _, table in logs], plant, layout.logs(prototype)[0][:2], models)
     for role, log, measured in logs:
         runs = {}
         for model in models:
@@ -85,6 +85,17 @@ def _score(
                 rows.append(head | row | of_model)
     columns = {column.name: [row.get(column.name) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
+
+
+def _wells(
+    run: RunFolder, tables: Sequence[Table], plant: Device, log: tuple[Role, str], models: Sequence[str]
+) -> "Wells | NoWells":
+    """The wells in the data, unless the first of these models with curves knows of no two; its free run notes that."""
+    from pipeline.device_facts.characteristics import believed_wells
+
+    rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
+    judge = next((model for model in models if rests[model] is not None), models[0])
+    return believed_wells(wells_of(tables), judge, rests[judge], joint=plant.joint)
 
 
 @dataclass(frozen=True)

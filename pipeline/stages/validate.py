@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import free_rows, free_run, start_of
 from pipeline.loading.parameter_sets import parameter_values
@@ -27,6 +28,7 @@ from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
+    from pipeline.scoring.wells import NoWells, Wells
 
 ALGORITHM = "18"
 
@@ -67,6 +69,8 @@ def _predict(
     written: dict[str, Written] = {}
     tables = {(role, log): load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)}
     trained = [table for (role, _), table in tables.items() if role == "train"]
+    seen = stable_rests(model, [table["q"] for table in trained])
+    wells = believed_wells(wells_of(list(tables.values())), name, seen, joint=plant.joint)
     for (role, log), table in tables.items():
         if not written:
             _compile(model, table)
@@ -78,7 +82,7 @@ def _predict(
             table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate}, joint=plant.joint
         )
         notes["basis_functions"] = model.describe().get("basis_functions")
-        notes |= trust_notes(model, table, list(tables.values()), trained)
+        notes |= {"stable_rests": seen} | trust_notes(model, table, wells, trained)
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, rotation, result, notes)
     return written
@@ -138,7 +142,7 @@ def _write(
 
 
 def trust_notes(
-    model: "DynamicModel", table: Table, every_log: Sequence[Table], trained: Sequence[Table]
+    model: "DynamicModel", table: Table, wells: "Wells | NoWells", trained: Sequence[Table]
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
@@ -148,8 +152,8 @@ def trust_notes(
         Outcomes are noted for one that can draw an ensemble from its parameters' posterior.
     table : Table
         The log.
-    every_log : sequence of Table
-        All logs of the device, in which its wells are found.
+    wells : Wells or NoWells
+        The wells of the device.
     trained : sequence of Table
         The training logs.
 
@@ -165,7 +169,7 @@ def trust_notes(
     known, seen = _valid([free_rows(table)]), _valid(trained)
     return {
         "outside_training": share_outside(*known, *seen),
-        "outcomes": _outcomes(model, table, every_log),
+        "outcomes": _outcomes(model, table, wells),
     }
 
 
@@ -177,10 +181,10 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
     return q, qdot
 
 
-def _outcomes(model: "DynamicModel", table: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
+def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells") -> dict[str, Any] | None:
     from pipeline.scoring.wells import Wells, pulse_outcomes, rests
 
-    wells, rows = wells_of(every_log), free_rows(table)
+    rows = free_rows(table)
     after = [rest for rest in rests(voltages(rows), sample_interval(rows["t"])) if rest.start > 0]
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.errors import InputError
 from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
@@ -154,7 +155,8 @@ def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[s
     made, t, v = free_run(table, model), table["t"], voltages(table)
     interval = sample_interval(t)
     pairs = {name: (table[name], getattr(made, name)) for name in ("q", "qdot", "qddot")}
-    wells = wells_of([table])
+    rests = stable_rests(model, [table["q"]])
+    wells = believed_wells(wells_of([table]), model.name, rests, joint=plant.joint)
     scores = score_run(
         pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
         joint=plant.joint, rng=np.random.default_rng(SEED),
