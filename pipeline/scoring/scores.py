@@ -94,7 +94,7 @@ def score_run(
             score = replace(score, nrmse=fraction, rmse=rmse(measured, calculated), nrmse_interval=of_range)
         if name == "q" and isinstance(wells, Wells):
             same = in_same_well(measured, calculated, wells)
-            switches = switch_accuracy(measured, calculated, v, interval, wells)
+            switches = switch_accuracy(measured, calculated, v, interval, wells, joint=joint)
             score = replace(
                 score,
                 well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,

@@ -95,7 +95,7 @@ def _wells(
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
     judge = next((model for model in models if rests[model] is not None), models[0])
-    return believed_wells(wells_of(tables), judge, rests[judge], joint=plant.joint)
+    return believed_wells(wells_of(tables, joint=plant.joint), judge, rests[judge], joint=plant.joint)
 
 
 @dataclass(frozen=True)

@@ -70,7 +70,7 @@ def _predict(
     tables = {(role, log): load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)}
     trained = [table for (role, _), table in tables.items() if role == "train"]
     seen = stable_rests(model, [table["q"] for table in trained])
-    wells = believed_wells(wells_of(list(tables.values())), name, seen, joint=plant.joint)
+    wells = believed_wells(wells_of(list(tables.values()), joint=plant.joint), name, seen, joint=plant.joint)
     for (role, log), table in tables.items():
         if not written:
             _compile(model, table)
@@ -82,7 +82,7 @@ def _predict(
             table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate}, joint=plant.joint
         )
         notes["basis_functions"] = model.describe().get("basis_functions")
-        notes |= {"stable_rests": seen} | trust_notes(model, table, wells, trained)
+        notes |= {"stable_rests": seen} | trust_notes(model, table, wells, trained, joint=plant.joint)
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, rotation, result, notes)
     return written
@@ -142,7 +142,7 @@ def _write(
 
 
 def trust_notes(
-    model: "DynamicModel", table: Table, wells: "Wells | NoWells", trained: Sequence[Table]
+    model: "DynamicModel", table: Table, wells: "Wells | NoWells", trained: Sequence[Table], *, joint: bool
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
@@ -156,6 +156,8 @@ def trust_notes(
         The wells of the device.
     trained : sequence of Table
         The training logs.
+    joint : bool
+        Whether the device can be the bistable joint.
 
     Returns
     -------
@@ -169,7 +171,7 @@ def trust_notes(
     known, seen = _valid([free_rows(table)]), _valid(trained)
     return {
         "outside_training": share_outside(*known, *seen),
-        "outcomes": _outcomes(model, table, wells),
+        "outcomes": _outcomes(model, table, wells, joint=joint),
     }
 
 
@@ -181,14 +183,20 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
     return q, qdot
 
 
-def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells") -> dict[str, Any] | None:
-    from pipeline.scoring.wells import Wells, pulse_outcomes, rests
+def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells", *, joint: bool) -> dict[str, Any] | None:
+    from pipeline.scoring.wells import Wells, places_of_rest, pulse_outcomes
 
     rows = free_rows(table)
-    after = [rest for rest in rests(voltages(rows), sample_interval(rows["t"])) if rest.start > 0]
+    found = places_of_rest(rows["q"], voltages(rows), sample_interval(rows["t"]), joint=joint)
+    after = [rest for rest in found if rest.start > 0]
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None
     ensemble, _ = model.simulate_draws(*start_of(table, model), count=_DRAWS)
-    found = pulse_outcomes(ensemble, after, wells)
+    outcomes = pulse_outcomes(ensemble, after, wells)
     ends = [float(rows["t"][rest.stop - 1]) for rest in after]
-    return {"draws": _DRAWS, "at_s": ends, "right": found.right.tolist(), "ambiguous": found.ambiguous.tolist()}
+    return {
+        "draws": _DRAWS,
+        "at_s": ends,
+        "right": outcomes.right.tolist(),
+        "ambiguous": outcomes.ambiguous.tolist(),
+    }

@@ -150,7 +150,7 @@ def _work(
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([table["segment"] for table in tables], split.count)
     data = _stretches(tables)
-    wells = wells_of(tables)
+    wells = wells_of(tables, joint=device(prototype).joint)
     judge = _Judge(prototype, parameters, model, signal_ranges(data), wells, identify.known_table(run, prototype))
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip

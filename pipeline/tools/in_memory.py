@@ -156,7 +156,7 @@ def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[s
     interval = sample_interval(t)
     pairs = {name: (table[name], getattr(made, name)) for name in ("q", "qdot", "qddot")}
     rests = stable_rests(model, [table["q"]])
-    wells = believed_wells(wells_of([table]), model.name, rests, joint=plant.joint)
+    wells = believed_wells(wells_of([table], joint=plant.joint), model.name, rests, joint=plant.joint)
     scores = score_run(
         pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
         joint=plant.joint, rng=np.random.default_rng(SEED),
