@@ -29,8 +29,8 @@ EXPLANATION = (
     "Bayesian bootstrap of the pulses."
 )
 _HORIZONS = (
-    "NRMSE of q after one sample, 0.1 s and 1 s from restarts in the measured state, hidden states from up to 1 s of "
-    "the measurement before"
+    "NRMSE of q after one sample, 0.1 s and 1 s (none of less than two samples or more than the log) from restarts in "
+    "the measured state, hidden states from up to 1 s of the measurement before"
 )
 _SWITCHES = (
     f"Rise (10–90 %) and settling time (±{100.0 * SETTLED:.0f} %): median error over the switches that the model "

@@ -33,7 +33,10 @@ if TYPE_CHECKING:
 ALGORITHM = "18"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
-"""How far ahead [s] a model is judged from the measured state; at least one sample."""
+"""How far ahead [s] a model is judged from the measured state; 0 is one sample."""
+
+SHORTEST_HORIZON = 2.0
+"""In sample intervals: a shorter one but for one step would be rounded to another time than its name says."""
 
 _RESTARTS = 60
 _DRAWS = 32
@@ -113,16 +116,20 @@ def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> fl
 
 
 def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
-    """NRMSE of q after fixed times, from restarts along the log."""
-    from pipeline.scoring.horizons import horizon_errors
+    """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
+    from pipeline.scoring.horizons import HorizonError, horizon_errors
     from pipeline.scoring.intervals import SEED
+
+    shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
+    kept = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
     found = horizon_errors(
-        predictor(model), *signals, list(horizons.values()), seed=SEED, most_starts=_RESTARTS,
+        predictor(model), *signals, list(kept.values()), seed=SEED, most_starts=_RESTARTS,
         joint=joint, shared=not model.fine_voltages,
     )  # fmt: skip
-    return {name: asdict(error) for name, error in zip(horizons, found, strict=True)}
+    errors = dict(zip(kept, found, strict=True))
+    return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
 
 
 def _write(
