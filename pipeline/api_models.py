@@ -103,6 +103,7 @@ class Model:
         """
         import pandas as pd
 
+        from pipeline.loading.device import device
         from pipeline.loading.free_runs import free_run
         from pipeline.numerics.metrics import fit_percent
         from pipeline.tools.in_memory import score_table
@@ -114,7 +115,7 @@ class Model:
             {"signal": row["signal"], "fit_percent": fit_percent(table[row["signal"]], getattr(made, row["signal"]))}
             | {"unit": units[row["signal"]]}
             | row
-            for row in score_table(self.core, table)
+            for row in score_table(self.core, table, device(self._prototype))
         ]
         return pd.DataFrame(rows)
 

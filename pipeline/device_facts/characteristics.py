@@ -4,15 +4,16 @@ With the restoring force F(q), positive where it pulls towards smaller q, and th
 the device rests where F(q) = Σ g_k(q) u_k (eq. 37 at rest); u = v² for an electrostatic input, u = v for a linear one.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
-from pipeline.models.base import HasCurveDraws, HasCurves
+from pipeline.models.base import DynamicModel, HasCurveDraws, HasCurves
 from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.scoring.wells import NoWells, Wells
 
 LEVEL = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range
@@ -76,23 +77,67 @@ def curves_from(named: Mapping[str, FloatArray], q: FloatArray) -> Curves:
 
 def model_curves(data: RunData) -> tuple[dict[str, Curves], dict[str, list[Curves]]]:
     """Curves of every model that has them, over the range of the training data, and draws of their posterior."""
-    q = np.concatenate([log.kinematics["q"] for log in data.role("train")])
-    grid = np.linspace(float(np.nanmin(q)), float(np.nanmax(q)), POINTS)
+    grid = _operating_range([log.kinematics["q"] for log in data.role("train")])
     curves: dict[str, Curves] = {}
     draws: dict[str, list[Curves]] = {}
     for name, model in data.models.items():
-        if not isinstance(model, HasCurves):
-            continue
-        try:
-            named = model.curves(grid)
-        except InputError:
-            continue  # a parameter set whose beam snaps while its tip is held has no curve over q
-        if "F" not in named:
+        named = _own_curves(model, grid)
+        if named is None:
             continue
         curves[name] = curves_from(named, grid)
         if isinstance(model, HasCurveDraws):
             draws[name] = [curves_from(drawn, grid) for drawn in _drawn_curves(model, named, grid)]
     return curves, draws
+
+
+def _operating_range(motions: Sequence[FloatArray]) -> FloatArray:
+    q = np.concatenate(motions)
+    return np.linspace(float(np.nanmin(q)), float(np.nanmax(q)), POINTS)
+
+
+def _own_curves(model: DynamicModel, grid: FloatArray) -> Mapping[str, FloatArray] | None:
+    """Curves of a model by its own names; None of one without a restoring force."""
+    if not isinstance(model, HasCurves):
+        return None
+    try:
+        named: Mapping[str, FloatArray] = model.curves(grid)
+    except InputError:
+        return None  # a parameter set whose beam snaps while its tip is held has no curve over q
+    return named if "F" in named else None
+
+
+def stable_rests(model: DynamicModel, motions: Sequence[FloatArray]) -> int | None:
+    """In how many places a device rests by a model's curves over the range of q that was seen; None without curves.
+
+    Parameters
+    ----------
+    model : DynamicModel
+        Any model.
+    motions : sequence of FloatArray, shape (N,)
+        Displacement [m or rad] in the training logs, NaN where masked.
+    """
+    grid = _operating_range(motions)
+    named = _own_curves(model, grid)
+    return None if named is None else sum(e.stable for e in equilibria(grid, np.asarray(named["F"])))
+
+
+def believed_wells(wells: Wells | NoWells, model: str, rests: int | None, *, joint: bool) -> Wells | NoWells:
+    """The wells seen in the data of the joint, and of another device unless its model says that they are none.
+
+    Parameters
+    ----------
+    wells : Wells or NoWells
+        Seen in the data.
+    model : str
+        Name of the model.
+    rests : int or None
+        Its `stable_rests`.
+    joint : bool
+        Whether the device can be the bistable joint.
+    """
+    if joint or rests is None or rests > 1 or isinstance(wells, NoWells):
+        return wells
+    return NoWells(f"{model} has {'a single rest' if rests else 'no two wells'}", rests == 1)
 
 
 def _drawn_curves(

@@ -6,7 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import LEVEL, Curves, device_facts, intervals, model_curves
+from pipeline.device_facts.characteristics import (
+    LEVEL,
+    Curves,
+    believed_wells,
+    device_facts,
+    equilibria,
+    intervals,
+    model_curves,
+)
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
 from pipeline.device_facts.run_data import RunData, wells_of_run
@@ -198,7 +206,7 @@ def make_datasheet(data: RunData) -> Datasheet:
     wells = wells_of_run(data)
     records = [(g.kinematics["t"], g.kinematics["q"], voltages(g.kinematics)) for g in data.logs]
     hum = {line for log in data.logs for line in log.record_notes.get("hum", ())}
-    rests = rest_facts(records, wells, hum)
+    rests = rest_facts(records, wells, hum, joint=data.joint)
     curves, draws = model_curves(data)
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
@@ -206,10 +214,10 @@ def make_datasheet(data: RunData) -> Datasheet:
     if source is not None:
         values = device_facts(curves[source])
         limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
-        single = "rest" in values
-        if not (data.joint or "well_left" in values) and isinstance(wells, Wells):
-            wells = NoWells(f"{source} has {'a single rest' if single else 'no two wells'}", single)
-            rests = rest_facts(records, wells, hum)
+        stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
+        believed = believed_wells(wells, source, stable, joint=data.joint)
+        if believed is not wells:
+            wells, rests = believed, rest_facts(records, believed, hum, joint=data.joint)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
     facts = _facts(data, values, limits, rests, wells, events)
@@ -263,7 +271,8 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     if model is None or not logs:
         return {}
     runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
-    return {key: float(np.mean(values)) for key, values in _measured(rest_facts(runs, wells), wells).items()}
+    found = _measured(rest_facts(runs, wells, joint=data.joint), wells)
+    return {key: float(np.mean(values)) for key, values in found.items()}
 
 
 def _facts(

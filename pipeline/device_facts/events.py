@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.scoring.wells import NoWells, Wells, end_of_rest, rests
+from pipeline.scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
 from pipeline.signals.mains_hum import aliased
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
@@ -110,7 +110,11 @@ class RestFacts:
 
 
 def rest_facts(
-    records: list[tuple[FloatArray, FloatArray, FloatArray]], wells: Wells | NoWells, hum: Collection[float] = ()
+    records: list[tuple[FloatArray, FloatArray, FloatArray]],
+    wells: Wells | NoWells,
+    hum: Collection[float] = (),
+    *,
+    joint: bool = True,
 ) -> RestFacts:
     """Rest positions and ring-downs of some logs.
 
@@ -122,6 +126,8 @@ def rest_facts(
         Without wells all rests count as one, on the left.
     hum : collection of float
         Mains lines in the displacement [Hz]; what oscillates there, or where it is aliased to, is no ring-down.
+    joint : bool
+        Whether the device can be the bistable joint; where another rests is seen in `places_of_rest` alone.
 
     Notes
     -----
@@ -131,6 +137,7 @@ def rest_facts(
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])
     for t, q, v in records:
         interval, quiet = sample_interval(t), rests(v, sample_interval(t))
+        standing = [rest.start for rest in places_of_rest(q, v, interval, joint=joint)]
         step = -(-len(quiet) // MOST_RING_DOWNS)
         for number, rest in enumerate(quiet):
             end = q[end_of_rest(rest, interval)]
@@ -138,7 +145,8 @@ def rest_facts(
                 continue
             place = float(np.median(end))
             side = int(isinstance(wells, Wells) and place > wells.barrier)
-            places[side].append(place)
+            if rest.start in standing:
+                places[side].append(place)
             ring = _ring_down(t, q, rest, interval, wells) if number % step == 0 else None
             if ring is not None and not _is_driven(ring, interval, hum):
                 rings[side].append(ring)

@@ -165,7 +165,7 @@ class RunData:
 
 def wells_of_run(data: RunData) -> Wells | NoWells:
     """The wells in the data of all logs."""
-    return wells_of([log.kinematics for log in data.logs])
+    return wells_of([log.kinematics for log in data.logs], joint=data.joint)
 
 
 def judged_log(data: RunData) -> LogData:

@@ -14,10 +14,11 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.models.kind import StoredModel, Training, fitted_samples
-from pipeline.numerics.arrays import FloatArray, samples_of
+from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import kept_under
-from pipeline.scoring.intervals import BLOCK, SEED, Interval, rms_difference_interval, rms_interval
+from pipeline.scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
 from pipeline.signals.trajectory import Record
+from pipeline.units import of_joint
 
 NETWORK_ERROR = 0.006
 """Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.
@@ -124,7 +125,7 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
         return Choice(rbf(training), f"hybrid is no candidate: {refused}", {})
     errors = _errors(getattr(model, "early", None) or model, training.records)
     held_out = {"hybrid": _rms(errors)}
-    interval = rms_interval(errors, _block(training), np.random.default_rng(SEED))
+    interval = rms_interval(errors, _block(training, errors), np.random.default_rng(SEED))
     if (UNKNOWN_BOUND * held_out["hybrid"] if interval is None else interval.high) < NETWORK_ERROR:
         said = f"to {100.0 * held_out['hybrid']:.2g} % of the range"
         return Choice(model, f"the joint's equations predict held-out training data {said}", held_out, None, interval)
@@ -135,12 +136,13 @@ def _compared(
     training: Training, model: StoredModel, rbf: Fit, hybrid_errors: FloatArray, interval: Interval | None
 ) -> Choice:
     """The hybrid joint or the network, after that has been judged on the same."""
-    held_out, block = {"hybrid": _rms(hybrid_errors)}, _block(training)
+    held_out = {"hybrid": _rms(hybrid_errors)}
     try:
         errors, network_fitted = _network_errors(training, rbf, held_out["hybrid"])
     except DataRefusedError as refused:
         return Choice(model, f"rbf is no candidate: {refused}", held_out, None, interval)
     held_out["rbf"] = _rms(errors)
+    block = _block(training, errors, hybrid_errors)
     excess = rms_difference_interval(errors, hybrid_errors, block, np.random.default_rng(SEED))
     if held_out["hybrid"] <= held_out["rbf"]:
         return Choice(model, "smaller error on held-out training data", held_out, excess, interval)
@@ -183,9 +185,11 @@ def _first_parts(training: Training) -> tuple[Record, ...]:
     return tuple(record.part(0, fitted_samples(len(record.t))) for record in training.records)
 
 
-def _block(training: Training) -> int:
+def _block(training: Training, *errors: FloatArray) -> int:
     """Samples over which errors hang together."""
-    return samples_of(BLOCK, training.records[0].interval)
+    record, (displacement, voltage) = training.records[0], training.units
+    joint = of_joint(displacement, [voltage] * record.v.shape[1], squared=training.inputs == "squared")
+    return block_of(errors, record.interval, joint=joint)
 
 
 def _within(training: Training, limit: float) -> Training:

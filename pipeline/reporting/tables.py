@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from pipeline.names import log_title
-from pipeline.scoring.intervals import BLOCK, FEWEST
+from pipeline.scoring.intervals import BLOCK, FEWEST, FEWEST_BLOCKS, MEMORIES
 from pipeline.scoring.step_responses import SETTLED
 from pipeline.scoring.wells import SURE
 from pipeline.units import SIGNALS
@@ -22,13 +22,15 @@ LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot":
 EXPLANATION = (
     "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
     "and no rank. Brackets: 95 % intervals, the spread had other stretches been recorded, by moving-block bootstrap "
-    f"({BLOCK:g} s blocks). * lowest of the log, all others higher in the paired bootstrap (both resampled at the same "
-    "blocks); ≈ not told apart from the lowest, so no order among these. Wells: share of samples in the measured well. "
-    "Switches: share of pulses after which both rest in the same well, interval by Bayesian bootstrap of the pulses."
+    f"({BLOCK:g} s blocks; of other devices than the joint as long as errors hang together, {MEMORIES} correlation "
+    f"times, and at most 1/{FEWEST_BLOCKS} of the log). * lowest of the log, all others higher in the paired bootstrap "
+    "(both resampled at the same blocks); ≈ not told apart from the lowest, so no order among these. Wells: share of "
+    "samples in the measured well. Switches: share of pulses after which both rest in the same well, interval by "
+    "Bayesian bootstrap of the pulses."
 )
 _HORIZONS = (
-    "NRMSE of q after one sample, 0.1 s and 1 s from restarts in the measured state, hidden states from up to 1 s of "
-    "the measurement before"
+    "NRMSE of q after one sample, 0.1 s and 1 s (none of less than two samples or more than the log) from restarts in "
+    "the measured state, hidden states from up to 1 s of the measurement before"
 )
 _SWITCHES = (
     f"Rise (10–90 %) and settling time (±{100.0 * SETTLED:.0f} %): median error over the switches that the model "

@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray, runs_of, sample_interval, samples_of
 from pipeline.numerics.metrics import rms, signal_range
-from pipeline.scoring.intervals import BLOCK, Interval, rms_interval
+from pipeline.scoring.intervals import BLOCK, Interval, block_of, rms_interval
 
 MOST_STARTS = 400
 WARM_UP = 1.0
@@ -28,8 +28,8 @@ class HorizonError:
     nrmse : float or None
         RMS of the error of q at the horizon over the range of q (eq. 41); None if every start diverged or none exists.
     interval : Interval or None
-        95 % moving-block bootstrap interval of `nrmse`, in blocks of as many neighbouring starts as 2 s hold; None with
-        fewer than three blocks of them.
+        95 % moving-block bootstrap interval of `nrmse`, in blocks of neighbouring starts (`block_of`; of the joint
+        as many as 2 s hold); None with fewer than three blocks of them.
     starts : int
         Restarts made.
     diverged : int
@@ -52,6 +52,7 @@ def horizon_errors(
     horizons: Sequence[float],
     *,
     seed: int,
+    joint: bool,
     most_starts: int = MOST_STARTS,
     shared: bool = True,
 ) -> list[HorizonError]:
@@ -72,6 +73,8 @@ def horizon_errors(
         Times ahead [s]; rounded to samples, at least one.
     seed : int
         For the bootstrap.
+    joint : bool
+        Whether the device can be the bistable joint, see `pipeline.scoring.intervals.block_of`.
     most_starts : int
         Upper bound of the restarts of a horizon; they are at least one horizon apart, but for the one-step horizon.
     shared : bool
@@ -101,21 +104,22 @@ def horizon_errors(
     return [
         _error(
             np.array([paths[start, 0 if shared else ahead][ahead] - q[start + ahead] for start in chosen.tolist()]),
-            chosen, ahead, interval, span, seed,
+            chosen, ahead, interval, span, seed, joint=joint,
         )
         for ahead, chosen in zip(aheads, starts, strict=True)
     ]  # fmt: skip
 
 
 def _error(
-    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, seed: int
+    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, seed: int, *, joint: bool
 ) -> HorizonError:
     """What the errors `ahead` samples after the starts come to."""
     good = errors[np.isfinite(errors)]
     if not good.size or not span:
         return HorizonError(ahead * interval, None, None, starts.size, starts.size - good.size)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
-    band = rms_interval(errors / span, samples_of(BLOCK, spacing), np.random.default_rng(seed))
+    block = block_of((errors,), spacing, joint=joint)
+    band = rms_interval(errors / span, block, np.random.default_rng(seed))
     value = rms(good) / span
     return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
 

@@ -6,9 +6,9 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, samples_of
+from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse, rmse, signal_range
-from pipeline.scoring.intervals import BLOCK, Interval, mean_interval, rms_interval, share_interval
+from pipeline.scoring.intervals import Interval, block_of, mean_interval, rms_interval, share_interval
 from pipeline.scoring.wells import NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]
@@ -60,6 +60,7 @@ def score_run(
     status: Status,
     diverged_at_s: float | None,
     wells: Wells | NoWells,
+    joint: bool,
     rng: np.random.Generator,
 ) -> tuple[Score, ...]:
     """Score every signal of a free run.
@@ -76,13 +77,16 @@ def score_run(
         Of the free run.
     wells : Wells or NoWells
         `find_wells` of all logs of the device.
+    joint : bool
+        Whether it can be the bistable joint, see `pipeline.scoring.intervals.block_of`.
     rng : numpy.random.Generator
         For the bootstrap.
     """
-    block, scores = samples_of(BLOCK, interval), []
+    scores = []
     for name, (measured, calculated) in signals.items():
         n = int(np.count_nonzero(np.isfinite(measured) & np.isfinite(calculated)))
         score = Score(name, None, None, None, n, status, diverged_at_s)
+        block = block_of((calculated - measured,), interval, joint=joint)
         if status == "ok":
             fraction, span = nrmse(measured, calculated), signal_range(measured)
             band = rms_interval(calculated - measured, block, rng) if fraction is not None else None
@@ -90,7 +94,7 @@ def score_run(
             score = replace(score, nrmse=fraction, rmse=rmse(measured, calculated), nrmse_interval=of_range)
         if name == "q" and isinstance(wells, Wells):
             same = in_same_well(measured, calculated, wells)
-            switches = switch_accuracy(measured, calculated, v, interval, wells)
+            switches = switch_accuracy(measured, calculated, v, interval, wells, joint=joint)
             score = replace(
                 score,
                 well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,

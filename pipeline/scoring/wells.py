@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
+from pipeline.numerics.metrics import signal_range
+from pipeline.scoring.intervals import correlation_time
 from pipeline.signals.inputs import voltages
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
@@ -18,6 +20,9 @@ SHORT_PAUSE = 0.1  # s; where no rest tells of the other well, a joint that ring
 # Of the range of q in such a window: a joint that swings further says little of where it would rest; beyond half of the
 # range it is in no well; where slow passages over the barrier fill the gap, rests this calm alone tell.
 LARGEST_SWING, WITHIN_WELL, CALM = 0.25, 0.5, 0.05
+LEAST_SAMPLES = 20  # of a rest of another device: its sample interval may be longer than the joint's whole rest
+STANDS = 0.02  # of the range of q: what moves less in the time over which q remembers where it was stands still
+TURNS = 3  # passages of q through the middle of its rest, each from half a standard deviation out: it rings
 
 
 @dataclass(frozen=True)
@@ -81,13 +86,54 @@ def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST) -> li
     return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= shortest]
 
 
+def places_of_rest(
+    q: FloatArray, v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, joint: bool
+) -> list[slice]:
+    """The `rests` of a device in which q comes to rest too, as the joint does in each of them.
+
+    Another device may be slow: of its rests those count that have `LEAST_SAMPLES`, and in whose second half q drifts
+    by less than `STANDS` of its range within its correlation time in the log, or rings about one place by no more than
+    `LARGEST_SWING` of it.
+
+    Parameters
+    ----------
+    q : FloatArray, shape (N,)
+        Displacement, NaN where masked.
+    v : FloatArray, shape (N, K)
+        Inputs.
+    interval, shortest : float
+        Sample interval and shortest rest [s].
+    joint : bool
+        Whether the device can be the bistable joint.
+    """
+    found = rests(v, interval, shortest)
+    span = signal_range(q)
+    if joint or not span:
+        return found
+    memory = correlation_time(q)
+    return [rest for rest in found if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
+
+
+def _stands(q: FloatArray, memory: int) -> bool:
+    """Whether q of a rest, over its range in the log, is as calm as `places_of_rest` asks."""
+    rows = np.flatnonzero(np.isfinite(q[q.size // 2 :]))
+    end = q[q.size // 2 :][rows]
+    if rows.size < 2:
+        return False
+    if abs(float(np.polyfit(rows, end, 1)[0])) * memory <= STANDS:
+        return True
+    apart = q[np.isfinite(q)] - np.median(end)
+    sides = np.sign(apart[np.abs(apart) > np.std(end) / 2.0])
+    return bool(np.count_nonzero(np.diff(sides)) >= TURNS and np.ptp(end) <= LARGEST_SWING)
+
+
 def end_of_rest(rest: slice, interval: float) -> slice:
     """Rows of the last `LONGEST_WINDOW` of a rest, or of the whole of a shorter one."""
     return slice(max(rest.start, rest.stop - samples_of(LONGEST_WINDOW, interval)), rest.stop)
 
 
 def find_wells(
-    records: Sequence[tuple[FloatArray, FloatArray, float]], shortest: float = SHORTEST_REST
+    records: Sequence[tuple[FloatArray, FloatArray, float]], shortest: float = SHORTEST_REST, *, joint: bool = True
 ) -> Wells | NoWells:
     """Two clusters of rest positions at zero voltage, with nothing in between.
 
@@ -105,6 +151,8 @@ def find_wells(
         device: one that visits a single well is then scored by the wells of the others.
     shortest : float
         Shortest rest [s].
+    joint : bool
+        Whether the device can be the bistable joint, see `places_of_rest`.
 
     Returns
     -------
@@ -115,7 +163,7 @@ def find_wells(
     for q, v, interval in records:
         low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
         high = max(high, float(np.max(q, where=np.isfinite(q), initial=-np.inf)))
-        for rest in rests(v, interval, shortest):
+        for rest in places_of_rest(q, v, interval, shortest, joint=joint):
             end = q[end_of_rest(rest, interval)]
             if np.any(np.isfinite(end)):
                 shortened = min(1.0, len(end) * interval / LONGEST_WINDOW)
@@ -127,9 +175,10 @@ def find_wells(
     return next((wells for wells in seen if isinstance(wells, Wells)), seen[1])
 
 
-def wells_of(tables: Sequence[Mapping[str, FloatArray]]) -> Wells | NoWells:
-    """The wells of a device, from the columns t, q, v1, v2 of all its logs."""
-    return find_wells([(table["q"], voltages(table), sample_interval(table["t"])) for table in tables])
+def wells_of(tables: Sequence[Mapping[str, FloatArray]], *, joint: bool) -> Wells | NoWells:
+    """The wells of a device, the joint or another, from the columns t, q, v1, v2 of all its logs."""
+    records = [(table["q"], voltages(table), sample_interval(table["t"])) for table in tables]
+    return find_wells(records, joint=joint)
 
 
 def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
@@ -197,7 +246,7 @@ class SwitchAccuracy:
 
 
 def switch_accuracy(
-    measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells
+    measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells, *, joint: bool = True
 ) -> SwitchAccuracy:
     """Compare the wells in which both rest after each voltage pulse.
 
@@ -215,9 +264,11 @@ def switch_accuracy(
         Sample interval [s].
     wells : Wells
         The wells of the device.
+    joint : bool
+        Whether it can be the bistable joint, see `places_of_rest`.
     """
     pulses = right = 0
-    for rest in rests(v, interval):
+    for rest in places_of_rest(measured, v, interval, joint=joint):
         rows = end_of_rest(rest, interval)
         known = np.isfinite(measured[rows])
         if rest.start == 0 or not known.any():

@@ -11,7 +11,7 @@ from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.held_models import identified_models
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.names import with_true_names
-from pipeline.numerics.arrays import FloatArray, sample_interval, samples_of
+from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "7"
+ALGORITHM = "8"
 
 
 def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:
@@ -69,21 +69,33 @@ def _score(
     run: RunFolder, prototype: Prototype, rotation: RotationMap | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
-    wells = wells_of([table for _, _, table in logs])
-    rows = []
+    plant, rows = device(prototype), []
+    wells = _wells(run, [table for _, _, table in logs], plant, layout.logs(prototype)[0][:2], models)
     for role, log, measured in logs:
         runs = {}
         for model in models:
             name = layout.predictions(role, log, model)
             runs[model] = _Run(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
-        above = {signal: _above_lowest(runs, signal, sample_interval(measured["t"])) for signal in SIGNALS}
+        interval = sample_interval(measured["t"])
+        above = {signal: _above_lowest(runs, signal, interval, joint=plant.joint) for signal in SIGNALS}
         for model, made in runs.items():
-            for row in _score_one(device(prototype), measured, made, wells):
+            for row in _score_one(plant, measured, made, wells):
                 of_model = _band("above_lowest", above[row["signal"]].get(model))
                 head = {"log": log, "role": role, "model": model, "headline": model == models[0]}
                 rows.append(head | row | of_model)
     columns = {column.name: [row.get(column.name) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
+
+
+def _wells(
+    run: RunFolder, tables: Sequence[Table], plant: Device, log: tuple[Role, str], models: Sequence[str]
+) -> "Wells | NoWells":
+    """The wells in the data, unless the first of these models with curves knows of no two; its free run notes that."""
+    from pipeline.device_facts.characteristics import believed_wells
+
+    rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
+    judge = next((model for model in models if rests[model] is not None), models[0])
+    return believed_wells(wells_of(tables, joint=plant.joint), judge, rests[judge], joint=plant.joint)
 
 
 @dataclass(frozen=True)
@@ -103,10 +115,12 @@ def _pairs(
     return {name: pairs[name] for name in SIGNALS if name in pairs}
 
 
-def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "dict[str, Interval | None]":
+def _above_lowest(
+    runs: Mapping[str, _Run], signal: str, interval: float, *, joint: bool
+) -> "dict[str, Interval | None]":
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
     from pipeline.numerics.metrics import signal_range
-    from pipeline.scoring.intervals import BLOCK, SEED, excess_over_lowest
+    from pipeline.scoring.intervals import SEED, excess_over_lowest
 
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
     errors = {
@@ -114,7 +128,7 @@ def _above_lowest(runs: Mapping[str, _Run], signal: str, interval: float) -> "di
         for model, (measured, calculated) in pairs.items()
         if (span := signal_range(measured))
     }
-    return excess_over_lowest(errors, samples_of(BLOCK, interval), SEED)
+    return excess_over_lowest(errors, interval, SEED, joint=joint)
 
 
 def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWells") -> list[dict[str, Any]]:
@@ -127,7 +141,9 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     v, interval = voltages(measured), sample_interval(measured["t"])
     rng = np.random.default_rng(SEED)
     status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]
-    scores = score_run(made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, rng=rng)
+    scores = score_run(
+        made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
+    )
     more: dict[str, Any] = {name: made.notes.get(name) for name in ("outside_training", "basis_functions")}
     outcomes = made.notes.get("outcomes")
     if outcomes:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import free_rows, free_run, start_of
 from pipeline.loading.parameter_sets import parameter_values
@@ -27,11 +28,15 @@ from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
+    from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "17"
+ALGORITHM = "18"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
-"""How far ahead [s] a model is judged from the measured state; at least one sample."""
+"""How far ahead [s] a model is judged from the measured state; 0 is one sample."""
+
+SHORTEST_HORIZON = 2.0
+"""In sample intervals: a shorter one but for one step would be rounded to another time than its name says."""
 
 _RESTARTS = 60
 _DRAWS = 32
@@ -67,6 +72,8 @@ def _predict(
     written: dict[str, Written] = {}
     tables = {(role, log): load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)}
     trained = [table for (role, _), table in tables.items() if role == "train"]
+    seen = stable_rests(model, [table["q"] for table in trained])
+    wells = believed_wells(wells_of(list(tables.values()), joint=plant.joint), name, seen, joint=plant.joint)
     for (role, log), table in tables.items():
         if not written:
             _compile(model, table)
@@ -74,9 +81,11 @@ def _predict(
         result = free_run(table, model)
         notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
         rate = notes["lyapunov_per_s"] = _lyapunov_exponent(table, model, result)
-        notes["horizons"] = _horizons(table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate})
+        notes["horizons"] = _horizons(
+            table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate}, joint=plant.joint
+        )
         notes["basis_functions"] = model.describe().get("basis_functions")
-        notes |= trust_notes(model, table, list(tables.values()), trained)
+        notes |= {"stable_rests": seen} | trust_notes(model, table, wells, trained, joint=plant.joint)
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, rotation, result, notes)
     return written
@@ -106,17 +115,21 @@ def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> fl
     return lyapunov_exponent(displacement, known["t"], v, known["q"], known["qdot"], span, made)
 
 
-def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float]) -> dict[str, Any]:
-    """NRMSE of q after fixed times, from restarts along the log."""
-    from pipeline.scoring.horizons import horizon_errors
+def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
+    """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
+    from pipeline.scoring.horizons import HorizonError, horizon_errors
     from pipeline.scoring.intervals import SEED
+
+    shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
+    kept = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
     found = horizon_errors(
-        predictor(model), *signals, list(horizons.values()), seed=SEED, most_starts=_RESTARTS,
-        shared=not model.fine_voltages,
+        predictor(model), *signals, list(kept.values()), seed=SEED, most_starts=_RESTARTS,
+        joint=joint, shared=not model.fine_voltages,
     )  # fmt: skip
-    return {name: asdict(error) for name, error in zip(horizons, found, strict=True)}
+    errors = dict(zip(kept, found, strict=True))
+    return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
 
 
 def _write(
@@ -136,7 +149,7 @@ def _write(
 
 
 def trust_notes(
-    model: "DynamicModel", table: Table, every_log: Sequence[Table], trained: Sequence[Table]
+    model: "DynamicModel", table: Table, wells: "Wells | NoWells", trained: Sequence[Table], *, joint: bool
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
@@ -146,10 +159,12 @@ def trust_notes(
         Outcomes are noted for one that can draw an ensemble from its parameters' posterior.
     table : Table
         The log.
-    every_log : sequence of Table
-        All logs of the device, in which its wells are found.
+    wells : Wells or NoWells
+        The wells of the device.
     trained : sequence of Table
         The training logs.
+    joint : bool
+        Whether the device can be the bistable joint.
 
     Returns
     -------
@@ -163,7 +178,7 @@ def trust_notes(
     known, seen = _valid([free_rows(table)]), _valid(trained)
     return {
         "outside_training": share_outside(*known, *seen),
-        "outcomes": _outcomes(model, table, every_log),
+        "outcomes": _outcomes(model, table, wells, joint=joint),
     }
 
 
@@ -175,14 +190,20 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
     return q, qdot
 
 
-def _outcomes(model: "DynamicModel", table: Table, every_log: Sequence[Table]) -> dict[str, Any] | None:
-    from pipeline.scoring.wells import Wells, pulse_outcomes, rests
+def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells", *, joint: bool) -> dict[str, Any] | None:
+    from pipeline.scoring.wells import Wells, places_of_rest, pulse_outcomes
 
-    wells, rows = wells_of(every_log), free_rows(table)
-    after = [rest for rest in rests(voltages(rows), sample_interval(rows["t"])) if rest.start > 0]
+    rows = free_rows(table)
+    found = places_of_rest(rows["q"], voltages(rows), sample_interval(rows["t"]), joint=joint)
+    after = [rest for rest in found if rest.start > 0]
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None
     ensemble, _ = model.simulate_draws(*start_of(table, model), count=_DRAWS)
-    found = pulse_outcomes(ensemble, after, wells)
+    outcomes = pulse_outcomes(ensemble, after, wells)
     ends = [float(rows["t"][rest.stop - 1]) for rest in after]
-    return {"draws": _DRAWS, "at_s": ends, "right": found.right.tolist(), "ambiguous": found.ambiguous.tolist()}
+    return {
+        "draws": _DRAWS,
+        "at_s": ends,
+        "right": outcomes.right.tolist(),
+        "ambiguous": outcomes.ambiguous.tolist(),
+    }

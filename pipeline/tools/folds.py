@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.wells import NoWells, Wells
     from pipeline.signals.trajectory import Trajectory
 
-ALGORITHM = "4"
+ALGORITHM = "5"
 
 By = Literal["blocks", "logs"]
 
@@ -150,7 +150,7 @@ def _work(
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([table["segment"] for table in tables], split.count)
     data = _stretches(tables)
-    wells = wells_of(tables)
+    wells = wells_of(tables, joint=device(prototype).joint)
     judge = _Judge(prototype, parameters, model, signal_ranges(data), wells, identify.known_table(run, prototype))
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
@@ -190,6 +190,7 @@ class _Judge:
 
     def __call__(self, cut: tuple[list[Table], list[Table]]) -> tuple[dict[str, Any], str, float]:
         """Row of the table, why it was refused, processor time of the fit [s]."""
+        from pipeline.device_facts.characteristics import believed_wells, stable_rests
         from pipeline.scoring.cross_validation import fold_score
 
         tables = [table for table in cut[0] if np.any(table["segment"] >= 0)]
@@ -202,7 +203,9 @@ class _Judge:
         except DebistError as error:
             return row | {"status": "refused"}, str(error), time.process_time() - began
         seconds = time.process_time() - began
-        score = fold_score(fitted, _stretches(cut[1], fine=fitted.fine_voltages), self.ranges, self.wells)
+        rests = stable_rests(fitted, [table["q"] for table in tables])
+        wells = believed_wells(self.wells, self.model, rests, joint=device(self.prototype).joint)
+        score = fold_score(fitted, _stretches(cut[1], fine=fitted.fine_voltages), self.ranges, wells)
         row |= {key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()}
         row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
         return row, "", seconds

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.errors import InputError
-from pipeline.loading.device import device
+from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
@@ -146,7 +147,7 @@ def identify_signals(
     return models, notes | {"warnings": [*told, *notes["warnings"]], "contradictions": contradictions}, tables
 
 
-def score_table(model: DynamicModel, table: Table) -> list[dict[str, Any]]:
+def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[str, Any]]:
     """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them."""
     from pipeline.scoring.intervals import SEED
     from pipeline.scoring.scores import score_run
@@ -154,10 +155,11 @@ def score_table(model: DynamicModel, table: Table) -> list[dict[str, Any]]:
     made, t, v = free_run(table, model), table["t"], voltages(table)
     interval = sample_interval(t)
     pairs = {name: (table[name], getattr(made, name)) for name in ("q", "qdot", "qddot")}
-    wells = wells_of([table])
+    rests = stable_rests(model, [table["q"]])
+    wells = believed_wells(wells_of([table], joint=plant.joint), model.name, rests, joint=plant.joint)
     scores = score_run(
         pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
-        rng=np.random.default_rng(SEED),
+        joint=plant.joint, rng=np.random.default_rng(SEED),
     )  # fmt: skip
     return [score_row(score) for score in scores]
 

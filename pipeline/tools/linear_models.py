@@ -81,7 +81,7 @@ def _measured_ringing(found: ControlRun) -> dict[str, Any]:
     logs = [(role, log) for role, log, _ in layout.logs(found.prototype)]
     tables = [found.run.read_table(layout.kinematics(*log)) for log in logs]
     hum = {line for log in logs for line in found.run.record(layout.record(*log)).notes.get("hum", ())}
-    wells = wells_of(tables)
+    wells = wells_of(tables, joint=True)
     facts = rest_facts([(table["t"], table["q"], voltages(table)) for table in tables], wells, hum)
     rings = {"left": facts.rings_left, "right": facts.rings_right}
     return {

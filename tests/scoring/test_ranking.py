@@ -9,7 +9,7 @@ SHARED = np.repeat(RNG.exponential(size=40), 100) * RNG.normal(size=4000)
 
 
 def test_a_model_that_errs_more_everywhere_is_told_apart_and_its_excess_is_right() -> None:
-    found = excess_over_lowest({"better": SHARED, "worse": 1.1 * SHARED}, 200, 0)
+    found = excess_over_lowest({"better": SHARED, "worse": 1.1 * SHARED}, 0.01, 0, joint=True)
     assert set(found) == {"worse"}
     band = found["worse"]
     rms = float(np.sqrt(np.mean(SHARED**2)))
@@ -20,17 +20,17 @@ def test_a_lead_by_one_event_is_none() -> None:
     lucky, unlucky = SHARED.copy(), SHARED.copy()
     unlucky[1000:1100] += 3.0
     lucky[3000:3100] += 2.9
-    band = excess_over_lowest({"lucky": lucky, "unlucky": unlucky}, 200, 0)["unlucky"]
+    band = excess_over_lowest({"lucky": lucky, "unlucky": unlucky}, 0.01, 0, joint=True)["unlucky"]
     assert band is not None and band.low < 0.0 < band.high
 
 
 def test_equal_models_differ_by_nothing_and_one_alone_by_no_other() -> None:
-    band = excess_over_lowest({"a": SHARED, "b": SHARED.copy()}, 200, 0)["b"]
+    band = excess_over_lowest({"a": SHARED, "b": SHARED.copy()}, 0.01, 0, joint=True)["b"]
     assert band is not None and band.low == band.high == 0.0
-    assert excess_over_lowest({"a": SHARED}, 200, 0) == {}
+    assert excess_over_lowest({"a": SHARED}, 0.01, 0, joint=True) == {}
 
 
 def test_masked_rows_are_left_out_and_short_records_have_no_interval() -> None:
     masked = np.where(np.arange(4000) % 7 == 0, np.nan, SHARED)
-    assert excess_over_lowest({"a": masked, "b": 1.1 * masked}, 200, 0)["b"] is not None
-    assert excess_over_lowest({"a": SHARED[:300], "b": SHARED[:300]}, 200, 0)["b"] is None
+    assert excess_over_lowest({"a": masked, "b": 1.1 * masked}, 0.01, 0, joint=True)["b"] is not None
+    assert excess_over_lowest({"a": SHARED[:300], "b": SHARED[:300]}, 0.01, 0, joint=True)["b"] is None

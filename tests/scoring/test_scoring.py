@@ -15,7 +15,7 @@ WELLS = Wells(-0.01, 0.01, 0.0)
 
 
 def scored(calculated: np.ndarray, **changes: object) -> dict[str, Score]:
-    settings: dict[str, object] = {"status": "ok", "diverged_at_s": None, "wells": WELLS}
+    settings: dict[str, object] = {"status": "ok", "diverged_at_s": None, "wells": WELLS, "joint": True}
     rng = np.random.default_rng(0)
     rows = score_run(
         {"q": (Q, calculated), "qdot": (17 * Q, 17 * calculated)},

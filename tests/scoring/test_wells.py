@@ -2,9 +2,21 @@
 
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 
+from pipeline.device_facts.events import rest_facts
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells, in_same_well, rests, snaps, switch_accuracy
+from pipeline.scoring.wells import (
+    SHORT_PAUSE,
+    NoWells,
+    Wells,
+    find_wells,
+    in_same_well,
+    places_of_rest,
+    rests,
+    snaps,
+    switch_accuracy,
+)
 
 DT = 0.01
 WELLS = Wells(-0.010, 0.012, 0.001)
@@ -135,3 +147,31 @@ def test_no_pulse_is_undefined_and_not_perfect() -> None:
 def test_a_snap_is_no_row_that_is_masked() -> None:
     q = np.array([0.012, 0.012, np.nan, 0.008, -0.010, np.nan, -0.010, 0.012])
     assert snaps(q, WELLS).tolist() == [4, 7]
+
+
+def heater(pause: int, memory: float = 400.0) -> tuple[FloatArray, FloatArray]:
+    """A first-order device, a sample every 2 s: heating of so many samples and pauses as long, and noise."""
+    v = np.repeat(1 - np.arange(3000 // pause) % 2, pause)[:, None].astype(np.float64)
+    share = 1.0 - np.exp(-1.0 / memory)
+    q = lfilter([share], [1.0, share - 1.0], v[:, 0]) + 1e-4 * np.random.default_rng(0).normal(size=len(v))
+    return np.asarray(q), v
+
+
+@pytest.mark.parametrize("pause", [4, 25, 100, 300])
+def test_a_pause_in_which_a_slow_device_still_moves_is_no_place_of_rest(pause: int) -> None:
+    q, v = heater(pause)
+    assert len(places_of_rest(q, v, 2.0, joint=True)) == len(rests(v, 2.0)) > 4
+    assert places_of_rest(q, v, 2.0, joint=False) == []
+    assert rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), joint=False).left.size == 0
+
+
+def test_a_device_that_comes_to_rest_rests_there() -> None:
+    q, v = heater(300, memory=10.0)
+    assert places_of_rest(q, v, 2.0, joint=False) == rests(v, 2.0)
+    found = rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), joint=False).left
+    np.testing.assert_allclose(found, 0.0, atol=4e-3)
+
+
+def test_the_wells_of_another_bistable_device_are_found_too() -> None:
+    q, v = record("lrlr")
+    assert isinstance(find_wells([(q, v, DT)], joint=False), Wells)

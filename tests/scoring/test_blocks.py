@@ -1,0 +1,62 @@
+"""Blocks of the bootstrap are as long as the errors of a device hang together; those of the joint are 2 s."""
+
+import numpy as np
+import pytest
+from scipy.signal import lfilter
+
+from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.intervals import block_of, correlation_time, excess_over_lowest, rms_interval
+
+
+def first_order(memory: float, samples: int, rng: np.random.Generator) -> FloatArray:
+    """An AR(1) error of RMS 1 whose autocorrelation falls to 1/e in so many samples."""
+    pole = np.exp(-1.0 / memory)
+    started = lfilter([1.0], [1.0, -pole], rng.normal(size=samples + round(20 * memory)))[-samples:]
+    return np.asarray(started * np.sqrt(1.0 - pole**2))
+
+
+def test_the_correlation_time_is_that_of_the_error_masked_or_not() -> None:
+    error = first_order(40.0, 20_000, np.random.default_rng(1))
+    masked = np.where(np.arange(error.size) % 5 == 0, np.nan, error)
+    assert correlation_time(error) == pytest.approx(40, rel=0.2)
+    assert correlation_time(masked) == pytest.approx(40, rel=0.2)
+    assert correlation_time(np.ones(100)) == correlation_time(np.full(100, np.nan)) == 1
+
+
+def test_intervals_of_a_slow_device_hold_the_truth() -> None:
+    """A sample every 6 s, errors of 20 samples' memory: 2 s are one sample, and hold it in a third of logs."""
+    rng = np.random.default_rng(2)
+    held = {True: 0, False: 0}
+    for _ in range(100):
+        error = first_order(20.0, 1600, rng)
+        for joint in held:
+            band = rms_interval(error, block_of((error,), 6.0, joint=joint), rng)
+            assert band is not None
+            held[joint] += band.low <= 1.0 <= band.high
+    assert held[False] >= 80 and held[True] < 50
+
+
+def test_a_lead_that_slow_errors_make_by_chance_is_none() -> None:
+    """Two errors of one distribution: 2 s blocks call the difference sure in most logs, 95 % intervals in few."""
+    rng = np.random.default_rng(3)
+    sure = 0
+    for _ in range(60):
+        errors = {name: first_order(20.0, 1600, rng) for name in "ab"}
+        band = next(iter(excess_over_lowest(errors, 6.0, 0, joint=False).values()))
+        assert band is not None
+        sure += band.low > 0.0
+    assert sure <= 15
+
+
+def test_a_log_of_milliseconds_has_an_interval() -> None:
+    error = first_order(5.0, 1000, np.random.default_rng(4))
+    rng = np.random.default_rng(0)
+    assert rms_interval(error, block_of((error,), 1e-5, joint=True), rng) is None
+    assert rms_interval(error, block_of((error,), 1e-5, joint=False), rng) is not None
+
+
+def test_a_block_is_no_shorter_than_two_seconds_and_no_longer_than_an_eighth_of_the_log() -> None:
+    white, slow = (first_order(memory, 4000, np.random.default_rng(5)) for memory in (0.1, 3000.0))
+    assert block_of((white,), 0.01, joint=False) == block_of((slow,), 0.01, joint=True) == 200
+    assert block_of((slow,), 0.01, joint=False) == block_of((slow, white), 0.01, joint=False) == 500
+    assert block_of((white[:4],), 1.0, joint=False) == 3  # too few for any interval
