@@ -9,6 +9,7 @@ _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 SHORT = (0.01, 1e5)  # largest numbers along an axis that are written as they are
 _PLAIN = (-4, 5)  # powers of ten from and below which a number is written without one
+WHOLE = 1e3  # whole numbers below it are written as they are, whatever their uncertainty
 MOST_BEFORE_POINT = 4  # digits of a number without uncertainty that are not zero, where it has no decimals
 _PREFIXED = ("m", "V", "N", "J", "F", "s", "Hz", "A", "Pa", "W")
 
@@ -82,7 +83,7 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
 def _beside(number: float, largest: float) -> str:
     """A number that is smaller than `largest` beside it, to three digits of that."""
     places = 2 - _decade(largest)
-    return rounded(number, places if largest >= 10.0 ** _PLAIN[1] else max(0, places), largest)
+    return rounded(number, places, largest)
 
 
 def _decade(number: float) -> int:
@@ -95,6 +96,7 @@ def rounded(number: float, places: int, largest: float) -> str:
     That is left out from 1e-4 to 1e5, so that numbers written beside one another have one power: 9.24·10⁵ ± 0.32·10⁵.
     """
     decade = _decade(largest) if largest > 0.0 else 0
+    places = max(0, places) if largest < WHOLE else places
     if _PLAIN[0] <= decade < _PLAIN[1]:
         return f"{round(number, places):z.{max(0, places)}f}"
     return f"{number / 10.0**decade:z.{max(0, places + decade)}f}·10{power(decade)}"
@@ -109,7 +111,7 @@ def significant(number: float, digits: int = 3) -> str:
         mantissa, _, exponent = f"{number:.{digits - 1}e}".partition("e")
         raised = f"10{power(int(exponent))}"
         return raised if mantissa == "1" else f"{mantissa}·{raised}"
-    return rounded(number, max(digits - 1 - decade, min(0, MOST_BEFORE_POINT - 1 - decade)), 1.0)
+    return rounded(number, max(digits - 1 - decade, min(0, MOST_BEFORE_POINT - 1 - decade)), abs(number))
 
 
 def power(exponent: int) -> str:
