@@ -12,6 +12,7 @@ from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, u
 from pipeline.device_facts.quality import centre_visits
 from pipeline.device_facts.run_data import Columns, RunData, Study
 from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.datasheet_rows import NOT_USED
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
@@ -152,7 +153,8 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         lines.append(Line(label, role, curves.q[rows], np.where(energy <= ceiling, energy, np.nan)[rows]))
         rest = [e for e in equilibria(loaded.q, loaded.force) if np.interp(e.q, loaded.q, energy) <= ceiling]
         points += _marked(rest, role, loaded.q, energy)
-    caption = f"Potential of {name} without input and with each input alone, counted from its lowest point."
+    known = f"{name}{NOT_USED}" if sheet.refused and name == sheet.model else name
+    caption = f"Potential of {known} without input and with each input alone, counted from its lowest point."
     panels = (Panel("energy U", data.energy_unit, tuple(lines), points=tuple(points)),)
     return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels, half=True)
 
@@ -179,7 +181,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
         points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))
-        wells = outer_wells(curves)
+        wells = outer_wells(curves, joint=data.joint)
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (

@@ -12,7 +12,7 @@ from pipeline.device_facts.run_data import RunData, judged_log
 from pipeline.names import ROLE_WORDS, log_title, with_true_names
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
-from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
+from pipeline.reporting.datasheet_rows import NOT_USED, calibrated_rows, sheet_rows, structure_summary
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.legend import swatches
@@ -128,8 +128,9 @@ def _facts_caption(sheet: Datasheet) -> str:
     band = "it states no uncertainty"
     if sheet.model in sheet.draws:
         band = "± half of the central 90 % of what its training data leave open"
+    name = f"{sheet.model}{NOT_USED}" if sheet.refused else sheet.model
     return (
-        f"Model: {sheet.model}, {band}; ring-downs simulated with 2.5 % of the range of q. "
+        f"Model: {name}, {band}; ring-downs simulated with 2.5 % of the range of q. "
         "Grey: measured without any model, mean ± standard deviation · number of rests or ring-downs in all logs, "
         "and what the model's free runs show in the same events."
     )
