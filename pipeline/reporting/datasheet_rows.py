@@ -146,8 +146,8 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
         return ""
     sentences = [_WHAT.get((sheet.headline, bool(count)), "").format(count=count)]
     choice = data.choice or {}
-    if choice.get("chosen") == sheet.headline and choice.get("reason"):
-        sentences.append(f"Why this model: {choice['reason']}.")
+    if choice.get("chosen") == sheet.headline and data.why_chosen:
+        sentences.append(f"Why this model: {data.why_chosen}.")
     ablation = [
         f"{_PARTS[name]} {percent(error)}"
         for name, error in choice.get("ablation", {}).items()

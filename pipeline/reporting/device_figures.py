@@ -33,7 +33,7 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
     figures["phase-portrait"] = _phase_portrait(data, sheet)
-    figures |= residual_figures(data)
+    figures |= residual_figures(data, sheet.wells)
     figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures
 
@@ -138,7 +138,7 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
     largest = max(float(np.max(np.abs(voltages(log.kinematics)))) for log in data.logs)
     roles = ("measured", "v1", "v2")
-    cases = [("no voltage" if data.voltage == "V" else "no input", np.zeros(len(curves.pushes)))]
+    cases = [(f"no {data.input_word}", np.zeros(len(curves.pushes)))]
     level = quantity(largest, data.voltage)
     cases += [(f"v{k + 1} = {level}", np.eye(len(curves.pushes))[k]) for k in range(len(curves.pushes))]
     lines, points, ceiling = [], [], 0.0
@@ -177,7 +177,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
         for log in (*data.role("validation"), *train)
     )
     points: list[Points] = []
-    cells, caption = None, "Measured motion without voltage."
+    cells, caption = None, f"Measured motion without {data.input_word}."
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
         points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))
@@ -185,8 +185,8 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (
-                f"Measured motion while no voltage is on, over the basins of {sheet.model} without voltage: from each "
-                f"cell the model was let go and simulated for {BASIN_TIME:g} s."
+                f"Measured motion while no {data.input_word} is on, over the basins of {sheet.model} without "
+                f"{data.input_word}: from each cell the model was let go and simulated for {BASIN_TIME:g} s."
             )
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
