@@ -1,12 +1,16 @@
 """Numbers for people: SI prefixes on axes and in tables, values to the digits that their uncertainty allows."""
 
 import math
+import re
 
-# Angles are read in degrees; kg and compound units keep their own.
-_TO_SHOWN = {"rad": ("°", 180.0 / math.pi), "rad/s": ("°/s", 180.0 / math.pi), "rad/s²": ("°/s²", 180.0 / math.pi)}
+# Angles are read in degrees, and what begins with one; kg and other compound units keep their own.
+_ANGLE = re.compile(r"rad(²?)(?=[/·]|$)(?!.*rad)")
 _PREFIXES = {-12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 SHORT = (0.01, 1e5)  # largest numbers along an axis that are written as they are
+_PLAIN = (-4, 5)  # powers of ten from and below which a number is written without one
+WHOLE = 1e3  # whole numbers below it are written as they are, whatever their uncertainty
+MOST_BEFORE_POINT = 4  # digits of a number without uncertainty that are not zero, where it has no decimals
 _PREFIXED = ("m", "V", "N", "J", "F", "s", "Hz", "A", "Pa", "W")
 
 
@@ -20,7 +24,7 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
     largest : float
         Largest magnitude to be shown, in SI.
     """
-    unit, factor = _TO_SHOWN.get(unit, (unit, 1.0))
+    unit, factor = _in_degrees(unit)
     head = next((p for p in sorted(_PREFIXED, key=len, reverse=True) if _starts(unit, p)), None)
     magnitude = abs(largest) * factor
     if head is None or magnitude == 0.0 or not math.isfinite(magnitude):
@@ -29,6 +33,14 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
     power = 3 * math.floor(math.log10(magnitude / 0.5) / 3.0)
     power = min(9, max(-12, power))
     return _PREFIXES[power] + unit, factor * 10.0**-power
+
+
+def _in_degrees(unit: str) -> tuple[str, float]:
+    """The unit with degrees for radians, such as ``°/(s²·V)`` or ``°²/Hz``, and the factor from SI to it."""
+    found = _ANGLE.match(unit)
+    if found is None:
+        return unit, 1.0
+    return f"°{unit.removeprefix('rad')}", (180.0 / math.pi) ** (2 if found[1] else 1)
 
 
 def axis_scale(unit: str, largest: float) -> tuple[str, float]:
@@ -57,29 +69,49 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
     shown, factor = scale(unit, max(abs(value), abs(like)))
     number = value * factor
     if spread is None or not math.isfinite(spread) or spread <= 0.0:
-        places = max(0, 2 - math.floor(math.log10(abs(like) * factor))) if like else 0
-        text = f"{number:z.{places}f}" if abs(value) < abs(like) else significant(number)
+        text = _beside(number, abs(like) * factor) if abs(value) < abs(like) else significant(number)
     else:
         width = spread * factor
         # Two digits of the uncertainty, and the value to the same place, but no more than five digits of the value.
-        places = max(0, 1 - math.floor(math.log10(width)))
         largest = max(abs(number), width, abs(like) * factor)
-        places = min(places, max(0, 4 - math.floor(math.log10(largest))))
-        text = f"{number:z.{places}f}"
-        text += f" ± {width:.{places}f}" if round(width, places) > 0.0 else ""
+        places = min(1 - _decade(width), 4 - _decade(largest))
+        text = rounded(number, places, largest)
+        text += f" ± {rounded(width, places, largest)}" if round(width, places) > 0.0 else ""
     return f"{text} {shown}".replace("-", "−").strip() if shown != "1" else text.replace("-", "−")
 
 
+def _beside(number: float, largest: float) -> str:
+    """A number that is smaller than `largest` beside it, to three digits of that."""
+    places = 2 - _decade(largest)
+    return rounded(number, places, largest)
+
+
+def _decade(number: float) -> int:
+    return math.floor(math.log10(abs(number)))
+
+
+def rounded(number: float, places: int, largest: float) -> str:
+    """A number to so many decimals, before the point where they are negative, with the power of ten of `largest`.
+
+    That is left out from 1e-4 to 1e5, so that numbers written beside one another have one power: 9.24·10⁵ ± 0.32·10⁵.
+    """
+    decade = _decade(largest) if largest > 0.0 else 0
+    places = max(0, places) if largest < WHOLE else places
+    if _PLAIN[0] <= decade < _PLAIN[1]:
+        return f"{round(number, places):z.{max(0, places)}f}"
+    return f"{number / 10.0**decade:z.{max(0, places + decade)}f}·10{power(decade)}"
+
+
 def significant(number: float, digits: int = 3) -> str:
-    """A number to `digits` significant digits, without an exponent between 1e-4 and 1e6."""
+    """A number to `digits` significant digits, without an exponent between 1e-4 and 1e5; there a whole one to four."""
     if number == 0.0 or not math.isfinite(number):
         return "0" if number == 0.0 else "–"
-    power = math.floor(math.log10(abs(number)))
-    if not -4 <= power < 6:
+    decade = _decade(number)
+    if not _PLAIN[0] <= decade < _PLAIN[1]:
         mantissa, _, exponent = f"{number:.{digits - 1}e}".partition("e")
-        raised = f"10{str(int(exponent)).translate(_RAISED)}"
+        raised = f"10{power(int(exponent))}"
         return raised if mantissa == "1" else f"{mantissa}·{raised}"
-    return f"{number:.{max(0, digits - 1 - power)}f}"
+    return rounded(number, max(digits - 1 - decade, min(0, MOST_BEFORE_POINT - 1 - decade)), abs(number))
 
 
 def power(exponent: int) -> str:
@@ -102,8 +134,11 @@ def interval(value: float | None, low: float, high: float, unit: str, like: floa
     half = (high - low) / 2.0 * factor
     if not (math.isfinite(half) and half > 0.0):
         return quantity(value, unit), f"{quantity(low, unit)} … {quantity(high, unit)}"
-    places = max(0, min(1 - math.floor(math.log10(half)), 4 - math.floor(math.log10(largest * factor))))
-    texts = ["–" if v is None else f"{v * factor:z.{places}f}".replace("-", "−") for v in (value, low, high)]
+    places = min(1 - _decade(half), 4 - _decade(largest * factor))
+    texts = [
+        "–" if v is None else rounded(v * factor, places, largest * factor).replace("-", "−")
+        for v in (value, low, high)
+    ]
     end = "" if shown == "1" else f" {shown}"
     return texts[0] + (end if value is not None else ""), f"{texts[1]} … {texts[2]}{end}"
 

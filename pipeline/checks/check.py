@@ -396,7 +396,8 @@ def _driven_alike(first: LogFacts, other: LogFacts) -> bool:
 def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:
     name, unit = fact.signals.name, declared.displacement
     if not isinstance(fact.wells, Wells):
-        return CheckRow(name, "rests", fact.wells.reason, "", "not seen")
+        reason = fact.wells.reason if declared.joint else fact.wells.reason.partition(":")[0]
+        return CheckRow(name, "rests", reason, "", "not seen")
     found = f"{quantity(fact.wells.left, unit)}, {quantity(fact.wells.right, unit)}"
     if not declared.joint or fact.wells.left < 0.0 < fact.wells.right:
         return CheckRow(name, "rests", found, "")

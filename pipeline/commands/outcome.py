@@ -34,7 +34,7 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = 
     if details:
         _emit_details(run)
         return
-    from pipeline.reporting.short_tables import BRIEF, headline_table
+    from pipeline.reporting.short_tables import headline_table
 
     scores = shown_scores(run)
     table = headline_table(scores)
@@ -45,12 +45,12 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = 
                 f"{row['log']}: chaotic, free runs part e-fold in {1.0 / row['lyapunov_per_s']:.3g} s; --details has "
                 "the error after that time and the statistics, by which to judge"
             )
-    typer.echo(f"{BRIEF}\nIntervals, every log, horizons and times: --details")
+    typer.echo(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
 
 
 def _emit_details(run: Path) -> None:
     """Print every number of every log, a table for each log, and what they mean."""
-    from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, CHAOS, EXPLANATION, lines
+    from pipeline.reporting.tables import lines
     from pipeline.stages.scores import score_tables
 
     tables = score_tables(run)
@@ -58,7 +58,7 @@ def _emit_details(run: Path) -> None:
         heading, *rows = lines(table)
         for log in dict.fromkeys(row[0] for row in rows):
             emit_table(log, heading[1:], [row[1:] for row in rows if row[0] == log])
-    emit_text(f"{EXPLANATION}\n{BEHAVIOUR_EXPLANATION}" + f"\n{CHAOS}" * (len(tables) > 2))
+    emit_text("\n".join(table.explanation for table in tables))
 
 
 def emit_verdict(run: Path) -> None:

@@ -20,6 +20,7 @@ POINTS = 1201  # of the grid over the operating range
 DRAWS = 64  # of the model's curves
 STEEP = 5.0  # times the change of the force two grid points away, beyond which it jumps
 SMALL = 1e-3  # share of the range of the force that is no jump
+STABLE = "stable_"  # begins the names of stable states that are no two wells
 COARSER = 20  # grid of their deviation from the model's own curves; divides POINTS - 1
 
 
@@ -122,7 +123,7 @@ def stable_rests(model: DynamicModel, motions: Sequence[FloatArray]) -> int | No
 
 
 def believed_wells(wells: Wells | NoWells, model: str, rests: int | None, *, joint: bool) -> Wells | NoWells:
-    """The wells seen in the data of the joint, and of another device unless its model says that they are none.
+    """The wells seen in the data of the joint, and of another device if its model has two stable states.
 
     Parameters
     ----------
@@ -135,9 +136,10 @@ def believed_wells(wells: Wells | NoWells, model: str, rests: int | None, *, joi
     joint : bool
         Whether the device can be the bistable joint.
     """
-    if joint or rests is None or rests > 1 or isinstance(wells, NoWells):
+    if joint or rests is None or rests == 2 or isinstance(wells, NoWells):
         return wells
-    return NoWells(f"{model} has {'a single rest' if rests else 'no two wells'}", rests == 1)
+    states = {0: "no two wells", 1: "a single rest"}.get(rests, f"{rests} stable states")
+    return NoWells(f"{model} has {states}", rests == 1)
 
 
 def _drawn_curves(
@@ -176,14 +178,15 @@ def equilibria(q: FloatArray, force: FloatArray) -> list[Equilibrium]:
     return [Equilibrium(place, slope) for place, slope in sorted(exact + crossed)]
 
 
-def outer_wells(curves: Curves) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
+def outer_wells(curves: Curves, *, joint: bool = True) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
     """Left well, saddle, right well: the outermost stable states and the highest unstable one between.
 
-    None where there are no two, or where the force jumps between them.
+    None where there are no two, or where the force jumps between them; on another device than the `joint` also where
+    there are more than two.
     """
     found = equilibria(curves.q, curves.force)
     stable = [e for e in found if e.stable]
-    if len(stable) < 2:
+    if len(stable) < 2 or not (joint or len(stable) == 2):
         return None
     left, right = stable[0], stable[-1]
     between = (curves.q[:-1] > left.q) & (curves.q[1:] < right.q)
@@ -214,15 +217,18 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
     return float(u.max() if u.mean() > 0.0 else u.min()) if np.all(u > 0.0) or np.all(u < 0.0) else None
 
 
-def device_facts(curves: Curves) -> dict[str, float | None]:
+def device_facts(curves: Curves, *, joint: bool = True) -> dict[str, float | None]:
     """The numbers of a datasheet that follow from the curves alone, in SI; None where one does not exist.
 
     Of a device with one stable equilibrium only, ``rest`` and ``stiffness``. Where the force jumps between two wells,
-    what is on the way between them does not follow from the curves.
+    what is on the way between them does not follow from the curves. More than two stable states are two wells on the
+    `joint` alone; on another device they are ``stable_1``, ``stable_2`` …, from the least q on.
     """
     stable = [e for e in equilibria(curves.q, curves.force) if e.stable]
     if len(stable) < 2:
         return {"rest": stable[0].q, "stiffness": stable[0].stiffness} if stable else {}
+    if len(stable) > 2 and not joint:
+        return {f"{STABLE}{number}": e.q for number, e in enumerate(stable, start=1)}
     left, right = stable[0], stable[-1]
     facts: dict[str, float | None] = {
         "well_left": left.q,
@@ -231,7 +237,7 @@ def device_facts(curves: Curves) -> dict[str, float | None]:
         "stiffness_right": right.stiffness,
         "asymmetry_wells": (left.q + right.q) / (right.q - left.q),
     }
-    found = outer_wells(curves)
+    found = outer_wells(curves, joint=joint)
     if found is None:
         return facts
     saddle = found[1]

@@ -8,6 +8,7 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import (
     LEVEL,
+    STABLE,
     Curves,
     believed_wells,
     device_facts,
@@ -179,6 +180,11 @@ class Datasheet:
     draws: Mapping[str, list[Curves]]
 
     @property
+    def refused(self) -> bool:
+        """Whether the facts come from a model that the verdict says not to use."""
+        return self.model == self.headline and is_refused([vars(check) for check in self.checks])
+
+    @property
     def grades(self) -> dict[str, Grade]:
         """The verdict on the data and on the model: the worst grade of the checks of each."""
         return {about: overall(c for c in self.checks if c.about == about) for about in ("data", "model")}
@@ -201,6 +207,11 @@ class Datasheet:
         }
 
 
+def is_refused(checks: Iterable[Mapping[str, Any]]) -> bool:
+    """Whether the checks of a verdict, as its JSON has them, say not to use the model: a constant does better."""
+    return any(check["name"] == "constant" and check["grade"] == "poor" for check in checks)
+
+
 def make_datasheet(data: RunData) -> Datasheet:
     """Evaluate curves, rests and ring-downs of a run, and judge it."""
     wells = wells_of_run(data)
@@ -212,8 +223,7 @@ def make_datasheet(data: RunData) -> Datasheet:
     values: dict[str, float | None] = {}
     limits: dict[str, tuple[float, float]] = {}
     if source is not None:
-        values = device_facts(curves[source])
-        limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
+        values, limits = _by_model(data, curves[source], draws.get(source, []))
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         believed = believed_wells(wells, source, stable, joint=data.joint)
         if believed is not wells:
@@ -228,6 +238,15 @@ def make_datasheet(data: RunData) -> Datasheet:
         *fact_checks(facts),
     )
     return Datasheet(data.name, source, headline, facts, checks, wells, rests, curves, draws)
+
+
+def _by_model(
+    data: RunData, curves: Curves, draws: list[Curves]
+) -> tuple[dict[str, float | None], dict[str, tuple[float, float]]]:
+    """Facts of the curves, and their intervals; a draw may have another number of stable states than the curves."""
+    values = device_facts(curves, joint=data.joint)
+    limits = intervals(values, [device_facts(draw, joint=data.joint) for draw in draws]) if draws else {}
+    return values, {key: ends for key, ends in limits.items() if not key.startswith(STABLE)}
 
 
 def _simulated_ring_downs(
@@ -283,14 +302,16 @@ def _facts(
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
 ) -> tuple[Fact, ...]:
-    # One rest measured over two modelled wells is the mean of both, and neither.
-    measured = {} if isinstance(wells, NoWells) and values.get("well_left") is not None else _measured(rests, wells)
+    # One rest measured over several modelled ones is the mean of all, and none of them.
+    several = values.get("well_left") is not None or any(key.startswith(STABLE) for key in values)
+    measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
     if "rest" in measured and _scattered(measured["rest"], [log.kinematics["q"] for log in data.logs]):
         del measured["rest"]
     stiffness = f"{data.curve_units['F']}/{data.displacement}" if data.mass_known else "1/s²"
     units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
     facts = []
-    for key, (title, unit) in TITLES.items():
+    listed = {key: (f"stable state {key.removeprefix(STABLE)}", "{q}") for key in values if key.startswith(STABLE)}
+    for key, (title, unit) in (TITLES | listed).items():
         seen = measured.get(key)
         if values.get(key) is None and seen is None:
             continue

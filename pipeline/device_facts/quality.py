@@ -69,6 +69,8 @@ THRESHOLDS = {
     ),
 }
 
+OF_WELLS = ("switches", "switch_accuracy", "ambiguous", "wells")
+"""Thresholds that say nothing of a device without two wells."""
 
 MASKS = (
     (
@@ -127,14 +129,7 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
         )
         checks.append(_check("data", "switches", count, text, advice))
     checks += _coverage_checks(data)
-    outside = _outside(data)
-    if outside is not None:
-        share = percent(outside) if outside > 0.0 else "none"
-        text = f"{share} of the validation samples lie outside the range of the training data"
-        checks.append(
-            _check("data", "extrapolation", outside, text, "train on a log with the larger strokes and voltages")
-        )
-    return checks
+    return checks + _extrapolation_checks(data)
 
 
 def _masked_check(data: RunData) -> Check:
@@ -156,6 +151,17 @@ def _masked_check(data: RunData) -> Check:
         text = f"{what} left out, and no row masked" if what else "no gaps"
     advice = "; ".join(advice for count, _, _, advice in counts if count and advice) or "repair the recorder"
     return _check("data", "masked", masked, text, advice)
+
+
+def _extrapolation_checks(data: RunData) -> list[Check]:
+    """Validation samples outside the range of the training data."""
+    outside = _outside(data)
+    if outside is None:
+        return []
+    share = percent(outside) if outside > 0.0 else "none"
+    text = f"{share} of the validation samples lie outside the range of the training data"
+    advice = f"train on a log with the larger strokes and {data.input_word}s"
+    return [_check("data", "extrapolation", outside, text, advice)]
 
 
 def _coverage_checks(data: RunData) -> list[Check]:
@@ -194,20 +200,16 @@ def model_checks(
         for role in ("train", "validation")
     }
     judged, where = (by_role["validation"], "validation") if by_role["validation"] else (by_role["train"], "train")
-    checks = []
-    if where == "train":
-        advice = "add a log under [logs] validation: an error on the training data says nothing of new voltages"
-        checks.append(Check("model", "validation", "fair", "no validation log: errors are those of training", advice))
+    checks = [] if where == "validation" else [_no_validation(data)]
     checks += _ended_early(model, data.descriptions.get(model, {}), judged)
     chaotic = [s for s in judged if s.get("lyapunov_per_s")]
     checks += _chaos_checks(chaotic, model)
     judged = [s for s in judged if s not in chaotic]
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
-        worst = max(errors)
-        text = f"free-run NRMSE of q of {model} is {percent(worst)} on the worst {ROLE_WORDS[where]} log"
-        advice = "look where residuals grow: at one switch (friction, voltage delay) or throughout (alpha, centres)"
-        checks.append(_check("model", "nrmse", worst, text, advice))
+        text = f"free-run NRMSE of q of {model} is {percent(max(errors))} on the worst {ROLE_WORDS[where]} log"
+        causes = f"at one switch (friction, {data.input_word} delay) or throughout (alpha, centres)"
+        checks.append(_check("model", "nrmse", max(errors), text, f"look where residuals grow: {causes}"))
     if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
         judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
@@ -229,6 +231,12 @@ def model_checks(
         text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
         checks.append(_check("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
     return checks
+
+
+def _no_validation(data: RunData) -> Check:
+    new = f"an error on the training data says nothing of new {data.input_word}s"
+    text, advice = "no validation log: errors are those of training", f"add a log under [logs] validation: {new}"
+    return Check("model", "validation", "fair", text, advice)
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:

@@ -14,6 +14,8 @@ from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.units import curve_units, of_joint
 
 Columns = Mapping[str, Any]
+WHY = "chosen because"
+"""Name of a model's fact that says why "auto" chose it."""
 
 
 @dataclass(frozen=True)
@@ -137,6 +139,17 @@ class RunData:
     def joint(self) -> bool:
         """Whether it can be the bistable joint."""
         return of_joint(self.displacement, [self.voltage] * len(self.inputs), squared=self.squared)
+
+    @property
+    def input_word(self) -> str:
+        """What an input is called: a voltage only where it is one."""
+        return "voltage" if self.voltage == "V" else "input"
+
+    @property
+    def why_chosen(self) -> str:
+        """Why "auto" chose the headline; empty where it had no choice, as the joint's equations hold for no other."""
+        choice = self.choice or {}
+        return str(choice.get("reason") or "") if self.joint or choice.get("held_out_error") else ""
 
     @property
     def curve_units(self) -> dict[str, str]:

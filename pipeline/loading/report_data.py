@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.run_data import LogData, RunData, Study
+from pipeline.device_facts.run_data import WHY, LogData, RunData, Study
 from pipeline.errors import CorruptArtifactError, DebistError
 from pipeline.loading.device import Device, device, rotation_map
 from pipeline.loading.held_models import CHOICE, identified_models
@@ -114,7 +114,7 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
     """Why "auto" chose the model `name`, for people; empty where it chose another or was not asked."""
     if choice is None or choice["chosen"] != name:
         return {}
-    told: dict[str, Any] = {"chosen because": choice["reason"]}
+    told: dict[str, Any] = {WHY: choice["reason"]}
     for model, error in choice["held_out_error"].items():
         told[f"held-out error of {model} [%]"] = 100.0 * error
     if (excess := choice["excess_of_the_other"]) is not None:

@@ -8,6 +8,7 @@ import numpy as np
 from pipeline.generated.terms import ACCELERATION, STOP_FORCE
 from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.joint_problem import steps_per_sample
+from pipeline.identification.joint_structure import JointStructure
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.base import FreeRun, checked, stored
 from pipeline.models.posterior import first_order_curves, posterior_draws
@@ -153,8 +154,7 @@ class RbfModel:
         """Structure, hyperparameters and diagnostics."""
         p, c = self.parameters, self.parameters.coefficients(self.theta)
         return {
-            "structure": "mu(x) q'' = F + end stops - (d + k |q'|) q' - h w - Dahl friction + gains u, "
-            "w' = h q' - r (w - pulls u)",
+            "structure": _equation_of_motion(p.structure),
             "origin": "data alone",
             "basis_functions": p.structure.basis_functions,
             "smoothing": p.structure.smoothing,
@@ -261,3 +261,18 @@ class RbfModel:
             else:
                 result[f"g{k + 1}"] = self.mass * s.half / s.volts * gains[:, k]
         return result
+
+
+def _equation_of_motion(structure: JointStructure) -> str:
+    """The terms that a structure has, with F as it is drawn: positive where it pulls towards smaller q."""
+    s = structure
+    terms = ["mu(q) q'' = -F" if s.arc else "q'' = -F"]
+    terms += ["+ end stops"] if s.stops else []
+    terms += ["- (d + k |q'|) q'" if s.drag else "- d q'"]
+    terms += ["- mu'(q) q'^2 / 2"] if s.arc else []
+    pulled, elements = s.shape_elements > 0, bool(s.rates)
+    terms += ["- h e + pulls' u w" if pulled else "- h w"] if elements else []
+    terms += ["- Dahl friction"] if s.slips else []
+    equations = [" ".join([*terms, "+ gains u"])]
+    equations += ["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] if elements else []
+    return ", ".join(equations)

@@ -5,11 +5,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from pipeline.device_facts.calibrated import Calibrated, calibrated
-from pipeline.device_facts.datasheet import Datasheet, Fact
+from pipeline.device_facts.characteristics import STABLE
+from pipeline.device_facts.datasheet import Datasheet, Fact, is_refused
 from pipeline.device_facts.run_data import RunData
 from pipeline.si_prefix import interval, percent, quantity
 
-# Row title, facts of the left well, facts of the right well. Single facts have no second list.
+# Row title, facts of the left well, facts of the right well. Single facts have no second list. A name that ends in _
+# stands for all that begin so.
 _ROWS: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = (
     ("rest position", ("well_left",), ("well_right",)),
     ("energy barrier out of it", ("barrier_left",), ("barrier_right",)),
@@ -25,10 +27,13 @@ _ROWS: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = (
     ("stiffness at rest", ("stiffness",), ()),
     ("ring-down frequency", ("frequency",), ()),
     ("damping ratio", ("damping",), ()),
+    ("stable states", (STABLE,), ()),
     ("unstable equilibrium", ("saddle",), ()),
     ("asymmetry of rests (q₊\u00a0+\u00a0q₋)/(q₊\u00a0−\u00a0q₋)", ("asymmetry_wells",), ()),
     ("asymmetry of depths, ΔU over mean barrier", ("asymmetry_barriers",), ()),
 )
+NOT_USED = ", a model not to be used"
+"""Said of what a model tells that the verdict says not to use."""
 WIDE = 2.0
 """Ratio of the ends of an interval beyond which it is written by its ends."""
 _WHAT = {
@@ -82,11 +87,15 @@ def sheet_rows(sheet: Datasheet) -> list[SheetRow]:
     stroke = max((abs(f.value or f.measured or 0.0) for f in sheet.facts if f.key.startswith("well")), default=0.0)
     rows = []
     for title, left, right in _ROWS:
-        groups = [keys for keys in (left, right) if keys]
+        groups = [_named(keys, facts) for keys in (left, right) if keys]
         if any(key in facts for keys in groups for key in keys):
-            like = stroke if left == ("saddle",) else _largest(facts, (*left, *right))
+            like = stroke if left == ("saddle",) else _largest(facts, [key for keys in groups for key in keys])
             rows.append(SheetRow(title, tuple(_cell(facts, keys, like) for keys in groups)))
     return rows
+
+
+def _named(keys: Sequence[str], facts: Mapping[str, Fact]) -> tuple[str, ...]:
+    return tuple(each for key in keys for each in (facts if key.endswith("_") else keys) if each.startswith(key))
 
 
 def _largest(facts: Mapping[str, Fact], keys: Sequence[str]) -> float:
@@ -137,8 +146,8 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
         return ""
     sentences = [_WHAT.get((sheet.headline, bool(count)), "").format(count=count)]
     choice = data.choice or {}
-    if choice.get("chosen") == sheet.headline and choice.get("reason"):
-        sentences.append(f"Why this model: {choice['reason']}.")
+    if choice.get("chosen") == sheet.headline and data.why_chosen:
+        sentences.append(f"Why this model: {data.why_chosen}.")
     ablation = [
         f"{_PARTS[name]} {percent(error)}"
         for name, error in choice.get("ablation", {}).items()
@@ -194,6 +203,8 @@ def show_datasheet(document: dict[str, Any]) -> Shown:
     ]
     line = f"data {verdict['data']}, model {document['judged_model']} {verdict['model']}"
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
+    if document["facts_from"] == document["judged_model"] and is_refused(verdict["checks"]):
+        source += NOT_USED
     return Shown(f"{document['name']}: {source}", facts, known, checks, line)
 
 

@@ -12,6 +12,7 @@ from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, u
 from pipeline.device_facts.quality import centre_visits
 from pipeline.device_facts.run_data import Columns, RunData, Study
 from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.datasheet_rows import NOT_USED
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
@@ -32,7 +33,7 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
     figures["phase-portrait"] = _phase_portrait(data, sheet)
-    figures |= residual_figures(data)
+    figures |= residual_figures(data, sheet.wells)
     figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures
 
@@ -137,7 +138,7 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
     largest = max(float(np.max(np.abs(voltages(log.kinematics)))) for log in data.logs)
     roles = ("measured", "v1", "v2")
-    cases = [("no voltage" if data.voltage == "V" else "no input", np.zeros(len(curves.pushes)))]
+    cases = [(f"no {data.input_word}", np.zeros(len(curves.pushes)))]
     level = quantity(largest, data.voltage)
     cases += [(f"v{k + 1} = {level}", np.eye(len(curves.pushes))[k]) for k in range(len(curves.pushes))]
     lines, points, ceiling = [], [], 0.0
@@ -152,7 +153,8 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         lines.append(Line(label, role, curves.q[rows], np.where(energy <= ceiling, energy, np.nan)[rows]))
         rest = [e for e in equilibria(loaded.q, loaded.force) if np.interp(e.q, loaded.q, energy) <= ceiling]
         points += _marked(rest, role, loaded.q, energy)
-    caption = f"Potential of {name} without input and with each input alone, counted from its lowest point."
+    known = f"{name}{NOT_USED}" if sheet.refused and name == sheet.model else name
+    caption = f"Potential of {known} without input and with each input alone, counted from its lowest point."
     panels = (Panel("energy U", data.energy_unit, tuple(lines), points=tuple(points)),)
     return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels, half=True)
 
@@ -175,16 +177,16 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
         for log in (*data.role("validation"), *train)
     )
     points: list[Points] = []
-    cells, caption = None, "Measured motion without voltage."
+    cells, caption = None, f"Measured motion without {data.input_word}."
     if sheet.model is not None:
         curves = sheet.curves[sheet.model]
         points = _marked(equilibria(curves.q, curves.force), "v2", np.zeros(1), np.zeros(1))
-        wells = outer_wells(curves)
+        wells = outer_wells(curves, joint=data.joint)
         if wells is not None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (
-                f"Measured motion while no voltage is on, over the basins of {sheet.model} without voltage: from each "
-                f"cell the model was let go and simulated for {BASIN_TIME:g} s."
+                f"Measured motion while no {data.input_word} is on, over the basins of {sheet.model} without "
+                f"{data.input_word}: from each cell the model was let go and simulated for {BASIN_TIME:g} s."
             )
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"

@@ -67,7 +67,12 @@ class Entry:
 
 
 CHOSEN = "chosen for the logs"
-MARKS = {"voltage switched": Style("mark"), "device snaps over": Style("snap"), CHOSEN: Style("snap")}
+MARKS = {
+    "voltage switched": Style("mark"),
+    "input switched": Style("mark"),
+    "device snaps over": Style("snap"),
+    CHOSEN: Style("snap"),
+}
 
 
 def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[Entry]:

@@ -40,7 +40,7 @@ def _timeline(
 ) -> Figure:
     t, q = log.kinematics["t"], log.kinematics["q"]
     marks = {
-        "voltage switched": voltage_switches(t, voltages(log.kinematics)),
+        f"{data.input_word} switched": voltage_switches(t, voltages(log.kinematics)),
         "device snaps over": t[snaps(q, wells)],
     }
     return Figure(
@@ -75,11 +75,11 @@ def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ..
 
 def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.record["t"]
-    names = {"v1": "v1 (left)", "v2": "v2 (right)"} if len(data.inputs) > 1 else {"v1": "v1"}
-    inputs = tuple(Line(names[name], name, t, log.record[name]) for name in data.inputs)
+    sides = {"v1": " (left)", "v2": " (right)"} if data.joint else {}
+    inputs = tuple(Line(name + sides.get(name, ""), name, t, log.record[name]) for name in data.inputs)
     panels = [
         Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)),
-        Panel(("voltage" if data.voltage == "V" else "input") + "s" * (len(inputs) > 1), data.voltage, inputs),
+        Panel(data.input_word + "s" * (len(inputs) > 1), data.voltage, inputs),
     ]
     notes = log.record_notes
     caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
@@ -150,7 +150,8 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         title = "φ from q" if name == "phi" else HEADINGS[name]
         panels.append(Panel(title, unit[name], tuple(lines)))
     gone = [f"{m} diverged at {n['diverged_at_s']:.2f} s" for m, n in log.outcomes.items() if n["status"] != "ok"]
-    caption = "Free runs from the log's first sample under its measured voltages; nothing is fed back."
+    inputs = f"{data.input_word}s"
+    caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
     caption += f" {'; '.join(gone)}." if gone else ""
     return _timeline(data, log, wells, "models", "Measured against models", caption, panels)
 
@@ -173,7 +174,7 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     if headline in log.predictions:
         free = log.predictions[headline]["q"]
         lines.append(Line(f"{headline}: {fit_note(measured, free)}", headline, t, free))
-    caption = f"Free run from the first sample under the measured voltages; {FIT}."
+    caption = f"Free run from the first sample under the measured {data.input_word}s; {FIT}."
     panels = [Panel("q", data.displacement, tuple(lines))]
     figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
     return replace(figure, hidden=())
@@ -191,23 +192,24 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             if name in table
         ]
         panels.append(Panel(f"error of {HEADINGS[name]}", unit[name], (*lines[1:], *lines[:1])))
-    caption = "Model minus measurement. A model in the wrong well is off by the distance of the wells."
+    caption = "Model minus measurement."
+    caption += " A model in the wrong well is off by the distance of the wells." if isinstance(wells, Wells) else ""
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)
 
 
-def residual_figures(data: RunData) -> dict[str, Figure]:
+def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]:
     """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
     log, model = judged_log(data), data.model_names[0]
     found = headline_residual(data, log)
     if found is None:
         return {}
     return {
-        "residual-correlation": _correlation(data, log, model, found),
+        "residual-correlation": _correlation(data, log, model, found, rings=isinstance(wells, Wells)),
         "residual-spectrum": _spectrum(data, log, model, found),
     }
 
 
-def _correlation(data: RunData, log: LogData, model: str, found: Residual) -> Figure:
+def _correlation(data: RunData, log: LogData, model: str, found: Residual, *, rings: bool) -> Figure:
     def panel(title: str, values: FloatArray, half: float) -> Panel:
         """A correlation within its band."""
         width = np.full(found.lags.size, half)
@@ -217,10 +219,12 @@ def _correlation(data: RunData, log: LogData, model: str, found: Residual) -> Fi
     panels = [panel("autocorrelation", found.correlation, found.band)]
     for k, (values, half) in enumerate(zip(found.with_inputs, found.input_bands, strict=True), start=1):
         panels.append(panel(f"correlation with v{k}{'²' if data.squared else ''}", values, float(half)))
+    colour = "rings with the device" if rings else "fades as slowly as the device settles"
     caption = (
         f"Residual of q of {model}, {log.title}, after the input by so much time; {100 * found.outside:.0f} % of the "
-        "correlations with the inputs lie outside their bands, 1 % would by chance. The free run's residual rings with "
-        "the device, so that its autocorrelation leaves the band; correlation with an input is what the model misses."
+        "correlations with the inputs lie outside their bands, 1 % would by chance. "
+        f"The free run's residual {colour}, so that its autocorrelation leaves the band; correlation with an input is "
+        "what the model misses."
     )
     title = "Residual analysis: memory and inputs"
     return Figure("residual-correlation", title, caption, "lag", "s", tuple(panels), columns=len(panels))

@@ -1,4 +1,4 @@
-"""What a model says of itself, for people: units from the keys, and pairs as value ± standard deviation."""
+"""What a model says of itself, for people: units from the keys, fitted values with their standard deviations."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -8,7 +8,9 @@ from typing import Any
 from pipeline.si_prefix import power, quantity, scale, significant
 
 LONGEST_LIST = 12
-_UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|m|s|kg|V|Hz|N))$")
+_FITTED = ("deviations",)  # parts whose pairs are a value and its standard deviation
+_ENDS = ("end_stops",)  # pairs that are the ends of a range; other pairs are lists
+_UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|1_per_m|m|s|kg|V|Hz|N))$")
 
 Rows = list[tuple[str, str]]
 
@@ -36,13 +38,16 @@ def described(
     tables: list[tuple[str, Rows]] = []
     fitted = [facts.pop(key, ()) for key in ("fitted", "values", "standard_errors")]
     if fitted[0]:
-        tables.append(("fitted", [_quantity_row(key, pair, displacement) for key, *pair in zip(*fitted, strict=False)]))
+        pairs = zip(*fitted, strict=False)
+        tables.append(("fitted", [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in pairs]))
     rows: Rows = []
     for key, value in facts.items():
         if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
-            tables.append((_words(key), [_quantity_row(k, v, displacement) for k, v in value.items()]))
+            told = key in _FITTED
+            tables.append((_words(key), [_quantity_row(k, v, displacement, fitted=told) for k, v in value.items()]))
         elif isinstance(value, Mapping):
-            rows += [_quantity_row(f"{key}: {k}", v, displacement) for k, v in value.items()]
+            told = key in _FITTED
+            rows += [_quantity_row(f"{key}: {k}", v, displacement, fitted=told) for k, v in value.items()]
         else:
             rows.append(_quantity_row(key, value, displacement))
     return Described(name, equations, rows, tables)
@@ -52,10 +57,16 @@ def _words(key: str) -> str:
     return key.replace("_", " ")
 
 
-def _quantity_row(key: str, value: Any, displacement: str) -> tuple[str, str]:
+def _quantity_row(key: str, value: Any, displacement: str, *, fitted: bool = False) -> tuple[str, str]:
     found = _UNIT_AT_END.match(key)
     name, unit = (found["name"], found["unit"] or found["suffix"].replace("_per_", "/")) if found else (key, "1")
-    return _words(name), _text(value, displacement if unit == "m" else unit)
+    unit = {"m": displacement, "1/m": f"1/{displacement}"}.get(unit, unit)
+    if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(one, float) for one in value):
+        if fitted:
+            return _words(name), quantity(value[0], unit, value[1])
+        if name.endswith(_ENDS):
+            return _words(name), _list(value, unit, " … ")
+    return _words(name), _text(value, unit)
 
 
 def _text(value: Any, unit: str) -> str:
@@ -70,15 +81,13 @@ def _text(value: Any, unit: str) -> str:
     return str(value)
 
 
-def _list(values: Sequence[Any], unit: str) -> str:
+def _list(values: Sequence[Any], unit: str, between: str = ", ") -> str:
     if not values:
         return "none"
     if any(isinstance(value, list | tuple) for value in values):
         if len(values) > 2:
             return f"{len(values)} × {len(values[0])} numbers, in the model's file"
         return "; ".join(_list(value, unit) for value in values)
-    if len(values) == 2 and all(isinstance(value, float) for value in values):
-        return quantity(values[0], unit, values[1])
     if len(values) > LONGEST_LIST:
         return f"{len(values)} numbers, in the model's file"
     if any(isinstance(value, str | bool) for value in values):
@@ -86,7 +95,7 @@ def _list(values: Sequence[Any], unit: str) -> str:
     shown, factor = scale(unit, max(abs(float(value)) for value in values))
     whole = all(isinstance(value, int) for value in values)
     texts = [str(value) if whole else significant(factor * float(value)) for value in values]
-    return ", ".join(texts).replace("-", "−") + (f" {shown}" if shown != "1" else "")
+    return between.join(texts).replace("-", "−") + (f" {shown}" if shown != "1" else "")
 
 
 def terms(equation: str) -> list[str]:

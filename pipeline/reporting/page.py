@@ -18,11 +18,11 @@ from markupsafe import Markup
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, axis_label
-from pipeline.reporting.legend import dashes, slot
+from pipeline.reporting.legend import MARKS, dashes, slot
 from pipeline.si_prefix import axis_scale
 
 _ASSETS = files("pipeline.reporting") / "assets"
-_MARKS = {"voltage switched": ("mark", ()), "device snaps over": ("snap", (4, 3))}
+_DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind
 LEVELS = 65534  # codes 0 … 65534; 65535 says that there is no sample
 MISSING = 65535
 LEVEL = 6  # of deflate; 9 takes ten times as long and saves 0.5 %
@@ -174,8 +174,9 @@ def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[Float
         ]
         panels.append({"label": axis_label(panel.name, unit), "series": lines})
     marks = [
-        {"name": name, "at": [round(float(t), 6) for t in at], "colour": _MARKS[name][0], "dash": list(_MARKS[name][1])}
+        {"name": name, "at": [round(float(t), 6) for t in at], "colour": kind, "dash": _DASHES[kind]}
         for name, at in figure.marks.items()
+        if (kind := MARKS[name].kind)
     ]
     return {
         "axis": f"{figure.x_name} in {figure.x_unit}",

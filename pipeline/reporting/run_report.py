@@ -7,24 +7,21 @@ from typing import Any
 
 from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.quality import THRESHOLDS, Check
-from pipeline.device_facts.run_data import RunData, judged_log
+from pipeline.device_facts.quality import OF_WELLS, THRESHOLDS, Check, Threshold
+from pipeline.device_facts.run_data import WHY, RunData, judged_log
 from pipeline.names import ROLE_WORDS, log_title, with_true_names
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
-from pipeline.reporting.datasheet_rows import calibrated_rows, sheet_rows, structure_summary
+from pipeline.reporting.datasheet_rows import NOT_USED, calibrated_rows, sheet_rows, structure_summary
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
-from pipeline.reporting.legend import swatches
+from pipeline.reporting.legend import MARKS, swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.model_facts import Described, described
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.short_tables import headline_table
 from pipeline.reporting.tables import (
-    BEHAVIOUR_BESIDE,
     BEST,
-    CHAOS,
-    EXPLANATION,
     HEADINGS,
     TIED,
     Cell,
@@ -34,6 +31,7 @@ from pipeline.reporting.tables import (
     nrmse_table,
     with_unit,
 )
+from pipeline.scoring.wells import Wells
 
 SECTION_TITLES = {
     "signals": "Measured signals",
@@ -74,7 +72,8 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "checks": sheet.checks,
         "facts": rows,
         "two_wells": any(len(row.cells) == 2 for row in rows),
-        "thresholds": THRESHOLDS,
+        "thresholds": _thresholds(sheet),
+        "marks": _marks_said(interactive),
         "facts_caption": _facts_caption(sheet),
         "log_checks": _log_checks(data),
         **_scores(data),
@@ -122,14 +121,29 @@ def _log_checks(data: RunData) -> dict[str, Any]:
     return {"header": header, "rows": table, "remarks": remarks(rows)}
 
 
+def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
+    """Limits of the checks; those of wells only where there are two, or a check asks for them."""
+    judged = {check.name for check in sheet.checks}
+    two = isinstance(sheet.wells, Wells)
+    return {name: limit for name, limit in THRESHOLDS.items() if two or name in judged or name not in OF_WELLS}
+
+
+def _marks_said(figures: Sequence[Figure]) -> str:
+    """What the upright lines of the figures along time are, as a sentence; empty where there are none."""
+    names = list(dict.fromkeys(name for figure in figures for name in figure.marks))
+    told = [f"dashed: {name}" if MARKS[name].kind == "snap" else name for name in names]
+    return f"Upright lines: {'; '.join(told)}." if told else ""
+
+
 def _facts_caption(sheet: Datasheet) -> str:
     if sheet.model is None:
         return "Measured: mean ± standard deviation over the rests and ring-downs of all logs."
     band = "it states no uncertainty"
     if sheet.model in sheet.draws:
         band = "± half of the central 90 % of what its training data leave open"
+    name = f"{sheet.model}{NOT_USED}" if sheet.refused else sheet.model
     return (
-        f"Model: {sheet.model}, {band}; ring-downs simulated with 2.5 % of the range of q. "
+        f"Model: {name}, {band}; ring-downs simulated with 2.5 % of the range of q. "
         "Grey: measured without any model, mean ± standard deviation · number of rests or ring-downs in all logs, "
         "and what the model's free runs show in the same events."
     )
@@ -139,15 +153,15 @@ def _scores(data: RunData) -> dict[str, Any]:
     scores = with_true_names(data.scores, [(log.role, log.source) for log in data.logs])
     return {
         "score_tables": [
-            _score_table("nrmse", nrmse_table(scores), EXPLANATION),
-            _score_table("behaviour", behaviour_table(scores, free_run=False), BEHAVIOUR_BESIDE),
-            *([_score_table("chaos", chaotic, CHAOS)] if (chaotic := chaos_table(scores)).rows else []),
+            _score_table("nrmse", nrmse_table(scores)),
+            _score_table("behaviour", behaviour_table(scores, free_run=False)),
+            *([_score_table("chaos", chaotic)] if (chaotic := chaos_table(scores)).rows else []),
         ],
         "worst": headline_table([row for row in scores if row["model"] in data.model_names]),
     }
 
 
-def _score_table(name: str, table: NrmseTable, caption: str) -> dict[str, Any]:
+def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
     rows = []
     for row in table.rows:
         cells = [_cell(cell) for cell in row.cells]
@@ -156,7 +170,8 @@ def _score_table(name: str, table: NrmseTable, caption: str) -> dict[str, Any]:
                 cell |= {"number": "–", "interval": ""}  # when it diverged stands in the first cell
         rows.append({"log": log_title(row.role, row.log), "model": row.model, "cells": cells})
     headings = (*(HEADINGS[s] for s in table.signals), *table.extras)
-    return {"name": name, "headings": ["log", "model", *map(with_unit, headings)], "rows": rows, "caption": caption}
+    columns = ["log", "model", *map(with_unit, headings)]
+    return {"name": name, "headings": columns, "rows": rows, "caption": table.explanation}
 
 
 def _cell(cell: Cell) -> dict[str, Any]:
@@ -186,7 +201,8 @@ def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
 
 def _model(data: RunData, name: str) -> Described:
     # Deviations are the coordinates of the fit; what they mean stands among the calibrated quantities.
-    facts = {key: value for key, value in data.descriptions.get(name, {}).items() if key != "deviations"}
+    hidden = {"deviations"} if data.why_chosen else {"deviations", WHY}
+    facts = {key: value for key, value in data.descriptions.get(name, {}).items() if key not in hidden}
     return described(name, facts, data.displacement, mass_known=data.mass_known)
 
 

@@ -8,10 +8,7 @@ from pipeline.reporting.tables import BEST, HEADINGS, TIED, ScoreRow
 from pipeline.scoring.cross_validation import NRMSE_COLUMNS
 
 _SHARES = {"well_agreement": "well", "switch_accuracy": "pulses"}
-BRIEF = (
-    "NRMSE in % of the measured range, free run from the first sample, worst log.\n"
-    "Well: share of time in the measured well. Pulses: share that ends in it."
-)
+_SHARES_SAID = {"well": "Well: share of time in the measured well.", "pulses": "Pulses: share that ends in it."}
 FOLD_EXPLANATION = (
     "Free-run NRMSE in % of the range in all data, each stretch of a fold from its measured first state; a run that "
     "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
@@ -28,9 +25,18 @@ class Headline:
     heading: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
 
+    @property
+    def explanation(self) -> str:
+        """What its columns mean; that of errors is a line of its own."""
+        errors = "NRMSE in % of the measured range, free run from the first sample, worst log."
+        shares = " ".join(text for name, text in _SHARES_SAID.items() if name in self.heading)
+        return f"{errors}\n{shares}" if shares else errors
+
 
 def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     """The worst validation log of each model; the worst training log where there is no validation log.
+
+    Shares of wells and pulses are left out where no model has any.
 
     Parameters
     ----------
@@ -39,6 +45,7 @@ def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     """
     role = "validation" if any(row["role"] == "validation" for row in scores) else "train"
     judged = [row for row in scores if row["role"] == role]
+    shares = [share for share in _SHARES if any(r.get(share) is not None for r in judged if r["signal"] == "q")]
     signals = tuple(signal for signal in HEADINGS if any(row["signal"] == signal for row in judged))
     rows = []
     for model in dict.fromkeys(str(row["model"]) for row in judged):
@@ -47,11 +54,11 @@ def headline_table(scores: Sequence[ScoreRow]) -> Headline:
         of_q = [row for row in own if row["signal"] == "q"]
         if any(row["status"] != "ok" for row in of_q):
             errors[0] = "diverged"
-        rows.append((model, *errors, *(_least([row.get(share) for row in of_q]) for share in _SHARES)))
+        rows.append((model, *errors, *(_least([row.get(share) for row in of_q]) for share in shares)))
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
     word = "validation" if role == "validation" else "training"
-    heading = ("model", *(f"{HEADINGS[signal]} [%]" for signal in signals), *_SHARES.values())
+    heading = ("model", *(f"{HEADINGS[signal]} [%]" for signal in signals), *(_SHARES[share] for share in shares))
     return Headline(f"free runs on the {word} {named}", heading, tuple(rows))
 
 
@@ -72,23 +79,19 @@ def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[li
     ----------
     summary : sequence of records
         Per model: ``nrmse``, ``nrmse_qdot``, ``nrmse_qddot`` with ``_low``, ``_high`` and ``_rank``, the q errors of
-        the ``folds``, ``well_agreement`` and how many folds ``diverged``.
+        the ``folds``, ``well_agreement`` and how many folds ``diverged``. Without wells their column is left out.
     """
-    header = [
-        "model",
-        *(f"{HEADINGS[s]} [%]" for s in NRMSE_COLUMNS.values()),
-        "wells [%]",
-        "diverged",
-        "q, fold by fold",
-    ]
-    return header, [_row(record) for record in summary]
+    wells = any(record["well_agreement"] is not None for record in summary)
+    errors = [f"{HEADINGS[s]} [%]" for s in NRMSE_COLUMNS.values()]
+    header = ["model", *errors, *["wells [%]"] * wells, "diverged", "q, fold by fold"]
+    return header, [_row(record, wells=wells) for record in summary]
 
 
-def _row(record: Mapping[str, Any]) -> list[str]:
+def _row(record: Mapping[str, Any], *, wells: bool) -> list[str]:
     folds = " ".join("refused" if value is None else f"{100 * value:.2f}" for value in record["folds"])
     agreement = record["well_agreement"]
-    wells = "–" if agreement is None else f"{100 * agreement:.1f}"
-    return [record["model"], *(_cell(record, key) for key in NRMSE_COLUMNS), wells, str(record["diverged"]), folds]
+    share = ["–" if agreement is None else f"{100 * agreement:.1f}"] * wells
+    return [record["model"], *(_cell(record, key) for key in NRMSE_COLUMNS), *share, str(record["diverged"]), folds]
 
 
 def _cell(record: Mapping[str, Any], key: str) -> str:

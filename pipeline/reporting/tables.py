@@ -2,8 +2,8 @@
 
 import csv
 import io
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from pipeline.names import log_title
@@ -19,27 +19,30 @@ Format = Literal["csv", "latex", "markdown"]
 HEADINGS = {"q": "q", "phi": "φ", "qdot": "q̇", "qddot": "q̈"}
 LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot": r"$\ddot q$"}
 
-EXPLANATION = (
+_ERRORS = (
     "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
     "and no rank. Brackets: 95 % intervals, the spread had other stretches been recorded, by moving-block bootstrap "
     f"({BLOCK:g} s blocks; of other devices than the joint as long as errors hang together, {MEMORIES} correlation "
     f"times, and at most 1/{FEWEST_BLOCKS} of the log). * lowest of the log, all others higher in the paired bootstrap "
-    "(both resampled at the same blocks); ≈ not told apart from the lowest, so no order among these. Wells: share of "
-    "samples in the measured well. Switches: share of pulses after which both rest in the same well, interval by "
-    "Bayesian bootstrap of the pulses."
+    "(both resampled at the same blocks); ≈ not told apart from the lowest, so no order among these."
 )
 _HORIZONS = (
     "NRMSE of q after one sample, 0.1 s and 1 s (none of less than two samples or more than the log) from restarts in "
     "the measured state, hidden states from up to 1 s of the measurement before"
 )
-_SWITCHES = (
-    f"Rise (10–90 %) and settling time (±{100.0 * SETTLED:.0f} %): median error over the switches that the model "
-    f"follows, interval by bootstrap of the switches (none with fewer than {FEWEST}). Outside: share of samples in "
-    "states (q, q̇) that no training sample was near. Ambiguous: pulses that end so close to the barrier that, "
-    f"among runs drawn from the model's own uncertainty, fewer than {10.0 * SURE:.0f} in ten come to rest in one well."
-)
-BEHAVIOUR_EXPLANATION = f"{_HORIZONS}, and of the free run. {_SWITCHES}"
-BEHAVIOUR_BESIDE = f"{_HORIZONS}. {_SWITCHES}"  # without the free run, which another table has
+_WELLS, _SWITCHES, _OUTSIDE, _AMBIGUOUS = "wells", "switches", "outside", "ambiguous [pulses]"
+_TIMES = ("rise [ms]", "settling [ms]")
+_COLUMNS = {
+    (_WELLS,): "Wells: share of samples in the measured well.",
+    (_SWITCHES,): "Switches: share of pulses after which both rest in the same well, interval by Bayesian bootstrap of "
+    "the pulses.",
+    _TIMES: f"Rise (10–90 %) and settling time (±{100.0 * SETTLED:.0f} %): median error over the switches that the "
+    f"model follows, interval by bootstrap of the switches (none with fewer than {FEWEST}).",
+    (_OUTSIDE,): "Outside: share of samples in states (q, q̇) that no training sample was near.",
+    (_AMBIGUOUS,): "Ambiguous: pulses that end so close to the barrier that, among runs drawn from the model's own "
+    f"uncertainty, fewer than {10.0 * SURE:.0f} in ten come to rest in one well.",
+}
+"""What columns mean that not every device has; one without a number in any row is left out with its sentence."""
 
 CHAOS = (
     "These free runs are chaotic: one that starts a hair's breadth beside another parts from it e-fold in each "
@@ -50,6 +53,15 @@ CHAOS = (
 )
 
 TIED, BEST = " ≈", " *"
+
+
+def _said(of: str, extras: Collection[str]) -> str:
+    """What a table is `of`, and what its further columns mean."""
+    return " ".join([of, *(text for names, text in _COLUMNS.items() if not set(names).isdisjoint(extras))])
+
+
+EXPLANATION = _said(_ERRORS, (_WELLS, _SWITCHES))
+BEHAVIOUR_EXPLANATION = _said(f"{_HORIZONS}, and of the free run.", (*_TIMES, _OUTSIDE, _AMBIGUOUS))
 
 
 @dataclass(frozen=True)
@@ -89,6 +101,29 @@ class NrmseTable:
     extras: tuple[str, ...]
     rows: tuple[Row, ...]
 
+    @property
+    def explanation(self) -> str:
+        """What its columns mean."""
+        if "Lyapunov time [s]" in self.extras:
+            return CHAOS
+        if self.signals:
+            return _said(_ERRORS, self.extras)
+        return _said(
+            f"{_HORIZONS}, and of the free run." if "free run" in self.extras else f"{_HORIZONS}.", self.extras
+        )
+
+    def without_empty(self) -> "NrmseTable":
+        """The same without columns, of those that not every device has, that no row has a number in."""
+        first = len(self.signals)
+        may_go = {name for names in _COLUMNS for name in names}
+        kept = [
+            k
+            for k, name in enumerate(self.extras)
+            if name not in may_go or any(row.cells[first + k].text != "–" for row in self.rows)
+        ]
+        rows = [replace(r, cells=(*r.cells[:first], *(r.cells[first + k] for k in kept))) for r in self.rows]
+        return replace(self, extras=tuple(self.extras[k] for k in kept), rows=tuple(rows))
+
 
 def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None = None) -> NrmseTable:
     """Table 2 of a run.
@@ -113,8 +148,8 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
             if times is not None:
                 cells += [Cell(_seconds(times.get(model, {}).get(key))) for key in ("fit_s", "simulate_s")]
             rows.append(Row(role, log, model, tuple(cells)))
-    extras = ("wells", "switches") + (("fit [s]", "run [s]") if times is not None else ())
-    return NrmseTable(signals, extras, tuple(rows))
+    extras = (_WELLS, _SWITCHES) + (("fit [s]", "run [s]") if times is not None else ())
+    return NrmseTable(signals, extras, tuple(rows)).without_empty()
 
 
 def behaviour_table(scores: Sequence[ScoreRow], *, free_run: bool = True) -> NrmseTable:
@@ -130,8 +165,8 @@ def behaviour_table(scores: Sequence[ScoreRow], *, free_run: bool = True) -> Nrm
         trust = [_quantity(r, "outside_training", 100.0, digits=1), _ambiguous(r)]
         rows.append(Row(r["role"], r["log"], r["model"], (*steps, *whole, *times, *trust)))
     longest = ("free run",) if free_run else ()
-    extras = ("one step", "0.1 s", "1 s", *longest, "rise [ms]", "settling [ms]", "outside", "ambiguous [pulses]")
-    return NrmseTable((), extras, tuple(rows))
+    extras = ("one step", "0.1 s", "1 s", *longest, *_TIMES, _OUTSIDE, _AMBIGUOUS)
+    return NrmseTable((), extras, tuple(rows)).without_empty()
 
 
 def chaos_table(scores: Sequence[ScoreRow]) -> NrmseTable:

@@ -10,10 +10,20 @@ from pipeline.device_facts.characteristics import Curves, curves_from, device_fa
 from pipeline.device_facts.datasheet import make_datasheet
 from pipeline.device_facts.events import rest_facts, ring_down, voltage_switches
 from pipeline.device_facts.phase_plane import basins
-from pipeline.device_facts.quality import model_checks
+from pipeline.device_facts.quality import Check, model_checks
 from pipeline.device_facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells, snaps
-from tests.reporting.synthetic import DAMPING, MASS, PUSH, STIFFNESS, WELL, double_well, run_data, without_models
+from tests.reporting.synthetic import (
+    DAMPING,
+    MASS,
+    PUSH,
+    STIFFNESS,
+    WELL,
+    double_well,
+    run_data,
+    run_sheet,
+    without_models,
+)
 
 Q = np.linspace(-0.02, 0.02, 4001)
 K = STIFFNESS / (2 * WELL**2)
@@ -357,3 +367,23 @@ def test_hum_is_no_ring_down_where_it_is_aliased_to_either() -> None:
     assert rest_facts([(t, drifting, v)], NoWells("none")).rings_left
     assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0]).rings_left
     assert rest_facts([(t, q, v)], NoWells("none"), [60.0]).rings_left
+
+
+def test_many_stable_states_are_two_wells_of_the_joint_only() -> None:
+    q = np.linspace(-1.3, 1.3, 1201)
+    curves = Curves(
+        q, 40.0 * (q + 1.0) * (q + 0.7) * (q + 0.05) * (q - 0.6) * (q - 1.0), None, np.zeros((0, 1201)), True
+    )
+    facts = device_facts(curves, joint=False)
+    assert facts == pytest.approx({"stable_1": -1.0, "stable_2": -0.05, "stable_3": 1.0}, abs=1e-5)
+    assert outer_wells(curves, joint=False) is None
+    assert "barrier_left" in device_facts(curves, joint=True)
+    assert "barrier_left" in device_facts(_curves(), joint=False)
+
+
+def test_a_model_that_a_constant_beats_is_named_so_beside_its_facts() -> None:
+    sheet = run_sheet()
+    assert not sheet.refused
+    worse = replace(sheet, checks=(*sheet.checks, Check("model", "constant", "poor", "", "do not use this model")))
+    assert worse.refused
+    assert not replace(worse, model="another").refused

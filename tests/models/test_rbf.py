@@ -664,3 +664,17 @@ def test_a_lag_a_relaxation_and_a_gain_by_place_are_found_together():
 
 def test_its_file_tells_unit_and_meaning_of_every_entry(identified):
     assert not unknown_entries(identified)
+
+
+def test_the_equation_has_the_sign_of_the_drawn_force_and_only_the_terms_of_the_structure():
+    q = np.linspace(-0.018, 0.018, 50)  # at rest and without inputs, which a plain structure knows by F alone
+    bare = JointStructure(basis_functions=8, rates=(), shape_elements=0, slips=0, arc=False)
+    p = ParameterLayout(bare, Scales(0.0, 0.022, 3000.0, 50.0), "squared", (1, -1))
+    theta = np.zeros(p.count)
+    theta[p.slices["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
+    model, t = RbfModel(p, theta, *np.zeros((2, p.count, 1)), 0.04), INTERVAL * np.arange(50)
+    along = model.accelerate(t, np.zeros((50, 2)), q, np.zeros(50))
+    np.testing.assert_allclose(0.04 * along, -model.curves(q)["F"], atol=1e-9)
+    assert model.describe()["structure"] == "q'' = -F - d q' + gains u"
+    full = planted().describe()["structure"]
+    assert full.startswith("mu(q) q'' = -F - d q' ") and "Dahl friction" in full and "stops" not in full

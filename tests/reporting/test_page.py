@@ -327,6 +327,13 @@ def test_a_constant_and_an_empty_series_survive() -> None:
         (1.2e-7, "kg", None, "1.20·10⁻⁷ kg"),
         (-0.012000239, "m", 1e-9, "−12.000 mm"),
         (4.5e-5, "1", 7e-3, "0.0000 ± 0.0070"),
+        (924311.0, "1/s²", 31965.0, "9.24·10⁵ ± 0.32·10⁵ 1/s²"),
+        (184031.0, "1/s²", 286.0, "1.8403·10⁵ ± 0.0029·10⁵ 1/s²"),
+        (1396.0, "1/s", 235.0, "1400 ± 240 1/s"),
+        (21.0, "1/s²", 4510.0, "0 ± 4500 1/s²"),
+        (763039.0, "1/s", None, "7.63·10⁵ 1/s"),
+        (17283.0, "1/s", None, "17280 1/s"),
+        (1.2e-7, "kg", 1e-8, "1.20·10⁻⁷ ± 0.10·10⁻⁷ kg"),
     ],
 )
 def test_quantities_read_well(value: float | None, unit: str, spread: float | None, text: str) -> None:
@@ -383,7 +390,11 @@ def test_an_interval_shares_unit_and_digits(
     ("unit", "largest", "shown", "number"),
     [
         ("m", 0.012, "mm", 12.0),
-        ("rad/s² / V²", 8e-5, "10⁻⁶ rad/s² / V²", 80.0),
+        ("rad/s² / V²", 8e-5, "10⁻³ °/s² / V²", 4.584),
+        ("rad/(s²·V)", 1.0, "°/(s²·V)", 57.30),
+        ("rad²/s²", 1.0, "°²/s²", 3282.8),
+        ("rad/(s²·(rad/s²))", 1.0, "rad/(s²·(rad/s²))", 1.0),
+        ("N·m·s/rad", 1.0, "N·m·s/rad", 1.0),
         ("1", 3.2e8, "10⁶", 320.0),
         ("rad/s²", 4e3, "10³ °/s²", 229.2),
         ("1/s", 250.0, "1/s", 250.0),
@@ -400,6 +411,16 @@ def test_a_model_of_an_angle_is_described_in_degrees() -> None:
     told = {"mass_kg": 1.0, "training_rms_m": 0.1, "done": [True, False], "chosen": ["a, b", "c"]}
     rows = dict(described("m", told, "rad", mass_known=False).rows)
     assert rows == {"training rms": "5.73 °", "done": "yes; no", "chosen": "a, b; c"}
+
+
+def test_only_fitted_values_have_a_deviation_and_the_drag_has_its_unit() -> None:
+    told = {"drag_1_per_m": 0.0433, "end_stops_m": [5.672, 9.774], "slip_length_m": [0.1, 0.2]}
+    told |= {"relaxation_rates_1_per_s": [6.0, 0.2], "deviations": {"part [m]": [0.1, 0.01]}}
+    rows = dict(described("rbf", told, "rad").rows)
+    assert rows["drag"] == "0.0433 1/rad"
+    assert rows["end stops"] == "325 … 560 °"
+    assert (rows["slip length"], rows["relaxation rates"]) == ("5.73, 11.5 °", "6.00, 0.200 1/s")
+    assert rows["deviations: part"] == "5.73 ± 0.57 °"
 
 
 def test_thousands_are_grouped() -> None:

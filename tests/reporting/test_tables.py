@@ -6,8 +6,17 @@ from typing import Any
 
 import pytest
 
-from pipeline.reporting.short_tables import fold_table
-from pipeline.reporting.tables import NrmseTable, behaviour_table, chaos_table, leaders, nrmse_table, render, scores_csv
+from pipeline.reporting.short_tables import fold_table, headline_table
+from pipeline.reporting.tables import (
+    EXPLANATION,
+    NrmseTable,
+    behaviour_table,
+    chaos_table,
+    leaders,
+    nrmse_table,
+    render,
+    scores_csv,
+)
 
 
 def record(model: str, nrmse: float | None, above: float | None = None, **changes: Any) -> dict[str, Any]:
@@ -69,9 +78,21 @@ def test_horizons_and_times_of_switches_stand_with_their_intervals() -> None:
     }  # fmt: skip
     table = behaviour_table([record("rbf", 0.05, **changes), record("rbf", 0.4, signal="qdot")])
     assert [cell.text for cell in table.rows[0].cells] == [
-        "0.01", "–", "3.10 [2.00, 4.00]", "5.00 [4.90, 5.10]", "4 [1, 10]", "–", "2.1", "2 of 14",
+        "0.01", "–", "3.10 [2.00, 4.00]", "5.00 [4.90, 5.10]", "4 [1, 10]", "2.1", "2 of 14",
     ]  # fmt: skip
+    assert "settling [ms]" not in table.extras
     assert len(table.rows) == 1
+
+
+def test_columns_of_wells_and_their_sentences_go_where_no_row_has_any() -> None:
+    none = {key: None for key in record("rbf", 0.01) if key.startswith(("well_", "switch_"))}
+    rows = [record("rbf", 0.01, **none), record("sindy", 0.02, **none)]
+    for table in (nrmse_table(rows), behaviour_table(rows), headline_table(rows)):
+        assert not any(word in table.explanation.lower() for word in ("well", "switch", "pulse", "rise", "ambiguous"))
+    assert nrmse_table(rows).extras == ()
+    assert headline_table(rows).heading == ("model", "q [%]")
+    assert headline_table([rows[0], record("sindy", 0.02)]).heading == ("model", "q [%]", "well", "pulses")
+    assert nrmse_table([rows[0], record("sindy", 0.02)]).explanation == EXPLANATION
 
 
 def test_only_chaotic_runs_have_a_lyapunov_time_and_statistics() -> None:
