@@ -135,9 +135,9 @@ def believed_wells(wells: Wells | NoWells, model: str, rests: int | None, *, joi
     joint : bool
         Whether the device can be the bistable joint.
     """
-    if joint or rests is None or rests > 1 or isinstance(wells, NoWells):
+    if joint or rests is None or rests == 2 or isinstance(wells, NoWells):
         return wells
-    return NoWells(f"{model} has {'a single rest' if rests else 'no two wells'}", rests == 1)
+    return NoWells(f"{model} has {'a single rest' if rests == 1 else 'no two wells'}", rests == 1)
 
 
 def _drawn_curves(
@@ -266,3 +266,9 @@ def intervals(
             ends = [float(low), float(high)] + ([] if own is None else [own])
             limits[key] = (min(ends), max(ends))
     return limits
+
+
+def shares(values: Mapping[str, float | None], draws: Sequence[Mapping[str, float | None]]) -> dict[str, float]:
+    """Share of the model's curve draws that have each fact which its own curves have; empty without draws."""
+    known = [key for key, value in values.items() if value is not None]
+    return {key: sum(draw.get(key) is not None for draw in draws) / len(draws) for key in known if draws}

@@ -14,6 +14,7 @@ from pipeline.device_facts.characteristics import (
     equilibria,
     intervals,
     model_curves,
+    shares,
 )
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
@@ -77,6 +78,8 @@ class Fact:
         How many events were seen.
     free_run : float or None
         The same seen in the model's own free runs over the logs: like with like, whatever the size of the motion.
+    in_draws : float or None
+        Share of what the training data leave open that has the fact at all; without limits under `LEVEL`.
     """
 
     key: str
@@ -89,11 +92,24 @@ class Fact:
     measured_spread: float | None = None
     events: int = 0
     free_run: float | None = None
+    in_draws: float | None = None
+
+    @property
+    def doubt(self) -> str:
+        """What is said in place of an interval where too few draws have the fact; empty where nothing is to be said."""
+        return doubt(self.low, self.in_draws)
 
     @property
     def half_width(self) -> float | None:
         """Half of the interval of `value`."""
         return None if self.low is None or self.high is None else (self.high - self.low) / 2.0
+
+
+def doubt(low: float | None, in_draws: float | None) -> str:
+    """See `Fact.doubt`."""
+    if low is not None or in_draws is None or in_draws >= LEVEL:
+        return ""
+    return f"not certain: in {100.0 * in_draws:.0f} % of the draws"
 
 
 def fact_checks(facts: Iterable[Fact]) -> list[Check]:
@@ -211,16 +227,18 @@ def make_datasheet(data: RunData) -> Datasheet:
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
     limits: dict[str, tuple[float, float]] = {}
+    certain: dict[str, float] = {}
     if source is not None:
         values = device_facts(curves[source])
-        limits = intervals(values, [device_facts(draw) for draw in draws[source]]) if source in draws else {}
+        drawn = [device_facts(draw) for draw in draws.get(source, [])]
+        limits, certain = intervals(values, drawn), shares(values, drawn)
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         believed = believed_wells(wells, source, stable, joint=data.joint)
         if believed is not wells:
             wells, rests = believed, rest_facts(records, believed, hum, joint=data.joint)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
-    facts = _facts(data, values, limits, rests, wells, events)
+    facts = _facts(data, values, limits, certain, rests, wells, events)
     headline = data.model_names[0]
     checks = (
         *data_checks(data, wells),
@@ -279,6 +297,7 @@ def _facts(
     data: RunData,
     values: Mapping[str, float | None],
     limits: Mapping[str, tuple[float, float]],
+    certain: Mapping[str, float],
     rests: RestFacts,
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
@@ -308,6 +327,7 @@ def _facts(
                 float(np.std(samples, ddof=1)) if samples.size > 1 else None,
                 int(samples.size),
                 in_free_run.get(key) if samples.size else None,
+                certain.get(key),
             )
         )
     return tuple(facts)
