@@ -75,7 +75,7 @@ def test_an_input_that_is_not_named_is_told(pair: list[LogSignals]) -> None:
 def test_what_cannot_be_seen_of_an_input_is_said_by_what_the_input_does(pair: list[LogSignals]) -> None:
     log = pair[0]
     about = 95.0 + 9.0 * np.sin(0.7 * log.t)  # a coolant flow: always on, and changing
-    once = np.where(log.t < 0.3, 3000.0, 0.0)
+    once = np.where(log.t < 0.02, 3000.0, 0.0)
     said = {}
     for name, v in (("about", about), ("once", once), ("steady", np.full_like(once, 4.0)), ("off", 0.0 * once)):
         other = replace(JOINT, inputs=("V",), squared=False)
