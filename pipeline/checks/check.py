@@ -29,6 +29,10 @@ _ANOTHER_DEVICE = "a log of another device, or the device was changed in between
 ROUNDING = 1e-9
 """Range of q over its largest value up to which it is constant but for the rounding of its unit."""
 
+ROUGHLY, SELDOM = 0.01, 0.05
+"""Of an input's largest value: within so much of its median it has one value. And the share of samples outside of that
+up to which it hardly ever changes."""
+
 
 @dataclass(frozen=True)
 class Declared:
@@ -75,16 +79,26 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         rows.append(_undriven_row(fact))
     for i, known in enumerate(fact.inputs):
         if known is None:
-            advice = "name the channel that drives the device, or leave it out for a device with one input"
-            state: State = "note" if fact.peaks[i] == 0.0 else "not seen"
-            said = "hardly ever changes" if fact.peaks[i] > 0.0 else "hardly ever on"
-            rows.append(CheckRow(fact.signals.name, f"push of v{i + 1}", said, "", state, None, advice))
+            rows.append(_unseen_push_row(fact, i))
             continue
         rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
     rows += [*_correlated_rows(fact, declared), *_law_rows(fact, declared)]
     if declared.joint:
         rows += [*_rest_level_rows(fact, declared), *_scale_rows(fact, declared), *_side_rows(fact)]
     return rows
+
+
+def _unseen_push_row(fact: LogFacts, i: int) -> CheckRow:
+    """Of an input whose push the log does not show: as it is never on, hardly ever changes, or does all the same."""
+    name, what = fact.signals.name, f"push of v{i + 1}"
+    v, peak = fact.signals.v[:, i], float(fact.peaks[i])
+    if peak > 0.0 and np.mean(np.abs(v - np.median(v)) > ROUGHLY * peak) > SELDOM:
+        advice = "larger changes of the input, or a longer log, show what it does"
+        return CheckRow(name, what, "cannot be told apart from the motion", "", "not seen", None, advice)
+    advice = "name the channel that drives the device, or leave it out for a device with one input"
+    if peak > 0.0:
+        return CheckRow(name, what, "hardly ever changes", "", "not seen", None, advice)
+    return CheckRow(name, what, "hardly ever on", "", "note", None, advice)
 
 
 def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:

@@ -272,3 +272,9 @@ def intervals(
             ends = [float(low), float(high)] + ([] if own is None else [own])
             limits[key] = (min(ends), max(ends))
     return limits
+
+
+def shares(values: Mapping[str, float | None], draws: Sequence[Mapping[str, float | None]]) -> dict[str, float]:
+    """Share of the model's curve draws that have each fact which its own curves have; empty without draws."""
+    known = [key for key, value in values.items() if value is not None]
+    return {key: sum(draw.get(key) is not None for draw in draws) / len(draws) for key in known if draws}

@@ -15,6 +15,7 @@ from pipeline.device_facts.characteristics import (
     equilibria,
     intervals,
     model_curves,
+    shares,
 )
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
 from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
@@ -78,6 +79,8 @@ class Fact:
         How many events were seen.
     free_run : float or None
         The same seen in the model's own free runs over the logs: like with like, whatever the size of the motion.
+    in_draws : float or None
+        Share of what the training data leave open that has the fact at all; without limits under `LEVEL`.
     """
 
     key: str
@@ -90,11 +93,24 @@ class Fact:
     measured_spread: float | None = None
     events: int = 0
     free_run: float | None = None
+    in_draws: float | None = None
+
+    @property
+    def doubt(self) -> str:
+        """What is said in place of an interval where too few draws have the fact; empty where nothing is to be said."""
+        return doubt(self.low, self.in_draws)
 
     @property
     def half_width(self) -> float | None:
         """Half of the interval of `value`."""
         return None if self.low is None or self.high is None else (self.high - self.low) / 2.0
+
+
+def doubt(low: float | None, in_draws: float | None) -> str:
+    """See `Fact.doubt`."""
+    if low is not None or in_draws is None or in_draws >= LEVEL:
+        return ""
+    return f"not certain: in {100.0 * in_draws:.0f} % of the draws"
 
 
 def fact_checks(facts: Iterable[Fact]) -> list[Check]:
@@ -222,15 +238,16 @@ def make_datasheet(data: RunData) -> Datasheet:
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
     limits: dict[str, tuple[float, float]] = {}
+    certain: dict[str, float] = {}
     if source is not None:
-        values, limits = _by_model(data, curves[source], draws.get(source, []))
+        values, limits, certain = _by_model(data, curves[source], draws.get(source, []))
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         believed = believed_wells(wells, source, stable, joint=data.joint)
         if believed is not wells:
             wells, rests = believed, rest_facts(records, believed, hum, joint=data.joint)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
-    facts = _facts(data, values, limits, rests, wells, events)
+    facts = _facts(data, values, limits, certain, rests, wells, events)
     headline = data.model_names[0]
     checks = (
         *data_checks(data, wells),
@@ -242,11 +259,17 @@ def make_datasheet(data: RunData) -> Datasheet:
 
 def _by_model(
     data: RunData, curves: Curves, draws: list[Curves]
-) -> tuple[dict[str, float | None], dict[str, tuple[float, float]]]:
-    """Facts of the curves, and their intervals; a draw may have another number of stable states than the curves."""
+) -> tuple[dict[str, float | None], dict[str, tuple[float, float]], dict[str, float]]:
+    """Facts of the curves, their intervals, and the share of the draws that have each.
+
+    Of stable states neither: a draw may have another number of them than the curves.
+    """
     values = device_facts(curves, joint=data.joint)
-    limits = intervals(values, [device_facts(draw, joint=data.joint) for draw in draws]) if draws else {}
-    return values, {key: ends for key, ends in limits.items() if not key.startswith(STABLE)}
+    drawn = [device_facts(draw, joint=data.joint) for draw in draws]
+    limits = intervals(values, drawn) if draws else {}
+    told = {key for key in values if not key.startswith(STABLE)}
+    certain = {key: share for key, share in shares(values, drawn).items() if key in told}
+    return values, {key: ends for key, ends in limits.items() if key in told}, certain
 
 
 def _simulated_ring_downs(
@@ -298,6 +321,7 @@ def _facts(
     data: RunData,
     values: Mapping[str, float | None],
     limits: Mapping[str, tuple[float, float]],
+    certain: Mapping[str, float],
     rests: RestFacts,
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
@@ -329,6 +353,7 @@ def _facts(
                 float(np.std(samples, ddof=1)) if samples.size > 1 else None,
                 int(samples.size),
                 in_free_run.get(key) if samples.size else None,
+                certain.get(key),
             )
         )
     return tuple(facts)

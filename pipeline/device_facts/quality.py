@@ -54,7 +54,7 @@ THRESHOLDS = {
     "extrapolation": Threshold(0.01, 0.05, "outside the range of the training data curves are continued, not measured"),
     "nrmse": Threshold(0.021, 0.057, "2.1 % is what the paper's RBF model reaches for q, 5.7 % its analytical one"),
     "lyapunov": Threshold(0.057, 0.155, "the limits of nrmse times e: what an error has grown to by chaos alone"),
-    "rival": Threshold(1.5, 4.0, "times the error of the best baseline: where one is surely nearer, take that one"),
+    "rival": Threshold(1.0, 4.0, "times the error of the best baseline: where one is surely nearer, take that one"),
     "switch_accuracy": Threshold(0.99, 0.9, "one wrong well costs a whole stroke until the next pulse", True),
     "ambiguous": Threshold(0.1, 0.3, "ambiguous outcomes come true about half of the time on simulated prototypes"),
     "outside": Threshold(0.01, 0.05, "in states (q, q̇) that no training sample was near the model is a guess"),
@@ -72,6 +72,8 @@ THRESHOLDS = {
 OF_WELLS = ("switches", "switch_accuracy", "ambiguous", "wells")
 """Thresholds that say nothing of a device without two wells."""
 
+RAILS_ADVICE = 'widen the sensor\'s range, or where the device does rest there set [ingest] rails = "keep"'
+
 MASKS = (
     (
         "masked_without_target", "sample without a target", "samples without a target",
@@ -79,7 +81,7 @@ MASKS = (
     ),
     (
         "masked_at_rails", "sample at the ends of q's range", "samples at the ends of q's range",
-        'widen the sensor\'s range, or where the device does rest there set [ingest] rails = "keep"',
+        RAILS_ADVICE,
     ),
     ("masked_spikes", "spike", "spikes", ""),  # single samples: no row is lost to them alone
     (
@@ -115,7 +117,10 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     checks.append(_noise_check(data, span, noise))
     share = percent(rails) if rails > 0.0 else "none"
     text = f"{share} of the samples of q stay at its largest or smallest value"
-    checks.append(_check("data", "rails", rails, text, "widen the sensor's range and record again"))
+    if data.rails_kept and rails > 0.0:  # the user has said what they are
+        checks.append(Check("data", "rails", "good", f'{text}, where it rests ([ingest] rails = "keep")', ""))
+    else:
+        checks.append(_check("data", "rails", rails, text, RAILS_ADVICE))
     train = data.role("train")
     if isinstance(wells, NoWells):
         if data.joint:  # another device need not have two

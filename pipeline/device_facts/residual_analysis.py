@@ -18,8 +18,9 @@ from pipeline.signals.inputs import voltages
 LEVEL = 2.576
 """Standard deviations of a 99 % band."""
 
-LONGEST_LAG = 1.0
-"""Largest lag [s]."""
+LONGEST_LAG, FEWEST_LAGS, SHARE = 1.0, 50, 8
+"""Largest lag [s]; of a slow device, or a log shorter than that, so many samples; and how many times as long as the
+largest lag a stretch is at least."""
 
 SEGMENTS = 8
 """Parts that overlap by half and whose spectra are averaged (Welch)."""
@@ -61,7 +62,7 @@ class Residual:
 def analyse_residual(
     measured: FloatArray, calculated: FloatArray, inputs: FloatArray, interval: float
 ) -> Residual | None:
-    """Analyse the longest stretch in which both signals are known; None if it is shorter than eight lags.
+    """Analyse the longest stretch in which both signals are known; None if it is shorter than eight times the lags.
 
     Parameters
     ----------
@@ -73,8 +74,9 @@ def analyse_residual(
         Sample interval [s].
     """
     rows = longest_run(np.isfinite(measured) & np.isfinite(calculated))
-    count = samples_of(LONGEST_LAG, interval)
-    if rows.stop - rows.start < 8 * count:
+    known, second = rows.stop - rows.start, samples_of(LONGEST_LAG, interval)
+    count = max(second if second < len(measured) else 1, min(FEWEST_LAGS, known // SHARE))
+    if known < SHARE * count:
         return None
     q, u = measured[rows], inputs[rows]
     residual = calculated[rows] - q

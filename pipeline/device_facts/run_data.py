@@ -105,6 +105,8 @@ class RunData:
         How "auto" chose between the models (`pipeline.models.choose.Choice`), if it did.
     log_checks : sequence of mapping
         Rows of `debist check` as its JSON has them; none in a run of before they were made.
+    rails_kept : bool
+        Whether the settings say that the device rests where q is at the ends of its range.
     control : mapping of str to mapping
         What `debist control` made of the present model, by title.
     provenance : mapping
@@ -129,6 +131,7 @@ class RunData:
     log_checks: tuple[Mapping[str, Any], ...] = ()
     control: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     choice: Mapping[str, Any] | None = None
+    rails_kept: bool = False
 
     @property
     def inputs(self) -> tuple[str, ...]:

@@ -43,6 +43,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         accepted=_accepted(run, prototype),
         log_checks=_log_checks(run),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
+        rails_kept=prototype.ingest.rails == "keep",
         studies=tuple(_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
     )

@@ -6,7 +6,7 @@ from typing import Any
 
 from pipeline.device_facts.calibrated import Calibrated, calibrated
 from pipeline.device_facts.characteristics import STABLE
-from pipeline.device_facts.datasheet import Datasheet, Fact, is_refused
+from pipeline.device_facts.datasheet import Datasheet, Fact, doubt, is_refused
 from pipeline.device_facts.run_data import RunData
 from pipeline.si_prefix import interval, percent, quantity
 
@@ -110,7 +110,7 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
         text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like)
         if fact.key.startswith("switch"):
             text = f"{fact.key.split('_')[1]} {text}"
-        values.append(text)
+        values.append(f"{text} ({fact.doubt})" if fact.doubt else text)
         if fact.measured is not None:
             spread = _shown(fact, fact.measured_spread)
             seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
@@ -189,7 +189,7 @@ def show_datasheet(document: dict[str, Any]) -> Shown:
             None if fact.get(key) is None else factor * fact[key]
             for key in ("value", "low", "high", "measured", "measured_spread", "free_run")
         )
-        model, limits = quantity(value, fact["unit"]), "–"
+        model, limits = quantity(value, fact["unit"]), doubt(low, fact.get("in_draws")) or "–"
         if low is not None and high is not None:
             model, limits = interval(value, low, high, fact["unit"], alike[_kind(fact)])
         facts.append((fact["title"], model, limits))

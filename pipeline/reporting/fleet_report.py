@@ -1,6 +1,8 @@
 """The page of a fleet: a sortable table, distributions of facts and errors, outliers marked, links to single pages."""
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 from urllib.parse import quote
 
@@ -22,7 +24,7 @@ from pipeline.si_prefix import scale, significant
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
 OUTLIER, LEAST_VALUES = 3.5, 6
-ERROR = "NRMSE of q"
+ERROR, TRAINING = "NRMSE of q", " (training)"
 LISTED = 400
 """Members up to which every one has a row of markup and a dot in the distributions."""
 
@@ -48,14 +50,25 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "headings": [q.heading for q in quantities],
         "rows": [] if many else [_row(member, i, shown) for i, member in enumerate(kept)],
         "columns": json_for_script(fleet_columns(kept, quantities)) if many else "",
-        "strips": [(q.title, _distribution(q, kept, many)) for q in quantities if np.isfinite(q.values).sum() > 1],
+        "strips": [
+            (q.title, _distribution(q, kept, many))
+            for q in quantities
+            if np.isfinite(_validated(q, kept).values).sum() > 1
+        ],
         "models": _models(done),
     }
     return render("fleet.html.j2", ("series.js", "tables.js", "fleet_table.js") if many else ("tables.js",), context)
 
 
 def _distribution(q: Quantity, members: Sequence[Summary], many: bool) -> Markup:
-    return histogram(q) if many else strip_chart(q, [member.name for member in members])
+    shown = _validated(q, members)
+    return histogram(shown) if many else strip_chart(shown, [member.name for member in members])
+
+
+def _validated(q: Quantity, members: Sequence[Summary]) -> Quantity:
+    """The same without errors on training logs, which say nothing beside those on others."""
+    trained = np.array([member.training and q.title == ERROR for member in members])
+    return replace(q, values=np.where(trained, np.nan, q.values))
 
 
 def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndarray[tuple[int], np.dtype[np.bool_]]":
@@ -73,7 +86,8 @@ def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndar
 
 def _quantities(members: Sequence[Summary]) -> list[Quantity]:
     errors, switches = np.array([m.error for m in members]), np.array([m.switches for m in members])
-    columns = [Quantity(ERROR, "%", 100.0 * errors, outliers(np.log10(errors)))]
+    trained = np.array([m.training for m in members])
+    columns = [Quantity(ERROR, "%", 100.0 * errors, outliers(np.log10(np.where(trained, np.nan, errors))))]
     columns.append(Quantity("switches correct", "%", 100.0 * switches, np.zeros(len(members), dtype=np.bool_)))
     largest: dict[tuple[str, str], float] = {}
     for member in members:
@@ -81,10 +95,10 @@ def _quantities(members: Sequence[Summary]) -> list[Quantity]:
             kind = key.partition("_")[0], unit
             largest[kind] = float(np.fmax(largest.get(kind, 0.0), abs(value)))
     for key in FACTS:
-        units = {m.facts[key][1] for m in members if key in m.facts}
+        units = Counter(m.facts[key][1] for m in members if key in m.facts)
         if not units:
             continue
-        unit = min(units)
+        unit = min(units, key=lambda each: (-units[each], each == "1", each))
         # Devices of another kind (an angle among lengths) have no value in this column.
         values = np.array([m.facts[key][0] if key in m.facts and m.facts[key][1] == unit else np.nan for m in members])
         # A fact and its twin on the other side have one unit.
@@ -111,10 +125,11 @@ def _row(member: Summary, index: int, quantities: Sequence[tuple[Quantity, int |
     for q, places in quantities:
         value = float(q.values[index])
         known = bool(np.isfinite(value))
+        of_training = TRAINING if member.training and q.title == ERROR else ""
         unknown = "diverged" if member.diverged and q.title == ERROR else "–"
         cells.append(
             {
-                "text": _text(value, places) if known else unknown,
+                "text": _text(value, places) + of_training if known else unknown,
                 "value": repr(value) if known else "",
                 "outlier": bool(q.outliers[index]),
             }

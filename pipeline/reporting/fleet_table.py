@@ -55,6 +55,8 @@ class Summary:
         Whether the judged model diverged on a log.
     error, switches : float
         Worst NRMSE of q and worst switch accuracy of the judged model; NaN if undefined.
+    training : bool
+        Whether these are of the training logs, as there is no other.
     facts : dict of str to (float, str)
         Value [SI] and unit of every known one of `FACTS`.
     validation : tuple of (str, float or None)
@@ -70,13 +72,14 @@ class Summary:
     diverged: bool
     error: float
     switches: float
+    training: bool
     facts: dict[str, tuple[float, str]]
     validation: tuple[tuple[str, float | None], ...]
 
 
 def failed(name: str, reason: str) -> Summary:
     """A prototype without a datasheet."""
-    return Summary(name, reason, None, False, "", "", False, float("nan"), float("nan"), {}, ())
+    return Summary(name, reason, None, False, "", "", False, float("nan"), float("nan"), False, {}, ())
 
 
 def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
@@ -92,6 +95,7 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
         any(s["status"] == "diverged" for s in scores if s["model"] == judged),
         _headline(scores, judged, "nrmse"),
         _headline(scores, judged, "switch_accuracy"),
+        {s["role"] for s in _of_headline(scores, judged)} == {"train"},
         {fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
         tuple((s["model"], s["nrmse"]) for s in scores if s["signal"] == "q" and s["role"] == "validation"),
     )
@@ -102,9 +106,13 @@ def _value(fact: Mapping[str, Any]) -> float:
     return float("nan") if value is None else float(value)
 
 
+def _of_headline(scores: Any, judged: str) -> list[Mapping[str, Any]]:
+    return [s for s in scores if s["signal"] == "q" and s["model"] == judged]
+
+
 def _headline(scores: Any, judged: str, key: str) -> float:
     """The worst score of q of the judged model: on validation logs, else on those of training; NaN if undefined."""
-    rows = [s for s in scores if s["signal"] == "q" and s["model"] == judged]
+    rows = _of_headline(scores, judged)
     values = [s[key] for s in [s for s in rows if s["role"] == "validation"] or rows]
     if not values or any(value is None for value in values):
         return float("nan")
@@ -130,14 +138,19 @@ def fleet_columns(members: Sequence[Summary], quantities: Sequence[Quantity]) ->
     """The table as JSON values; what is long is deflated and in base 64.
 
     ``names``: all of them, a line each; ``reasons``: a line for each that failed, in order; ``grades``: a byte each for
-    data, model, whether a page exists and whether the model diverged; ``suffix``: what a link adds to a name; and for
-    each quantity ``values`` (four byte planes of 32-bit floats, NaN where unknown), ``outliers`` (a byte each) and
-    ``decimals``.
+    data, model, whether a page exists, and 1 where the model diverged, 2 where its error is of training; ``suffix``:
+    what a link adds to a name; and for each quantity ``values`` (four byte planes of 32-bit floats, NaN where unknown),
+    ``outliers`` (a byte each) and ``decimals``.
     """
     grade = {text: code for code, text in enumerate(GRADES)}
     failed = [member for member in members if member.reason]
     flags = [
-        (grade.get(m.data, 0), 4 if m.reason else grade.get(m.model, 0), 1 if m.link else 0, 1 if m.diverged else 0)
+        (
+            grade.get(m.data, 0),
+            4 if m.reason else grade.get(m.model, 0),
+            1 if m.link else 0,
+            m.diverged + 2 * m.training,
+        )
         for m in members
     ]
     suffixes = {m.link.removeprefix(m.name) for m in members if m.link is not None}

@@ -72,6 +72,20 @@ def test_an_input_that_is_not_named_is_told(pair: list[LogSignals]) -> None:
     assert all("v2 in [channels]" in row.advice for row in rows)
 
 
+def test_what_cannot_be_seen_of_an_input_is_said_by_what_the_input_does(pair: list[LogSignals]) -> None:
+    log = pair[0]
+    about = 95.0 + 9.0 * np.sin(0.7 * log.t)  # a coolant flow: always on, and changing
+    once = np.where(log.t < 0.02, 3000.0, 0.0)
+    said = {}
+    for name, v in (("about", about), ("once", once), ("steady", np.full_like(once, 4.0)), ("off", 0.0 * once)):
+        other = replace(JOINT, inputs=("V",), squared=False)
+        (row,) = (r for r in check_logs([replace(log, v=v[:, None])], other) if r.what == "push of v1")
+        said[name] = row.found, row.state
+    assert said["about"] == ("cannot be told apart from the motion", "not seen")
+    assert said["once"] == said["steady"] == ("hardly ever changes", "not seen")
+    assert said["off"] == ("hardly ever on", "note")
+
+
 @pytest.mark.parametrize("slower", [0.25, 0.5, 2.0, 4.0])
 def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float) -> None:
     """Built n times as large: n times as slow and as long, n³ times as heavy, the same slope of the capacitance."""

@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 from pipeline.device_facts.calibrated import calibrated
-from pipeline.device_facts.characteristics import intervals
-from pipeline.device_facts.datasheet import Fact, distance, fact_checks
+from pipeline.device_facts.characteristics import intervals, shares
+from pipeline.device_facts.datasheet import Fact, distance, fact_checks, make_datasheet
 from pipeline.joint.condensed_parameters import DEVIATIONS
 from pipeline.models.hybrid import HybridModel
 from pipeline.numerics.metrics import NORMAL_90
+from pipeline.reporting.datasheet_rows import sheet_rows, show_datasheet
 from tests.export.joints import hybrid
+from tests.reporting.synthetic import run_data
 
 
 def fact(value, measured, spread, events=13, low=None, high=None):
@@ -54,6 +56,30 @@ def test_an_interval_never_excludes_its_own_estimate():
     assert low == -11.0e-3 and -10.1e-3 < high < -10.0e-3
     inside = intervals({"well_left": -10.3e-3}, draws)["well_left"]
     assert inside == intervals({}, draws)["well_left"]
+
+
+def test_a_fact_that_many_draws_lack_says_so_in_place_of_an_interval():
+    draws = [{"saddle": 0.0, "barrier": None} if k < 40 else {"saddle": 0.0} for k in range(64)]
+    draws += [{"rest": 1.0}] * 16
+    own = {"saddle": 0.0, "barrier": 1.0, "switch": None}
+    assert shares(own, draws) == {"saddle": 0.8, "barrier": 0.0}
+    assert shares(own, []) == {}
+    assert "saddle" not in intervals(own, draws)
+    unsure = replace(fact(0.1, None, None, 0), in_draws=0.8)
+    assert unsure.doubt == "not certain: in 80 % of the draws"
+    assert not replace(unsure, low=0.0, high=0.2, in_draws=0.95).doubt and not replace(unsure, in_draws=None).doubt
+
+
+def test_the_doubt_stands_on_page_and_terminal_where_the_interval_would():
+    data = run_data()
+    sheet = make_datasheet(data)
+    assert {f.in_draws for f in sheet.facts if f.low is not None} == {1.0}
+    facts = tuple(replace(f, low=None, high=None, in_draws=0.62) if f.key == "saddle" else f for f in sheet.facts)
+    unsure = replace(sheet, facts=facts)
+    (row,) = (row for row in sheet_rows(unsure) if row.title == "unstable equilibrium")
+    assert row.cells[0].value.endswith(" (not certain: in 62 % of the draws)")
+    (shown,) = (fact for fact in show_datasheet(unsure.to_json(data)).facts if fact[0] == "unstable equilibrium")
+    assert shown[2] == "not certain: in 62 % of the draws"
 
 
 def test_calibrated_quantities_are_physical_values_around_which_their_intervals_lie():

@@ -236,7 +236,7 @@ def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> Non
 
 
 @pytest.mark.parametrize(
-    ("ratio", "surely", "grade"), [(1.2, 0.01, "good"), (2.0, 0.01, "fair"), (9.0, 0.01, "poor"), (9.0, 1e-3, None)]
+    ("ratio", "surely", "grade"), [(1.2, 0.01, "fair"), (2.0, 0.01, "fair"), (9.0, 0.01, "poor"), (9.0, 1e-3, None)]
 )
 def test_a_baseline_that_is_surely_nearer_is_part_of_the_verdict(
     ratio: float, surely: float, grade: str | None

@@ -37,11 +37,20 @@ def test_a_coloured_residual_that_is_independent_of_the_input_stays_within_the_b
 
 
 @pytest.mark.parametrize("interval", [2.0, 5.0])
-def test_a_slow_device_is_analysed_one_sample_apart(interval):
+def test_a_slow_device_is_analysed_at_fifty_samples_where_its_log_has_them(interval):
     rng, u, q = signals(3)
     assert analyse_residual(q[:7], q[:7] + rng.standard_normal(7), u[:7], interval) is None
     found = analyse_residual(q, q + rng.standard_normal(N), u, interval)
-    assert found.lags.tolist() == [-interval, 0.0, interval]
+    np.testing.assert_allclose(found.lags, interval * np.arange(-50, 51))
+    short = analyse_residual(q[:90], q[:90] + rng.standard_normal(90), u[:90], interval)
+    np.testing.assert_allclose(short.lags, interval * np.arange(-11, 12))
+
+
+def test_a_log_of_milliseconds_is_analysed_at_fifty_samples():
+    rng, u, q = signals(3)
+    found = analyse_residual(q, q + rng.standard_normal(N), u, 1e-5)
+    np.testing.assert_allclose(found.lags, 1e-5 * np.arange(-50, 51))
+    assert np.mean(np.abs(found.correlation) > found.band) < 0.1
 
 
 def test_what_an_input_still_explains_shows_at_its_lag():

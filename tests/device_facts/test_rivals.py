@@ -8,11 +8,15 @@ from pipeline.scoring.wells import NoWells
 from tests.reporting.synthetic import run_data
 
 
-def _rival(**errors: float | None) -> list[Check]:
-    """The finding on a rival where models have these NRMSE on the validation log; None where they diverged."""
+def _rival(surely: float | None = None, **errors: float | None) -> list[Check]:
+    """The finding on a rival where models have these NRMSE on the validation log; None where they diverged.
+
+    `surely` is how much the paired bootstrap leaves at least between each and the lowest.
+    """
     data = run_data()
     log = data.role("validation")[0]
     row: dict[str, Any] = {"log": log.name, "role": "validation", "signal": "q", "switch_accuracy": None}
+    row["above_lowest_low"] = surely
     scores = [
         row | {"model": name, "nrmse": error, "status": "diverged" if error is None else "ok", "diverged_at_s": 5.0}
         for name, error in errors.items()
@@ -31,3 +35,10 @@ def test_nothing_is_named_that_a_constant_beats_or_that_diverged_too() -> None:
     assert not _rival(rbf=None, sindy=None)
     assert not _rival(rbf=None, sindy=1.6)
     assert not _rival(rbf=0.05, sindy=0.04)  # not surely nearer
+
+
+def test_a_model_that_another_surely_beats_is_not_good_at_that() -> None:
+    (check,) = _rival(surely=0.003, rbf=0.05, narx=0.04)
+    assert "surely better" in check.statement and check.grade == "fair"
+    (check,) = _rival(surely=0.003, rbf=0.05, narx=0.01)
+    assert check.grade == "poor"

@@ -23,7 +23,7 @@ from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
-from pipeline.reporting.fleet_table import Quantity, failed, strip_chart, summary
+from pipeline.reporting.fleet_table import Quantity, failed, fleet_columns, strip_chart, summary
 from pipeline.reporting.log_figures import differentiation
 from pipeline.reporting.model_facts import described
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
@@ -98,6 +98,44 @@ def _elements(page: str) -> _Elements:
     parser = _Elements()
     parser.feed(page)
     return parser
+
+
+def _fleet_document() -> dict[str, Any]:
+    document: dict[str, Any] = json.loads(json.dumps(run_sheet().to_json(run_data())))
+    return document
+
+
+def test_an_error_of_training_is_marked_and_in_no_distribution() -> None:
+    document = _fleet_document()
+    trained = document | {"scores": [s | {"nrmse": 0.5} for s in document["scores"] if s["role"] == "train"]}
+    members = [summary(f"P{i}", _varied(document, i), None) for i in range(7)] + [summary("T", trained, None)]
+    page = fleet_report(members, "fleet")
+    assert page.count("(training)") == page.count("50.0 (training)") == 1
+    (strip,) = re.findall(r'<svg class="chart strip"[^>]*aria-label="distribution of NRMSE of q.*?</svg>', page)
+    assert strip.count("<circle") == 7 and "<title>T:" not in strip
+    assert "▲" not in page.split("50.0 (training)")[0].rsplit("<td", 1)[1]
+    alone = fleet_report([summary(name, trained, None) for name in "ab"], "fleet")
+    assert "distribution of NRMSE of q" not in alone and alone.count("50.0 (training)") == 2
+
+
+def test_a_large_fleet_notes_errors_of_training_too() -> None:
+    document = _fleet_document()
+    trained = document | {"scores": [s for s in document["scores"] if s["role"] == "train"]}
+    columns = fleet_columns([summary("P", document, None), summary("T", trained, None)], [])
+    flags = zlib.decompress(base64.b64decode(columns["grades"]))
+    assert list(flags[-2:]) == [0, 2]
+
+
+def test_a_device_of_another_kind_takes_no_value_from_the_others() -> None:
+    """A unit that comes first in the alphabet is not that of the fleet."""
+    document = _fleet_document()
+    other = document | {
+        "facts": [f | {"unit": "1", "value": 0.5} if f["key"].startswith("switch_v1") else f for f in document["facts"]]
+    }
+    joints = [summary(f"P{i}", _varied(document, i), None) for i in range(3)]
+    heading = "switching v1, to right"
+    assert heading in fleet_report(joints, "fleet")
+    assert f"{heading} in kV" in fleet_report([summary("other", other, None), *joints], "fleet")
 
 
 def test_the_fleet_says_why_verdicts_are_missing() -> None:

@@ -118,8 +118,8 @@ class FleetTable {
     this.quantities.forEach((q, k) => {
       const cell = line.insertCell(), value = q.values[i];
       cell.className = q.outliers[i] ? "number outlier" : "number";
-      const unknown = k === 0 && this.diverged[i] ? "diverged" : "–";
-      cell.textContent = Number.isNaN(value) ? unknown : (q.outliers[i] ? "▲ " : "") + this.digits(value, q.decimals);
+      const unknown = k === 0 && this.diverged[i] & 1 ? "diverged" : "–";
+      cell.textContent = Number.isNaN(value) ? unknown : (q.outliers[i] ? "▲ " : "") + this.digits(value, q.decimals) + (k === 0 && this.diverged[i] & 2 ? " (training)" : "");
     });
     return line;
   }
