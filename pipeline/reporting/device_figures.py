@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import LEVEL, Curves, Equilibrium, equilibria, outer_wells
 from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, unforced, visited_range
+from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, moves_unforced, unforced, visited_range
 from pipeline.device_facts.quality import centre_visits
 from pipeline.device_facts.run_data import Columns, RunData, Study
 from pipeline.numerics.arrays import FloatArray
@@ -32,7 +32,8 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     if sheet.curves:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
-    figures["phase-portrait"] = _phase_portrait(data, sheet)
+    portrait = _phase_portrait(data, sheet)
+    figures |= {"phase-portrait": portrait} if portrait is not None else {}
     figures |= residual_figures(data, sheet.wells)
     figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures
@@ -170,7 +171,8 @@ def _marked(found: Sequence[Equilibrium], role: str, q: FloatArray, heights: Flo
     return points
 
 
-def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
+def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
+    """Motion without input, over the basins of two wells; None where there is neither."""
     train = data.role("train")
     paths = tuple(
         Line(log.title, "measured" if log.role == "train" else "raw", *unforced(data, log))
@@ -188,6 +190,8 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
                 f"Measured motion while no {data.input_word} is on, over the basins of {sheet.model} without "
                 f"{data.input_word}: from each cell the model was let go and simulated for {BASIN_TIME:g} s."
             )
+    if cells is None and not moves_unforced(data):
+        return None
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
     return Figure("phase-portrait", title, caption, "q", data.displacement, (panel,), tall=1.5)
