@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.device_facts.events import voltage_switches
+from pipeline.device_facts.events import input_steps, voltage_switches
 from pipeline.device_facts.residual_analysis import Residual, headline_residual
 from pipeline.device_facts.run_data import LogData, RunData, judged_log
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
@@ -39,10 +39,10 @@ def _timeline(
     data: RunData, log: LogData, wells: Wells | NoWells, kind: str, title: str, caption: str, panels: list[Panel]
 ) -> Figure:
     t, q = log.kinematics["t"], log.kinematics["q"]
-    marks = {
-        f"{data.input_word} switched": voltage_switches(t, voltages(log.kinematics)),
-        "device snaps over": t[snaps(q, wells)],
-    }
+    v = voltages(log.kinematics)
+    switched = {"voltage switched": voltage_switches(t, v)} if data.joint else {}
+    marks = switched or {f"{data.input_word} steps": input_steps(t, v)}
+    marks["device snaps over"] = t[snaps(q, wells)]
     return Figure(
         name=f"{log.key}-{kind}",
         title=f"{title}, {log.title}",
