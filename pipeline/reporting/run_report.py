@@ -32,6 +32,7 @@ from pipeline.reporting.tables import (
     with_unit,
 )
 from pipeline.scoring.wells import Wells
+from pipeline.si_prefix import short
 
 SECTION_TITLES = {
     "signals": "Measured signals",
@@ -110,7 +111,7 @@ def _subtitle(data: RunData) -> str:
         logs = data.role(role)
         if logs:
             length = sum(float(log.kinematics["t"][-1] - log.kinematics["t"][0]) for log in logs)
-            parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {length:.4g} s")
+            parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {short(length, 4)} s")
     return " · ".join([*parts, f"models {', '.join(data.model_names)}"])
 
 

@@ -24,13 +24,13 @@ from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import Quantity, failed, strip_chart, summary
-from pipeline.reporting.log_figures import differentiation
+from pipeline.reporting.log_figures import differentiation, fit_note
 from pipeline.reporting.model_facts import described
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import headline_table
 from pipeline.scoring.wells import NoWells
-from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
+from pipeline.si_prefix import axis_scale, grouped, interval, moment, percent, quantity, scale, short, significant
 from pipeline.signals.inputs import voltages
 from pipeline.units import ALPHA_UNIT
 from tests.reporting.synthetic import HOSTILE, run_data, run_figures, run_sheet, without_models
@@ -180,7 +180,7 @@ def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
     )
     page, sheet = report_of(alone)
     assert {"rad": "q in °", "m": "q in mm", "V": "q in mV"}[unit] in page
-    assert f" {ALPHA_UNIT[unit][0]}·s³" in differentiation(alone, log)
+    assert f" {ALPHA_UNIT[unit][0].replace('deg', '°')}·s³" in differentiation(alone, log)
     assert "no validation log" in page
     assert any(check.grade == "fair" and check.name == "validation" for check in sheet.checks)
 
@@ -421,6 +421,12 @@ def test_only_fitted_values_have_a_deviation_and_the_drag_has_its_unit() -> None
     assert rows["end stops"] == "325 … 560 °"
     assert (rows["slip length"], rows["relaxation rates"]) == ("5.73, 11.5 °", "6.00, 0.200 1/s")
     assert rows["deviations: part"] == "5.73 ± 0.57 °"
+
+
+def test_moments_and_lengths_have_the_digits_that_they_need() -> None:
+    assert [moment(s) for s in (5.494, 0.66, 0.0021, 0.0, 9358.0)] == ["5.49 s", "0.66 s", "2.10 ms", "0 s", "9358 s"]
+    assert [short(n, 4) for n in (60.0, 59.98, 17283.0)] == ["60", "59.98", "17280"]
+    assert fit_note(np.arange(9.0), -np.arange(9.0)).startswith("fit −")
 
 
 def test_thousands_are_grouped() -> None:
