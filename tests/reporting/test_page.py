@@ -236,6 +236,9 @@ def test_figures_are_well_formed_and_without_inline_style() -> None:
             assert "nan" not in text
             root = ET.fromstring(text)  # noqa: S314 - our own text
             assert root.find("title") is not None
+            # A stroke of their own would stay black in the dark theme.
+            assert not [path for path in root.iterfind(".//defs/path[@id]") if "stroke" in path.attrib]
+            assert all("stroke" in use.attrib for use in root.iterfind(".//use[@fill='#ffffff']"))
 
 
 def test_thinning_keeps_every_peak() -> None:
