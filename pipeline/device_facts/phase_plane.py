@@ -13,7 +13,7 @@ from pipeline.signals.inputs import voltages
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
 UNFORCED = 0.05  # of the largest input: its square is a quarter of a per cent, within what probes read at rest
-LEAST_UNFORCED = 10  # samples in a row: fewer are the zero crossings of a steady signal
+LEAST_UNFORCED = 10  # samples in a row: fewer, or an input that moves on, are the zero crossings of a steady signal
 LEAST_MOTION = 0.02  # of the range of q: what moves less without input is a dot in the plane
 ON = 0.3  # of an input's largest value: there it acts on the motion
 VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
@@ -124,12 +124,13 @@ def visited_range(data: RunData, voltage: str | None = None) -> tuple[float, flo
 def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
     """Q and q̇ of a log, NaN where an input acts on the motion: basins say nothing of it there.
 
-    NaN as well where no input acts for fewer than `LEAST_UNFORCED` samples, but on the joint, whose pulses have rests.
+    NaN as well where an input only crosses zero, but on the joint, whose pulses have rests.
     """
     largest = max(float(np.nanmax(np.abs(voltages(each.kinematics)))) for each in data.logs)
     free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
     for rows in () if data.joint else runs_of(free):
-        free[rows] = rows.stop - rows.start >= LEAST_UNFORCED
+        still = float(np.ptp(voltages(log.kinematics)[rows], axis=0).max()) <= UNFORCED * largest
+        free[rows] = still and rows.stop - rows.start >= LEAST_UNFORCED
     return np.where(free, log.kinematics["q"], np.nan), np.where(free, log.kinematics["qdot"], np.nan)
 
 
