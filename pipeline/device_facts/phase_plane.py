@@ -14,6 +14,7 @@ BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
 UNFORCED = 0.05  # of the largest input: its square is a quarter of a per cent, within what probes read at rest
 LEAST_UNFORCED = 10  # samples in a row: fewer, or an input that moves on, are the zero crossings of a steady signal
+LEAST_SHARE = 0.01  # of all samples: less is what is left of a steady signal
 LEAST_MOTION = 0.02  # of the range of q: what moves less without input is a dot in the plane
 ON = 0.3  # of an input's largest value: there it acts on the motion
 VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
@@ -135,9 +136,11 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
 
 def moves_unforced(data: RunData) -> bool:
-    """Whether any log shows a motion without input that can be seen in the plane."""
+    """Whether the logs show a motion without input that can be seen in the plane."""
     places = [q[np.isfinite(q)] for q, _ in (unforced(data, log) for log in data.logs)]
     low, high = _ends(data, "q")
+    if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.kinematics["q"]) for log in data.logs):
+        return False
     return any(q.size > 0 and np.ptp(q) > LEAST_MOTION * (high - low) for q in places)
 
 

@@ -185,6 +185,37 @@ def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
     assert any(check.grade == "fair" and check.name == "validation" for check in sheet.checks)
 
 
+def test_the_page_of_another_device_has_no_words_of_the_joint() -> None:
+    """One input that is no voltage, one well in which the device swings freely, and a model that was no choice."""
+    t = np.arange(0.0, 30.0, 0.01)
+    push = np.where((t % 10.0 > 2.0) & (t % 10.0 < 4.0), 3.0, 0.0)
+    swing = 1e-3 * (push + np.exp(-(t % 10.0)) * np.sin(9.0 * t))
+    table = {"t": t, "q": swing, "v1": push, "segment": np.zeros(t.size, dtype=np.int32)}
+    rates = {"qdot": np.gradient(swing, t), "qddot": np.gradient(np.gradient(swing, t), t)}
+    free = {"rbf": {"t": t, "q": 0.99 * swing} | rates}
+    ok = {"rbf": {"status": "ok", "diverged_at_s": None}}
+    log = replace(
+        run_data().logs[1], record=table, kinematics=table | rates, phi=None, predictions=free, outcomes=ok,
+        record_notes={}, source="logs/other.csv",
+    )  # fmt: skip
+    score = {"well_agreement": None, "switch_accuracy": None}
+    reason = "hybrid is no candidate: the joint has a displacement and two squared voltages; this device has others"
+    told = {"basis_functions": 8, "chosen because": reason}
+    other = replace(
+        run_data(), name="other", voltage="N", squared=False, mass_known=False, logs=(replace(log, role="train"), log),
+        models={}, descriptions={"rbf": told}, choice={"chosen": "rbf", "reason": reason, "held_out_error": {}},
+        scores=tuple(row | score for row in run_data().scores if row["model"] == "rbf"),
+        provenance=run_data().provenance | {"prototype": {}, "prototype_file": "other.toml"},
+    )  # fmt: skip
+    page, _ = report_of(other)
+    text = re.sub(r"<(script|style).*?</\1>", "", page, flags=re.DOTALL).lower()
+    for word in ("well", "joint", "hybrid", "bistable", "voltage", "(left)", "ambiguous", "settling", "snap"):
+        assert not re.search(rf"\b{re.escape(word)}", text), re.findall(rf".{{60}}{re.escape(word)}.{{60}}", text)
+    assert "input steps" in text and "next event" in text
+    quiet = replace(other, logs=tuple(replace(each, kinematics=each.kinematics | {"v1": t}) for each in other.logs))
+    assert "next event" not in report_of(quiet)[0] and "from event to event" not in report_of(quiet)[0]
+
+
 def test_studies_are_drawn_where_they_are() -> None:
     alpha, names = np.logspace(-12, -2, 9), run_data().model_names[:2]
     columns = {"alpha": alpha, "misfit": np.sqrt(alpha), "roughness": 1.0 / alpha}
