@@ -42,6 +42,10 @@ SECTION_TITLES = {
 }
 
 
+SCORES_OF_WELLS = ("well_agreement", "switch_accuracy", "outcomes", "rise_error_s", "settling_error_s")
+"""Columns of the scores that only two wells give a meaning."""
+
+
 def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     """Every figure of a run by its name: those of the logs in their order, then those of the device."""
     figures = [overlay(data, judged_log(data), sheet.wells)]
@@ -77,7 +81,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "marks": _marks_said(interactive),
         "facts_caption": _facts_caption(sheet),
         "log_checks": _log_checks(data),
-        **_scores(data),
+        **_scores(data, sheet),
         "overlay": _view(first, models, judged.key),
         "calibrated": calibrated_rows(data, sheet),
         "structure": structure_summary(data, sheet),
@@ -150,8 +154,10 @@ def _facts_caption(sheet: Datasheet) -> str:
     )
 
 
-def _scores(data: RunData) -> dict[str, Any]:
-    scores = with_true_names(data.scores, [(log.role, log.source) for log in data.logs])
+def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
+    """The tables of the scores; without wells, what these say of wells is of rests that are none."""
+    none = {} if isinstance(sheet.wells, Wells) else dict.fromkeys(SCORES_OF_WELLS)
+    scores = with_true_names(({**row, **none} for row in data.scores), [(log.role, log.source) for log in data.logs])
     return {
         "score_tables": [
             _score_table("nrmse", nrmse_table(scores)),
