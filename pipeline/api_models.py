@@ -128,7 +128,7 @@ class Model:
 
         from pipeline.loading.free_runs import free_run
         from pipeline.numerics.metrics import fit_percent
-        from pipeline.si_prefix import axis_scale
+        from pipeline.si_prefix import axis_scale, moment
 
         table = self._measured(t, q, v1, v2)
         made = free_run(table, self.core)
@@ -136,7 +136,7 @@ class Model:
             ax = pyplot.subplots(figsize=(7.16, 2.6), layout="constrained")[1]
         unit, factor = axis_scale(self._units[0], float(abs(table["q"][table["segment"] >= 0]).max()))
         fit = fit_percent(table["q"], made.q)
-        note = f"diverged at {made.diverged_at_s:.2f} s" if fit is None else f"fit {fit:.1f} %"
+        note = f"diverged at {moment(made.diverged_at_s or 0.0)}" if fit is None else f"fit {fit:.1f} %"
         ax.plot(table["t"], factor * table["q"], color="0.6", linewidth=2.5, label="measured")
         ax.plot(table["t"], factor * made.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
         ax.set(xlabel="time in s", ylabel=f"q in {unit}")

@@ -114,6 +114,19 @@ def significant(number: float, digits: int = 3) -> str:
     return rounded(number, max(digits - 1 - decade, min(0, MOST_BEFORE_POINT - 1 - decade)), abs(number))
 
 
+def short(number: float, digits: int = 3) -> str:
+    """A number without the zeros at its end, to `digits` significant digits, as `significant` beyond those."""
+    text = f"{number:.{digits}g}"
+    return significant(number, digits) if "e" in text else text
+
+
+def moment(seconds: float) -> str:
+    """A time after the start of a record: to 10 ms, earlier ones and later ones to three and four digits."""
+    if 0.1 <= seconds < 1000.0:
+        return f"{seconds:.2f} s"
+    return f"{significant(seconds, 4)} s" if seconds > 1.0 else quantity(seconds, "s")
+
+
 def power(exponent: int) -> str:
     """A raised exponent."""
     return str(exponent).translate(_RAISED)

@@ -12,7 +12,7 @@ from pipeline.checks.rows import CheckRow, State
 from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
-from pipeline.si_prefix import quantity, scale, significant
+from pipeline.si_prefix import quantity, scale, short, significant
 from pipeline.signals.noise import below_resolution
 from pipeline.signals.plausible_spans import plausible_span, scale_suspicion
 from pipeline.signals.signal_quality import takes_both_signs
@@ -364,7 +364,7 @@ def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 def _short(value: float, unit: str) -> str:
     """A round number with its unit."""
     shown, factor = scale(unit, value)
-    return f"{value * factor:.3g} {shown}"
+    return f"{short(value * factor)} {shown}"
 
 
 def _times(ratio: float | None) -> str:

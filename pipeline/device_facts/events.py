@@ -5,11 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
 from pipeline.signals.mains_hum import aliased
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
+STEP, LEVEL_MOVES = 0.1, 0.02  # of an input's range: least height of a step, and what moves between two levels
+STEP_SAMPLES, LEVEL_SAMPLES = 3, 5  # within which a step is over, and for which a level lasts at least
+MOST_STEPS = 60  # of one log: more lines than that hide the signals
 QUIET = 0.1  # s without a switch before one counts as an event of its own
 RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
 MOST_RING_DOWNS = 100  # of one log that are looked at
@@ -89,6 +92,26 @@ def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:
     apart = np.diff(ordered, prepend=-np.inf) > QUIET
     first: FloatArray = ordered[apart]
     return first
+
+
+def input_steps(t: FloatArray, v: FloatArray) -> FloatArray:
+    """Times [s] at which an input jumps from level to level, shape (n,); none if there are more than `MOST_STEPS`.
+
+    A jump is over within `STEP_SAMPLES` samples and the input stays before and after it for `LEVEL_SAMPLES` or to the
+    end of the log, so that what changes all the time, as a sine or a ramp, has none.
+    """
+    times = []
+    for column in v.T:
+        size = float(np.ptp(column))
+        moving = runs_of(np.abs(np.diff(column)) > LEVEL_MOVES * size)
+        begins, ends = np.array([rows.start for rows in moving]), np.array([rows.stop for rows in moving])
+        stays = np.concatenate(([LEVEL_SAMPLES], begins[1:] - ends[:-1], [LEVEL_SAMPLES])) >= LEVEL_SAMPLES
+        for begin, end, before, after in zip(begins, ends, stays[:-1], stays[1:], strict=False):
+            short = before and after and end - begin <= STEP_SAMPLES
+            if short and abs(column[end] - column[begin]) >= STEP * size:
+                times.append(float(t[begin + 1]))
+    apart = np.unique(times)
+    return apart if apart.size <= MOST_STEPS else np.empty(0)
 
 
 @dataclass(frozen=True)

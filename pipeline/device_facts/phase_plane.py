@@ -7,12 +7,15 @@ import numpy as np
 
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.models.base import DynamicModel, SimulatesMany
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, runs_of
 from pipeline.signals.inputs import voltages
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
 UNFORCED = 0.05  # of the largest input: its square is a quarter of a per cent, within what probes read at rest
+LEAST_UNFORCED = 10  # samples in a row: fewer, or an input that moves on, are the zero crossings of a steady signal
+LEAST_SHARE = 0.01  # of all samples: less is what is left of a steady signal
+LEAST_MOTION = 0.02  # of the range of q: what moves less without input is a dot in the plane
 ON = 0.3  # of an input's largest value: there it acts on the motion
 VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
 MARGIN = 0.04
@@ -120,10 +123,25 @@ def visited_range(data: RunData, voltage: str | None = None) -> tuple[float, flo
 
 
 def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
-    """Q and q̇ of a log, NaN where an input acts on the motion: basins say nothing of it there."""
+    """Q and q̇ of a log, NaN where an input acts on the motion: basins say nothing of it there.
+
+    NaN as well where an input only crosses zero, but on the joint, whose pulses have rests.
+    """
     largest = max(float(np.nanmax(np.abs(voltages(each.kinematics)))) for each in data.logs)
     free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
+    for rows in () if data.joint else runs_of(free):
+        still = float(np.ptp(voltages(log.kinematics)[rows], axis=0).max()) <= UNFORCED * largest
+        free[rows] = still and rows.stop - rows.start >= LEAST_UNFORCED
     return np.where(free, log.kinematics["q"], np.nan), np.where(free, log.kinematics["qdot"], np.nan)
+
+
+def moves_unforced(data: RunData) -> bool:
+    """Whether the logs show a motion without input that can be seen in the plane."""
+    places = [q[np.isfinite(q)] for q, _ in (unforced(data, log) for log in data.logs)]
+    low, high = _ends(data, "q")
+    if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.kinematics["q"]) for log in data.logs):
+        return False
+    return any(q.size > 0 and np.ptp(q) > LEAST_MOTION * (high - low) for q in places)
 
 
 def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatArray, FloatArray, Classes]:
@@ -143,7 +161,12 @@ def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatA
 
 def _span(data: RunData, name: str, count: int) -> FloatArray:
     """Grid lines over all that was measured of a signal, and a little more."""
-    values = np.concatenate([log.kinematics[name] for log in data.logs])
-    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    low, high = _ends(data, name)
     grid: FloatArray = np.linspace(low - MARGIN * (high - low), high + MARGIN * (high - low), count)
     return grid
+
+
+def _ends(data: RunData, name: str) -> tuple[float, float]:
+    """Least and largest value of a signal in all logs."""
+    values = np.concatenate([log.kinematics[name] for log in data.logs])
+    return float(np.nanmin(values)), float(np.nanmax(values))

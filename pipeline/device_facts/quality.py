@@ -11,7 +11,7 @@ from pipeline.identification.coverage import coverage
 from pipeline.names import ROLE_WORDS, log_title
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, snaps
-from pipeline.si_prefix import percent, quantity, significant
+from pipeline.si_prefix import moment, percent, quantity, significant
 from pipeline.signals.inputs import voltages
 from pipeline.signals.noise import below_resolution, noise_std, rounding
 from pipeline.signals.signal_quality import examine_signal
@@ -313,7 +313,7 @@ def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Ma
         checks.append(Check("model", "converged", "fair", *not_converged(model)))
     diverged = [s for s in judged if s["status"] != "ok"]
     if diverged:
-        at = ", ".join(f"{s['log']} at t = {s['diverged_at_s']:.2f} s" for s in diverged)
+        at = ", ".join(f"{s['log']} at t = {moment(s['diverged_at_s'])}" for s in diverged)
         advice = "see its last second under “Measured against models”; train on data that reach as far"
         checks.append(Check("model", "divergence", "poor", f"the free run of {model} diverged: {at}", advice))
     return checks

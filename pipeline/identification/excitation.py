@@ -17,6 +17,7 @@ from pipeline.identification.rbf import InputLaw, input_signal
 from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
+from pipeline.si_prefix import quantity
 from pipeline.signals.noise import is_idle, noise_level
 from pipeline.signals.quality_gates import Finding
 
@@ -228,6 +229,7 @@ def excitation_findings(
     basis_functions: int,
     smoothing: float,
     bistable: bool,
+    displacement: str = "m",
 ) -> list[Finding]:
     """What speaks against a model from these training data.
 
@@ -247,6 +249,8 @@ def excitation_findings(
         M and σ_n of the curves that are to be identified.
     bistable : bool
         Whether the device is known to have two wells.
+    displacement : str
+        SI unit of q.
 
     Raises
     ------
@@ -277,18 +281,20 @@ def excitation_findings(
         )
     except InputError as error:
         raise DataRefusedError(str(error)) from error
-    return found + _of_places(excitation, basis_functions, conditioned=not undriven, bistable=bistable)
+    return found + _of_places(excitation, basis_functions, displacement, conditioned=not undriven, bistable=bistable)
 
 
-def _of_places(excitation: Excitation, centres: int, *, conditioned: bool, bistable: bool) -> list[Finding]:
+def _of_places(
+    excitation: Excitation, centres: int, displacement: str, *, conditioned: bool, bistable: bool
+) -> list[Finding]:
     found = []
     fewest, condition = int(excitation.visits.visits.min()), excitation.conditioning
     if fewest < LEAST_VISITS:
-        place = excitation.centres[int(np.argmin(excitation.visits.visits))]
+        place = quantity(float(excitation.centres[int(np.argmin(excitation.visits.visits))]), displacement)
         found.append(
             Finding(
                 "visits",
-                f"the basis centre at q = {place:.4g} (SI) has {fewest} of at least {LEAST_VISITS} training samples",
+                f"the basis centre at q = {place} has {fewest} of at least {LEAST_VISITS} training samples",
                 f"excite that place, or set fewer than {centres} [identify] basis_functions",
             )
         )

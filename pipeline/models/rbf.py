@@ -267,12 +267,12 @@ def _equation_of_motion(structure: JointStructure) -> str:
     """The terms that a structure has, with F as it is drawn: positive where it pulls towards smaller q."""
     s = structure
     terms = ["mu(q) q'' = -F" if s.arc else "q'' = -F"]
-    terms += ["+ end stops"] if s.stops else []
     terms += ["- (d + k |q'|) q'" if s.drag else "- d q'"]
     terms += ["- mu'(q) q'^2 / 2"] if s.arc else []
     pulled, elements = s.shape_elements > 0, bool(s.rates)
     terms += ["- h e + pulls' u w" if pulled else "- h w"] if elements else []
     terms += ["- Dahl friction"] if s.slips else []
     equations = [" ".join([*terms, "+ gains u"])]
+    equations += ["F with end stops"] if s.stops else []
     equations += ["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] if elements else []
     return ", ".join(equations)

@@ -32,6 +32,8 @@ WHOLE, PART = (
     Look(width=5.6, panel_height=2.5, legend=False, letters=False),
 )
 _INLINE = re.compile(r' style="([^"]*)"')
+_MARKER = re.compile(r"<defs>\s*<path [^>]*>\s*</defs>")
+_STROKE = re.compile(r' stroke(?:-[a-z]+)?="[^"]*"')
 _HEAD = re.compile(r"<svg .*?>", re.DOTALL)
 _LEFT_OUT = re.compile(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->| id=\"(?:figure|axes|patch|line2d|text|"
                        r"matplotlib|xtick|ytick|FillBetween|LineCollection|PathCollection|QuadContourSet)[^\"]*\"",
@@ -128,6 +130,8 @@ def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
         canvas.savefig(text, format="svg", metadata={"Date": None}, transparent=True)
     drawn = _INLINE.sub(lambda found: _attributes(found[1]), _LEFT_OUT.sub("", text.getvalue()))
     drawn = drawn.replace("xlink:href=", "href=")
+    # A marker takes the stroke of where it is used: the theme's style does not reach into its shape.
+    drawn = _MARKER.sub(lambda found: _STROKE.sub("", found[0]), drawn)
     head = _HEAD.search(drawn)
     assert head is not None  # noqa: S101 - matplotlib writes one
     box = re.search(r'viewBox="[^"]*"', head[0])

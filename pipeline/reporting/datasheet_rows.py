@@ -32,7 +32,7 @@ _ROWS: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = (
     ("asymmetry of rests (q₊\u00a0+\u00a0q₋)/(q₊\u00a0−\u00a0q₋)", ("asymmetry_wells",), ()),
     ("asymmetry of depths, ΔU over mean barrier", ("asymmetry_barriers",), ()),
 )
-NOT_USED = ", a model not to be used"
+NOT_USED = " (a model not to be used)"
 """Said of what a model tells that the verdict says not to use."""
 WIDE = 2.0
 """Ratio of the ends of an interval beyond which it is written by its ends."""

@@ -1,17 +1,18 @@
 """The figures of the device: curves with bands (fig. 14), energy landscape, phase portrait with basins, studies."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
 from pipeline.device_facts.characteristics import LEVEL, Curves, Equilibrium, equilibria, outer_wells
 from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, unforced, visited_range
+from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, moves_unforced, unforced, visited_range
 from pipeline.device_facts.quality import centre_visits
 from pipeline.device_facts.run_data import Columns, RunData, Study
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.reporting.datasheet_rows import NOT_USED
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
@@ -20,6 +21,10 @@ from pipeline.reporting.recipe_figures import study_figure
 from pipeline.si_prefix import power, quantity
 from pipeline.signals.inputs import voltages
 
+_Measured = tuple[FloatArray, FloatArray] | None
+_Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]
+WIDEST = 4.0  # times the headline's own frame, up to which it is widened for other models; or to twice the headline
+OUTER = 0.05  # share of a curve at either end that widens no frame
 FRAME_MARGIN = 1.5  # a curve is cut where it leaves the headline's visited part by more than this factor
 LEAST_DRAWN = 1.0  # samples, on the logarithmic axis
 CEILING = 1.5  # the energy is drawn up to this multiple of its largest value in the visited range without input
@@ -32,7 +37,8 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     if sheet.curves:
         figures["energy"] = _energy(data, sheet)
         figures["curves"] = _curves(data, sheet)
-    figures["phase-portrait"] = _phase_portrait(data, sheet)
+    portrait = _phase_portrait(data, sheet)
+    figures |= {"phase-portrait": portrait} if portrait is not None else {}
     figures |= residual_figures(data, sheet.wells)
     figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures
@@ -58,25 +64,35 @@ def _electrostatic(data: RunData, squared: bool) -> bool:
 
 
 def _curves(data: RunData, sheet: Datasheet) -> Figure:
-    first = next(iter(sheet.curves.values()))
-    units, electrostatic = data.curve_units, _electrostatic(data, first.squared)
-    factor, symbol, push = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
-    visited = visited_range(data)
-    measured = data.measured_curves
-    panels = [_curve_panel(sheet, "restoring force F", units["F"], visited, lambda c: c.force, _on(measured, "F"))]
-    if first.damping is not None:
-        panels.append(_curve_panel(sheet, "damping d", units["d"], visited, lambda c: c.damping, _on(measured, "d")))
-    for k in range(len(first.pushes)):
-        seen = visited_range(data, data.inputs[k])
-        slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
-        panels.append(
-            _curve_panel(sheet, symbol.format("₁₂"[k]), push, seen, partial(_push, k=k, factor=factor), slope)
-        )
+    panels, outside = [], []
+    for name, unit, visited, pick, measured in _wanted_curves(data, sheet):
+        curves = _curves_of(sheet, pick)
+        frame = _frame(curves, visited, widened=not data.joint)
+        panels.append(_curve_panel(name, unit, curves, frame, measured))
+        gone = [] if data.joint else _outside(curves, visited, frame)
+        outside += [f"{name} of {', '.join(gone)}"] if gone else []
     band = f" Bands: central {100 * LEVEL:.0f} % of what the training data leave open." if sheet.draws else ""
     per_mass = "" if data.mass_known else " Per unit mass, as no mass is given."
-    caption = f"Over the range of the training data; cut where hardly any sample lies and a curve runs away.{band}"
-    caption += per_mass + (" Circles: measured." if measured else "")
+    cut = "where hardly any sample lies and a curve runs away" if data.joint else "where a curve leaves the frame"
+    caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}"
+    caption += f" Mostly outside the frame: {'; '.join(outside)}." if outside else ""
+    caption += " Circles: measured." if data.measured_curves else ""
     return Figure("curves", "Characteristic curves", caption, "q", data.displacement, tuple(panels), columns=2)
+
+
+def _wanted_curves(data: RunData, sheet: Datasheet) -> Iterator[_Wanted]:
+    """Force, damping as far as the headline has one, and the push of each input."""
+    first, units, measured = next(iter(sheet.curves.values())), data.curve_units, data.measured_curves
+    electrostatic = _electrostatic(data, first.squared)
+    factor, symbol, push = (2.0, "∂C{}/∂q", units["dC"]) if electrostatic else (1.0, "g{}", units["g"])
+    visited = visited_range(data)
+    yield "restoring force F", units["F"], visited, lambda c: c.force, _on(measured, "F")
+    if first.damping is not None:
+        yield "damping d", units["d"], visited, lambda c: c.damping, _on(measured, "d")
+    for k in range(len(first.pushes)):
+        slope = _on(measured, f"dC{k + 1}_dq") if factor == 2.0 else None
+        pick = partial(_push, k=k, factor=factor)
+        yield symbol.format("₁₂"[k]), push, visited_range(data, data.inputs[k]), pick, slope
 
 
 def _on(measured: Columns, name: str) -> tuple[FloatArray, FloatArray] | None:
@@ -89,38 +105,73 @@ def _push(curves: Curves, k: int, factor: float) -> FloatArray:
     return push
 
 
-def _curve_panel(
-    sheet: Datasheet,
-    name: str,
-    unit: str,
-    visited: tuple[float, float],
-    pick: Callable[[Curves], FloatArray | None],
-    measured: tuple[FloatArray, FloatArray] | None = None,
-) -> Panel:
-    lines, bands = [], []
-    frame: tuple[float, float] | None = None
+class _Curve(NamedTuple):
+    """A model's curve y over q and the limits of its band, which are y itself without one."""
+
+    model: str
+    q: FloatArray
+    y: FloatArray
+    low: FloatArray
+    high: FloatArray
+
+    def inner(self, visited: tuple[float, float]) -> BoolArray:
+        """The places in the visited part."""
+        found: BoolArray = (self.q >= visited[0]) & (self.q <= visited[1])
+        return found
+
+
+def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) -> list[_Curve]:
+    found = []
     for model, curves in sheet.curves.items():
         y = pick(curves)
         if y is None:
             continue
-        low, high = y, y
         drawn = [c for draw in sheet.draws.get(model, ()) if (c := pick(draw)) is not None]
-        if drawn:
-            low, high = np.quantile(drawn, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0)
-        if frame is None:
-            inner = (curves.q >= visited[0]) & (curves.q <= visited[1])
-            bottom, top = float(low[inner].min()), float(high[inner].max())
-            middle, half = (bottom + top) / 2, FRAME_MARGIN * (top - bottom) / 2
-            frame = (middle - half, middle + half)
-        rows = slice(None, None, 6)
-        if drawn:
+        low, high = np.quantile(drawn, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0) if drawn else (y, y)
+        found.append(_Curve(model, curves.q, y, low, high))
+    return found
+
+
+def _frame(curves: Sequence[_Curve], visited: tuple[float, float], *, widened: bool) -> tuple[float, float]:
+    """What of the vertical axis is drawn: the visited part of the headline's band and a margin.
+
+    It is `widened` by the central part of every other curve that is not too far away for the headline to be read.
+    """
+    inner = curves[0].inner(visited)
+    bottom, top = float(curves[0].low[inner].min()), float(curves[0].high[inner].max())
+    middle, half = (bottom + top) / 2, FRAME_MARGIN * (top - bottom) / 2
+    frame = (middle - half, middle + half)
+    room = max(WIDEST * half, abs(middle))
+    for curve in curves[1:] if widened else ():
+        low, high = np.nanquantile(curve.y[curve.inner(visited)], [OUTER, 1.0 - OUTER])
+        if middle - room <= low and high <= middle + room:
+            frame = (min(frame[0], low - 0.1 * half), max(frame[1], high + 0.1 * half))
+    return frame
+
+
+def _curve_panel(
+    name: str,
+    unit: str,
+    curves: Sequence[_Curve],
+    frame: tuple[float, float],
+    measured: tuple[FloatArray, FloatArray] | None = None,
+) -> Panel:
+    lines, bands, rows = [], [], slice(None, None, 6)
+    for model, q, y, low, high in curves:
+        if low is not y:
             seen = (low[rows] < frame[1]) & (high[rows] > frame[0])
             limits = np.where(seen, np.clip([low[rows], high[rows]], *frame), np.nan)
-            bands.append(Band(f"{model}, {100 * LEVEL:.0f} % band", model, curves.q[rows], limits[0], limits[1]))
+            bands.append(Band(f"{model}, {100 * LEVEL:.0f} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
-        lines.append(Line(model, model, curves.q[rows], inside[rows]))
+        lines.append(Line(model, model, q[rows], inside[rows]))
     # The headline is drawn last, over its baselines.
     return Panel(name, unit, (*lines[1:], *lines[:1]), tuple(bands), _circles(measured, lines, frame))
+
+
+def _outside(curves: Sequence[_Curve], visited: tuple[float, float], frame: tuple[float, float]) -> list[str]:
+    """Models whose curve is seen in less than half of the visited part."""
+    inside = {c.model: (c.y >= frame[0]) & (c.y <= frame[1]) for c in curves}
+    return [c.model for c in curves if np.mean(inside[c.model][c.inner(visited)]) < 0.5]
 
 
 def _circles(
@@ -170,7 +221,8 @@ def _marked(found: Sequence[Equilibrium], role: str, q: FloatArray, heights: Flo
     return points
 
 
-def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
+def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
+    """Motion without input, over the basins of two wells; None where there is neither."""
     train = data.role("train")
     paths = tuple(
         Line(log.title, "measured" if log.role == "train" else "raw", *unforced(data, log))
@@ -188,6 +240,8 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure:
                 f"Measured motion while no {data.input_word} is on, over the basins of {sheet.model} without "
                 f"{data.input_word}: from each cell the model was let go and simulated for {BASIN_TIME:g} s."
             )
+    if cells is None and not moves_unforced(data):
+        return None
     panel = Panel("q̇", f"{data.displacement}/s", paths, points=tuple(points), cells=cells)
     title = "Phase portrait" if cells is None else "Phase portrait and basins"
     return Figure("phase-portrait", title, caption, "q", data.displacement, (panel,), tall=1.5)

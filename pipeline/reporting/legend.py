@@ -69,7 +69,8 @@ class Entry:
 CHOSEN = "chosen for the logs"
 MARKS = {
     "voltage switched": Style("mark"),
-    "input switched": Style("mark"),
+    "voltage steps": Style("mark"),
+    "input steps": Style("mark"),
     "device snaps over": Style("snap"),
     CHOSEN: Style("snap"),
 }

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.device_facts.events import voltage_switches
+from pipeline.device_facts.events import input_steps, voltage_switches
 from pipeline.device_facts.residual_analysis import Residual, headline_residual
 from pipeline.device_facts.run_data import LogData, RunData, judged_log
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
@@ -12,7 +12,7 @@ from pipeline.numerics.metrics import fit_percent, rmse
 from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells, snaps
-from pipeline.si_prefix import grouped, power, quantity, significant
+from pipeline.si_prefix import grouped, moment, power, quantity, significant
 from pipeline.signals.inputs import voltages
 from pipeline.units import ALPHA_UNIT, signal_units
 
@@ -39,10 +39,10 @@ def _timeline(
     data: RunData, log: LogData, wells: Wells | NoWells, kind: str, title: str, caption: str, panels: list[Panel]
 ) -> Figure:
     t, q = log.kinematics["t"], log.kinematics["q"]
-    marks = {
-        f"{data.input_word} switched": voltage_switches(t, voltages(log.kinematics)),
-        "device snaps over": t[snaps(q, wells)],
-    }
+    v = voltages(log.kinematics)
+    switched = {"voltage switched": voltage_switches(t, v)} if data.joint else {}
+    marks = switched or {f"{data.input_word} steps": input_steps(t, v)}
+    marks["device snaps over"] = t[snaps(q, wells)]
     return Figure(
         name=f"{log.key}-{kind}",
         title=f"{title}, {log.title}",
@@ -118,7 +118,7 @@ def differentiation(data: RunData, log: LogData) -> str:
     if not stretches:
         return "How it was differentiated was not recorded."
     alphas = [s["alpha"] for s in stretches if s.get("alpha") is not None]
-    unit = ALPHA_UNIT[data.displacement][0]
+    unit = ALPHA_UNIT[data.displacement][0].replace("deg", "°")
     text = METHODS.get(str(notes["method"]), str(notes["method"]))
     if notes["method"] == "tvregdiff":
         text += f" of order {notes['order']}"
@@ -149,7 +149,7 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         # No angle was measured: that of the frame follows from q.
         title = "φ from q" if name == "phi" else HEADINGS[name]
         panels.append(Panel(title, unit[name], tuple(lines)))
-    gone = [f"{m} diverged at {n['diverged_at_s']:.2f} s" for m, n in log.outcomes.items() if n["status"] != "ok"]
+    gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
     inputs = f"{data.input_word}s"
     caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
     caption += f" {'; '.join(gone)}." if gone else ""
@@ -163,7 +163,7 @@ def fit_note(measured: FloatArray, free: FloatArray) -> str:
     """How well a free run fits, or why that cannot be said."""
     fit = fit_percent(measured, free)
     if fit is not None:
-        return f"fit {fit:.1f} %"
+        return f"fit {fit:.1f} %".replace("-", "−")
     return "diverged" if rmse(measured, free) is None else "the measurement is constant"
 
 

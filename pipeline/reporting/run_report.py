@@ -32,6 +32,7 @@ from pipeline.reporting.tables import (
     with_unit,
 )
 from pipeline.scoring.wells import Wells
+from pipeline.si_prefix import short
 
 SECTION_TITLES = {
     "signals": "Measured signals",
@@ -39,6 +40,10 @@ SECTION_TITLES = {
     "models": "Measured against models",
     "residuals": "Residuals",
 }
+
+
+SCORES_OF_WELLS = ("well_agreement", "switch_accuracy", "outcomes", "rise_error_s", "settling_error_s")
+"""Columns of the scores that only two wells give a meaning."""
 
 
 def figures_of(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
@@ -76,7 +81,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "marks": _marks_said(interactive),
         "facts_caption": _facts_caption(sheet),
         "log_checks": _log_checks(data),
-        **_scores(data),
+        **_scores(data, sheet),
         "overlay": _view(first, models, judged.key),
         "calibrated": calibrated_rows(data, sheet),
         "structure": structure_summary(data, sheet),
@@ -110,7 +115,7 @@ def _subtitle(data: RunData) -> str:
         logs = data.role(role)
         if logs:
             length = sum(float(log.kinematics["t"][-1] - log.kinematics["t"][0]) for log in logs)
-            parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {length:.4g} s")
+            parts.append(f"{len(logs)} {ROLE_WORDS[role]} log{'s' if len(logs) > 1 else ''}, {short(length, 4)} s")
     return " · ".join([*parts, f"models {', '.join(data.model_names)}"])
 
 
@@ -149,8 +154,10 @@ def _facts_caption(sheet: Datasheet) -> str:
     )
 
 
-def _scores(data: RunData) -> dict[str, Any]:
-    scores = with_true_names(data.scores, [(log.role, log.source) for log in data.logs])
+def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
+    """The tables of the scores; without wells, what these say of wells is of rests that are none."""
+    none = {} if isinstance(sheet.wells, Wells) else dict.fromkeys(SCORES_OF_WELLS)
+    scores = with_true_names(({**row, **none} for row in data.scores), [(log.role, log.source) for log in data.logs])
     return {
         "score_tables": [
             _score_table("nrmse", nrmse_table(scores)),

@@ -10,6 +10,7 @@ from pipeline.names import log_title
 from pipeline.scoring.intervals import BLOCK, FEWEST, FEWEST_BLOCKS, MEMORIES
 from pipeline.scoring.step_responses import SETTLED
 from pipeline.scoring.wells import SURE
+from pipeline.si_prefix import moment
 from pipeline.units import SIGNALS
 
 ScoreRow = Mapping[str, Any]
@@ -199,7 +200,7 @@ def _cell(record: ScoreRow | None, model: str, front: set[str]) -> Cell:
     if record is None:
         return Cell("–")
     if record["status"] == "diverged":
-        return Cell(f"diverged at t = {record['diverged_at_s']:.2f} s")
+        return Cell(f"diverged at t = {moment(record['diverged_at_s'])}")
     if record["nrmse"] is None:
         return Cell("undefined")
     text = _quantity(record, "nrmse", 100.0).text

@@ -8,8 +8,8 @@ import pytest
 
 from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals, outer_wells
 from pipeline.device_facts.datasheet import make_datasheet
-from pipeline.device_facts.events import rest_facts, ring_down, voltage_switches
-from pipeline.device_facts.phase_plane import basins
+from pipeline.device_facts.events import MOST_STEPS, input_steps, rest_facts, ring_down, voltage_switches
+from pipeline.device_facts.phase_plane import basins, moves_unforced
 from pipeline.device_facts.quality import Check, model_checks
 from pipeline.device_facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells, snaps
@@ -122,6 +122,36 @@ def test_switches_and_snaps_are_found_where_they_are() -> None:
     np.testing.assert_allclose(voltage_switches(t, v), [2.0, 3.0, 6.0, 7.0], atol=0.011)
     np.testing.assert_allclose(t[snaps(q, Wells(-0.011, 0.011, 0.0))], [2.1, 6.1], atol=0.011)
     assert snaps(q, NoWells("none")).size == 0
+
+
+def test_steps_between_levels_are_marked_and_what_changes_all_the_time_is_not() -> None:
+    t = np.arange(0.0, 20.0, 0.02)
+    stairs = np.floor(t / 2.0) % 4.0
+    np.testing.assert_allclose(input_steps(t, stairs[:, None]), np.arange(2.0, 20.0, 2.0), atol=0.021)
+    noisy = stairs + 0.01 * np.random.default_rng(3).standard_normal(t.size)
+    np.testing.assert_allclose(input_steps(t, noisy[:, None]), np.arange(2.0, 20.0, 2.0), atol=0.021)
+    for steady in (np.sin(t), np.sin(3.0 * t) + np.cos(7.0 * t), t, np.zeros_like(t)):
+        assert input_steps(t, steady[:, None]).size == 0
+    many = (np.arange(t.size) // 10 % 2).astype(float)
+    assert many.size / 10 > MOST_STEPS
+    assert input_steps(t, many[:, None]).size == 0
+
+
+def test_a_steady_signal_without_rests_has_no_phase_portrait() -> None:
+    data = run_data()
+
+    def driven(log: LogData, signal: np.ndarray) -> LogData:
+        table = {k: v for k, v in log.kinematics.items() if k != "v2"} | {"v1": signal}
+        return replace(log, kinematics=table, record=table)
+
+    t = data.logs[0].kinematics["t"]
+    steady = replace(data, voltage="N", logs=tuple(driven(log, 3e3 * np.sin(9.0 * t)) for log in data.logs))
+    pulsed = replace(steady, logs=tuple(driven(log, log.kinematics["v1"]) for log in data.logs))
+    assert not moves_unforced(steady)
+    assert moves_unforced(pulsed)
+    still = {"q": np.full_like(t, 0.01), "qdot": np.zeros_like(t)}
+    resting = [replace(log, kinematics=log.kinematics | still) for log in pulsed.logs[:1]]
+    assert not moves_unforced(replace(pulsed, logs=(*resting, *steady.logs)))
 
 
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,7 +10,7 @@ from pipeline.identification.known_curves import KnownCurves
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.models.identify_rbf import RBF, identify_rbf
 from pipeline.models.kind import Training
-from pipeline.models.rbf import RbfModel
+from pipeline.models.rbf import RbfModel, _equation_of_motion
 from pipeline.models.rbf_candidates import FRICTION, Candidate, RbfChoice, candidate, first_candidate, offers
 from pipeline.settings import Compare, Identify
 from pipeline.signals.differentiate import differentiate
@@ -676,5 +678,7 @@ def test_the_equation_has_the_sign_of_the_drawn_force_and_only_the_terms_of_the_
     along = model.accelerate(t, np.zeros((50, 2)), q, np.zeros(50))
     np.testing.assert_allclose(0.04 * along, -model.curves(q)["F"], atol=1e-9)
     assert model.describe()["structure"] == "q'' = -F - d q' + gains u"
+    stops = _equation_of_motion(replace(bare, stops=True, drag=True))
+    assert stops == "q'' = -F - (d + k |q'|) q' + gains u, F with end stops"
     full = planted().describe()["structure"]
     assert full.startswith("mu(q) q'' = -F - d q' ") and "Dahl friction" in full and "stops" not in full

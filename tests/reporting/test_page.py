@@ -24,13 +24,13 @@ from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import Quantity, failed, fleet_columns, strip_chart, summary
-from pipeline.reporting.log_figures import differentiation
+from pipeline.reporting.log_figures import differentiation, fit_note
 from pipeline.reporting.model_facts import described
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import headline_table
 from pipeline.scoring.wells import NoWells
-from pipeline.si_prefix import axis_scale, grouped, interval, percent, quantity, scale, significant
+from pipeline.si_prefix import axis_scale, grouped, interval, moment, percent, quantity, scale, short, significant
 from pipeline.signals.inputs import voltages
 from pipeline.units import ALPHA_UNIT
 from tests.reporting.synthetic import HOSTILE, run_data, run_figures, run_sheet, without_models
@@ -218,9 +218,40 @@ def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
     )
     page, sheet = report_of(alone)
     assert {"rad": "q in °", "m": "q in mm", "V": "q in mV"}[unit] in page
-    assert f" {ALPHA_UNIT[unit][0]}·s³" in differentiation(alone, log)
+    assert f" {ALPHA_UNIT[unit][0].replace('deg', '°')}·s³" in differentiation(alone, log)
     assert "no validation log" in page
     assert any(check.grade == "fair" and check.name == "validation" for check in sheet.checks)
+
+
+def test_the_page_of_another_device_has_no_words_of_the_joint() -> None:
+    """One input that is no voltage, one well in which the device swings freely, and a model that was no choice."""
+    t = np.arange(0.0, 30.0, 0.01)
+    push = np.where((t % 10.0 > 2.0) & (t % 10.0 < 4.0), 3.0, 0.0)
+    swing = 1e-3 * (push + np.exp(-(t % 10.0)) * np.sin(9.0 * t))
+    table = {"t": t, "q": swing, "v1": push, "segment": np.zeros(t.size, dtype=np.int32)}
+    rates = {"qdot": np.gradient(swing, t), "qddot": np.gradient(np.gradient(swing, t), t)}
+    free = {"rbf": {"t": t, "q": 0.99 * swing} | rates}
+    ok = {"rbf": {"status": "ok", "diverged_at_s": None}}
+    log = replace(
+        run_data().logs[1], record=table, kinematics=table | rates, phi=None, predictions=free, outcomes=ok,
+        record_notes={}, source="logs/other.csv",
+    )  # fmt: skip
+    score = {"well_agreement": None, "switch_accuracy": None}
+    reason = "hybrid is no candidate: the joint has a displacement and two squared voltages; this device has others"
+    told = {"basis_functions": 8, "chosen because": reason}
+    other = replace(
+        run_data(), name="other", voltage="N", squared=False, mass_known=False, logs=(replace(log, role="train"), log),
+        models={}, descriptions={"rbf": told}, choice={"chosen": "rbf", "reason": reason, "held_out_error": {}},
+        scores=tuple(row | score for row in run_data().scores if row["model"] == "rbf"),
+        provenance=run_data().provenance | {"prototype": {}, "prototype_file": "other.toml"},
+    )  # fmt: skip
+    page, _ = report_of(other)
+    text = re.sub(r"<(script|style).*?</\1>", "", page, flags=re.DOTALL).lower()
+    for word in ("well", "joint", "hybrid", "bistable", "voltage", "(left)", "ambiguous", "settling", "snap"):
+        assert not re.search(rf"\b{re.escape(word)}", text), re.findall(rf".{{60}}{re.escape(word)}.{{60}}", text)
+    assert "input steps" in text and "next event" in text
+    quiet = replace(other, logs=tuple(replace(each, kinematics=each.kinematics | {"v1": t}) for each in other.logs))
+    assert "next event" not in report_of(quiet)[0] and "from event to event" not in report_of(quiet)[0]
 
 
 def test_studies_are_drawn_where_they_are() -> None:
@@ -274,6 +305,9 @@ def test_figures_are_well_formed_and_without_inline_style() -> None:
             assert "nan" not in text
             root = ET.fromstring(text)  # noqa: S314 - our own text
             assert root.find("title") is not None
+            # A stroke of their own would stay black in the dark theme.
+            assert not [path for path in root.iterfind(".//defs/path[@id]") if "stroke" in path.attrib]
+            assert all("stroke" in use.attrib for use in root.iterfind(".//use[@fill='#ffffff']"))
 
 
 def test_thinning_keeps_every_peak() -> None:
@@ -459,6 +493,12 @@ def test_only_fitted_values_have_a_deviation_and_the_drag_has_its_unit() -> None
     assert rows["end stops"] == "325 … 560 °"
     assert (rows["slip length"], rows["relaxation rates"]) == ("5.73, 11.5 °", "6.00, 0.200 1/s")
     assert rows["deviations: part"] == "5.73 ± 0.57 °"
+
+
+def test_moments_and_lengths_have_the_digits_that_they_need() -> None:
+    assert [moment(s) for s in (5.494, 0.66, 0.0021, 0.0, 9358.0)] == ["5.49 s", "0.66 s", "2.10 ms", "0 s", "9358 s"]
+    assert [short(n, 4) for n in (60.0, 59.98, 17283.0)] == ["60", "59.98", "17280"]
+    assert fit_note(np.arange(9.0), -np.arange(9.0)).startswith("fit −")
 
 
 def test_thousands_are_grouped() -> None:
