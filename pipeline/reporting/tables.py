@@ -23,9 +23,9 @@ LATEX_HEADINGS = {"q": "$q$", "phi": r"$\varphi$", "qdot": r"$\dot q$", "qddot":
 _ERRORS = (
     "NRMSE in % of the measured range (eq. 41) of a free run from the first sample; a run that diverged has no error "
     "and no rank. Brackets: 95 % intervals, the spread had other stretches been recorded, by moving-block bootstrap "
-    f"({BLOCK:g} s blocks; of other devices than the joint as long as errors hang together, {MEMORIES} correlation "
-    f"times, and at most 1/{FEWEST_BLOCKS} of the log). * lowest of the log, all others higher in the paired bootstrap "
-    "(both resampled at the same blocks); ≈ not told apart from the lowest, so no order among these."
+    f"(blocks longer than errors hang together: {BLOCK:g} s or {MEMORIES} correlation times, and at most "
+    f"1/{FEWEST_BLOCKS} of the log). * lowest of the log, all others higher in the paired bootstrap (both "
+    "resampled at the same blocks); ≈ not told apart from the lowest, so no order among these."
 )
 _HORIZONS = (
     "NRMSE of q after one sample, 0.1 s and 1 s (none of less than two samples or more than the log) from restarts in "
