@@ -21,6 +21,7 @@ from pipeline.device_facts.run_data import RunData, Study
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
+from pipeline.reporting.device_figures import _curves
 from pipeline.reporting.figure import Figure, Line, Panel, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import Quantity, failed, fleet_columns, strip_chart, summary
@@ -252,6 +253,18 @@ def test_the_page_of_another_device_has_no_words_of_the_joint() -> None:
     assert "input steps" in text and "next event" in text
     quiet = replace(other, logs=tuple(replace(each, kinematics=each.kinematics | {"v1": t}) for each in other.logs))
     assert "next event" not in report_of(quiet)[0] and "from event to event" not in report_of(quiet)[0]
+
+
+def test_curves_of_other_models_are_in_the_frame_or_named_below() -> None:
+    sheet = run_sheet()
+    own = sheet.curves["rbf"]
+    near, far = replace(own, force=1.8 * own.force), replace(own, force=own.force + 1e3 * np.ptp(own.force))
+    compared = replace(sheet, curves={"rbf": own, "sindy": near, "narx": far}, draws={})
+    figure = _curves(replace(run_data(), voltage="N"), compared)
+    drawn = {line.label: np.mean(np.isfinite(line.y)) for line in figure.panels[0].lines}
+    assert drawn["sindy"] > 0.5
+    assert drawn["narx"] == 0.0
+    assert "Mostly outside the frame: restoring force F of narx." in figure.caption
 
 
 def test_studies_are_drawn_where_they_are() -> None:
