@@ -10,6 +10,7 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 SHORT = (0.01, 1e5)  # largest numbers along an axis that are written as they are
 _PLAIN = (-4, 5)  # powers of ten from and below which a number is written without one
 WHOLE = 1e3  # whole numbers below it are written as they are, whatever their uncertainty
+LOST = 100.0  # times a value, beyond which the spread about it decides the prefix
 MOST_BEFORE_POINT = 4  # digits of a number without uncertainty that are not zero, where it has no decimals
 _PREFIXED = ("m", "V", "N", "J", "F", "s", "Hz", "A", "Pa", "W")
 
@@ -66,9 +67,11 @@ def quantity(value: float | None, unit: str, spread: float | None = None, like: 
     """
     if value is None or not math.isfinite(value):
         return "–"
-    shown, factor = scale(unit, max(abs(value), abs(like)))
+    size = max(abs(value), abs(like))
+    spread = None if spread is None or not math.isfinite(spread) or spread <= 0.0 else spread
+    shown, factor = scale(unit, spread if spread is not None and spread > LOST * size else size)
     number = value * factor
-    if spread is None or not math.isfinite(spread) or spread <= 0.0:
+    if spread is None:
         text = _beside(number, abs(like) * factor) if abs(value) < abs(like) else significant(number)
     else:
         width = spread * factor

@@ -623,3 +623,8 @@ def test_one_excursion_to_the_end_of_the_range_is_no_thin_place(unseen: int, gra
     seen = replace(data, logs=(replace(log, kinematics={**log.kinematics, "q": 1e-3 * q}),))
     coverage = next(check for check in data_checks(seen, NoWells("not looked for")) if check.name == "coverage")
     assert coverage.grade == grade
+
+
+def test_a_spread_far_beyond_its_value_decides_the_prefix():
+    assert quantity(54e-6, "V", 0.758) == "0.00 ± 0.76 V"
+    assert quantity(3e-6, "m", 2e-6) == "3.0 ± 2.0 µm"
