@@ -13,6 +13,7 @@ from scipy.interpolate import CubicSpline
 from pipeline.baselines.polynomial_dynamics import PolynomialDynamics
 from pipeline.export.c99 import c_sources
 from pipeline.export.subject import Subject, Validity, realise
+from pipeline.identification.input_path import drive_at_nodes
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.joint import condensed_parameters
@@ -241,11 +242,10 @@ def half_steps(what: Subject, parts: int = 1) -> FloatArray:
     """
     r = realise(what.model, what.validity.sample_interval)
     t = what.t - what.t[0]
-    count = 2 * parts * round(what.validity.sample_interval / r.step) * (len(t) - 1) + 1
-    fine = np.linspace(0.0, t[-1], count)
+    steps = parts * round(what.validity.sample_interval / r.step)
+    fine = np.linspace(0.0, t[-1], 2 * steps * (len(t) - 1) + 1)
     if r.between == "cubic":
         return np.asarray(CubicSpline(t, what.v)(np.clip(fine - r.delay, 0.0, t[-1])))
-    if r.between == "zero":
-        behind = (fine - r.delay) / what.validity.sample_interval
-        return what.v[np.clip(np.floor(behind + 1e-6).astype(int), 0, len(t) - 1)]
+    if r.between == "zero":  # a delay that ends within a step leaves the mean of what is held over it
+        return drive_at_nodes(what.v, what.validity.sample_interval, steps, "zero", r.delay)
     return np.column_stack([np.interp(fine - r.delay, t, column) for column in what.v.T])
