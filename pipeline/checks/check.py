@@ -212,11 +212,11 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
     sure = abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
     unsure = abs(known.push.value) <= limits.SIGN_CERTAINTY * known.push.error
     noted = sure and intervals > limits.NOTED_DELAY
-    if noted and fact.lag is not None:
+    if noted and delay.value > 0.0 and fact.lag is not None:
         advice = (
             f"a lag of about {_short(fact.lag, 's')} explains it better than any delay, as of electrodes that charge "
+            'slowly: hybrid estimates it, rbf with drive = "lag" in [identify]'
         )
-        advice += 'slowly: hybrid estimates it, rbf with drive = "lag" in [identify]'
         return CheckRow(fact.signals.name, what, found, "", "note", None, advice)
     late = sure and intervals > limits.MOST_DELAY
     advice = f"v{i + 1} hardly moves q: see first whether it is the channel that drives this device; then " * unsure
