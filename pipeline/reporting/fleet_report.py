@@ -67,7 +67,7 @@ def _distribution(q: Quantity, members: Sequence[Summary], many: bool) -> Markup
 
 def _validated(q: Quantity, members: Sequence[Summary]) -> Quantity:
     """The same without errors on training logs, which say nothing beside those on others."""
-    trained = np.array([member.training and q.title == ERROR for member in members])
+    trained = np.array([member.training and q.scored for member in members])
     return replace(q, values=np.where(trained, np.nan, q.values))
 
 
@@ -87,8 +87,11 @@ def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndar
 def _quantities(members: Sequence[Summary]) -> list[Quantity]:
     errors, switches = np.array([m.error for m in members]), np.array([m.switches for m in members])
     trained = np.array([m.training for m in members])
-    columns = [Quantity(ERROR, "%", 100.0 * errors, outliers(np.log10(np.where(trained, np.nan, errors))))]
-    columns.append(Quantity("switches correct", "%", 100.0 * switches, np.zeros(len(members), dtype=np.bool_)))
+    unusual = outliers(np.log10(np.where(trained, np.nan, errors)))
+    columns = [
+        Quantity(ERROR, "%", 100.0 * errors, unusual, scored=True),
+        Quantity("switches correct", "%", 100.0 * switches, np.zeros_like(unusual), scored=True),
+    ]
     largest: dict[tuple[str, str], float] = {}
     for member in members:
         for key, (value, unit) in member.facts.items():
@@ -125,7 +128,7 @@ def _row(member: Summary, index: int, quantities: Sequence[tuple[Quantity, int |
     for q, places in quantities:
         value = float(q.values[index])
         known = bool(np.isfinite(value))
-        of_training = TRAINING if member.training and q.title == ERROR else ""
+        of_training = TRAINING if member.training and q.scored else ""
         unknown = "diverged" if member.diverged and q.title == ERROR else "–"
         cells.append(
             {

@@ -121,12 +121,16 @@ def _headline(scores: Any, judged: str, key: str) -> float:
 
 @dataclass(frozen=True)
 class Quantity:
-    """One column: a fact or an error of every member, in the unit that is shown (NaN: unknown), and what stands out."""
+    """One column: a fact or a score of every member, in the unit that is shown (NaN: unknown), and what stands out.
+
+    Scores of training logs are said to be such, and have no part in distributions.
+    """
 
     title: str
     unit: str
     values: "np.ndarray[tuple[int], np.dtype[np.float64]]"
     outliers: "np.ndarray[tuple[int], np.dtype[np.bool_]]"
+    scored: bool = False
 
     @property
     def heading(self) -> str:
@@ -140,7 +144,7 @@ def fleet_columns(members: Sequence[Summary], quantities: Sequence[Quantity]) ->
     ``names``: all of them, a line each; ``reasons``: a line for each that failed, in order; ``grades``: a byte each for
     data, model, whether a page exists, and 1 where the model diverged, 2 where its error is of training; ``suffix``:
     what a link adds to a name; and for each quantity ``values`` (four byte planes of 32-bit floats, NaN where unknown),
-    ``outliers`` (a byte each) and ``decimals``.
+    ``outliers`` (a byte each), ``decimals`` and whether it is ``scored``.
     """
     grade = {text: code for code, text in enumerate(GRADES)}
     failed = [member for member in members if member.reason]
@@ -165,6 +169,7 @@ def fleet_columns(members: Sequence[Summary], quantities: Sequence[Quantity]) ->
                 "values": _floats(q.values),
                 "outliers": _deflated(q.outliers.astype(np.uint8).tobytes()),
                 "decimals": decimals(q.values),
+                "scored": q.scored,
             }
             for q in quantities
         ],

@@ -29,7 +29,7 @@ _ERRORS = (
 )
 _HORIZONS = (
     "NRMSE of q after one sample, 0.1 s and 1 s (none of less than two samples or more than the log) from restarts in "
-    "the measured state, hidden states from up to 1 s of the measurement before"
+    "the measured state, hidden states from up to 1 s or 100 samples of the measurement before"
 )
 _WELLS, _SWITCHES, _OUTSIDE, _AMBIGUOUS = "wells", "switches", "outside", "ambiguous [pulses]"
 _TIMES = ("rise [ms]", "settling [ms]")

@@ -10,8 +10,9 @@ from pipeline.numerics.metrics import rms, signal_range
 from pipeline.scoring.intervals import BLOCK, Interval, block_of, rms_interval
 
 MOST_STARTS = 400
-WARM_UP = 1.0
-"""How long before a restart [s] a model may look at the measurement, to know its hidden states."""
+WARM_UP, WARM_UP_SAMPLES = 1.0, 100
+"""How long before a restart a model may look at the measurement, to know its hidden states: in s, and at least in
+samples, because a slow device is sampled slowly."""
 
 Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]
 """``(t, v, q, qdot) -> q``: see `pipeline.models.base.predictor`."""
@@ -58,7 +59,7 @@ def horizon_errors(
 ) -> list[HorizonError]:
     """Restart at evenly spread samples and compare q at each horizon, as a predictive controller would find it.
 
-    Before each restart the model is shown up to `WARM_UP` s of the measurement without a gap, from which it takes its
+    Before each restart the model is shown up to `WARM_UP` s (`WARM_UP_SAMPLES`) of the measurement without a gap, from which it takes its
     hidden states; of what comes after, it sees the inputs alone.
 
     Parameters
@@ -96,8 +97,9 @@ def horizon_errors(
         keys = [(start, 0 if shared else ahead) for start in chosen.tolist()]
         farthest |= {key: max(ahead, farthest.get(key, 0)) for key in keys}
     paths: dict[tuple[int, int], FloatArray] = {}
+    shown = max(round(WARM_UP / interval), WARM_UP_SAMPLES)
     for (start, apart), ahead in farthest.items():
-        begin = max(int(known[start]), start - round(WARM_UP / interval))
+        begin = max(int(known[start]), start - shown)
         seen, rows = slice(begin, start + 1), slice(begin, start + ahead + 1)
         paths[start, apart] = predict(t[rows], v[rows], q[seen], qdot[seen])
     span = signal_range(q)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "18"
+ALGORITHM = "19"
 
 HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
 """How far ahead [s] a model is judged from the measured state; 0 is one sample."""

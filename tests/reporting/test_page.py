@@ -106,23 +106,29 @@ def _fleet_document() -> dict[str, Any]:
     return document
 
 
-def test_an_error_of_training_is_marked_and_in_no_distribution() -> None:
+def test_scores_of_training_are_marked_and_in_no_distribution() -> None:
     document = _fleet_document()
     trained = document | {"scores": [s | {"nrmse": 0.5} for s in document["scores"] if s["role"] == "train"]}
     members = [summary(f"P{i}", _varied(document, i), None) for i in range(7)] + [summary("T", trained, None)]
     page = fleet_report(members, "fleet")
-    assert page.count("(training)") == page.count("50.0 (training)") == 1
+    marked = re.findall(r"([\d.]+) \(training\)", page)
+    assert len(marked) == 2 and marked[0] == "50.0"  # its error and its switches
     (strip,) = re.findall(r'<svg class="chart strip"[^>]*aria-label="distribution of NRMSE of q.*?</svg>', page)
     assert strip.count("<circle") == 7 and "<title>T:" not in strip
     assert "▲" not in page.split("50.0 (training)")[0].rsplit("<td", 1)[1]
     alone = fleet_report([summary(name, trained, None) for name in "ab"], "fleet")
-    assert "distribution of NRMSE of q" not in alone and alone.count("50.0 (training)") == 2
+    assert "distribution of NRMSE of q" not in alone and "distribution of switches" not in alone
+    assert alone.count("50.0 (training)") == 2
 
 
 def test_a_large_fleet_notes_errors_of_training_too() -> None:
     document = _fleet_document()
     trained = document | {"scores": [s for s in document["scores"] if s["role"] == "train"]}
-    columns = fleet_columns([summary("P", document, None), summary("T", trained, None)], [])
+    members = [summary("P", document, None), summary("T", trained, None)]
+    none = np.zeros(2, dtype=np.bool_)
+    scored = [Quantity("NRMSE of q", "%", np.ones(2), none, scored=True), Quantity("rest left", "mm", np.ones(2), none)]
+    columns = fleet_columns(members, scored)
+    assert [each["scored"] for each in columns["quantities"]] == [True, False]
     flags = zlib.decompress(base64.b64decode(columns["grades"]))
     assert list(flags[-2:]) == [0, 2]
 

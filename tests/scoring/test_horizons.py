@@ -80,6 +80,17 @@ def test_up_to_a_second_before_a_restart_is_shown_and_nothing_from_before_a_gap(
     assert [lengths[start] for start in (0, 50, 400, 500, 510, 600, 700)] == [1, 51, 101, 101, 5, 95, 101]
 
 
+def test_of_a_slow_device_a_hundred_samples_before_a_restart_are_shown() -> None:
+    lengths: list[int] = []
+
+    def shown(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        lengths.append(q.size)
+        return np.full(t.size - q.size + 1, q[-1])
+
+    horizon_error(shown, 1000.0 * T, V, Q, QDOT / 1000.0, 10.0)
+    assert max(lengths) == 101
+
+
 def test_horizons_that_share_restarts_are_those_of_each_alone_from_fewer_predictions() -> None:
     asked: list[int] = []
 

@@ -30,7 +30,7 @@ class FleetTable {
     const quantities = await Promise.all(stored.quantities.map(async (q) => {
       const planes = await inflate(q.values), bytes = new Uint8Array(4 * n);
       for (let plane = 0; plane < 4; plane++) for (let i = 0; i < n; i++) bytes[4 * i + plane] = planes[plane * n + i];
-      return { values: new Float32Array(bytes.buffer), outliers: await inflate(q.outliers), decimals: q.decimals };
+      return { values: new Float32Array(bytes.buffer), outliers: await inflate(q.outliers), decimals: q.decimals, scored: q.scored };
     }));
     const [data, model, paged, diverged] = [0, 1, 2, 3].map(part);
     const reasons = new Map(), lines = await text(stored.reasons);
@@ -119,7 +119,7 @@ class FleetTable {
       const cell = line.insertCell(), value = q.values[i];
       cell.className = q.outliers[i] ? "number outlier" : "number";
       const unknown = k === 0 && this.diverged[i] & 1 ? "diverged" : "–";
-      cell.textContent = Number.isNaN(value) ? unknown : (q.outliers[i] ? "▲ " : "") + this.digits(value, q.decimals) + (k === 0 && this.diverged[i] & 2 ? " (training)" : "");
+      cell.textContent = Number.isNaN(value) ? unknown : (q.outliers[i] ? "▲ " : "") + this.digits(value, q.decimals) + (q.scored && this.diverged[i] & 2 ? " (training)" : "");
     });
     return line;
   }
