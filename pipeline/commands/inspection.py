@@ -31,7 +31,7 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
-    from pipeline.rig_logs.inspection import moment
+    from pipeline.rig_logs.remarks import moment
 
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",

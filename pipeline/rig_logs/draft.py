@@ -8,15 +8,8 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.names import FILL_IN, check_name, slug, true_name
-from pipeline.rig_logs.inspection import (
-    NO_CHANNEL,
-    TIME_UNITS,
-    InspectedChannel,
-    Inspection,
-    Role,
-    Suggestion,
-    suggested_unit,
-)
+from pipeline.rig_logs.channel_roles import TIME_UNITS, Role, Suggestion, suggested_unit
+from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspection
 from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
 from pipeline.rig_logs.recording import as_other_logs
 from pipeline.settings import Ingest

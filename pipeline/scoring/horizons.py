@@ -59,8 +59,8 @@ def horizon_errors(
 ) -> list[HorizonError]:
     """Restart at evenly spread samples and compare q at each horizon, as a predictive controller would find it.
 
-    Before each restart the model is shown up to `WARM_UP` s (`WARM_UP_SAMPLES`) of the measurement without a gap, from which it takes its
-    hidden states; of what comes after, it sees the inputs alone.
+    Before each restart the model is shown up to `WARM_UP` s (`WARM_UP_SAMPLES`) of the measurement without a gap, from
+    which it takes its hidden states; of what comes after, it sees the inputs alone.
 
     Parameters
     ----------

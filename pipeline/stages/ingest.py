@@ -175,7 +175,7 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
     """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
     what of it speaks against the log.
     """
-    from pipeline.rig_logs.inspection import counted, moment
+    from pipeline.rig_logs.remarks import counted, moment
     from pipeline.signals.missing import missing
     from pipeline.signals.quality_gates import missing_findings
 
@@ -192,7 +192,7 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
 
 def _gaps(clock: "TimeQuality") -> list[str]:
     """What to say of gaps in time."""
-    from pipeline.rig_logs.inspection import counted, moment
+    from pipeline.rig_logs.remarks import counted, moment
 
     if not clock.gaps:
         return []
@@ -203,7 +203,7 @@ def _gaps(clock: "TimeQuality") -> list[str]:
 
 def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
-    from pipeline.rig_logs.inspection import counted
+    from pipeline.rig_logs.remarks import counted
 
     rails, lost, spikes = kept.left_out()
     if rails:
@@ -238,7 +238,7 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
 
 def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
-    from pipeline.rig_logs.inspection import remarks_on
+    from pipeline.rig_logs.remarks import remarks_on
     from pipeline.signals.plausible_spans import scale_suspicion
     from pipeline.signals.signal_quality import span
 

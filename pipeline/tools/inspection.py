@@ -14,7 +14,8 @@ from pipeline.identification.excitation import Excitation, examine_excitation
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import open_si
-from pipeline.rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log, suggested_unit
+from pipeline.rig_logs.channel_roles import suggested_unit
+from pipeline.rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
 from pipeline.rig_logs.source import CsvOptions
 from pipeline.runs.engine import Observer, bring_up_to_date
 from pipeline.runs.run_folder import RunFolder

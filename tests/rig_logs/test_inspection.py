@@ -8,8 +8,9 @@ import pytest
 
 from pipeline.names import FILL_IN
 from pipeline.rig.log import write_mat5
+from pipeline.rig_logs.channel_roles import suggest, suggested_unit
 from pipeline.rig_logs.draft import proposed_roles, quoted, toml_draft
-from pipeline.rig_logs.inspection import inspect_log, suggest, suggested_unit
+from pipeline.rig_logs.inspection import inspect_log
 
 
 @pytest.fixture(scope="module")
