@@ -17,8 +17,10 @@ from pipeline.device_facts.characteristics import (
     model_curves,
     shares,
 )
+from pipeline.device_facts.data_quality import data_checks
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
-from pipeline.device_facts.quality import THRESHOLDS, Check, Grade, data_checks, model_checks, overall
+from pipeline.device_facts.grades import THRESHOLDS, Check, Grade, overall
+from pipeline.device_facts.model_quality import model_checks
 from pipeline.device_facts.run_data import RunData, wells_of_run
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray

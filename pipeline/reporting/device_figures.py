@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.device_facts.characteristics import LEVEL, Curves, Equilibrium, equilibria, outer_wells
+from pipeline.device_facts.data_quality import centre_visits
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, moves_unforced, unforced, visited_range
-from pipeline.device_facts.quality import centre_visits
 from pipeline.device_facts.run_data import Columns, RunData, Study
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.reporting.datasheet_rows import NOT_USED

@@ -7,7 +7,7 @@ from typing import Any
 
 from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.quality import OF_WELLS, THRESHOLDS, Check, Threshold
+from pipeline.device_facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
 from pipeline.device_facts.run_data import WHY, RunData, judged_log
 from pipeline.names import ROLE_WORDS, log_title, with_true_names
 from pipeline.reporting.canvas import page_chart

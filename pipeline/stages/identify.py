@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
-from pipeline.device_facts.quality import not_converged
+from pipeline.device_facts.model_quality import not_converged
 from pipeline.loading.device import device
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.parameter_sets import parameter_values

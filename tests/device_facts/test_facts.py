@@ -9,8 +9,9 @@ import pytest
 from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals, outer_wells
 from pipeline.device_facts.datasheet import make_datasheet
 from pipeline.device_facts.events import MOST_STEPS, input_steps, rest_facts, ring_down, voltage_switches
+from pipeline.device_facts.grades import Check
+from pipeline.device_facts.model_quality import model_checks
 from pipeline.device_facts.phase_plane import basins, moves_unforced
-from pipeline.device_facts.quality import Check, model_checks
 from pipeline.device_facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from tests.reporting.synthetic import (

@@ -3,7 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
-from pipeline.device_facts.quality import Check, model_checks
+from pipeline.device_facts.grades import Check
+from pipeline.device_facts.model_quality import model_checks
 from pipeline.scoring.wells import NoWells
 from tests.reporting.synthetic import run_data
 

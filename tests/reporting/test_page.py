@@ -15,8 +15,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pipeline.device_facts.data_quality import data_checks
 from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
-from pipeline.device_facts.quality import THRESHOLDS, Threshold, data_checks
+from pipeline.device_facts.grades import THRESHOLDS, Threshold
 from pipeline.device_facts.run_data import RunData, Study
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart

@@ -1,0 +1,173 @@
+"""The verdict on the headline model: errors, wells, rivals, generalisation, trust."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pipeline.device_facts.grades import THRESHOLDS, Check, graded
+from pipeline.device_facts.run_data import RunData
+from pipeline.names import ROLE_WORDS, log_title
+from pipeline.scoring.wells import NoWells, Wells
+from pipeline.si_prefix import moment, percent, significant
+
+RIVAL_SURELY = 2e-3
+"""NRMSE by which a baseline must surely be nearer before it is told."""
+
+
+def model_checks(
+    data: RunData, model: str, rest_errors: tuple[float, float] | None, wells: Wells | NoWells
+) -> list[Check]:
+    """The headline model: free-run error, wells, generalisation, and by how much its two rests err."""
+    by_role = {
+        role: [s for s in data.scores if s["model"] == model and s["role"] == role and s["signal"] == "q"]
+        for role in ("train", "validation")
+    }
+    judged, where = (by_role["validation"], "validation") if by_role["validation"] else (by_role["train"], "train")
+    checks = [] if where == "validation" else [_no_validation(data)]
+    checks += _ended_early(model, data.descriptions.get(model, {}), judged)
+    chaotic = [s for s in judged if s.get("lyapunov_per_s")]
+    checks += _chaos_checks(chaotic, model)
+    judged = [s for s in judged if s not in chaotic]
+    errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
+    if errors:
+        text = f"free-run NRMSE of q of {model} is {percent(max(errors))} on the worst {ROLE_WORDS[where]} log"
+        causes = f"at one switch (friction, {data.input_word} delay) or throughout (alpha, centres)"
+        checks.append(graded("model", "nrmse", max(errors), text, f"look where residuals grow: {causes}"))
+    if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
+        judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
+    right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
+    if right:
+        share = percent(min(right)) if min(right) < 1.0 else "all"
+        text = f"{share} of the pulses end in the well that was measured"
+        advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
+        checks.append(graded("model", "switch_accuracy", min(right), text, advice))
+    checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
+    checks += _trust_checks(judged)
+    train = [s["nrmse"] for s in by_role["train"] if s["nrmse"] and not s.get("lyapunov_per_s")]
+    # Beside an error that is good as it is, a yet smaller one on the training data is no fault.
+    if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
+        ratio = max(errors) / max(train)
+        text = f"the validation error is {significant(ratio, 2)} times the training error"
+        checks.append(graded("model", "generalisation", ratio, text, "fewer basis functions, or richer training logs"))
+    if rest_errors is not None and isinstance(wells, Wells):
+        off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
+        text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
+        checks.append(graded("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
+    return checks
+
+
+def _no_validation(data: RunData) -> Check:
+    new = f"an error on the training data says nothing of new {data.input_word}s"
+    text, advice = "no validation log: errors are those of training", f"add a log under [logs] validation: {new}"
+    return Check("model", "validation", "fair", text, advice)
+
+
+def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Logs that their own mean predicts better."""
+    found = []
+    for own in judged:
+        spread = _spread(data, own)
+        if own["nrmse"] is not None and own["nrmse"] > spread:
+            found.append((own["nrmse"] / spread, spread, own))
+    if not found:
+        return []
+    _, spread, own = max(found, key=lambda each: each[0])
+    text = (
+        f"a constant, its mean, predicts the {log_title(own['role'], own['log'])} better than {own['model']}: "
+        f"{percent(spread)} for {percent(own['nrmse'])}"
+    )
+    advice = (
+        "do not use this model; see whether the inputs act linearly or by their squares ([plant] inputs), and whether "
+        "a controller held the device where it is unstable: free runs of such a log part from it whatever the model"
+    )
+    return [Check("model", "constant", "poor", text, advice)]
+
+
+def _spread(data: RunData, score: Mapping[str, Any]) -> float:
+    """NRMSE of q of a constant, its mean, on the log of a score; infinite where q is constant."""
+    q = next(log for log in data.logs if (log.role, log.name) == (score["role"], score["log"])).kinematics["q"]
+    q = q[np.isfinite(q)]
+    return float(np.std(q) / np.ptp(q)) if np.ptp(q) > 0.0 else np.inf
+
+
+def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Where another model of the run predicts a log surely better, or at all where this one diverged."""
+    rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
+    found = []
+    for own in judged:
+        others = {m: e for (*log, m), e in rivals.items() if e and log == [own["role"], own["log"]]}
+        if not others:
+            continue
+        best = min(others, key=lambda name: others[name])
+        if own["nrmse"] is None and others[best] < _spread(data, own):  # one that a constant beats is no help
+            found.append((np.inf, best, others[best], own))
+        elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
+            found.append((own["nrmse"] / others[best], best, others[best], own))
+    if not found:
+        return []
+    ratio, best, error, own = max(found, key=lambda each: each[0])
+    name, log = own["model"], log_title(own["role"], own["log"])
+    if own["nrmse"] is None:
+        text = f"{best} predicts the {log} with {percent(error)}, where {name} diverged"
+    else:
+        text = f"{best} predicts the {log} surely better than {name}: {percent(error)} for {percent(own['nrmse'])}"
+    advice = (
+        f"take {best} for predictions (`--model {best}`), or help {name}: more and longer logs, or decide what is "
+        "known of the device in [identify] (force, damping, drag, gain, friction, drive)"
+    )
+    return [graded("model", "rival", ratio, text, advice)]
+
+
+def not_converged(model: str) -> tuple[str, str]:
+    """What is said of such a fit, and what to do."""
+    advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
+    return f"the fit of {model} had not converged when it ended, so its error may be chance", advice
+
+
+def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """A fit that had not converged, and free runs that diverged."""
+    checks = []
+    if description.get("converged") is False:
+        checks.append(Check("model", "converged", "fair", *not_converged(model)))
+    diverged = [s for s in judged if s["status"] != "ok"]
+    if diverged:
+        at = ", ".join(f"{s['log']} at t = {moment(s['diverged_at_s'])}" for s in diverged)
+        advice = "see its last second under “Measured against models”; train on data that reach as far"
+        checks.append(Check("model", "divergence", "poor", f"the free run of {model} diverged: {at}", advice))
+    return checks
+
+
+def _chaos_checks(chaotic: Sequence[Mapping[str, Any]], model: str) -> list[Check]:
+    """Free runs that part from any that start beside them: judged after the time in which they do so e-fold."""
+    checks = []
+    for s in chaotic:
+        error, after = s.get("nrmse_lyapunov"), f"{1.0 / s['lyapunov_per_s']:.2g} s"
+        if error is not None:
+            text = (
+                f"{s['log']} is chaotic (free runs part e-fold in {after}); "
+                f"{model} errs by {percent(error)} after that time"
+            )
+            checks.append(graded("model", "lyapunov", error, text, "a smaller sample interval, or a richer structure"))
+    return checks
+
+
+def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Outcomes that hinge on less than the model knows, and states that it was never trained on."""
+    checks = []
+    outcomes = sum(s.get("outcomes") or 0 for s in judged)
+    if outcomes:
+        open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
+        text = f"{open_ones or 'none'} of {outcomes} outcomes after pulses are too close for the model to call"
+        advice = "do not trust the well after these pulses; train on pulses of that size and length"
+        checks.append(graded("model", "ambiguous", open_ones / outcomes, text, advice))
+    outside = [s["outside_training"] for s in judged if s.get("outside_training") is not None]
+    if outside:
+        share = percent(max(outside)) if max(outside) > 0.0 else "none"
+        text = f"{share} of the samples lie in states (q, q̇) that no training sample was near"
+        found = graded("model", "outside", max(outside), text, "train on motions as large and as fast")
+        errors = [s["nrmse"] for s in judged]
+        right = all(error is not None and THRESHOLDS["nrmse"].grade(error) == "good" for error in errors)
+        checks.append(replace(found, grade="fair") if right and found.grade == "poor" else found)
+    return checks
