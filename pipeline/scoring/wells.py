@@ -184,7 +184,7 @@ def wells_of(tables: Sequence[Mapping[str, FloatArray]], *, joint: bool) -> Well
 def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
     """Two wells from rest positions, on a device that moves over `span`."""
     if len(positions) < 2:
-        return NoWells("the record is never at rest twice without voltage")
+        return NoWells("the device is never at rest twice with its inputs at zero")
     ordered = np.sort(positions)
     gaps = np.diff(ordered)
     k = int(np.argmax(gaps))
