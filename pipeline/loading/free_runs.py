@@ -1,9 +1,10 @@
-"""Free runs of models over logs: from which row, under which voltages and with which velocity a model starts."""
+"""Free runs of models over logs: from which rows, under which voltages and with which velocity a model starts."""
 
 from typing import NamedTuple
 
 import numpy as np
 
+from pipeline.loading.parts import part_rows, parts
 from pipeline.loading.trajectories import EDGE, begins_in_motion, drive
 from pipeline.models.base import DynamicModel, FreeRun
 from pipeline.numerics.arrays import FloatArray
@@ -11,8 +12,8 @@ from pipeline.runs.tables import Table
 
 
 class Start(NamedTuple):
-    """What a free run over a log is made with: times [s], voltages [V] as fine as the model takes them, and the state
-    [m, m/s] ([rad, rad/s] for an angle) at the first of these rows.
+    """What a free run over a part of a log is made with: times [s], voltages [V] as fine as the model takes them, and
+    the state [m, m/s] ([rad, rad/s] for an angle) at the first of these rows.
     """
 
     t: FloatArray
@@ -22,7 +23,7 @@ class Start(NamedTuple):
 
 
 def free_run(table: Table, model: DynamicModel) -> FreeRun:
-    """Simulate a model over a log; rows before the first valid sample are NaN.
+    """Simulate a model over the parts of a log; rows before and between them, and after a divergence, are NaN.
 
     Parameters
     ----------
@@ -31,33 +32,25 @@ def free_run(table: Table, model: DynamicModel) -> FreeRun:
     model : DynamicModel
         What is simulated.
     """
-    start = start_of(table, model)
-    first, part = len(table["t"]) - len(start.t), model.simulate(*start)
-
-    def padded(values: FloatArray) -> FloatArray:
-        """The values after NaN for the rows that are not simulated."""
-        return np.concatenate([np.full(first, np.nan), values])
-
-    return FreeRun(table["t"], padded(part.q), padded(part.qdot), padded(part.qddot), part.status, part.diverged_at_s)
-
-
-def free_rows(table: Table) -> Table:
-    """The rows from the first valid sample on."""
-    first = int(np.argmax(table["segment"] >= 0))
-    return {name: values[first:] for name, values in table.items()}
+    q, qdot, qddot = (np.full(len(table["t"]), np.nan) for _ in range(3))
+    for rows, part in zip(part_rows(table), parts(table), strict=True):
+        made = model.simulate(*start_of(part, model))
+        q[rows], qdot[rows], qddot[rows] = made.q, made.qdot, made.qddot
+        if made.status != "ok":
+            return FreeRun(table["t"], q, qdot, qddot, made.status, made.diverged_at_s)
+    return FreeRun(table["t"], q, qdot, qddot, "ok", None)
 
 
-def start_of(table: Table, model: DynamicModel) -> Start:
-    """Where a free run of a model over a log starts, whatever is simulated from there.
+def start_of(part: Table, model: DynamicModel) -> Start:
+    """Where a free run of a model over a part of a log starts, whatever is simulated from there.
 
-    At rest the velocity is the measured one or the derivative. Where a log begins in motion a derivative at its edge is
+    At rest the velocity is the measured one or the derivative. Where it begins in motion a derivative at its edge is
     poor, and a free run carries its error on: then it is the velocity with which the model follows the first samples.
     """
-    known = free_rows(table)
-    v, q0, qdot0 = drive(known, fine=model.fine_voltages), float(known["q"][0]), float(known["qdot"][0])
-    if begins_in_motion(table):
-        qdot0 = followed_velocity(known, v, model)
-    return Start(known["t"], v, q0, qdot0)
+    v, q0, qdot0 = drive(part, fine=model.fine_voltages), float(part["q"][0]), float(part["qdot"][0])
+    if begins_in_motion(part):
+        qdot0 = followed_velocity(part, v, model)
+    return Start(part["t"], v, q0, qdot0)
 
 
 def followed_velocity(known: Table, v: FloatArray, model: DynamicModel) -> float:

@@ -7,6 +7,7 @@ import numpy as np
 from pipeline.loading.device import device
 from pipeline.loading.free_runs import start_of
 from pipeline.loading.held_models import model_artifact
+from pipeline.loading.parts import longest_part
 from pipeline.loading.trajectories import load_motion, training_tables
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
@@ -46,16 +47,16 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
         validity=_validity(run, prototype),
         origin=run.record(artifact).content_hash,
         t=start.t,
-        v=voltages(check)[-len(start.t) :],
+        v=voltages(check),
         start=(start.q0, start.qdot0),
         curve_units=device(prototype).curve_units,
     )
 
 
 def _check_log(run: RunFolder, prototype: Prototype) -> Table:
-    """The first validation log, or the first training log where there is none."""
+    """The first validation log, or the first training log where there is none; of one with gaps the longest part."""
     role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    return load_motion(run, prototype, role, log)
+    return longest_part(load_motion(run, prototype, role, log))
 
 
 def _validity(run: RunFolder, prototype: Prototype) -> "Validity":

@@ -1,12 +1,13 @@
 """Kinematics tables as the trajectories and records that identification works on, and the voltages that drive them."""
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
+from pipeline.loading.parts import UNKNOWN, parts, with_parts
 from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.kept import Keep, make_anew
@@ -25,6 +26,9 @@ _FINE = "v_fine"
 
 EDGE = 10
 """Samples at the ends of a log at which a derivative of q knows one side only."""
+
+_LEAST_PART = 5 * EDGE
+"""Valid samples of a part of a log that is no more than its beginning."""
 
 _MOVING = 0.02
 """Share of the range of q by which it must change over that many samples to be in motion."""
@@ -61,7 +65,7 @@ def training(
     plant = device(prototype)
     return Training(
         stretches=tuple(stretch for table in tables for stretch in trajectories(table)),
-        records=tuple(record(table) for table in tables),
+        records=tuple(record(part) for part in _long_enough([part for table in tables for part in parts(table)])),
         units=(plant.displacement.symbol, plant.inputs[0].symbol),
         inputs=plant.action,
         known_mass=plant.known_mass,
@@ -90,14 +94,15 @@ def sources(prototype: Prototype, *roles: Role) -> tuple[str, ...]:
 def load_motion(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Table:
     """The `motion` of a log of a run."""
     kinematics, fine = (run.read_table(artifact(role, log)) for artifact in (layout.kinematics, layout.record))
-    return motion(kinematics, fine, prototype)
+    return motion(kinematics, fine, prototype, run.record(layout.record(role, log)).notes)
 
 
-def motion(kinematics: Table, fine: Table, prototype: Prototype) -> Table:
+def motion(kinematics: Table, fine: Table, prototype: Prototype, notes: Mapping[str, Any]) -> Table:
     """What models are fitted to and simulated over: kinematics with the voltages between the samples (see `drive`),
-    which begin at zero where the settings say that they were zero before the log.
+    which begin at zero where the settings say that they were zero before the log, and with its parts, as the `notes` of
+    the record tell them.
     """
-    return _rested(with_fine_voltages(kinematics, fine), prototype)
+    return with_parts(_rested(with_fine_voltages(kinematics, fine), prototype), notes[UNKNOWN])
 
 
 def with_fine_voltages(table: Table, fine: Table) -> Table:
@@ -138,6 +143,12 @@ def trajectories(table: Table, *, fine: bool = False) -> list[Trajectory]:
             t, q, qdot, qddot = (table[name][rows] for name in ("t", "q", "qdot", "qddot"))
             stretches.append(Trajectory(t, q, qdot, qddot, v[rows]))
     return stretches
+
+
+def _long_enough(found: Sequence[Table]) -> list[Table]:
+    """The parts of logs that hold more than their beginning, or else the longest of them."""
+    kept = [part for part in found if np.count_nonzero(part["segment"] >= 0) > _LEAST_PART]
+    return kept or [max(found, key=lambda part: len(part["t"]))]
 
 
 def begins_in_motion(table: Table) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray, runs_of, sample_interval, samples_of
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
 from pipeline.numerics.metrics import rms, signal_range
 from pipeline.scoring.intervals import BLOCK, Interval, block_of, rms_interval
 
@@ -69,7 +69,7 @@ def horizon_errors(
     t, q, qdot : FloatArray, shape (N,)
         Uniform time [s] and the measured state; NaN where masked.
     v : FloatArray, shape (N, K) or (N, r, K)
-        Inputs, as `predict` takes them.
+        Inputs, as `predict` takes them; NaN where they are not known, which no prediction passes.
     horizons : sequence of float
         Times ahead [s]; rounded to samples, at least one.
     seed : int
@@ -88,9 +88,10 @@ def horizon_errors(
     """
     interval = sample_interval(t)
     aheads = [samples_of(horizon, interval) for horizon in horizons]
-    starts = [_starts(q, qdot, ahead, most_starts) for ahead in aheads]
+    told: BoolArray = np.all(np.isfinite(v).reshape(q.size, -1), axis=1)
+    starts = [_starts(q, qdot, told, ahead, most_starts) for ahead in aheads]
     known = np.zeros(q.size, dtype=np.int64)
-    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot)):
+    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot) & told):
         known[rows] = rows.start
     farthest: dict[tuple[int, int], int] = {}
     for ahead, chosen in zip(aheads, starts, strict=True):
@@ -126,11 +127,13 @@ def _error(
     return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
 
 
-def _starts(q: FloatArray, qdot: FloatArray, ahead: int, most: int) -> IntArray:
-    """Rows whose state and whose target are measured, at least `ahead` apart, at most `most`."""
+def _starts(q: FloatArray, qdot: FloatArray, told: BoolArray, ahead: int, most: int) -> IntArray:
+    """Rows whose state, target and inputs between are measured, at least `ahead` apart, at most `most`."""
     last = q.size - ahead
     if last < 1:
         return np.zeros(0, dtype=np.int64)
     rows = np.arange(0, last, max(ahead, -(-last // most)))
+    missing = np.concatenate(([0], np.cumsum(~told)))
     known = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
+    known &= missing[rows + ahead + 1] == missing[rows]
     return np.asarray(rows[known], dtype=np.int64)

@@ -22,7 +22,7 @@ _GATES = (
     ),
     ("missing", MOST_MISSING, "of the samples are not finite", "repair the recorder"),
     ("repeated", 0.05, "of the time stamps repeat the one before", "repair the clock"),
-    ("dropped", 0.2, "of the samples are missing in between", "record slower"),
+    ("dropped", 0.2, "of the samples are missing one by one", "record slower"),
     ("jitter", 0.3, "of the time step is its jitter (RMS)", "record by a hardware clock"),
     (
         "rails", 0.05, "of the samples of q stay at its extremes",
@@ -80,7 +80,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
         "masked": masked,
         "missing": q.lost / q.n,
         "repeated": time.repeated / time.n,
-        "dropped": time.dropped / time.n,
+        "dropped": time.dropped / (time.n + time.dropped),
         "jitter": time.jitter / time.step,
         "rails": 0.0 if q.constant else q.low_rail + q.high_rail,
         "hum": hum.amplitude / span if hum is not None and span > 0.0 else 0.0,

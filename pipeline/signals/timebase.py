@@ -44,7 +44,7 @@ class TimeQuality:
         No step deviates from the nominal one by more than a thousandth of it.
     not_finite, repeated, backward, gaps, dropped : int
         Counts: NaN or infinite stamps; stamps equal to the one before; steps back; steps longer than
-        `gap_limit`; samples missing if the nominal step is the truth.
+        `gap_limit`; samples missing elsewhere if the nominal step is the truth.
     gap_limit : float
         Steps longer than this are gaps.
     repeated_at, backward_at : tuple of float
@@ -141,7 +141,7 @@ def examine(time: Samples) -> TimeQuality:
         repeated_at += part[same[:LOCATED]].tolist()
         backward_at += part[back[:LOCATED]].tolist()
         gaps_at += [(float(part[j]), float(part[j + 1])) for j in gap[:LOCATED]]
-        long = steps[steps > 1.5 * step]
+        long = steps[(steps > 1.5 * step) & (steps <= limit)]
         dropped += int((np.rint(long / step) - 1.0).sum())
         positive = steps[steps > 0.0]
         shortest = min(shortest, float(positive.min(initial=np.inf)))

@@ -92,10 +92,10 @@ def operating_range(logs: "Sequence[Trajectory | Record]") -> tuple[float, float
 
 @dataclass(frozen=True)
 class Record:
-    """One log on a uniform time base, gaps included.
+    """One log, or a part of one whose inputs are known throughout, on a uniform time base, gaps in q included.
 
-    A free run passes through a gap, because the voltages are known there; only the comparison with q leaves it
-    out. Hidden states therefore never restart, as they would if a log were cut into stretches.
+    A free run passes through such a gap; only the comparison with q leaves it out. Hidden states therefore do not
+    restart, as they would if a log were cut into stretches.
 
     Attributes
     ----------

@@ -73,7 +73,7 @@ class UniformRecord:
     q : FloatArray, shape (M,)
         Displacement [m or rad]; NaN where `segment` is −1.
     v : FloatArray, shape (M, k)
-        Voltages [V], and behind them a measured velocity; straight lines across gaps, so that a free run can pass.
+        Voltages [V], and behind them a measured velocity; straight lines across gaps (`inputs_unknown`).
     segment : NDArray[int32], shape (M,)
         Number of the gap-free stretch, −1 where the kernel would reach across a gap.
     report : RecordReport
@@ -168,6 +168,18 @@ def survey(
     if not _span(found)[1] > _span(found)[0]:
         raise DataRefusedError("displacement and voltages have no stretch of time in common")
     return found
+
+
+def inputs_unknown(log: Survey, longest: float) -> list[tuple[float, float]]:
+    """Times [s] between which an input was not recorded for more than `longest` s: last before and first after."""
+    holes = np.concatenate([np.empty((0, 2)), *(group.gaps for group in log.groups if not all(group.smooth))])
+    spans: list[tuple[float, float]] = []
+    for start, stop in holes[np.argsort(holes[:, 0])].tolist():
+        if stop - start > longest and spans and start <= spans[-1][1]:
+            spans[-1] = spans[-1][0], max(stop, spans[-1][1])
+        elif stop - start > longest:
+            spans.append((start, stop))
+    return spans
 
 
 def _span(log: Survey) -> tuple[float, float]:

@@ -19,7 +19,7 @@ from pipeline.stages import validate
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
 
-ALGORITHM = "11"
+ALGORITHM = "12"
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:

@@ -11,6 +11,7 @@ import numpy as np
 from pipeline.checks.gates import accepted_settings, judge
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
+from pipeline.loading.parts import LONGEST_BRIDGE, UNKNOWN
 from pipeline.loading.si_log import SiLog, open_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
-ALGORITHM = "9"
+ALGORITHM = "10"
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -104,7 +105,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     from pipeline.signals.quality_gates import log_findings, rate_findings, rate_remarks
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
-    from pipeline.signals.uniform_record import Resampling, survey
+    from pipeline.signals.uniform_record import Resampling, inputs_unknown, survey
     from pipeline.signals.untrusted import trusted
 
     settings = prototype.ingest
@@ -130,7 +131,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
     lacking, findings = _lacking(signals, settings.sample_interval)
-    warnings += [*lacking, *_gaps(clock), *rate_remarks(clock, quality, settings.sample_interval)]
+    unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
+    warnings += [*lacking, *_gaps(clock, unknown), *rate_remarks(clock, quality, settings.sample_interval)]
     findings += rate_findings(clock, quality, settings.sample_interval)
     ends = _cut_off(usable, clock)
     cut = ends / masked.interval
@@ -140,7 +142,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         findings = [one for one in findings if one.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
     said = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
-    return Examined(usable, raw_step, said | left_out | {"cut_off_s": ends} | _sensor(signals, quality))
+    said |= left_out | {"cut_off_s": ends, UNKNOWN: unknown}
+    return Examined(usable, raw_step, said | _sensor(signals, quality))
 
 
 def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
@@ -190,15 +193,26 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
     return said, missing_findings(beside)
 
 
-def _gaps(clock: "TimeQuality") -> list[str]:
-    """What to say of gaps in time."""
+def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
+    """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
     from pipeline.rig_logs.remarks import counted, moment
 
-    if not clock.gaps:
-        return []
-    (before, after), several = clock.gaps_at[0], "the first " if clock.gaps > 1 else ""
-    place = f"{several}from {moment(before)} to {moment(after)} s"
-    return [f"{counted(clock.gaps, 'gap')} in time, {place}: split there ([ingest] gaps)"]
+    found = [
+        ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
+        (
+            "in the inputs",
+            len(unknown),
+            unknown,
+            "what they were is not known, so fits and free runs start anew behind",
+        ),
+    ]
+    said = []
+    for what, count, places, then in found:
+        if count:
+            (before, after), several = places[0], "the first " if count > 1 else ""
+            place = f"{several}from {moment(before)} to {moment(after)} s"
+            said.append(f"{counted(count, 'gap')} {what}, {place}: {then}")
+    return said
 
 
 def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:

@@ -12,8 +12,9 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
-from pipeline.loading.free_runs import free_rows, free_run, start_of
+from pipeline.loading.free_runs import free_run, start_of
 from pipeline.loading.parameter_sets import parameter_values
+from pipeline.loading.parts import longest_part, part_rows, parts, recorded
 from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources
 from pipeline.models.base import DynamicModel, FreeRun, HasDraws, predictor
 from pipeline.models.kind import model_from_tree
@@ -93,7 +94,7 @@ def _predict(
 
 def _compile(model: DynamicModel, table: Table) -> None:
     """Have the model's kernels compiled, which is done once per machine and is no part of the time of a run."""
-    free_run({name: values[:3] for name, values in free_rows(table).items()}, model)
+    free_run({name: values[:3] for name, values in parts(table)[0].items()}, model)
 
 
 def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> float | None:
@@ -104,8 +105,8 @@ def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> fl
     span = signal_range(table["q"])
     if result.status != "ok" or not span:
         return None
-    known = free_rows(table)
-    made = None if begins_in_motion(table) else result.q[len(table["t"]) - len(known["t"]) :]
+    known = longest_part(table)
+    made = None if begins_in_motion(known) else result.q[np.isin(table["t"], known["t"])]
 
     def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         """The model's q, NaN after a divergence."""
@@ -123,10 +124,11 @@ def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], 
     shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
     kept = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
-    signals = (table["t"], drive(table, fine=model.fine_voltages), table["q"], table["qdot"])
+    v = drive(table, fine=model.fine_voltages).copy()
+    v[~recorded(table)] = np.nan
     found = horizon_errors(
-        predictor(model), *signals, list(kept.values()), seed=SEED, most_starts=_RESTARTS,
-        joint=joint, shared=not model.fine_voltages,
+        predictor(model), table["t"], v, table["q"], table["qdot"], list(kept.values()),
+        seed=SEED, most_starts=_RESTARTS, joint=joint, shared=not model.fine_voltages,
     )  # fmt: skip
     errors = dict(zip(kept, found, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
@@ -175,9 +177,8 @@ def trust_notes(
     """
     from pipeline.identification.coverage import share_outside
 
-    known, seen = _valid([free_rows(table)]), _valid(trained)
     return {
-        "outside_training": share_outside(*known, *seen),
+        "outside_training": share_outside(*_valid([table]), *_valid(trained)),
         "outcomes": _outcomes(model, table, wells, joint=joint),
     }
 
@@ -193,14 +194,16 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
 def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells", *, joint: bool) -> dict[str, Any] | None:
     from pipeline.scoring.wells import Wells, places_of_rest, pulse_outcomes
 
-    rows = free_rows(table)
-    found = places_of_rest(rows["q"], voltages(rows), sample_interval(rows["t"]), joint=joint)
-    after = [rest for rest in found if rest.start > 0]
+    places, t = part_rows(table), table["t"]
+    found = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
+    after = [rest for rest in found if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None
-    ensemble, _ = model.simulate_draws(*start_of(table, model), count=_DRAWS)
+    ensemble = np.full((_DRAWS, len(t)), np.nan)
+    for rows, part in zip(places, parts(table), strict=True):
+        ensemble[:, rows], _ = model.simulate_draws(*start_of(part, model), count=_DRAWS)
     outcomes = pulse_outcomes(ensemble, after, wells)
-    ends = [float(rows["t"][rest.stop - 1]) for rest in after]
+    ends = [float(t[rest.stop - 1]) for rest in after]
     return {
         "draws": _DRAWS,
         "at_s": ends,

@@ -123,7 +123,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     rates = {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
     notes = {**seen.notes, "raw_step": seen.raw_step}
     said = tuple(f"{where}: {text}" for text in seen.notes["warnings"])
-    return Cleaned(motion({**coarse, **rates}, fine, prototype), log_signals(where, fine, notes), said)
+    return Cleaned(motion({**coarse, **rates}, fine, prototype, notes), log_signals(where, fine, notes), said)
 
 
 def identify_signals(

@@ -6,6 +6,7 @@ import pytest
 from pipeline.identification.joint_structure import JointStructure, Scales
 from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.loading.free_runs import free_run
+from pipeline.loading.parts import with_parts
 from pipeline.models.rbf import RbfModel
 
 INTERVAL = 0.02
@@ -48,3 +49,20 @@ def test_the_velocity_of_a_log_that_begins_at_rest_or_was_measured_stays_as_it_i
     for seen in (table(model, moving=False), table(model, moving=True, velocity=np.zeros(400))):
         seen["qdot"][0] = 0.7
         assert free_run(seen, model).qdot[0] == pytest.approx(0.7)
+
+
+def test_behind_a_gap_in_which_nobody_knows_the_inputs_a_run_starts_anew():
+    model = spring()
+    t = INTERVAL * np.arange(400)
+    v = np.where((t > 3.2) & (t < 3.6), 5.0, np.sin(2.0 * t))  # pushed while nothing was recorded
+    run = model.simulate(t, v[:, None], 0.0, 0.0)
+    lost = (t > 3.0) & (t < 4.0)
+    seen = {
+        "t": t, "q": np.where(lost, np.nan, run.q), "qdot": run.qdot, "v1": np.where(lost, 0.0, v),
+        "segment": np.where(lost, -1, np.where(t < 3.5, 0, 1)),
+    }  # fmt: skip
+    blind = free_run(seen, model)
+    started_anew = free_run(with_parts(seen, [(3.0, 4.0)]), model)
+    off = [np.abs(each.q - run.q)[~lost].max() / np.ptp(run.q) for each in (blind, started_anew)]
+    assert off[0] > 0.1 and off[1] < 1e-3
+    assert np.isnan(started_anew.q[lost]).all() and started_anew.status == "ok"

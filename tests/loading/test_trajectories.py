@@ -1,10 +1,20 @@
 """Tables as trajectories and records: the voltages between the samples go where their samples go."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
 
 import numpy as np
 
-from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, load_motion, record, trajectories
+from pipeline.loading.parts import UNKNOWN, part_rows, recorded
+from pipeline.loading.trajectories import (
+    EDGE,
+    begins_in_motion,
+    drive,
+    load_motion,
+    record,
+    training,
+    trajectories,
+)
 from pipeline.runs import layout
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
@@ -18,6 +28,10 @@ class Shelf:
 
     kinematics: Table
     fine: Table
+    unknown: tuple[tuple[float, float], ...] = ()
+
+    def record(self, _: str) -> SimpleNamespace:
+        return SimpleNamespace(notes={UNKNOWN: self.unknown})
 
     def read_table(self, name: str) -> Table:
         return {layout.kinematics("train", "log"): self.kinematics, layout.record("train", "log"): self.fine}[name]
@@ -111,3 +125,25 @@ def test_first_samples_that_go_where_no_others_do_are_kept() -> None:
     table = {"t": t, "segment": np.zeros(t.size, dtype=np.int32), "v1": t, "q": q} | rates
     assert begins_in_motion(table)
     assert record(table).known_q.min() == q[0]
+
+
+def test_a_log_without_its_inputs_for_a_while_is_trained_on_in_parts() -> None:
+    whole = shelf(1)
+    t = whole.kinematics["t"]
+    cut = motion_of(replace(whole, unknown=((t[24], t[30]),)))
+    assert np.flatnonzero(~recorded(cut)).tolist() == [25, 26, 27, 28, 29]
+    assert part_rows(cut) == [slice(4, 25), slice(30, ROWS)]
+    assert recorded(motion_of(whole)).all() and part_rows(motion_of(whole)) == [slice(4, ROWS)]
+
+
+def test_parts_that_hold_no_more_than_a_beginning_teach_nothing() -> None:
+    rows = 4 * ROWS
+    t = 0.01 * np.arange(rows)
+    q = np.sin(t)
+    segment = np.where(np.arange(rows) < 20, 0, 1)
+    kinematics = {"t": t, "q": q, "qdot": q, "qddot": q, "v1": t, "v2": -t, "segment": segment}
+    stored = Shelf(kinematics, {"t": t, "v1": t, "v2": -t}, ((t[19], t[31]), (t[120], t[131])))
+    found = training([motion_of(stored)], settings(), None).records
+    assert [float(each.t[-1]) for each in found] == [t[120], t[-1]]
+    (short,) = training([motion_of(shelf(1))], settings(), None).records  # a log is taken however short it is
+    assert len(short.t) == ROWS - 4

@@ -80,6 +80,14 @@ def test_up_to_a_second_before_a_restart_is_shown_and_nothing_from_before_a_gap(
     assert [lengths[start] for start in (0, 50, 400, 500, 510, 600, 700)] == [1, 51, 101, 101, 5, 95, 101]
 
 
+def test_no_prediction_passes_where_the_inputs_are_not_known() -> None:
+    v = V.copy()
+    v[500:520] = np.nan
+    result = horizon_error(exact, T, v, Q, QDOT, 0.1)
+    assert result.starts == horizon_error(exact, T, V, Q, QDOT, 0.1).starts - 3  # from rows 490, 500 and 510
+    assert result.diverged == 0
+
+
 def test_of_a_slow_device_a_hundred_samples_before_a_restart_are_shown() -> None:
     lengths: list[int] = []
 

@@ -31,8 +31,8 @@ def test_planted_faults_are_counted_and_located():
     assert quality.repeated == 1 and quality.repeated_at == (time[4999],)
     assert quality.backward == 1 and quality.backward_at == (time[6999],)
     assert quality.not_finite == 1
-    # 12 + 2, one beside the repeated stamp, one for the stamp that is not finite
-    assert quality.dropped == 16
+    # 2, one beside the repeated stamp, one for the stamp that is not finite; those of the gap are lost in the gap
+    assert quality.dropped == 4
     assert not quality.regular and not quality.uniform
 
 

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.errors import DataRefusedError
-from pipeline.signals.uniform_record import Resampling, survey
+from pipeline.signals.uniform_record import Resampling, inputs_unknown, survey
 
 
 def uniform_record(t, q, v, interval, *, v_time=None, **policies):
@@ -34,6 +34,21 @@ def test_clean_log_keeps_its_clock():
     report = record.report
     assert (report.method, report.gaps, report.masked_rows, report.segments) == ("decimated", 0, 0, 1)
     assert (report.repeated, report.backward, report.q_not_finite, report.time_not_finite) == (0, 0, 0, 0)
+
+
+def test_inputs_are_unknown_where_time_or_an_input_lacks_for_long_and_not_where_q_does():
+    t, q, v = _log()
+    v[1000:1300, 1] = np.nan  # 0.15 s of the second input
+    v[3000:3100, 0] = np.nan  # 0.05 s, which a straight line bridges
+    q[5000:5600] = np.nan
+    kept = (t < 12.345 + 3.0) | (t > 12.345 + 3.5)
+    t, q, v = t[kept], q[kept], v[kept]
+    columns = {f"v{k}": (t, np.ascontiguousarray(column)) for k, column in enumerate(v.T, start=1)}
+    seen = survey((t, q), columns)
+    (first, second) = inputs_unknown(seen, 0.1)
+    assert first == pytest.approx((12.345 + 999 / 2000, 12.345 + 1300 / 2000))
+    assert second == pytest.approx((12.345 + 3.0, 12.345 + 3.5), abs=1e-3)
+    assert len(inputs_unknown(seen, 0.01)) == 3 and inputs_unknown(survey((t, t), {}), 0.01) == []
 
 
 def test_a_gap_is_masked_as_far_as_the_kernel_reaches_and_no_further():
