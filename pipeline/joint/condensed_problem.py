@@ -37,6 +37,10 @@ LOST_ERROR_SHARE, CAUGHT_ERROR_SHARE = 0.1, 0.02
 HELD_POLE, HELD_ON = 15.0, 0.3
 """Pole [1/s] of the observer that holds a run where it would lose its log, and how long [s] it does so from there."""
 
+BEGINNING, MOVING, SETTLING = 0.1, 0.02, 1.0
+"""Time [s] and share of the range of q: a log in which q moves by more at its beginning does not begin at rest. Shape
+and strains are not known there, so a run is held for the third [s] first, and compared from then on."""
+
 PASSES = 12
 """How often at most a log is run to find where runs lose it, and the next place after holding them there."""
 
@@ -194,7 +198,7 @@ class CondensedProblem:
     @property
     def held_share(self) -> float:
         """Share of the samples near which runs are held."""
-        return float(np.mean(np.concatenate([log.held for log in self.logs])))
+        return float(np.mean(np.concatenate([log.held & ~log.settling for log in self.logs])))
 
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """See `ObservedProblem`."""
@@ -250,7 +254,8 @@ class _Log:
     def __init__(self, record: Record, stop: int) -> None:
         self.dt, self.t = record.interval, record.t - record.t[0]
         behind = np.arange(len(self.t)) >= stop
-        self.fitted, self.held_out = record.valid & ~behind, record.valid & behind
+        self.settling = np.arange(len(self.t)) < _settling(record)
+        self.fitted, self.held_out = record.valid & ~behind & ~self.settling, record.valid & behind
         self.v = DrivingVoltages(record.drive, self.dt)
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
         if self.v.refined:  # then the samples have been low-pass filtered, and runs are not
@@ -258,13 +263,13 @@ class _Log:
         self._path = CubicSpline(self.t[record.valid], self.q[record.valid])
         self._start = np.array([self.q[0], 0.0])
         self._seen, self._seen_for = _visibility(record.valid, self.dt)
-        self.held = np.zeros(len(self.t), dtype=bool)
+        self.held = self.settling.copy()
         self._followed: dict[int, FloatArray] = {}
         self._squares: dict[tuple[int, float, float, float, float, float], FloatArray] = {}
 
     def hold_lost(self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int) -> None:
         """See `CondensedProblem.hold_lost`."""
-        self.held = np.zeros(len(self.t), dtype=bool)
+        self.held = self.settling.copy()
         span = 1e3 * (self.q[self.fitted].max() - self.q[self.fitted].min())
         for _ in range(PASSES):
             error = np.abs(self.errors(joint, theta[None], gain, steps)[0]) / span
@@ -340,6 +345,13 @@ class _Log:
                 self._squares.clear()
             self._squares[key] = self.v.squared(steps, seen, largest)
         return self._squares[key]
+
+
+def _settling(record: Record) -> int:
+    """Samples of a record until its state is known, none where it begins at rest."""
+    begin = slice(0, samples_of(BEGINNING, record.interval) + 1)
+    moves = np.ptp(record.q[begin][record.valid[begin]]) > MOVING * np.ptp(record.known_q)
+    return min(samples_of(SETTLING, record.interval), len(record.t) // 2) if moves else 0
 
 
 def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:

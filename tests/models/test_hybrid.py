@@ -187,6 +187,19 @@ def test_a_run_is_held_where_it_takes_another_well_and_nowhere_else() -> None:
     assert problem.held_share == 0.0
 
 
+@pytest.mark.parametrize("pole", [8.0, 0.0])
+def test_a_log_that_begins_in_motion_is_compared_from_where_its_hidden_states_are_known(pole: float) -> None:
+    truth = joint(PLANTED)
+    whole = log(truth, 1)
+    begin = int(np.argmax(np.abs(whole.qdot)))  # on its way from one well to the other
+    problem = CondensedProblem(truth.joint, [whole.part(begin, len(whole.t))])
+    error = problem.residual(truth.theta, pole)
+    assert error is not None
+    assert np.abs(error).max() < 0.02 * 1e3 * np.ptp(whole.q)  # mm
+    assert problem.held_share == 0.0
+    assert len(error) == len(whole.t) - begin - 100
+
+
 def test_acceleration_along_the_own_path_is_the_own(identified: tuple[HybridModel, HybridModel]) -> None:
     truth, _ = identified
     t, v = pulses(3, 5.0)
