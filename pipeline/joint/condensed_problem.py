@@ -322,7 +322,8 @@ class _Log:
         chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
         columns, q = (found.columns, found.q) if at.all() else (found.columns[at], found.q[at])
         by = columns @ chain
-        by[:, DEVIATIONS:] += 1e3 * (found.by_weights[at] * by_theta.weights[:, None]).reshape(len(q), -1)
+        by_weights = found.by_weights[at] * by_theta.weights[:, None]
+        by[:, DEVIATIONS:] += 1e3 * by_weights.reshape(len(q), by.shape[1] - DEVIATIONS)
         by += 1e3 * by_theta.instruments[0]  # the reading is q + offset
         return 1e3 * (q + seen.offset - self.q[at]), by
 
