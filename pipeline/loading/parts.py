@@ -10,23 +10,14 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, runs_of
 from pipeline.runs.tables import Table
+from pipeline.signals.inputs import unknown_rows
 
-LONGEST_BRIDGE = 10.0
-"""Sample intervals without inputs up to which a straight line stands for them."""
-UNKNOWN = "inputs_unknown"
-"""Of a record's notes: spans [s] in which the inputs were not recorded for longer."""
 _PART = "recorded"
 
 
 def with_parts(table: Table, unknown: Sequence[Sequence[float]]) -> Table:
-    """The table with its rows marked that lie strictly inside the `unknown` spans [s], if there are any."""
-    if not unknown:
-        return table
-    t = table["t"]
-    inside = np.zeros(len(t), dtype=np.bool_)
-    for start, stop in unknown:
-        inside[np.searchsorted(t, start, side="right") : np.searchsorted(t, stop)] = True
-    return {**table, _PART: ~inside}
+    """The table with its rows marked that lie in the `unknown` spans [s], if there are any."""
+    return {**table, _PART: ~unknown_rows(table["t"], unknown)} if unknown else table
 
 
 def recorded(table: Table) -> BoolArray:

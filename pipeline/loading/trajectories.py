@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
-from pipeline.loading.parts import UNKNOWN, parts, with_parts
+from pipeline.loading.parts import parts, with_parts
 from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.kept import Keep, make_anew
@@ -16,7 +16,7 @@ from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, Role
-from pipeline.signals.inputs import voltages
+from pipeline.signals.inputs import UNKNOWN, voltages
 from pipeline.signals.trajectory import SHORTEST, Record, Trajectory
 
 if TYPE_CHECKING:

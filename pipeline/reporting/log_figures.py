@@ -7,13 +7,13 @@ import numpy as np
 from pipeline.device_facts.events import input_steps, voltage_switches
 from pipeline.device_facts.residual_analysis import Residual, headline_residual
 from pipeline.device_facts.run_data import LogData, RunData, judged_log
-from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
+from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from pipeline.numerics.metrics import fit_percent, rmse
 from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import grouped, moment, power, quantity, significant
-from pipeline.signals.inputs import voltages
+from pipeline.signals.inputs import UNKNOWN, unknown_rows, voltages
 from pipeline.units import ALPHA_UNIT, signal_units
 
 METHODS = {
@@ -43,6 +43,7 @@ def _timeline(
     switched = {"voltage switched": voltage_switches(t, v)} if data.joint else {}
     marks = switched or {f"{data.input_word} steps": input_steps(t, v)}
     marks["device snaps over"] = t[snaps(q, wells)]
+    known = {name: at[~_unknown(log, at)] for name, at in marks.items()}
     return Figure(
         name=f"{log.key}-{kind}",
         title=f"{title}, {log.title}",
@@ -50,10 +51,15 @@ def _timeline(
         x_name="time",
         x_unit="s",
         panels=tuple(panels),
-        marks={name: at for name, at in marks.items() if at.size},
+        marks={name: at for name, at in known.items() if at.size},
         gaps=_masked(log.record["t"], log.record["segment"]),
         hidden=_hidden(data, log),
     )
+
+
+def _unknown(log: LogData, t: FloatArray) -> BoolArray:
+    """Which of the times lie where the inputs of a log are not known."""
+    return unknown_rows(t, log.record_notes.get(UNKNOWN, ()))
 
 
 def _hidden(data: RunData, log: LogData) -> tuple[str, ...]:
@@ -76,7 +82,8 @@ def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ..
 def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.record["t"]
     sides = {"v1": " (left)", "v2": " (right)"} if data.joint else {}
-    inputs = tuple(Line(name + sides.get(name, ""), name, t, log.record[name]) for name in data.inputs)
+    shown = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
+    inputs = tuple(Line(name + sides.get(name, ""), name, t, values) for name, values in shown.items())
     panels = [
         Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)),
         Panel(data.input_word + "s" * (len(inputs) > 1), data.voltage, inputs),

@@ -1,12 +1,25 @@
 """The inputs of a device, as tables of signals hold them."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray
+
+LONGEST_BRIDGE = 10.0
+"""Sample intervals without inputs up to which a straight line stands for them."""
+UNKNOWN = "inputs_unknown"
+"""Of a record's notes: spans [s] in which the inputs were not recorded for longer."""
 
 
 def voltages(table: Mapping[str, FloatArray]) -> FloatArray:
     """The inputs v1, v2 of a table, shape (N, 1) or (N, 2)."""
     return np.column_stack([table[name] for name in ("v1", "v2") if name in table])
+
+
+def unknown_rows(t: FloatArray, spans: Sequence[Sequence[float]]) -> BoolArray:
+    """Rows strictly inside `spans` [s] without inputs, shape (N,)."""
+    inside = np.zeros(len(t), dtype=np.bool_)
+    for start, stop in spans:
+        inside[np.searchsorted(t, start, side="right") : np.searchsorted(t, stop)] = True
+    return inside

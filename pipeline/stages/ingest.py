@@ -11,7 +11,6 @@ import numpy as np
 from pipeline.checks.gates import accepted_settings, judge
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
-from pipeline.loading.parts import LONGEST_BRIDGE, UNKNOWN
 from pipeline.loading.si_log import SiLog, open_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
@@ -20,6 +19,7 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Ingest, LogGate, Prototype, Role
+from pipeline.signals.inputs import LONGEST_BRIDGE, UNKNOWN
 
 if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding

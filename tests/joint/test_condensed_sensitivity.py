@@ -16,7 +16,7 @@ DT = 0.01  # s
 
 
 def problem(centres: int, similarity: Similarity, *, fine: bool, seed: int) -> tuple[CondensedProblem, FloatArray]:
-    """A log of 0.8 s that begins at rest, with a pulse on either side and a gap, and a joint somewhat off the drawing."""
+    """A log of 0.8 s from rest on with a pulse on either side and a gap, and a joint somewhat off the drawing."""
     rng, t = np.random.default_rng(seed), DT * np.arange(81)
     finer = DT / 5 * np.arange(5 * len(t))
     drives = [np.where((finer > begin) & (finer < begin + 0.3), 2300.0, 40.0) for begin in (0.1, 0.35)]

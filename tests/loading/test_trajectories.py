@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from pipeline.loading.parts import UNKNOWN, part_rows, recorded
+from pipeline.loading.parts import part_rows, recorded
 from pipeline.loading.trajectories import (
     EDGE,
     begins_in_motion,
@@ -18,6 +18,7 @@ from pipeline.loading.trajectories import (
 from pipeline.runs import layout
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.signals.inputs import UNKNOWN
 
 ROWS, REFINED = 60, 10
 
