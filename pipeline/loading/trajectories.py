@@ -102,7 +102,7 @@ def motion(kinematics: Table, fine: Table, prototype: Prototype, notes: Mapping[
     which begin at zero where the settings say that they were zero before the log, and with its parts, as the `notes` of
     the record tell them.
     """
-    return with_parts(_rested(with_fine_voltages(kinematics, fine), prototype), notes[UNKNOWN])
+    return with_parts(_rested(with_fine_voltages(kinematics, fine), prototype), notes.get(UNKNOWN, ()))
 
 
 def with_fine_voltages(table: Table, fine: Table) -> Table:
