@@ -103,30 +103,18 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
     from pipeline.signals.quality_gates import log_findings, rate_findings, rate_remarks
-    from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.timebase import examine, nominal_step
     from pipeline.signals.uniform_record import Resampling, inputs_unknown, survey
-    from pipeline.signals.untrusted import trusted
 
     settings = prototype.ingest
     try:
         raw_step = nominal_step(signals.q[0])
-        quality = examine_signal(*signals.q, raw_step)
-        kept = trusted(
-            signals.q,
-            signals.inputs,
-            quality,
-            raw_step,
-            rails=settings.rails == "mask",
-            lost=settings.lost == "mask",
-            spikes=settings.spikes == "mask",
-        )
-        quality = kept.quality
-        warnings = _warnings(signals, prototype, quality)
+        kept = _trusted(signals, settings, raw_step)
+        warnings = _warnings(signals, prototype, kept.quality)
         usable = survey((signals.q[0], kept), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal)
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
-    left_out = _left_out(kept, warnings)
+    quality, left_out = kept.quality, _left_out(kept, warnings)
     masked = Resampling(usable, settings.sample_interval).report
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
@@ -144,6 +132,15 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     said = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
     said |= left_out | {"cut_off_s": ends, UNKNOWN: unknown}
     return Examined(usable, raw_step, said | _sensor(signals, quality))
+
+
+def _trusted(signals: SiLog, settings: Ingest, raw_step: float) -> "Trusted":
+    """The displacement without what is masked by the settings."""
+    from pipeline.signals.signal_quality import examine_signal
+    from pipeline.signals.untrusted import trusted
+
+    masked = {name: getattr(settings, name) == "mask" for name in ("rails", "lost", "spikes")}
+    return trusted(signals.q, signals.inputs, examine_signal(*signals.q, raw_step), raw_step, **masked)
 
 
 def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
