@@ -50,6 +50,9 @@ class Channel(_Settings):
     """Unit per number of the log, for a log in volts of its data acquisition: value = scale · number + offset."""
     offset: Number = 0.0
     """What is added after that, in the channel's unit."""
+    on_change: bool = False
+    """Whether the log has a sample only when it changed, which holds until the next one (event-based recording); of
+    an input only."""
 
     @field_validator("channel")
     @classmethod
@@ -106,6 +109,9 @@ class Channels(_Settings):
             channel = getattr(self, key)
             if channel is not None and named.setdefault(channel.channel, key) not in (key, "v1"):
                 raise ValueError(f"{key} and {named[channel.channel]} are the same channel {channel.channel!r}")
+        for key in ("time", "q", "qdot"):
+            if getattr(self, key) is not None and getattr(self, key).on_change:
+                raise ValueError(f"{key} cannot be recorded on change only: between two samples it moves")
         if self.v2 == self.v1:
             raise ValueError(f"v1 and v2 are the same channel {self.v1.channel!r}; leave v2 out for a single input")
         return self

@@ -12,7 +12,7 @@ from pipeline.errors import InputError
 from pipeline.loading.device import Device
 from pipeline.numerics.arrays import Samples
 from pipeline.settings import Channel, Prototype
-from pipeline.signals.columns import Scaled, Signal, equal
+from pipeline.signals.columns import Held, Scaled, Signal, equal
 from pipeline.signals.timebase import nominal_step
 from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 
@@ -97,9 +97,23 @@ def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device
                 f"{recording.path}: channel {channel.channel!r} has {column.size} samples, but its time has "
                 f"{base.size}; they are not of one recording, or the log was cut"
             )
-    q, *others = zip(bases, columns, strict=True)
+    q, *others = (
+        _held(recording.path, channel, bases[0], (base, column)) if channel.on_change else (base, column)
+        for (channel, _), base, column in zip(signals, bases, columns, strict=True)
+    )
     inputs = len(plant.inputs)
     return SiLog(q, tuple(others[:inputs]), *others[inputs:])
+
+
+def _held(path: Path, channel: Channel, time: Samples, seen: Signal) -> Signal:
+    """An input that was recorded when it changed, at the stamps of q."""
+    held = Held(time, *seen)
+    if not held.rising:
+        raise InputError(
+            f"{path}: the time of channel {channel.channel!r} steps back, so what held when is not known; "
+            "repair the log"
+        )
+    return time, held
 
 
 def _check_rate(path: Path, time: Samples, rate: float | None) -> None:

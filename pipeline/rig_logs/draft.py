@@ -14,8 +14,9 @@ from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
 from pipeline.rig_logs.recording import as_other_logs
 from pipeline.settings import Ingest
 from pipeline.signals.bandwidth import LEAST_PER_PERIOD, advised_interval
-from pipeline.signals.quality_gates import UNTOLD_STEP
+from pipeline.signals.quality_gates import COARSEST_STEP, UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
+from pipeline.signals.timebase import seldom
 from pipeline.units import DISPLACEMENT, to_si
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
@@ -235,9 +236,21 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
     if suggestion.only is not None:
         channel = by_name[suggestion.only]
         unit, origin = _unit(channel, role)
+        if role in ("v1", "v2") and _seldom(channel, log):
+            entry = _entry(role, channel.name, unit).replace(" }", ", on_change = true }")
+            return [f"{entry}  # suggested; unit {origin}; few samples, far apart: recorded when it changed?"]
         return [f"{_entry(role, channel.name, unit)}  # suggested; unit {origin}"]
     found = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {found}"]
+
+
+def _seldom(channel: InspectedChannel, log: Inspection) -> bool:
+    """Whether a channel may have been recorded on change only."""
+    quality, base = channel.quality, None if channel.time_base is None else log.time_bases[channel.time_base]
+    step, lasts = (1.0, quality.n) if base is None else (base.step, base.stop - base.start)
+    finest = max(Ingest().sample_interval, min((each.step for each in log.time_bases), default=0.0))
+    far = base is not None and step > COARSEST_STEP * finest
+    return far or seldom(quality.n - quality.not_finite, step, lasts)
 
 
 def _unit(channel: InspectedChannel, role: Role) -> tuple[str, str]:

@@ -62,6 +62,42 @@ class Scaled:
         return scaled
 
 
+class Held:
+    """A column that was recorded when it changed, at other stamps: its last finite sample, NaN before the first.
+
+    Parameters
+    ----------
+    time : Samples
+        Stamps [s] at which it is wanted.
+    stamps, samples : Samples
+        Rising stamps [s] and samples of the record; they are held in memory.
+
+    Notes
+    -----
+    Cost: O(log M) a row for M samples of the record.
+    """
+
+    def __init__(self, time: Samples, stamps: Samples, samples: Samples) -> None:
+        self._time = time
+        at, values = stamps[0 : stamps.size], samples[0 : samples.size]
+        known = np.isfinite(at) & np.isfinite(values)
+        self._at, self._values = at[known], np.concatenate(([np.nan], values[known]))
+
+    @property
+    def size(self) -> int:
+        """Number of samples."""
+        return self._time.size
+
+    @property
+    def rising(self) -> bool:
+        """Whether the record's stamps never step back."""
+        return bool(np.all(np.diff(self._at) >= 0.0))
+
+    def __getitem__(self, rows: slice, /) -> FloatArray:
+        """The samples of a range of rows."""
+        return np.asarray(self._values[np.searchsorted(self._at, self._time[rows], side="right")])
+
+
 class Rows:
     """Which rows of a log are taken: one bit a row.
 

@@ -5,7 +5,7 @@ displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above
 no measurement.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from pipeline.signals.bandwidth import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
@@ -32,6 +32,7 @@ _GATES = (
     ("hum", 0.05, "of the range of q is hum of {hum:g} Hz", "shield the sensor"),
 )  # fmt: skip
 """Name, largest share, what it is the share of, and what to do."""
+_ON_CHANGE = "; an input ({}) that was recorded only when it changed takes `on_change = true` in [channels]"
 COARSEST_STEP = 3.0
 """Steps of a log in sample intervals of the settings: beyond, most uniform samples would be made up."""
 
@@ -58,7 +59,7 @@ class Finding:
     advice: str
 
 
-def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Finding]:
+def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequence[str] = ()) -> list[Finding]:
     """What speaks against one log.
 
     Parameters
@@ -69,6 +70,8 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
         Of the displacement.
     masked : float
         Share of the uniform rows that are masked or cut off at the log's ends, for whatever reason.
+    few : sequence of str
+        Inputs that have far fewer samples than their steps let expect, as if recorded on change only.
 
     Notes
     -----
@@ -89,7 +92,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float) -> list[Fin
         Finding(
             gate,
             f"{100.0 * shares[gate]:.3g} % {what.format(hum=hum and hum.frequency)} (at most {100.0 * most:g} %)",
-            advice,
+            advice + (_ON_CHANGE if gate == "masked" and few else "").format(", ".join(few)),
         )
         for gate, most, what, advice in _GATES
         if shares[gate] > most
@@ -102,8 +105,22 @@ def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
     for name, lacks in beside.items():
         if lacks.share > MOST_MISSING:
             what = f"{name} is missing for {100.0 * lacks.share:.3g} % of the log (at most {100.0 * MOST_MISSING:g} %)"
-            found.append(Finding("missing", what, "repair the recorder, or cut the log where the signal ends"))
+            advice = "repair the recorder, or cut the log where the signal ends"
+            found.append(Finding("missing", what, advice + (_ON_CHANGE.format(name) if lacks.not_finite else "")))
     return found
+
+
+def coarse_inputs(steps: Mapping[str, float], interval: float) -> list[Finding]:
+    """Inputs whose own steps [s] are longer than `COARSEST_STEP` sample intervals [s]."""
+    return [
+        Finding(
+            "rate",
+            f"{name} has one sample every {step:.4g} s, but [ingest] sample_interval is {interval:g} s",
+            "record it as finely as q, or set a sample_interval as long" + _ON_CHANGE.format(name),
+        )
+        for name, step in steps.items()
+        if step > COARSEST_STEP * interval
+    ]
 
 
 def rate_remarks(time: TimeQuality, q: SignalQuality, sample_interval: float) -> list[str]:

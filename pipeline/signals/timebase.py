@@ -110,6 +110,11 @@ def default_gap_limit(step: float) -> float:
     return max(GAP_STEPS * step, GAP_FLOOR)
 
 
+def seldom(count: int, step: float, lasts: float) -> bool:
+    """Whether so many samples of a usual step are less than half of what a record lasts, as if made on change only."""
+    return 2.0 * count * step < lasts
+
+
 def examine(time: Samples) -> TimeQuality:
     """Count and locate everything that is wrong with a time base.
 

@@ -121,10 +121,11 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     lacking, findings = _lacking(signals, settings.sample_interval)
     unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
     warnings += [*lacking, *_gaps(clock, unknown), *rate_remarks(clock, quality, settings.sample_interval)]
-    findings += rate_findings(clock, quality, settings.sample_interval)
+    few, coarse = _few_samples(signals, settings.sample_interval)
+    findings += [*rate_findings(clock, quality, settings.sample_interval), *coarse]
     ends = _cut_off(usable, clock)
     cut = ends / masked.interval
-    findings += log_findings(clock, quality, (masked.masked_rows + cut) / (masked.rows + cut))
+    findings += log_findings(clock, quality, (masked.masked_rows + cut) / (masked.rows + cut), few)
     if settings.rails == "keep":
         warnings += [f"q: {one.text}; kept ([ingest] rails)" for one in findings if one.gate == "rails"]
         findings = [one for one in findings if one.gate != "rails"]
@@ -141,6 +142,19 @@ def _trusted(signals: SiLog, settings: Ingest, raw_step: float) -> "Trusted":
 
     masked = {name: getattr(settings, name) == "mask" for name in ("rails", "lost", "spikes")}
     return trusted(signals.q, signals.inputs, examine_signal(*signals.q, raw_step), raw_step, **masked)
+
+
+def _few_samples(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]"]:
+    """Inputs with stamps of their own that may have been recorded on change only, and those with too long steps for a
+    sample interval [s].
+    """
+    from pipeline.signals.quality_gates import coarse_inputs
+    from pipeline.signals.timebase import nominal_step, seldom
+
+    own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
+    steps = {name: nominal_step(time) for name, time in own.items()}
+    lasts = {name: float(time[time.size - 1 : time.size][0] - time[:1][0]) for name, time in own.items()}
+    return [name for name in own if seldom(own[name].size, steps[name], lasts[name])], coarse_inputs(steps, interval)
 
 
 def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
