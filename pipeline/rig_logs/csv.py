@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.csv_dialect import (
+    CLOCK,
     MISSING,
     SAMPLE_BYTES,
     STAMP,
@@ -36,6 +37,7 @@ from pipeline.rig_logs.source import (
 )
 
 _BLOCK_BYTES = 1 << 20
+_DAY, _ANY_DAY = 86_400.0, "1970-01-01T"
 _CONVERSION = re.compile(
     r"In CSV column #(?P<column>\d+): (?:Row #(?P<row>\d+): )?CSV conversion error.*invalid value '(?P<cell>.*)'"
 )
@@ -55,9 +57,10 @@ class CsvSource:
         self.notes = [dialect.describe()]
         shown = {name: text for name, text in zip(self._columns, dialect.texts, strict=True) if text is not None}
         self.texts = {name: f"{text.shown}; {text.way_out or 'export it as numbers'}" for name, text in shown.items()}
-        self._stamped = {
-            name for name, cell in zip(self._columns, dialect.first_row, strict=False) if STAMP.match(cell)
-        }
+        first = dict(zip(self._columns, dialect.first_row, strict=False))
+        self._clocks = {name for name, cell in first.items() if CLOCK.fullmatch(cell)}
+        self._stamped = {name for name, cell in first.items() if STAMP.match(cell)} | self._clocks
+        self._last: dict[str, float] = {}
         self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
         left_out = [
             f"{name!r} ({'; '.join(filter(None, [text.shown, text.way_out]))})"
@@ -106,7 +109,7 @@ class CsvSource:
         """An error of Arrow in our words."""
         match = _CONVERSION.search(error)
         if match is None:
-            return f"{error.removeprefix('CSV parse error: ').strip()}; repair or delete that row"
+            return f"{error.removeprefix('CSV parse error: ').replace(_ANY_DAY, '').strip()}; repair or delete that row"
         cell = no_number(match["cell"], self._columns[int(match["column"])], self._dialect.decimal)
         return f"row {match['row']}: {cell}" if match["row"] else cell
 
@@ -158,6 +161,8 @@ class CsvSource:
 
         if name not in self._stamped:
             return pa.float64()
+        if name in self._clocks:
+            return pa.string()
         match = STAMP.match(self._dialect.first_row[self._columns.index(name)])
         return pa.timestamp("ns", "UTC" if match and match["zone"] else None)
 
@@ -168,11 +173,27 @@ class CsvSource:
 
         from pipeline.arrow_columns import doubles
 
+        if name in self._clocks:
+            dated = pc.binary_join_element_wise(_ANY_DAY, pc.replace_substring(stamps, ",", "."), "")
+            stamps = dated.cast(pa.timestamp("ns"))
         ticks = stamps.cast(pa.int64())
         if name not in self._origins and len(ticks):
             self._origins[name] = ticks[0].as_py() or 0
             self.notes.append(f"time of {name!r} counts from {self._dialect.first_row[self._columns.index(name)]}")
-        return doubles(pc.subtract(ticks, self._origins.get(name, 0)).cast(pa.float64())) / 1e9
+        seconds = doubles(pc.subtract(ticks, self._origins.get(name, 0)).cast(pa.float64())) / 1e9
+        return self._past_midnight(name, seconds) if name in self._clocks else seconds
+
+    def _past_midnight(self, name: str, seconds: NDArray[Any]) -> NDArray[Any]:
+        """Times of day, on the day of the first one: back by more than half a day is the next day."""
+        known = np.flatnonzero(np.isfinite(seconds))
+        if not known.size:
+            return seconds
+        steps = np.diff(seconds[known], prepend=self._last.get(name, 0.0) % _DAY)
+        days = np.floor(self._last.get(name, 0.0) / _DAY) + np.cumsum(steps < -_DAY / 2.0)
+        seconds = seconds.copy()
+        seconds[known] += _DAY * days
+        self._last[name] = float(seconds[known[-1]])
+        return seconds
 
     def _utf8(self, length: int) -> Any:
         """The first `length` bytes as UTF-8 in a file of Arrow's own; where that is less than all, in a mapped buffer.

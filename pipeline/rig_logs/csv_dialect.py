@@ -87,6 +87,8 @@ MISSING = frozenset(
 )
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-]\d\d:?\d\d)?")
 """Date and time of day by ISO 8601."""
+CLOCK = re.compile(r"\d\d:\d\d:\d\d([.,]\d{1,9})?")
+"""Time of day alone, as where the date stands in a column of its own."""
 
 
 @dataclass(frozen=True)
@@ -394,6 +396,6 @@ def split_row(line: str, delimiter: str) -> list[str]:
 
 def _is_value(cell: str, decimal: str, delimiter: str = "") -> bool:
     """Whether a cell is a number, missing, or a time stamp, which columns between blanks cannot be."""
-    if cell.lower() in MISSING or (delimiter != " " and STAMP.fullmatch(cell)):
+    if cell.lower() in MISSING or (delimiter != " " and (STAMP.fullmatch(cell) or CLOCK.fullmatch(cell))):
         return True
     return bool(_NUMBER.match(cell if decimal == "." else cell.replace(".", "x").replace(",", ".")))

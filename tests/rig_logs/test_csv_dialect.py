@@ -212,8 +212,31 @@ def test_time_stamps_count_from_the_first(tmp_path, stamp):
 
 def test_columns_that_are_no_numbers_are_told(tmp_path):
     path = tmp_path / "log.csv"
-    path.write_text("clock,q,v\n" + "".join(f"12:00:{i:02d},{i},{2 * i}\n" for i in range(60)))
-    assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'clock' ('12:00:00')"
+    path.write_text("state,q,v\n" + "".join(f"run {i:02d},{i},{2 * i}\n" for i in range(60)))
+    assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'state' ('run 00')"
+
+
+@pytest.mark.parametrize("mark", [".", ","])
+def test_times_of_day_count_from_the_first_and_go_on_past_midnight(tmp_path, mark):
+    path = tmp_path / "log.csv"
+    rows = 40_000  # more than a block
+    ticks = 86_400_000 - 25_000 + 5 * np.arange(rows)
+    days, left = np.divmod(ticks, 86_400_000)
+    parts = left // 3_600_000, left // 60_000 % 60, left // 1000 % 60, left % 1000
+    cells = [f"{h:02d}:{m:02d}:{s:02d}{mark}{ms:03d}" for h, m, s, ms in zip(*parts, strict=True)]
+    dates = np.where(days == 0, "31.12.2025", "01.01.2026")
+    lines = [f"{date};{cell};{i % 7}{mark}5" for i, (date, cell) in enumerate(zip(dates, cells, strict=True))]
+    path.write_text("Datum;Zeit;q\n" + "\n".join(lines) + "\n")
+    source = CsvSource(path, CsvOptions())
+    assert [(entry.name, entry.unit) for entry in source.entries()] == [("Zeit", "s"), ("q", "")]
+    np.testing.assert_allclose(read_here(path)["Zeit"], 0.005 * np.arange(rows), atol=1e-9)
+
+
+def test_a_damaged_time_of_day_is_named(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("t;q\n" + "".join(f"12:00:{i:02d};{i}\n" for i in range(60)) + "12:01:0x;60\n")
+    with pytest.raises(UnreadableLogError, match="'12:01:0x'"):
+        read_here(path)
 
 
 def test_of_a_column_that_is_no_number_the_first_cell_that_is_none_is_named(tmp_path):
