@@ -396,9 +396,22 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
         f"≤ {limits.MOST_MISFIT:g}",
         state,
         "device" if state == "wrong" else None,
-        "" if same else f"this {'is' if state == 'wrong' else 'may be'} {_ANOTHER_DEVICE}",
+        ""
+        if same
+        else f"this {'is' if state == 'wrong' else 'may be'} {_ANOTHER_DEVICE}{_moved(first, other, declared)}",
         "; ".join(_side_by_side(first, other, declared)),
     )
+
+
+def _moved(first: LogFacts, other: LogFacts, declared: Declared) -> str:
+    """What both rests of two logs say where they lie equally far apart: that of a sensor which was zeroed anew."""
+    if not isinstance(first.wells, Wells) or not isinstance(other.wells, Wells):
+        return ""
+    left, right = other.wells.left - first.wells.left, other.wells.right - first.wells.right
+    if abs(left - right) > limits.ZEROED_ANEW * abs(left + right):
+        return ""
+    moved = quantity(0.5 * (left + right), declared.displacement)
+    return f"; both rests have moved by {moved}: if the sensor was zeroed anew, take that off q in this log"
 
 
 def _driven_alike(first: LogFacts, other: LogFacts) -> bool:

@@ -29,6 +29,9 @@ ALIKE = 1.5
 """Factor between the largest voltages of two logs up to which they can be of one device for sure or not: a joint driven
 at 35 % of the voltage, or by one side only, has had 2.4 to 5.7 times the misfit of its training log."""
 
+ZEROED_ANEW = 0.15
+"""Share of what both rests have moved by, together, by which they may differ if it is the sensor's zero that moved."""
+
 SURE_INTERVAL = 0.6
 """Sample intervals that a log's own step must be shorter than for that: with fewer samples under a bump, the weak form
 itself is off. Of one device at 1 kHz and 160 Hz the ratio was 7, at 200 Hz and more below 0.5."""

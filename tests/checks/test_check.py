@@ -1,5 +1,6 @@
 """Logs against settings: honest logs pass, and every mistake of a first hour is caught, by its own name."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -243,6 +244,17 @@ def test_the_log_of_another_joint_is_caught(pair: list[LogSignals], other: Doubl
     rows = check_logs([pair[0], _log(other, "validation/other", 36, "validation")], JOINT)
     assert _wrong(rows) == {"device"}
     assert not _wrong(check_logs([_beginning(pair[0]), _beginning(_log(other, "validation/other", 36))], JOINT))
+
+
+def test_a_sensor_that_was_zeroed_anew_is_told_from_another_device(pair: list[LogSignals]) -> None:
+    moved = replace(pair[1], q=pair[1].q + 2e-3)
+    (row,) = (row for row in check_logs([pair[0], moved], JOINT) if row.what == "same device")
+    assert row.state != "ok"
+    told = re.search(r"both rests have moved by (\S+) mm: if the sensor was zeroed anew", row.advice)
+    assert told and float(told[1]) == pytest.approx(2.0, abs=0.4)  # where rests still ring
+    wider = replace(pair[1], q=1.2 * pair[1].q)
+    (row,) = (row for row in check_logs([pair[0], wider], JOINT) if row.what == "same device")
+    assert row.state != "ok" and "zeroed anew" not in row.advice
 
 
 def test_a_log_that_visits_one_well_only_is_no_other_device(pair: list[LogSignals]) -> None:
