@@ -11,6 +11,7 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, runs_of
 from pipeline.runs.tables import Table
 from pipeline.signals.inputs import unknown_rows
+from pipeline.signals.trajectory import SHORTEST
 
 _PART = "recorded"
 
@@ -27,13 +28,15 @@ def recorded(table: Table) -> BoolArray:
 
 
 def part_rows(table: Table) -> list[slice]:
-    """The rows of each part of a table, from its first valid sample on; a part without one is left out."""
-    found = []
-    for rows in runs_of(recorded(table)):
-        valid = table["segment"][rows] >= 0
-        if valid.any():
-            found.append(slice(rows.start + int(np.argmax(valid)), rows.stop))
-    return found
+    """The rows of each part of a table, from its first valid sample on; parts of less than `SHORTEST` are left out.
+
+    Where all are so short, the rows are those of the table from its first valid sample on.
+    """
+    valid = table["segment"] >= 0
+    known = [rows for rows in runs_of(recorded(table)) if valid[rows].any()]
+    found = [slice(rows.start + int(np.argmax(valid[rows])), rows.stop) for rows in known]
+    long_enough = [rows for rows in found if rows.stop - rows.start >= SHORTEST]
+    return long_enough or [slice(int(np.argmax(valid)), len(valid))]
 
 
 def parts(table: Table) -> list[Table]:

@@ -134,6 +134,10 @@ def test_a_log_without_its_inputs_for_a_while_is_trained_on_in_parts() -> None:
     cut = motion_of(replace(whole, unknown=((t[24], t[30]),)))
     assert np.flatnonzero(~recorded(cut)).tolist() == [25, 26, 27, 28, 29]
     assert part_rows(cut) == [slice(4, 25), slice(30, ROWS)]
+    short = motion_of(replace(whole, unknown=((t[5], t[7]), (t[8], t[30]))))
+    assert part_rows(short) == [slice(30, ROWS)]
+    nothing = motion_of(replace(whole, unknown=tuple((t[k], t[k + 2]) for k in range(0, ROWS - 2, 3))))
+    assert part_rows(nothing) == [slice(4, ROWS)]
     assert recorded(motion_of(whole)).all() and part_rows(motion_of(whole)) == [slice(4, ROWS)]
 
 
