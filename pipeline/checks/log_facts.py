@@ -192,7 +192,7 @@ class LogFacts:
     lag: float | None = None
 
 
-def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogFacts:
+def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: bool) -> LogFacts:
     """Look at one log.
 
     Cost: 0.2 s for 40,000 samples, most of it the ring-downs.
@@ -201,11 +201,11 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
     inputs = (None,) * log.v.shape[1] if terms is None else input_facts(terms, sample_interval)
     every = samples_of(sample_interval, log.interval)
     t, q, v = log.every(every)
-    wells = find_wells([(q, v, every * log.interval)])
-    rests = rest_facts([(t, q, v)], wells, log.hum)
+    wells = find_wells([(q, v, every * log.interval)], joint=joint)
+    rests = rest_facts([(t, q, v)], wells, log.hum, joint=joint)
     rings = _rings(rests)
     if not rings and every > _ring_step(log):  # which a sample interval that is too long hides
-        rings = _rings(rest_facts([log.every(_ring_step(log))], wells, log.hum))
+        rings = _rings(rest_facts([log.every(_ring_step(log))], wells, log.hum, joint=joint))
     natural = None if terms is None else _natural_frequency(terms)
     both_signs = any(map(takes_both_signs, log.v.min(axis=0).tolist(), log.v.max(axis=0).tolist()))
     return LogFacts(
@@ -218,7 +218,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool) -> LogF
         ring=float(np.median([ring.frequency for ring in rings])) if rings else None,
         damping=float(np.median([ring.damping for ring in rings])) if rings else None,
         natural=natural,
-        undriven=_undriven(q, v, every * log.interval, wells, natural),
+        undriven=_undriven(q, v, every * log.interval, wells, natural, joint=joint),
         unexplained=None if terms is None else unexplained(terms),
         under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if both_signs else None,
         lag=_lag(log, terms, inputs, sample_interval, squared=squared),
@@ -253,7 +253,9 @@ def _unexplained_by(log: LogSignals, sample_interval: float, *, squared: bool) -
     return None if terms is None else unexplained(terms)
 
 
-def _undriven(q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells, natural: float | None) -> int:
+def _undriven(
+    q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWells, natural: float | None, *, joint: bool
+) -> int:
     """Passages between the wells that no input explains.
 
     A ring-down may go over the barrier after the inputs went off, again and again, but not once it has stayed in a well
@@ -262,7 +264,7 @@ def _undriven(q: FloatArray, v: FloatArray, interval: float, wells: Wells | NoWe
     crossed = snaps(q, wells)
     stayed = round(max(SHORTEST_REST, 2.0 / natural if natural else 0.0) / interval)
     count = 0
-    for rows in quiet_rows(v, interval):
+    for rows in quiet_rows(v, interval, joint=joint):
         within = crossed[(crossed > rows.start) & (crossed < rows.stop)]
         count += int(np.count_nonzero(np.diff(within, prepend=rows.start) > stayed))
     return count

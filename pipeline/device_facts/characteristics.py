@@ -178,7 +178,7 @@ def equilibria(q: FloatArray, force: FloatArray) -> list[Equilibrium]:
     return [Equilibrium(place, slope) for place, slope in sorted(exact + crossed)]
 
 
-def outer_wells(curves: Curves, *, joint: bool = True) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
+def outer_wells(curves: Curves, *, joint: bool) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
     """Left well, saddle, right well: the outermost stable states and the highest unstable one between.
 
     None where there are no two, or where the force jumps between them; on another device than the `joint` also where
@@ -217,7 +217,7 @@ def switching_input(curves: Curves, k: int, start: float, saddle: float) -> floa
     return float(u.max() if u.mean() > 0.0 else u.min()) if np.all(u > 0.0) or np.all(u < 0.0) else None
 
 
-def device_facts(curves: Curves, *, joint: bool = True) -> dict[str, float | None]:
+def device_facts(curves: Curves, *, joint: bool) -> dict[str, float | None]:
     """The numbers of a datasheet that follow from the curves alone, in SI; None where one does not exist.
 
     Of a device with one stable equilibrium only, ``rest`` and ``stiffness``. Where the force jumps between two wells,

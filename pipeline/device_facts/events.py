@@ -137,7 +137,7 @@ def rest_facts(
     wells: Wells | NoWells,
     hum: Collection[float] = (),
     *,
-    joint: bool = True,
+    joint: bool,
 ) -> RestFacts:
     """Rest positions and ring-downs of some logs.
 
@@ -159,7 +159,7 @@ def rest_facts(
     places: tuple[list[float], list[float]] = ([], [])
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])
     for t, q, v in records:
-        interval, quiet = sample_interval(t), rests(v, sample_interval(t))
+        interval, quiet = sample_interval(t), rests(v, sample_interval(t), joint=joint)
         standing = [rest.start for rest in places_of_rest(q, v, interval, joint=joint)]
         step = -(-len(quiet) // MOST_RING_DOWNS)
         for number, rest in enumerate(quiet):

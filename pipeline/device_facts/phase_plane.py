@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.models.base import DynamicModel, SimulatesMany
 from pipeline.numerics.arrays import FloatArray, runs_of
-from pipeline.signals.inputs import voltages
+from pipeline.signals.inputs import peaks, voltages
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
@@ -127,10 +127,10 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
     NaN as well where an input only crosses zero, but on the joint, whose pulses have rests.
     """
-    largest = max(float(np.nanmax(np.abs(voltages(each.kinematics)))) for each in data.logs)
+    largest = np.max([peaks(voltages(each.kinematics), joint=data.joint) for each in data.logs], axis=0)
     free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
     for rows in () if data.joint else runs_of(free):
-        still = float(np.ptp(voltages(log.kinematics)[rows], axis=0).max()) <= UNFORCED * largest
+        still = np.all(np.ptp(voltages(log.kinematics)[rows], axis=0) <= UNFORCED * largest)
         free[rows] = still and rows.stop - rows.start >= LEAST_UNFORCED
     return np.where(free, log.kinematics["q"], np.nan), np.where(free, log.kinematics["qdot"], np.nan)
 

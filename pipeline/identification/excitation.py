@@ -98,6 +98,7 @@ def examine_excitation(
     inputs: InputLaw = "squared",
     basis_functions: int = CENTRES,
     smoothing: float = SMOOTHING,
+    joint: bool,
 ) -> Excitation:
     """Examine a uniform record.
 
@@ -115,6 +116,8 @@ def examine_excitation(
         How the inputs act.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
+    joint : bool
+        Whether the device can be the bistable joint.
 
     Raises
     ------
@@ -140,7 +143,7 @@ def examine_excitation(
         inputs=inputs,
     )
     information: FloatArray = np.sum([weights.information(*each, interval) for each in motions], axis=0)
-    wells = find_wells([(q, v, interval)])
+    wells = find_wells([(q, v, interval)], joint=joint)
     acting: BoolArray = np.abs(v) > ACTING * np.maximum(largest, np.finfo(float).tiny)
     return Excitation(
         centres=weights.centres,
@@ -229,6 +232,7 @@ def excitation_findings(
     basis_functions: int,
     smoothing: float,
     bistable: bool,
+    joint: bool,
     displacement: str = "m",
 ) -> list[Finding]:
     """What speaks against a model from these training data.
@@ -247,8 +251,8 @@ def excitation_findings(
         How the inputs act.
     basis_functions, smoothing : int, float
         M and σ_n of the curves that are to be identified.
-    bistable : bool
-        Whether the device is known to have two wells.
+    bistable, joint : bool
+        Whether the device is known to have two wells, and whether it can be the bistable joint.
     displacement : str
         SI unit of q.
 
@@ -277,8 +281,9 @@ def excitation_findings(
     ]
     try:
         excitation = examine_excitation(
-            q, v, segment, interval, inputs=inputs, basis_functions=basis_functions, smoothing=smoothing
-        )
+            q, v, segment, interval,
+            inputs=inputs, basis_functions=basis_functions, smoothing=smoothing, joint=joint,
+        )  # fmt: skip
     except InputError as error:
         raise DataRefusedError(str(error)) from error
     return found + _of_places(excitation, basis_functions, displacement, conditioned=not undriven, bistable=bistable)

@@ -100,8 +100,8 @@ def shift_of(records: Sequence[Record]) -> float:
 
 def _wells(records: Sequence[Record]) -> Wells | NoWells:
     logs = [(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records]
-    wells = find_wells(logs)
-    return wells if isinstance(wells, Wells) else find_wells(logs, SHORT_PAUSE)
+    wells = find_wells(logs, joint=True)
+    return wells if isinstance(wells, Wells) else find_wells(logs, SHORT_PAUSE, joint=True)
 
 
 def _shift(wells: Wells) -> float:

@@ -19,7 +19,7 @@ from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
 from pipeline.reporting.recipe_figures import study_figure
 from pipeline.si_prefix import power, quantity
-from pipeline.signals.inputs import voltages
+from pipeline.signals.inputs import peaks, voltages
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]
@@ -187,11 +187,13 @@ def _circles(
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
     name, curves = next(iter(sheet.curves.items()))
-    largest = max(float(np.max(np.abs(voltages(log.kinematics)))) for log in data.logs)
+    largest = np.max([peaks(voltages(log.kinematics), joint=data.joint) for log in data.logs], axis=0)
     roles = ("measured", "v1", "v2")
     cases = [(f"no {data.input_word}", np.zeros(len(curves.pushes)))]
-    level = quantity(largest, data.voltage)
-    cases += [(f"v{k + 1} = {level}", np.eye(len(curves.pushes))[k]) for k in range(len(curves.pushes))]
+    cases += [
+        (f"v{k + 1} = {quantity(float(largest[k]), data.voltage)}", np.eye(len(curves.pushes))[k])
+        for k in range(len(curves.pushes))
+    ]
     lines, points, ceiling = [], [], 0.0
     rows = slice(None, None, 4)
     low, high = visited_range(data)

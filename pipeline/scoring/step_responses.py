@@ -10,6 +10,7 @@ from pipeline.numerics.arrays import FloatArray, IntArray, samples_of
 from pipeline.numerics.metrics import settling_index
 from pipeline.scoring.intervals import Interval, median_interval
 from pipeline.scoring.wells import LONGEST_WINDOW, Wells
+from pipeline.signals.inputs import peaks
 
 STEP = 0.2  # of the largest voltage: a change by more between two looks 20 ms apart is a step, a chirp's slope is not
 STEP_WINDOW = 0.02  # s
@@ -57,12 +58,11 @@ class ResponseErrors:
     settling_interval: Interval | None
 
 
-def voltage_steps(v: FloatArray, interval: float) -> IntArray:
-    """The last rows before an input jumps by more than `STEP` of the largest voltage, one per jump, shape (n,)."""
+def voltage_steps(v: FloatArray, interval: float, *, joint: bool) -> IntArray:
+    """The last rows before an input jumps by more than `STEP` of its `peaks`, one per jump, shape (n,)."""
     lag = samples_of(STEP_WINDOW, interval)
-    peak = float(np.max(np.abs(v), initial=0.0))
     jump = np.zeros(len(v), dtype=bool)
-    jump[lag:] = np.any(np.abs(v[lag:] - v[:-lag]) > STEP * peak, axis=1)
+    jump[lag:] = np.any(np.abs(v[lag:] - v[:-lag]) > STEP * peaks(v, joint=joint), axis=1)
     rises = np.flatnonzero(jump & ~np.concatenate([[False], jump[:-1]]))
     return np.asarray(rises - 1, dtype=np.int64)
 
@@ -98,6 +98,8 @@ def response_errors(
     interval: float,
     wells: Wells,
     rng: np.random.Generator,
+    *,
+    joint: bool,
 ) -> ResponseErrors:
     """Compare the times of all switches.
 
@@ -116,10 +118,12 @@ def response_errors(
         The wells of the device.
     rng : numpy.random.Generator
         For the bootstrap.
+    joint : bool
+        Whether the device can be the bistable joint.
     """
     pairs: list[tuple[StepResponse, StepResponse]] = []
     switches = 0
-    for rows in _stretches(voltage_steps(v, interval), len(v), samples_of(SHORTEST_RESPONSE, interval)):
+    for rows in _stretches(voltage_steps(v, interval, joint=joint), len(v), samples_of(SHORTEST_RESPONSE, interval)):
         if not np.all(np.isfinite(measured[rows])) or not _switches(measured[rows], wells, interval):
             continue
         switches += 1

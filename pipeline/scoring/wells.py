@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
 from pipeline.numerics.metrics import signal_range
 from pipeline.scoring.intervals import correlation_time
-from pipeline.signals.inputs import voltages
+from pipeline.signals.inputs import peaks, voltages
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
 LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of the 2.8 Hz ring-down
@@ -69,8 +69,8 @@ def outermost_pair(q: Sequence[float], stable: Sequence[bool]) -> tuple[int, int
     return (left, min(between, key=lambda i: abs(q[i] - 0.5 * (q[left] + q[right]))), right) if between else None
 
 
-def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST) -> list[slice]:
-    """Rows of at least the `shortest` time [s] in which all inputs are below `RESTING_VOLTAGE` of their largest.
+def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, joint: bool) -> list[slice]:
+    """Rows of at least the `shortest` time [s] in which all inputs are below `RESTING_VOLTAGE` of their `peaks`.
 
     They follow a pulse, but for those that begin with the first sample.
 
@@ -80,9 +80,10 @@ def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST) -> li
         Inputs.
     interval, shortest : float
         Sample interval and shortest rest [s].
+    joint : bool
+        Whether the device can be the bistable joint.
     """
-    peak = float(np.max(np.abs(v), initial=0.0))
-    quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * peak, axis=1)
+    quiet = np.all(np.abs(v) <= RESTING_VOLTAGE * peaks(v, joint=joint), axis=1)
     return [rows for rows in runs_of(quiet) if (rows.stop - rows.start) * interval >= shortest]
 
 
@@ -106,7 +107,7 @@ def places_of_rest(
     joint : bool
         Whether the device can be the bistable joint.
     """
-    found = rests(v, interval, shortest)
+    found = rests(v, interval, shortest, joint=joint)
     span = signal_range(q)
     if joint or not span:
         return found
@@ -133,7 +134,7 @@ def end_of_rest(rest: slice, interval: float) -> slice:
 
 
 def find_wells(
-    records: Sequence[tuple[FloatArray, FloatArray, float]], shortest: float = SHORTEST_REST, *, joint: bool = True
+    records: Sequence[tuple[FloatArray, FloatArray, float]], shortest: float = SHORTEST_REST, *, joint: bool
 ) -> Wells | NoWells:
     """Two clusters of rest positions at zero voltage, with nothing in between.
 
@@ -246,7 +247,7 @@ class SwitchAccuracy:
 
 
 def switch_accuracy(
-    measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells, *, joint: bool = True
+    measured: FloatArray, calculated: FloatArray, v: FloatArray, interval: float, wells: Wells, *, joint: bool
 ) -> SwitchAccuracy:
     """Compare the wells in which both rest after each voltage pulse.
 

@@ -178,6 +178,7 @@ def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
         basis_functions=prototype.identify.basis_functions,
         smoothing=prototype.identify.smoothing,
         bistable=prototype.plant.parameters is not None,
+        joint=device(prototype).joint,
         displacement=device(prototype).displacement.symbol,
     )
 

@@ -154,7 +154,7 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     if made.notes.get("lyapunov_per_s"):
         more |= _chaos(made, interval)
     if isinstance(wells, Wells):
-        switches = response_errors(*made.pairs["q"], v, interval, wells, rng)
+        switches = response_errors(*made.pairs["q"], v, interval, wells, rng, joint=plant.joint)
         more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
         more |= _band("rise_error", switches.rise_interval, "_s")
         more |= _band("settling_error", switches.settling_interval, "_s")

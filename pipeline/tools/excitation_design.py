@@ -268,7 +268,7 @@ def probed_wells(simulate: Simulator, voltage: float) -> Wells:
                 bursts.append(Burst("pulse", end, duration, *sides, none, none))
                 end += duration + _PROBED_REST
     q, _, v = _play(simulate, bursts, end)
-    found = find_wells([(q, v, INTERVAL)])
+    found = find_wells([(q, v, INTERVAL)], joint=True)
     if isinstance(found, NoWells):
         raise InputError(
             f"pulses of up to {voltage:g} V do not take the joint from well to well; raise --max-voltage "

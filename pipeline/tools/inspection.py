@@ -97,6 +97,7 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
         inputs=plant.action,
         basis_functions=prototype.identify.basis_functions,
         smoothing=prototype.identify.smoothing,
+        joint=plant.joint,
     )
     unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)

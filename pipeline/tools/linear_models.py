@@ -82,7 +82,7 @@ def _measured_ringing(found: ControlRun) -> dict[str, Any]:
     tables = [found.run.read_table(layout.kinematics(*log)) for log in logs]
     hum = {line for log in logs for line in found.run.record(layout.record(*log)).notes.get("hum", ())}
     wells = wells_of(tables, joint=True)
-    facts = rest_facts([(table["t"], table["q"], voltages(table)) for table in tables], wells, hum)
+    facts = rest_facts([(table["t"], table["q"], voltages(table)) for table in tables], wells, hum, joint=True)
     rings = {"left": facts.rings_left, "right": facts.rings_right}
     return {
         side: {

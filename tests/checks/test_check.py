@@ -160,7 +160,7 @@ def test_a_ring_down_over_the_barrier_is_no_unnamed_input() -> None:
     ringing = 3.5 * np.exp(-since) * np.cos(2.0 * np.pi * 2.9 * since)
     v = np.column_stack([np.where((since > 4.7) & (side == sign), 3e3, 0.0) for sign in (-1.0, 1.0)])
     log = LogSignals("train/light", t, 0.01 * side * (1.0 + ringing), v, 1.0 / RATE)
-    facts = log_facts(log, 0.01, squared=True)
+    facts = log_facts(log, 0.01, squared=True, joint=True)
     assert len(snaps(log.q, facts.wells)) > 30
     assert facts.undriven == 0
 
@@ -194,12 +194,12 @@ def test_a_lag_of_the_inputs_is_told_from_a_delay_and_does_not_refuse(pair: list
     v = pair[0].v
     behind = np.column_stack([first_order_lag(np.ascontiguousarray(side), 1.0 / RATE, lag)[0] for side in v.T])
     slow = replace(pair[0], q=DoubleWell().simulate(behind, 1.0 / RATE))
-    assert log_facts(slow, 0.01, squared=True).lag == pytest.approx(lag, rel=0.4)
+    assert log_facts(slow, 0.01, squared=True, joint=True).lag == pytest.approx(lag, rel=0.4)
     rows = [row for row in check_logs([slow], JOINT) if row.what.startswith("delay")]
     assert {(row.state, row.gate) for row in rows} == {("note", None)}
     assert all("better than any delay" in row.advice for row in rows)
     for late in (40, 80):
-        assert log_facts(_later(pair[0], late), 0.01, squared=True).lag is None
+        assert log_facts(_later(pair[0], late), 0.01, squared=True, joint=True).lag is None
 
 
 @pytest.mark.parametrize(("kept", "found"), [(True, ["wrapped"]), (False, [])])

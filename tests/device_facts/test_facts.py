@@ -38,7 +38,7 @@ def _curves(*, squared: bool = True) -> Curves:
 
 
 def test_facts_of_a_quartic_double_well() -> None:
-    facts = device_facts(_curves())
+    facts = device_facts(_curves(), joint=True)
     assert facts["well_left"] == pytest.approx(-WELL, rel=1e-5)
     assert facts["well_right"] == pytest.approx(WELL, rel=1e-5)
     assert facts["barrier_left"] == pytest.approx(K * WELL**4 / 4.0, rel=1e-4)
@@ -54,7 +54,7 @@ def test_asymmetries_are_those_of_a_tilted_double_well() -> None:
     left, saddle, right = -0.010, 0.002, 0.013
     force = 1e3 * np.polynomial.Polynomial.fromroots([left, saddle, right])
     at_left, top, at_right = force.integ()(np.array([left, saddle, right]))
-    facts = device_facts(Curves(Q, force(Q), None, np.zeros((0, Q.size)), True))
+    facts = device_facts(Curves(Q, force(Q), None, np.zeros((0, Q.size)), True), joint=True)
     assert facts["barrier_left"] == pytest.approx(top - at_left, rel=1e-4)
     assert facts["barrier_right"] == pytest.approx(top - at_right, rel=1e-4)
     assert facts["asymmetry_wells"] == pytest.approx((left + right) / (right - left), rel=1e-4)
@@ -63,13 +63,13 @@ def test_asymmetries_are_those_of_a_tilted_double_well() -> None:
 
 
 def test_a_linear_input_switches_both_ways_with_its_sign() -> None:
-    facts = device_facts(_curves(squared=False))
+    facts = device_facts(_curves(squared=False), joint=True)
     assert facts["switch_v1_to_right"] == pytest.approx(HIGHEST_FORCE / PUSH, rel=1e-5)
     assert facts["switch_v1_to_left"] == pytest.approx(-HIGHEST_FORCE / PUSH, rel=1e-5)
 
 
 def test_the_lowest_switching_voltage_is_where_the_loaded_well_vanishes() -> None:
-    voltage = device_facts(_curves())["switch_v1_to_right"]
+    voltage = device_facts(_curves(), joint=True)["switch_v1_to_right"]
     assert voltage is not None
     for factor, wells in ((0.999, 2), (1.001, 1)):
         loaded = FORCE - PUSH * (factor * voltage) ** 2
@@ -78,9 +78,9 @@ def test_the_lowest_switching_voltage_is_where_the_loaded_well_vanishes() -> Non
 
 def test_one_well_has_a_rest_and_none_has_nothing() -> None:
     none = np.zeros((0, Q.size))
-    facts = device_facts(Curves(Q, STIFFNESS * (Q - 1e-3), None, none, True))
+    facts = device_facts(Curves(Q, STIFFNESS * (Q - 1e-3), None, none, True), joint=True)
     assert facts == {"rest": pytest.approx(1e-3), "stiffness": pytest.approx(STIFFNESS)}
-    assert device_facts(Curves(Q, np.ones_like(Q), None, none, True)) == {}
+    assert device_facts(Curves(Q, np.ones_like(Q), None, none, True), joint=True) == {}
 
 
 def test_a_models_own_names_become_forces_per_input() -> None:
@@ -158,7 +158,7 @@ def test_a_steady_signal_without_rests_has_no_phase_portrait() -> None:
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
     log = run_data().logs[0]
     v = np.column_stack([log.kinematics["v1"], log.kinematics["v2"]])
-    rests = rest_facts([(log.kinematics["t"], log.kinematics["q"], v)], Wells(-WELL, WELL, 0.0))
+    rests = rest_facts([(log.kinematics["t"], log.kinematics["q"], v)], Wells(-WELL, WELL, 0.0), joint=True)
     natural = np.sqrt(STIFFNESS / MASS) / (2.0 * np.pi)
     assert len(rests.left) > 3
     assert len(rests.right) > 3
@@ -336,26 +336,29 @@ def test_a_jump_of_the_force_is_neither_a_well_nor_a_way_between_wells() -> None
     """As of a beam whose shape snaps while its tip is held: other curves beyond, here 2 N higher and lower."""
     curves = _curves()
     outside, between = Q < -1.4 * WELL, np.abs(Q) < 0.2 * WELL
-    far = device_facts(replace(curves, force=curves.force + 100.0 * np.abs(curves.force).max() * outside))
-    usual = device_facts(curves)
+    far = device_facts(replace(curves, force=curves.force + 100.0 * np.abs(curves.force).max() * outside), joint=True)
+    usual = device_facts(curves, joint=True)
     assert far == pytest.approx(usual)
-    near = device_facts(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between))
+    near = device_facts(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between), joint=True)
     assert near["well_left"] == pytest.approx(usual["well_left"])
     assert near["stiffness_right"] == pytest.approx(usual["stiffness_right"])
     assert not near.keys() & {"saddle", "barrier_left", "switch_v1_to_right"}
-    assert outer_wells(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between)) is None
+    assert (
+        outer_wells(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between), joint=True)
+        is None
+    )
 
 
 def test_a_barrier_is_the_highest_of_several() -> None:
     """Two low wells and a shallow one in the middle."""
     q = np.linspace(-1.3, 1.3, 1201)
     force = 40.0 * (q + 1.0) * (q + 0.7) * (q + 0.05) * (q - 0.6) * (q - 1.0)
-    facts = device_facts(Curves(q, force, None, np.zeros((0, q.size)), True))
+    facts = device_facts(Curves(q, force, None, np.zeros((0, q.size)), True), joint=True)
     energy = Curves(q, force, None, np.zeros((0, q.size)), True).energy
     inside = (q > -1.0) & (q < 1.0)
     assert facts["barrier_left"] == pytest.approx(energy[inside].max() - np.interp(-1.0, q, energy), rel=1e-4)
     assert facts["barrier_right"] > 0.0
-    assert outer_wells(Curves(q, force, None, np.zeros((0, q.size)), True))[1].q == facts["saddle"]
+    assert outer_wells(Curves(q, force, None, np.zeros((0, q.size)), True), joint=True)[1].q == facts["saddle"]
 
 
 def test_a_device_with_one_input_that_nothing_restores_has_no_wells() -> None:
@@ -389,15 +392,15 @@ def _pulsed(step: float, damping: float, frequency: float) -> tuple[np.ndarray, 
 def test_hum_is_no_ring_down_where_it_is_aliased_to_either() -> None:
     """60 Hz in samples at 100 Hz: 40 Hz that never decays."""
     t, q, v = _pulsed(0.01, 0.05, 3.0)
-    ringing = rest_facts([(t, q, v)], NoWells("none")).rings_left
+    ringing = rest_facts([(t, q, v)], NoWells("none"), joint=True).rings_left
     assert np.median([ring.frequency for ring in ringing]) == pytest.approx(3.0, rel=0.01)
     still = np.where(v[:, 0] > 0.0, 1e-3, 0.0)
     humming = still + 7e-5 * np.sin(2.0 * np.pi * 60.0 * t)
-    assert not rest_facts([(t, humming, v)], NoWells("none")).rings_left
+    assert not rest_facts([(t, humming, v)], NoWells("none"), joint=True).rings_left
     drifting = still + 7e-5 * np.exp(-0.3 * (t % 3.0)) * np.sin(2.0 * np.pi * 60.1 * t)
-    assert rest_facts([(t, drifting, v)], NoWells("none")).rings_left
-    assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0]).rings_left
-    assert rest_facts([(t, q, v)], NoWells("none"), [60.0]).rings_left
+    assert rest_facts([(t, drifting, v)], NoWells("none"), joint=True).rings_left
+    assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0], joint=True).rings_left
+    assert rest_facts([(t, q, v)], NoWells("none"), [60.0], joint=True).rings_left
 
 
 def test_many_stable_states_are_two_wells_of_the_joint_only() -> None:

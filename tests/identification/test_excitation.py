@@ -23,7 +23,7 @@ def played(bursts: list[Burst], duration: float) -> tuple[np.ndarray, np.ndarray
 
 def examined(bursts: list[Burst], duration: float = 24.0):
     q, v = played(bursts, duration)
-    found = examine_excitation(q, v, np.zeros(q.size, dtype=np.int64), 0.01)
+    found = examine_excitation(q, v, np.zeros(q.size, dtype=np.int64), 0.01, joint=True)
     return found, " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm"))
 
 
@@ -47,7 +47,7 @@ def test_what_is_added_is_no_longer_missing() -> None:
 def test_one_side_alone_leaves_one_well_and_a_silent_input() -> None:
     pulses = [Burst("pulse", start, 1.0, 3000.0, 0.0, NONE, NONE) for start in (1.0, 3.0, 5.0)]
     q, v = played(pulses, 8.0)
-    found = examine_excitation(q[150:], v[150:] * [1.0, 0.0], np.zeros(q.size - 150, dtype=np.int64), 0.01)
+    found = examine_excitation(q[150:], v[150:] * [1.0, 0.0], np.zeros(q.size - 150, dtype=np.int64), 0.01, joint=True)
     text = " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm"))
     assert "no two wells" in text and "V2 never acts" in text
     assert found.conditioning.silent == len(found.centres)
@@ -57,7 +57,7 @@ def test_weaker_inputs_and_thin_places_are_told() -> None:
     t = np.arange(3000) * 0.01
     q = 0.01 * np.sign(np.sin(0.7 * t)) + 1e-4 * np.sin(9 * t)
     v = np.stack([3000.0 * (np.sin(0.7 * t) > 0), 1500.0 * (np.sin(0.7 * t) < 0)], axis=1)
-    found = examine_excitation(q, v, np.zeros(t.size, dtype=np.int64), 0.01)
+    found = examine_excitation(q, v, np.zeros(t.size, dtype=np.int64), 0.01, joint=True)
     text = " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm"))
     assert "V2 reaches 50 % of the other input only" in text
     assert "0 samples, below 20" in text
@@ -69,21 +69,30 @@ def test_gaps_are_left_out_and_an_empty_record_is_refused() -> None:
     segment = np.where(np.arange(q.size) < 500, 0, 1)
     segment[495:520] = -1
     masked = np.where(segment < 0, np.nan, q)
-    found = examine_excitation(masked, v, segment, 0.01)
+    found = examine_excitation(masked, v, segment, 0.01, joint=True)
     assert found.visits.visits.sum() == q.size - 25
     with pytest.raises(InputError, match="no gap-free stretch"):
-        examine_excitation(np.full(50, np.nan), v[:50], np.full(50, -1), 0.01)
+        examine_excitation(np.full(50, np.nan), v[:50], np.full(50, -1), 0.01, joint=True)
 
 
 def test_another_device_than_the_joint_needs_no_two_wells() -> None:
     t = np.arange(3000) * 0.01
     found = examine_excitation(
-        np.sin(t) ** 3, np.sign(np.sin(3.0 * t))[:, None], np.zeros(t.size, dtype=np.int64), 0.01, inputs="linear"
+        np.sin(t) ** 3,
+        np.sign(np.sin(3.0 * t))[:, None],
+        np.zeros(t.size, dtype=np.int64),
+        0.01,
+        inputs="linear",
+        joint=True,
     )
     assert any("no two wells" in each.finding for each in shortfalls(found, ("u",), 1.0, "rad"))
     told = shortfalls(found, ("u",), 1.0, "rad", joint=False)
     twice = examine_excitation(
-        np.sign(np.sin(0.3 * t)), (np.sin(0.3 * t) > 0.0)[:, None] * 1.0, np.zeros(t.size, dtype=np.int64), 0.01
+        np.sign(np.sin(0.3 * t)),
+        (np.sin(0.3 * t) > 0.0)[:, None] * 1.0,
+        np.zeros(t.size, dtype=np.int64),
+        0.01,
+        joint=True,
     )
     told += shortfalls(twice, ("u",), 1.0, "rad", joint=False)
     assert not any("well" in each.finding or "well" in each.add for each in told)
@@ -91,7 +100,9 @@ def test_another_device_than_the_joint_needs_no_two_wells() -> None:
 
 
 def _rings(q: np.ndarray, interval: float, v: np.ndarray) -> float | None:
-    return examine_excitation(q, v[:, None], np.zeros(q.size, dtype=np.int64), interval, inputs="linear").ringing
+    return examine_excitation(
+        q, v[:, None], np.zeros(q.size, dtype=np.int64), interval, inputs="linear", joint=True
+    ).ringing
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.1])

@@ -37,7 +37,7 @@ def test_voltage_steps_are_edges_of_pulses_not_of_chirps() -> None:
     v = np.zeros((3000, 2))
     v[500:900, 0] = 3000.0
     v[1500:, 1] = 1500.0 * (1 - np.cos(2 * np.pi * 2.0 * T[:1500]))
-    np.testing.assert_allclose(voltage_steps(v, DT), [499, 899], atol=0)
+    np.testing.assert_allclose(voltage_steps(v, DT, joint=True), [499, 899], atol=0)
 
 
 def test_a_lag_of_the_simulation_is_what_is_reported() -> None:
@@ -47,7 +47,7 @@ def test_a_lag_of_the_simulation_is_what_is_reported() -> None:
     def switch(time_constant: float) -> np.ndarray:
         return np.where(T < 0.2, -0.01, 0.01 - 0.02 * np.exp(-(T - 0.2) / time_constant))
 
-    errors = response_errors(switch(0.10), switch(0.15), v, DT, WELLS, np.random.default_rng(0))
+    errors = response_errors(switch(0.10), switch(0.15), v, DT, WELLS, np.random.default_rng(0), joint=True)
     assert (errors.switches, errors.followed) == (1, 1)
     assert errors.rise_s == pytest.approx(0.05 * np.log(9.0), abs=3 * DT)
     assert errors.settling_s == pytest.approx(0.05 * np.log(10.0), abs=3 * DT)
@@ -66,7 +66,7 @@ def test_six_switches_give_an_interval_around_the_median() -> None:
     v = np.zeros((200 + 2000 * len(lags), 2))
     for k in range(len(lags)):
         v[200 + 2000 * k : 200 + 2000 * (k + 1), k % 2] = 3000.0
-    errors = response_errors(record([0.1] * 6), record(lags), v, DT, WELLS, np.random.default_rng(0))
+    errors = response_errors(record([0.1] * 6), record(lags), v, DT, WELLS, np.random.default_rng(0), joint=True)
     assert (errors.switches, errors.followed) == (6, 6)
     assert errors.rise_interval is not None and errors.rise_s is not None
     assert errors.rise_interval.low <= errors.rise_s <= errors.rise_interval.high
@@ -77,7 +77,7 @@ def test_six_switches_give_an_interval_around_the_median() -> None:
 def test_a_switch_that_is_missed_has_no_times(run: np.ndarray) -> None:
     v = np.zeros((3000, 1))
     v[200:] = 3000.0
-    errors = response_errors(np.where(T < 0.3, -0.01, 0.01), run, v, DT, WELLS, np.random.default_rng(0))
+    errors = response_errors(np.where(T < 0.3, -0.01, 0.01), run, v, DT, WELLS, np.random.default_rng(0), joint=True)
     assert (errors.switches, errors.followed, errors.rise_s, errors.settling_s) == (1, 0, None, None)
 
 
@@ -88,7 +88,9 @@ def test_a_step_without_a_measured_switch_is_not_counted(fault: str) -> None:
     measured = np.where(T < 0.3, -0.01, -0.012 if fault == "stays" else 0.01)
     if fault == "masked":
         measured[1000] = np.nan
-    errors = response_errors(measured, np.where(T < 0.3, -0.01, 0.01), v, DT, WELLS, np.random.default_rng(0))
+    errors = response_errors(
+        measured, np.where(T < 0.3, -0.01, 0.01), v, DT, WELLS, np.random.default_rng(0), joint=True
+    )
     assert (errors.switches, errors.followed) == (0, 0)
 
 
@@ -96,5 +98,5 @@ def test_a_response_cut_short_by_the_next_step_is_not_counted() -> None:
     v = np.zeros((3000, 1))
     v[200:600] = 3000.0  # on for 0.4 s
     q = np.where(T < 0.3, -0.01, 0.01)
-    errors = response_errors(q, q, v, DT, WELLS, np.random.default_rng(0))
+    errors = response_errors(q, q, v, DT, WELLS, np.random.default_rng(0), joint=True)
     assert (errors.switches, errors.followed) == (0, 0)

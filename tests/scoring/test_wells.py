@@ -40,7 +40,7 @@ def record(sides: str, rest: float = 0.8, pulse: float = 0.5) -> tuple[FloatArra
 
 def test_wells_are_found_in_the_rests() -> None:
     q, v = record("lrlrrl")
-    wells = find_wells([(q, v, DT)])
+    wells = find_wells([(q, v, DT)], joint=True)
     assert isinstance(wells, Wells)
     assert wells.left == pytest.approx(-0.010, abs=5e-4)
     assert wells.right == pytest.approx(0.012, abs=5e-4)
@@ -52,17 +52,17 @@ def test_pauses_in_which_the_joint_still_swings_hide_no_wells() -> None:
     t = DT * np.arange(80)
     for stop, middle in ((len(q), -0.003), (len(q) - 130, -0.022)):  # pauses between the pulses of a chirp
         q[stop - 80 : stop] = middle + 0.02 * np.sin(2 * np.pi * 2.5 * t)
-    wells = find_wells([(q, v, DT)])
+    wells = find_wells([(q, v, DT)], joint=True)
     assert isinstance(wells, Wells)
     assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
 
 
 def test_slow_passages_between_the_wells_hide_none() -> None:
     q, v = record("lrlrrlll", rest=2.0)
-    found = rests(v, DT)
+    found = rests(v, DT, joint=True)
     for rest, end in ((found[3], -0.003), (found[4], 0.005), (found[6], 0.001)):
         q[rest] = np.linspace(end + 0.010, end, rest.stop - rest.start)  # 2 mm in the last 0.4 s
-    wells = find_wells([(q, v, DT)])
+    wells = find_wells([(q, v, DT)], joint=True)
     assert isinstance(wells, Wells)
     assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
 
@@ -70,35 +70,35 @@ def test_slow_passages_between_the_wells_hide_none() -> None:
 def test_a_pause_in_which_the_joint_passes_over_is_no_well() -> None:
     q, v = record("llll")
     q[-80:] = np.linspace(0.014, -0.014, 80)  # from far on the right, where it never rested
-    assert isinstance(find_wells([(q, v, DT)]), NoWells)
+    assert isinstance(find_wells([(q, v, DT)], joint=True), NoWells)
 
 
 def test_short_pauses_tell_of_a_well_in_which_nothing_rested() -> None:
     (q, v), (brief, more) = record("lll"), record("lrlrl", rest=0.2)
     log = (np.concatenate([q, brief]), np.concatenate([v, more]), DT)
-    assert isinstance(find_wells([log]), NoWells)
-    wells = find_wells([log], SHORT_PAUSE)
+    assert isinstance(find_wells([log], joint=True), NoWells)
+    wells = find_wells([log], SHORT_PAUSE, joint=True)
     assert isinstance(wells, Wells)
     assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=3e-3), pytest.approx(0.012, abs=3e-3))
 
 
 def test_wells_of_two_logs_that_visit_one_each() -> None:
     logs = [(*record("ll"), DT), (*record("rrr"), DT)]
-    assert isinstance(find_wells(logs), Wells)
-    assert all(isinstance(find_wells([log]), NoWells) for log in logs)
+    assert isinstance(find_wells(logs, joint=True), Wells)
+    assert all(isinstance(find_wells([log], joint=True), NoWells) for log in logs)
 
 
 @pytest.mark.parametrize("q_of_t", [lambda t: np.sin(t), lambda t: np.full_like(t, 0.01)], ids=["linear", "still"])
 def test_a_device_without_two_wells_has_none(q_of_t) -> None:  # type: ignore[no-untyped-def]
     q, v = record("lrlr")
-    assert isinstance(find_wells([(q_of_t(DT * np.arange(q.size)), v, DT)]), NoWells)
+    assert isinstance(find_wells([(q_of_t(DT * np.arange(q.size)), v, DT)], joint=True), NoWells)
 
 
 def test_a_voltage_that_is_never_off_leaves_no_rest() -> None:
     q, _ = record("lr")
     always_on = np.full((q.size, 1), 40.0)
-    assert rests(always_on, DT) == []
-    found = find_wells([(q, always_on, DT)])
+    assert rests(always_on, DT, joint=True) == []
+    found = find_wells([(q, always_on, DT)], joint=True)
     assert isinstance(found, NoWells) and "never at rest" in found.reason
 
 
@@ -108,13 +108,13 @@ def test_a_chirp_counts_as_one_pulse() -> None:
     chirping = (t > 1.0) & (t < 2.5)
     v[chirping, 0] = 1500.0 * (1 - np.cos(2 * np.pi * 4.0 * t[chirping]))
     q = np.where(t < 2.0, -0.01, 0.012)
-    assert switch_accuracy(q, q, v, DT, WELLS).pulses == 1
+    assert switch_accuracy(q, q, v, DT, WELLS, joint=True).pulses == 1
 
 
 def test_switch_accuracy_counts_pulses_that_end_in_the_right_well() -> None:
     measured, v = record("lrlrl")
     simulated, _ = record("lrllr")
-    result = switch_accuracy(measured, simulated, v, DT, WELLS)
+    result = switch_accuracy(measured, simulated, v, DT, WELLS, joint=True)
     assert (result.pulses, result.right) == (4, 2)
     assert result.share == 0.5
 
@@ -122,14 +122,14 @@ def test_switch_accuracy_counts_pulses_that_end_in_the_right_well() -> None:
 def test_a_simulation_that_still_crosses_the_barrier_is_wrong() -> None:
     measured, v = record("lr")
     swinging = np.where(np.arange(measured.size) % 20 < 10, -0.012, 0.012)
-    assert switch_accuracy(measured, swinging, v, DT, WELLS).right == 0
+    assert switch_accuracy(measured, swinging, v, DT, WELLS, joint=True).right == 0
 
 
 def test_after_a_divergence_nothing_is_right() -> None:
     measured, v = record("lrlrl")
     diverged = measured.copy()
     diverged[measured.size // 2 :] = np.nan
-    assert switch_accuracy(measured, diverged, v, DT, WELLS).share == 0.25
+    assert switch_accuracy(measured, diverged, v, DT, WELLS, joint=True).share == 0.25
     assert np.nanmean(in_same_well(measured, diverged, WELLS)) == pytest.approx(0.5, abs=0.01)
 
 
@@ -141,7 +141,7 @@ def test_masked_rows_neither_agree_nor_disagree() -> None:
 
 def test_no_pulse_is_undefined_and_not_perfect() -> None:
     q = np.full(300, -0.01)
-    assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS).share is None
+    assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS, joint=True).share is None
 
 
 def test_a_snap_is_no_row_that_is_masked() -> None:
@@ -160,14 +160,14 @@ def heater(pause: int, memory: float = 400.0) -> tuple[FloatArray, FloatArray]:
 @pytest.mark.parametrize("pause", [4, 25, 100, 300])
 def test_a_pause_in_which_a_slow_device_still_moves_is_no_place_of_rest(pause: int) -> None:
     q, v = heater(pause)
-    assert len(places_of_rest(q, v, 2.0, joint=True)) == len(rests(v, 2.0)) > 4
+    assert len(places_of_rest(q, v, 2.0, joint=True)) == len(rests(v, 2.0, joint=True)) > 4
     assert places_of_rest(q, v, 2.0, joint=False) == []
     assert rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), joint=False).left.size == 0
 
 
 def test_a_device_that_comes_to_rest_rests_there() -> None:
     q, v = heater(300, memory=10.0)
-    assert places_of_rest(q, v, 2.0, joint=False) == rests(v, 2.0)
+    assert places_of_rest(q, v, 2.0, joint=False) == rests(v, 2.0, joint=False)
     found = rest_facts([(2.0 * np.arange(q.size), q, v)], NoWells("one"), joint=False).left
     np.testing.assert_allclose(found, 0.0, atol=4e-3)
 
@@ -175,3 +175,11 @@ def test_a_device_that_comes_to_rest_rests_there() -> None:
 def test_the_wells_of_another_bistable_device_are_found_too() -> None:
     q, v = record("lrlr")
     assert isinstance(find_wells([(q, v, DT)], joint=False), Wells)
+
+
+def test_an_input_in_small_numbers_is_on_all_the_same() -> None:
+    v = np.zeros((2000, 2))
+    v[200:500, 0], v[700:1000, 1] = 100.0, 1.0  # percent and ampere
+    assert rests(v, DT, joint=False) == [slice(0, 200), slice(500, 700), slice(1000, 2000)]
+    v[:, 1] = np.random.default_rng(0).normal(0.0, 0.1, 2000)  # an input that is never used
+    assert rests(v, DT, joint=False) == [slice(0, 200), slice(500, 2000)]

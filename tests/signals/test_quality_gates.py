@@ -131,7 +131,7 @@ def _training(q=None, v=None, *, bistable=True, centres=10):
     motion = 5e-3 * side + 2e-4 * np.sin(50.0 * t) + rng.normal(0.0, 1e-6, t.size)
     q, v = motion if q is None else q(motion), volts if v is None else v(volts)
     segment = np.zeros(t.size, dtype=np.int32)
-    options = {"inputs": "squared", "basis_functions": centres, "smoothing": 0.5, "bistable": bistable}
+    options = {"inputs": "squared", "basis_functions": centres, "smoothing": 0.5, "bistable": bistable, "joint": True}
     return [finding.gate for finding in excitation_findings(q, v, segment, 0.01, **options)]
 
 
@@ -155,7 +155,7 @@ def test_a_random_input_drives_if_it_moves_the_device(acts, found):
     force = v if acts else rng.normal(0.0, 1.0, 4000)
     for n in range(1, 3999):
         q[n + 1] = 2.0 * q[n] - q[n - 1] - 0.02 * q[n] - 0.05 * (q[n] - q[n - 1]) + 1e-5 * force[n]
-    options = {"inputs": "linear", "basis_functions": 10, "smoothing": 0.5, "bistable": False}
+    options = {"inputs": "linear", "basis_functions": 10, "smoothing": 0.5, "bistable": False, "joint": True}
     gates = [one.gate for one in excitation_findings(q, v[:, None], np.zeros(4000, dtype=np.int32), 0.01, **options)]
     assert ("undriven" in gates) == found
 
@@ -177,6 +177,6 @@ def test_rank():
 
 def test_nothing_but_crumbs():
     t = np.arange(40) * 0.01
-    options = {"inputs": "squared", "basis_functions": 10, "smoothing": 0.5, "bistable": True}
+    options = {"inputs": "squared", "basis_functions": 10, "smoothing": 0.5, "bistable": True, "joint": True}
     with pytest.raises(DataRefusedError, match="64 samples"):
         excitation_findings(np.sin(t), np.column_stack([t, t**2]), np.zeros(40, dtype=np.int32), 0.01, **options)
