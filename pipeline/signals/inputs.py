@@ -21,11 +21,11 @@ def peaks(v: FloatArray, *, joint: bool) -> FloatArray:
     """Largest magnitude of each input, shape (K,), against which its steps and rests are seen.
 
     Of the joint, whose voltages are of one kind, the larger one of both; of another device each input's own, but not
-    less than a tenth of the largest, which takes the noise of an unused one for none.
+    less than a twentieth of the largest, so that the noise of an unused one is none.
     """
     own: FloatArray = np.max(np.abs(v), axis=0, initial=0.0)
     largest = float(np.max(own, initial=0.0))
-    return np.full_like(own, largest) if joint else np.maximum(own, 0.1 * largest)
+    return np.full_like(own, largest) if joint else np.maximum(own, 0.05 * largest)
 
 
 def unknown_rows(t: FloatArray, spans: Sequence[Sequence[float]]) -> BoolArray:

@@ -348,8 +348,8 @@ def test_draft_names_a_channel_that_may_be_the_velocity(tmp_path, column, named)
 
 def test_draft_tells_what_the_reader_left_out(tmp_path):
     path = tmp_path / "clock.csv"
-    path.write_text("clock,q [mm],v [V]\n" + "".join(f"12:00:{i:02d},{i % 9},{i % 7}\n" for i in range(60)))
-    assert "# no numbers, and left out: 'clock' ('12:00:00')" in toml_draft([inspect_log(path)])
+    path.write_text("state,q [mm],v [V]\n" + "".join(f"run {i:02d},{i % 9},{i % 7}\n" for i in range(60)))
+    assert "# no numbers, and left out: 'state' ('run 00')" in toml_draft([inspect_log(path)])
 
 
 def test_what_is_not_clear_says_how_to_make_it_so(tmp_path):
