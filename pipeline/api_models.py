@@ -104,20 +104,9 @@ class Model:
         import pandas as pd
 
         from pipeline.loading.device import device
-        from pipeline.loading.free_runs import free_run
-        from pipeline.numerics.metrics import fit_percent
         from pipeline.tools.in_memory import score_table
-        from pipeline.units import signal_units
 
-        table = self._measured(t, q, v1, v2)
-        made, units = free_run(table, self.core), signal_units(self._units[0])
-        rows = [
-            {"signal": row["signal"], "fit_percent": fit_percent(table[row["signal"]], getattr(made, row["signal"]))}
-            | {"unit": units[row["signal"]]}
-            | row
-            for row in score_table(self.core, table, device(self._prototype))
-        ]
-        return pd.DataFrame(rows)
+        return pd.DataFrame(score_table(self.core, self._measured(t, q, v1, v2), device(self._prototype)))
 
     def plot(
         self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
@@ -127,7 +116,7 @@ class Model:
         from matplotlib import pyplot
 
         from pipeline.loading.free_runs import free_run
-        from pipeline.numerics.metrics import fit_percent
+        from pipeline.reporting.log_figures import fit_note
         from pipeline.si_prefix import axis_scale, moment
 
         table = self._measured(t, q, v1, v2)
@@ -135,8 +124,9 @@ class Model:
         if ax is None:
             ax = pyplot.subplots(figsize=(7.16, 2.6), layout="constrained")[1]
         unit, factor = axis_scale(self._units[0], float(abs(table["q"][table["segment"] >= 0]).max()))
-        fit = fit_percent(table["q"], made.q)
-        note = f"diverged at {moment(made.diverged_at_s or 0.0)}" if fit is None else f"fit {fit:.1f} %"
+        note = fit_note(table["q"], made.q)
+        if made.diverged_at_s is not None:
+            note = f"diverged at {moment(made.diverged_at_s)}"
         ax.plot(table["t"], factor * table["q"], color="0.6", linewidth=2.5, label="measured")
         ax.plot(table["t"], factor * made.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
         ax.set(xlabel="time in s", ylabel=f"q in {unit}")

@@ -13,6 +13,7 @@ from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
 from pipeline.si_prefix import quantity, scale, short, significant
+from pipeline.signals.bandwidth import advised_interval
 from pipeline.signals.noise import below_resolution
 from pipeline.signals.plausible_spans import plausible_span, scale_suspicion
 from pipeline.signals.signal_quality import takes_both_signs
@@ -145,7 +146,8 @@ def _rate_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     per_period = 1.0 / (fact.ring * interval)
     enough = per_period >= limits.LEAST_PER_PERIOD
     found, limit = f"{per_period:.{0 if per_period >= 2.0 else 1}f} samples", f"≥ {limits.LEAST_PER_PERIOD:g}"
-    advice = "" if enough else f"set [ingest] sample_interval = {significant(0.05 / fact.ring, 1)}"
+    finer = advised_interval(fact.ring, log.raw_step)
+    advice = "" if enough or finer >= interval else f"set [ingest] sample_interval = {finer:g}"
     return [rate, CheckRow(log.name, "uniform, a period", found, limit, "ok" if enough else "note", None, advice)]
 
 

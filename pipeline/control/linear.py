@@ -230,13 +230,18 @@ def held(
 def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
     """Left well, unstable equilibrium between, right well, without voltage.
 
+    A joint has further equilibria between, of other shapes; the one nearest to the middle of the wells is taken for the
+    highest.
+
     Raises
     ------
     InputError
         The joint has not two wells with one unstable equilibrium between them.
     """
     found = equilibria(plant, np.zeros(2))
-    pair = outermost_pair([each.q for each in found], [each.stable for each in found])
+    stable = [each.q for each in found if each.stable]
+    middle = 0.5 * (stable[0] + stable[-1]) if stable else 0.0
+    pair = outermost_pair([each.stable for each in found], [-abs(each.q - middle) for each in found])
     if pair is None:
         raise InputError("the identified joint has not two wells; there is nothing to switch between")
     return [found[i] for i in pair]

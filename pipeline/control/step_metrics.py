@@ -40,7 +40,7 @@ def step_metrics(t: FloatArray, q: FloatArray, target: FloatArray, distance: flo
     Parameters
     ----------
     t, q, target : FloatArray, shape (N,)
-        Time [s], displacement and target [m]; a NaN of q is passed over.
+        Time [s], displacement and target [m]; all finite.
     distance : float
         Distance of the wells [m].
     """
@@ -53,8 +53,6 @@ def step_metrics(t: FloatArray, q: FloatArray, target: FloatArray, distance: flo
 
 def one_step(t: FloatArray, q: FloatArray, target: float, distance: float) -> Step:
     """Metrics of a stretch with one target, from its first row on."""
-    known = np.isfinite(q)
-    t, q = t[known], q[known]
     error = q - target
     settled = int(settling_index(error, BAND * distance))
     direction = -np.sign(error[0]) if abs(error[0]) > BAND * distance else 1.0

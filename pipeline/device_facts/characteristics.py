@@ -13,7 +13,7 @@ from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
 from pipeline.models.base import DynamicModel, HasCurveDraws, HasCurves
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.scoring.wells import NoWells, Wells
+from pipeline.scoring.wells import NoWells, Wells, outermost_pair
 
 LEVEL = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range
@@ -185,15 +185,15 @@ def outer_wells(curves: Curves, *, joint: bool) -> tuple[Equilibrium, Equilibriu
     there are more than two.
     """
     found = equilibria(curves.q, curves.force)
-    stable = [e for e in found if e.stable]
-    if len(stable) < 2 or not (joint or len(stable) == 2):
+    stable = [e.stable for e in found]
+    pair = outermost_pair(stable, np.interp([e.q for e in found], curves.q, curves.energy).tolist())
+    if pair is None or not (joint or sum(stable) == 2):
         return None
-    left, right = stable[0], stable[-1]
+    left, saddle, right = (found[i] for i in pair)
     between = (curves.q[:-1] > left.q) & (curves.q[1:] < right.q)
     if np.any(jumps(curves.force)[between]):
         return None
-    passes = [e for e in found if not e.stable and left.q < e.q < right.q]
-    return left, max(passes, key=lambda e: float(np.interp(e.q, curves.q, curves.energy))), right
+    return left, saddle, right
 
 
 def switching_input(curves: Curves, k: int, start: float, saddle: float) -> float | None:

@@ -170,6 +170,6 @@ def _outside(data: RunData) -> float | None:
     low, high = np.nanmin(np.concatenate(seen), axis=0), np.nanmax(np.concatenate(seen), axis=0)
     rows = np.concatenate([np.column_stack((g.kinematics["q"], voltages(g.kinematics))) for g in validation])
     margin = 0.01 * (high - low)
-    with np.errstate(invalid="ignore"):
-        beyond = np.any((rows < low - margin) | (rows > high + margin), axis=1)
-    return float(np.mean(beyond))
+    rows = rows[np.isfinite(rows).all(axis=1)]
+    beyond = np.any((rows < low - margin) | (rows > high + margin), axis=1)
+    return float(np.mean(beyond)) if rows.size else None

@@ -1,4 +1,4 @@
-"""Grades: what is judged, where it begins to be fair and poor, and why; every threshold stands here."""
+"""Grades: what is judged, where it begins to be fair and poor, and why."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass

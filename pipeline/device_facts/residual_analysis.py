@@ -19,7 +19,7 @@ LEVEL = 2.576
 """Standard deviations of a 99 % band."""
 
 LONGEST_LAG, FEWEST_LAGS, SHARE = 1.0, 50, 8
-"""Largest lag [s]; of a slow device, or a log shorter than that, so many samples; and how many times as long as the
+"""Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the
 largest lag a stretch is at least."""
 
 SEGMENTS = 8
@@ -75,7 +75,7 @@ def analyse_residual(
     """
     rows = longest_run(np.isfinite(measured) & np.isfinite(calculated))
     known, second = rows.stop - rows.start, samples_of(LONGEST_LAG, interval)
-    count = max(second if second < len(measured) else 1, min(FEWEST_LAGS, known // SHARE))
+    count = max(second if SHARE * second <= len(measured) else 1, min(FEWEST_LAGS, known // SHARE))
     if known < SHARE * count:
         return None
     q, u = measured[rows], inputs[rows]

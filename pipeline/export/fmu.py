@@ -224,7 +224,7 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
 
 def rate_unit(unit: str) -> str:
     """The unit of a time derivative."""
-    return {"1": "1/s", "1/s": "1/s2", "m/s": "m/s2", "rad/s": "rad/s2"}.get(unit, f"{unit}/s")
+    return {"1": "1/s", "1/s": "1/s2", "m/s": "m/s2", "rad/s": "rad/s2", "V/s": "V/s2"}.get(unit, f"{unit}/s")
 
 
 def _parameter(name: str, unit: str, meaning: str, start: float) -> FmuVariable:

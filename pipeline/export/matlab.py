@@ -12,6 +12,7 @@ from pipeline.codegen.text_writer import matlab_function
 from pipeline.export.c99 import model_fields, template
 from pipeline.export.subject import SCALARS, Exported, Subject, curve_tables, realise
 from pipeline.runs.atomic import write_bytes, write_text
+from pipeline.units import MASS
 
 _DESCRIPTION_BYTES = 116
 
@@ -66,7 +67,8 @@ def variables(subject: Subject) -> dict[str, Any]:
         found[f"{table.name}_table"] = table.values[None, :]
         units[f"{table.name}_table"] = table.unit.replace("·", ".")
     if "q_bp" in found:
-        found["mass"], units["mass"] = float(getattr(subject.model, "mass", 1.0)), "kg" if v.q_unit == "m" else "kg.m2"
+        found["mass"] = float(getattr(subject.model, "mass", 1.0))
+        units["mass"] = MASS[v.q_unit].replace("·", ".").replace("²", "2")
     return found | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
 
 

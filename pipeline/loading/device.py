@@ -82,7 +82,7 @@ class Device:
 
     def model_column(self, path: str) -> tuple[str, str]:
         """Unit and meaning of an entry of a model's file, by its path there."""
-        mass = ("kg" if self.displacement.symbol == "m" else "kg·m²") if self.known_mass is not None else "1"
+        mass = MASS[self.displacement.symbol] if self.known_mass is not None else "1"
         stiffness = {"N": "N/m", "N·m": "N·m/rad"}.get(self.curve_units["F"], "1/s²")
         units = {"q": self.displacement.symbol, "v": self.inputs[0].symbol, "m": mass, "c": stiffness}
         return column_of(path, units | self.curve_units)

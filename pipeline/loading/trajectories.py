@@ -172,9 +172,9 @@ def record(table: Table) -> Record:
     fine = table[_FINE][rows] if _FINE in table else None
     velocity = np.where(valid, table["velocity"][rows], 0.0) if "velocity" in table else None
     whole = Record(table["t"][rows], q, qdot, qddot, voltages(table)[rows], valid, fine, velocity=velocity)
-    begin = EDGE + int(np.argmax(valid[EDGE:]))
-    if not begins_in_motion(table) or len(valid) < 10 * EDGE or not valid[begin]:
+    if not begins_in_motion(table) or len(valid) < 10 * EDGE or not valid[EDGE:].any():
         return whole
+    begin = EDGE + int(np.argmax(valid[EDGE:]))
     later = whole.part(begin, len(valid))
     return whole if _farther(whole, later) else later
 

@@ -114,9 +114,10 @@ def _headline(scores: Any, judged: str, key: str) -> float:
     """The worst score of q of the judged model: on validation logs, else on those of training; NaN if undefined."""
     rows = _of_headline(scores, judged)
     values = [s[key] for s in [s for s in rows if s["role"] == "validation"] or rows]
-    if not values or any(value is None for value in values):
-        return float("nan")
-    return float(min(values) if key == "switch_accuracy" else max(values))
+    known = [float(value) for value in values if value is not None]
+    if key == "switch_accuracy":  # a log without pulses has none
+        return min(known, default=float("nan"))
+    return max(known) if known and len(known) == len(values) else float("nan")
 
 
 @dataclass(frozen=True)

@@ -56,17 +56,17 @@ class NoWells:
     one_cluster: bool = False
 
 
-def outermost_pair(q: Sequence[float], stable: Sequence[bool]) -> tuple[int, int, int] | None:
+def outermost_pair(stable: Sequence[bool], height: Sequence[float]) -> tuple[int, int, int] | None:
     """Left well, saddle and right well among equilibria in the order of q: their numbers, or None.
 
-    The wells are the outermost stable ones, the saddle the unstable one between that is nearest their middle.
+    The wells are the outermost stable ones, the saddle the highest unstable one between.
     """
     wells = [i for i, one in enumerate(stable) if one]
     if len(wells) < 2:
         return None
     left, right = wells[0], wells[-1]
     between = [i for i in range(left, right) if not stable[i]]
-    return (left, min(between, key=lambda i: abs(q[i] - 0.5 * (q[left] + q[right]))), right) if between else None
+    return (left, max(between, key=height.__getitem__), right) if between else None
 
 
 def rests(v: FloatArray, interval: float, shortest: float = SHORTEST_REST, *, joint: bool) -> list[slice]:

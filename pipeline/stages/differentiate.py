@@ -15,7 +15,7 @@ from pipeline.runs.tables import Table
 from pipeline.settings import Differentiate, Prototype, Role
 from pipeline.units import ALPHA_UNIT
 
-ALGORITHM = "6"
+ALGORITHM = "7"
 
 _WAY, _AGREES = 10, 0.1
 
@@ -100,7 +100,7 @@ def derivatives(
     settings, measured = prototype.differentiate, "velocity" in fine
     grid = fine["t"]
     interval = sample_interval(grid)
-    how = _how(settings, measured=measured, unit=unit)
+    how = differentiator(settings, measured=measured, unit=unit)
     rates = np.full((2, len(grid)), np.nan)
     stretches = []
     for number in np.unique(fine["segment"][fine["segment"] >= 0]):
@@ -129,11 +129,13 @@ def derivatives(
     return rates[0, index], rates[1, index], notes
 
 
-def _how(settings: Differentiate, *, measured: bool, unit: float) -> dict[str, Any]:
-    """Arguments of the differentiator; a `measured` velocity has parameters of its own and one order less."""
+def differentiator(settings: Differentiate, *, measured: bool, unit: float) -> dict[str, Any]:
+    """Arguments of the differentiator. A `measured` velocity has its own: one order less, 2 or 3, and an alpha that its
+    noise chooses, as one that was set is of q.
+    """
     from pipeline.signals.differentiate import PAPER_EPSILON
 
-    chosen = settings.alpha == "auto"
+    chosen = measured or settings.alpha == "auto"
     return {
         "method": settings.method,
         "order": max(2, min(3, settings.order - 1)) if measured else settings.order,

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "8"
+ALGORITHM = "9"
 
 
 def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:

@@ -26,7 +26,7 @@ from pipeline.stages.differentiate import derivatives
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, record_interval
 from pipeline.stages.scores import score_row
-from pipeline.units import ALPHA_UNIT
+from pipeline.units import ALPHA_UNIT, signal_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -148,7 +148,10 @@ def identify_signals(
 
 
 def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[str, Any]]:
-    """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them."""
+    """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them, with the fit in
+    percent as MATLAB's ``compare`` states it.
+    """
+    from pipeline.numerics.metrics import fit_percent
     from pipeline.scoring.intervals import SEED
     from pipeline.scoring.scores import score_run
 
@@ -161,7 +164,12 @@ def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[s
         pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
         joint=plant.joint, rng=np.random.default_rng(SEED),
     )  # fmt: skip
-    return [score_row(score) for score in scores]
+    units = signal_units(plant.displacement.symbol)
+    return [
+        {"signal": score.signal, "fit_percent": fit_percent(*pairs[score.signal]), "unit": units[score.signal]}
+        | score_row(score)
+        for score in scores
+    ]
 
 
 def column_name(name: str, displacement: str, inputs: str = "V") -> str:

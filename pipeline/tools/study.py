@@ -104,7 +104,8 @@ def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
         return {"order": prototype.differentiate.order}
     plant = {"plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})}
     read = {"basis"} if name == "basis" else {"basis", "basis_functions", "smoothing"}
-    return plant | {"identify": prototype.identify.model_dump(mode="json", include=read)}
+    found = plant | {"identify": prototype.identify.model_dump(mode="json", include=read)}
+    return found | {"differentiate": prototype.differentiate.model_dump(mode="json")} if name == "data" else found
 
 
 def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
@@ -195,13 +196,16 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
     from pipeline.scoring.data_study import amount_study, noise_study
     from pipeline.signals.differentiate import differentiate
     from pipeline.signals.trajectory import operating_range
+    from pipeline.stages.differentiate import differentiator
 
     data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
     identify = partial(identify_rbf_paper, **_asked(prototype, plant))
 
+    how = differentiator(prototype.differentiate, measured=False, unit=ALPHA_UNIT[plant.displacement.symbol][1])
+
     def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
         """Smoothed samples and their derivatives."""
-        found = differentiate(samples, interval)
+        found = differentiate(samples, interval, **how)
         return found.q_smooth, found.qdot, found.qddot
 
     total, rng = sum(len(x.t) for x in data), np.random.default_rng(0)

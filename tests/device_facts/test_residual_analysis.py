@@ -75,7 +75,16 @@ def test_gaps_leave_the_longest_stretch_and_short_ones_nothing():
     gapped = np.where(np.arange(N) % 2500 < 10, np.nan, q)
     found = analyse_residual(gapped, q + rng.standard_normal(N), u, DT)
     assert found.band == pytest.approx(2.576 / np.sqrt(2490))
-    assert analyse_residual(q[:500], q[:500] + 1.0, u[:500], DT) is None
+    late = np.where(np.arange(N) < N - 500, np.nan, q)
+    assert analyse_residual(late, q + 1.0, u, DT) is None
+
+
+@pytest.mark.parametrize("seconds", [0.5, 0.99, 1.01, 3.0, 7.9])
+def test_a_log_too_short_for_lags_of_a_second_has_fewer(seconds):
+    rng, u, q = signals(3)
+    rows = slice(0, round(seconds / DT))
+    found = analyse_residual(q[rows], q[rows] + rng.standard_normal(q[rows].size), u[rows], DT)
+    assert found is not None and found.lags[-1] <= 0.51
 
 
 @pytest.mark.parametrize("count", [3000, 3749])

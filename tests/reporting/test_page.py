@@ -122,6 +122,18 @@ def test_scores_of_training_are_marked_and_in_no_distribution() -> None:
     assert alone.count("50.0 (training)") == 2
 
 
+def test_a_log_without_pulses_takes_no_share_of_switches_away() -> None:
+    document = _fleet_document()
+    of_q = [s for s in document["scores"] if s["model"] == document["judged_model"] and s["signal"] == "q"]
+    one = next(s for s in of_q if s["role"] == "validation")
+    more = one | {"log": "still", "switch_accuracy": None}
+    known = [s | {"switch_accuracy": 0.75} if s["signal"] == "q" else s for s in document["scores"]]
+    found = summary("P", document | {"scores": [*known, more]}, None)
+    assert found.switches == 0.75
+    undefined = summary("P", document | {"scores": [*known, more | {"nrmse": None}]}, None)
+    assert np.isnan(undefined.error)
+
+
 def test_a_large_fleet_notes_errors_of_training_too() -> None:
     document = _fleet_document()
     trained = document | {"scores": [s for s in document["scores"] if s["role"] == "train"]}

@@ -12,6 +12,7 @@ from pipeline.scoring.wells import (
     Wells,
     find_wells,
     in_same_well,
+    outermost_pair,
     places_of_rest,
     rests,
     snaps,
@@ -183,3 +184,9 @@ def test_an_input_in_small_numbers_is_on_all_the_same() -> None:
     assert rests(v, DT, joint=False) == [slice(0, 200), slice(500, 700), slice(1000, 2000)]
     v[:, 1] = np.random.default_rng(0).normal(0.0, 0.1, 2000)  # an input that is never used
     assert rests(v, DT, joint=False) == [slice(0, 200), slice(500, 2000)]
+
+
+def test_of_several_passes_the_highest_is_the_saddle() -> None:
+    stable = [True, False, True, False, True]
+    assert outermost_pair(stable, [0.0, 1.0, 0.2, 3.0, 0.1]) == (0, 3, 4)
+    assert outermost_pair([True, False], [0.0, 1.0]) is None and outermost_pair([True, True], [0.0, 1.0]) is None

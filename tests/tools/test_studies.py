@@ -24,7 +24,7 @@ CHANGES = {
 READ = {
     "alpha": {"order"},
     "basis": {"inputs", "inputs_before", "mass"},
-    "data": {"inputs", "inputs_before", "mass", "basis_functions", "smoothing"},
+    "data": {"inputs", "inputs_before", "mass", "basis_functions", "smoothing", "order"},
     "online": {"inputs", "inputs_before", "mass", "basis_functions", "smoothing"},
 }
 
