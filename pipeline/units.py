@@ -18,6 +18,8 @@ VELOCITY = {"m": "m/s", "rad": "rad/s", "V": "V/s"}
 ACCELERATION = ("m/s²", "rad/s²")
 SIGNALS = ("q", "phi", "qdot", "qddot")
 """What models are scored by, in the order of tables and figures."""
+HORIZONS = {"one_step": (0.0, "one step"), "100ms": (0.1, "0.1 s"), "1s": (1.0, "1 s")}
+"""How far ahead of a measured state models are scored: in s (one sample at least), and in words."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
 TIME = ("s",)
 

@@ -31,7 +31,7 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
-    from pipeline.rig_logs.remarks import moment
+    from pipeline.rig_logs.remarks import stamped
 
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
@@ -47,7 +47,7 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
         )
     for base in inspection.time_bases:
         for start, stop in base.gaps_at:
-            emit_text(f"gap of {quantity(stop - start, 's')} from {moment(start)} to {moment(stop)} s")
+            emit_text(f"gap of {quantity(stop - start, 's')} from {stamped(start)} to {stamped(stop)} s")
     for note in inspection.notes:
         emit_text(note)
     if isinstance(excitation, str):

@@ -15,7 +15,7 @@ from pipeline.models.base import DynamicModel, HasCurveDraws, HasCurves
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.scoring.wells import NoWells, Wells, outermost_pair
 
-LEVEL = 0.9  # share of the draws inside a band or an interval
+COVERAGE = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range
 DRAWS = 64  # of the model's curves
 STEEP = 5.0  # times the change of the force two grid points away, beyond which it jumps
@@ -266,8 +266,8 @@ def intervals(
     limits = {}
     for key in sorted({key for draw in draws for key in draw}):
         drawn = [value for draw in draws if (value := draw.get(key)) is not None]
-        if len(drawn) >= LEVEL * len(draws):
-            low, high = np.quantile(drawn, [(1.0 - LEVEL) / 2.0, (1.0 + LEVEL) / 2.0])
+        if len(drawn) >= COVERAGE * len(draws):
+            low, high = np.quantile(drawn, [(1.0 - COVERAGE) / 2.0, (1.0 + COVERAGE) / 2.0])
             own = values.get(key)
             ends = [float(low), float(high)] + ([] if own is None else [own])
             limits[key] = (min(ends), max(ends))

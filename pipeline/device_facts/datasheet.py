@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.characteristics import (
-    LEVEL,
+    COVERAGE,
     STABLE,
     Curves,
     believed_wells,
@@ -82,7 +82,7 @@ class Fact:
     free_run : float or None
         The same seen in the model's own free runs over the logs: like with like, whatever the size of the motion.
     in_draws : float or None
-        Share of what the training data leave open that has the fact at all; without limits under `LEVEL`.
+        Share of what the training data leave open that has the fact at all; without limits under `COVERAGE`.
     """
 
     key: str
@@ -110,7 +110,7 @@ class Fact:
 
 def doubt(low: float | None, in_draws: float | None) -> str:
     """See `Fact.doubt`."""
-    if low is not None or in_draws is None or in_draws >= LEVEL:
+    if low is not None or in_draws is None or in_draws >= COVERAGE:
         return ""
     return f"not certain: in {100.0 * in_draws:.0f} % of the draws"
 
@@ -215,7 +215,7 @@ class Datasheet:
             "facts_from": self.model,
             "judged_model": self.headline,
             "choice": None if data.choice is None else dict(data.choice),
-            "level_of_intervals": LEVEL,
+            "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
             "verdict": {
                 **self.grades,

@@ -13,10 +13,8 @@ from scipy.signal import correlate, welch
 
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.numerics.arrays import FloatArray, longest_run, samples_of
+from pipeline.numerics.metrics import NORMAL_99
 from pipeline.signals.inputs import voltages
-
-LEVEL = 2.576
-"""Standard deviations of a 99 % band."""
 
 LONGEST_LAG, FEWEST_LAGS, SHARE = 1.0, 50, 8
 """Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the
@@ -87,11 +85,11 @@ def analyse_residual(
     far = min(n - 1, 10 * count)
     colour = _correlation(residual, residual, far)
     variances = [float(np.sum(colour * _correlation(column, column, far))) / n for column in u.T]
-    bands: FloatArray = LEVEL * np.sqrt(np.maximum(variances, 1.0 / n))
+    bands: FloatArray = NORMAL_99 * np.sqrt(np.maximum(variances, 1.0 / n))
     beyond = np.abs(crossed[:, count:]) > bands[:, None]
     frequency, density = _spectrum(residual, interval)
     return Residual(
-        interval * np.arange(-count, count + 1.0), own, LEVEL / float(np.sqrt(n)), crossed, bands,
+        interval * np.arange(-count, count + 1.0), own, NORMAL_99 / float(np.sqrt(n)), crossed, bands,
         float(np.mean(beyond)), frequency, density, _spectrum(q, interval)[1],
     )  # fmt: skip
 

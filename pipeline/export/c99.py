@@ -12,14 +12,14 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pipeline import __version__
 from pipeline.codegen.text_writer import c_function
-from pipeline.export.subject import SCALARS, Exported, Realisation, Subject, realise
+from pipeline.export.subject import SCALARS, Exported, Realisation, Subject
 from pipeline.runs.atomic import write_text
 from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:
     """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c``."""
-    realisation = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
+    realisation = subject.realisation()
     written = []
     for name, text in c_sources(subject, realisation).items():
         write_text(folder / name, text)

@@ -14,7 +14,7 @@ from typing import Any
 
 from pipeline import __version__
 from pipeline.export.c99 import asset, bounds, c_sources, model_fields, template
-from pipeline.export.subject import Exported, Realisation, Subject, realise
+from pipeline.export.subject import Exported, Realisation, Subject
 from pipeline.runs.atomic import write_bytes
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")
@@ -36,7 +36,7 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
     -----
     Without `gcc` on Linux, x86-64, the FMU holds its source only, and the notes say so.
     """
-    realisation = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
+    realisation = subject.realisation()
     sources = fmu_sources(subject, realisation)
     return packed(sources, description(subject, realisation, guid(subject)), subject.identifier, folder)
 

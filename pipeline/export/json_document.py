@@ -6,7 +6,7 @@ from typing import Any
 
 from pipeline import __version__
 from pipeline.errors import InputError
-from pipeline.export.subject import Exported, Subject, curve_tables, realise
+from pipeline.export.subject import Exported, Subject, curve_tables
 from pipeline.runs.atomic import write_text
 from pipeline.runs.manifest import to_json
 
@@ -44,7 +44,7 @@ def document(subject: Subject) -> dict[str, Any]:
 def _equations(subject: Subject) -> dict[str, Any] | None:
     """States, constants and integration; none for a model whose equations cannot be written down elsewhere."""
     try:
-        made = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
+        made = subject.realisation()
     except InputError:
         return None
     return {

@@ -10,7 +10,7 @@ from scipy.io import savemat
 from pipeline import __version__
 from pipeline.codegen.text_writer import matlab_function
 from pipeline.export.c99 import model_fields, template
-from pipeline.export.subject import SCALARS, Exported, Subject, curve_tables, realise
+from pipeline.export.subject import SCALARS, Exported, Subject, curve_tables
 from pipeline.runs.atomic import write_bytes, write_text
 from pipeline.units import MASS
 
@@ -31,7 +31,7 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
 
 def function_source(subject: Subject) -> str:
     """The function that runs the model freely."""
-    realisation = realise(subject.model, subject.validity.sample_interval, subject.validity.q_unit)
+    realisation = subject.realisation()
     fields = model_fields(subject, realisation) | {
         "functions": [
             matlab_function(name, graph, SCALARS) for name, graph in realisation.functions.items() if name != "flow"

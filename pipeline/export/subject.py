@@ -83,6 +83,10 @@ class Subject:
         text = "".join(c if c.isascii() and c.isalnum() else "_" for c in f"{slug(self.prototype)}_{self.name}")
         return text if text[0].isalpha() else f"m{text}"
 
+    def realisation(self) -> "Realisation":
+        """States, constants and kernels of the model, see `realise`."""
+        return realise(self.model, self.validity.sample_interval, self.validity.q_unit)
+
 
 @dataclass(frozen=True)
 class Exported:

@@ -7,7 +7,7 @@ from scipy.special import stdtrit
 
 from pipeline.numerics.arrays import FloatArray
 
-LEVEL = 0.16
+SIGNIFICANCE = 0.16
 """Share of equal models that are told apart: one standard error, one-sided."""
 
 
@@ -17,13 +17,13 @@ class Whiteness:
 
     Attributes
     ----------
-    correlation_time : float
+    integrated_correlation_time : float
         Integrated autocorrelation time τ [samples]: N samples carry the information of N/τ independent ones.
     lag_one : float
         Correlation of neighbours; 0 for white noise.
     """
 
-    correlation_time: float
+    integrated_correlation_time: float
     lag_one: float
 
 
@@ -58,7 +58,7 @@ def surely_smaller(errors: FloatArray, reference: FloatArray) -> bool:
         Errors of two models over the same samples, in the order of time. Cost: two FFTs of length 2 N.
     """
     gain = reference**2 - errors**2
-    count = len(gain) / whiteness(gain).correlation_time
+    count = len(gain) / whiteness(gain).integrated_correlation_time
     if count < 2.0:
         return False
-    return bool(gain.mean() > stdtrit(count - 1.0, 1.0 - LEVEL) * gain.std() / np.sqrt(count))
+    return bool(gain.mean() > stdtrit(count - 1.0, 1.0 - SIGNIFICANCE) * gain.std() / np.sqrt(count))

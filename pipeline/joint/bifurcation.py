@@ -17,7 +17,8 @@ _SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
 """Changes [m] of the four tip contributions that continuation takes for large."""
 _SEEDS = 7
 _HIGHEST = 6000.0  # V
-_SHOWN = 0.02  # m, of curves over q to either side
+SHOWN = np.linspace(-0.02, 0.02, 161)
+"""Displacements [m] at which curves over q are shown."""
 
 
 @dataclass(frozen=True)
@@ -262,9 +263,9 @@ def characteristics(parameters: JointParameters, *, voltage: float = 3000.0) -> 
 def _held_joint(parameters: JointParameters, v: FloatArray) -> StaticPath:
     """F(q) and C(q) over ±20 mm; along the branch, q turning back, where the beam snaps with its tip held."""
     try:
-        return static_path(parameters, np.linspace(-_SHOWN, _SHOWN, 161), v)
+        return static_path(parameters, SHOWN, v)
     except InputError:
         family, start = over_force(parameters, v), equilibria(parameters, v)[0]
         branch = branch_through(family, start.qm, 0.0, (-1.0, 1.0))
         q = branch.y[:, :4] @ parameters.levers
-        return describe_path(parameters, branch.y[np.abs(q) <= _SHOWN], v)
+        return describe_path(parameters, branch.y[np.abs(q) <= SHOWN[-1]], v)

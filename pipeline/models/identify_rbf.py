@@ -251,7 +251,7 @@ def _diagnostics(records: Sequence[Record], found: _Fitted, tried: dict[str, flo
         "reached_free_run": fit.levels[-1].gain == GAINS[-1],
         "chaotic": fit.chaotic,
         "training_rms_m": found.rms,
-        "residual_correlation_samples": white.correlation_time,
+        "residual_correlation_samples": white.integrated_correlation_time,
         "residual_lag_one": white.lag_one,
         "visits_per_centre": visited.visits,
         "driven_visits_per_centre": visited.driven,

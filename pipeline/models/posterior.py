@@ -32,7 +32,7 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     autocorrelation time in samples. S is the symmetric root of the scaled covariance, which changes as little as
     the data do: with the eigenvectors alone, their signs and order would give other draws on another machine.
     """
-    tau = whiteness(fit.residual).correlation_time
+    tau = whiteness(fit.residual).integrated_correlation_time
     noise = max(float(np.mean(fit.residual**2)), 1e-12)
     a = prior.matrix
     precision = a.T @ a

@@ -291,7 +291,7 @@ def _correlation_time(stretches: Sequence[LagStretch], weights: FloatArray) -> f
     """Autocorrelation time [samples] of the residual in the longest stretch: coloured residuals widen the bands."""
     x = max(stretches, key=lambda stretch: len(stretch.target))
     curves = x.basis @ weights.reshape(-1, x.basis.shape[1]).T
-    return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).correlation_time
+    return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).integrated_correlation_time
 
 
 def _visits(centres: FloatArray, trajectories: Sequence[Trajectory]) -> dict[str, Any]:

@@ -8,8 +8,8 @@ from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 NORMAL_MEDIAN = 1.482602218505602
 """Standard deviation over median modulus of a normal variable."""
 
-NORMAL_90, NORMAL_95 = 1.6448536269514722, 1.959963984540054
-"""Standard deviations of half a normal variable's central 90 % and 95 %."""
+NORMAL_90, NORMAL_95, NORMAL_99 = 1.6448536269514722, 1.959963984540054, 2.5758293035489004
+"""Standard deviations of half a normal variable's central 90 %, 95 % and 99 %."""
 
 
 def valid_rows(measured: FloatArray, calculated: FloatArray) -> BoolArray:

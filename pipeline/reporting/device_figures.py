@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import LEVEL, Curves, Equilibrium, equilibria, outer_wells
+from pipeline.device_facts.characteristics import COVERAGE, Curves, Equilibrium, equilibria, outer_wells
 from pipeline.device_facts.data_quality import centre_visits
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, moves_unforced, unforced, visited_range
@@ -71,7 +71,7 @@ def _curves(data: RunData, sheet: Datasheet) -> Figure:
         panels.append(_curve_panel(name, unit, curves, frame, measured))
         gone = [] if data.joint else _outside(curves, visited, frame)
         outside += [f"{name} of {', '.join(gone)}"] if gone else []
-    band = f" Bands: central {100 * LEVEL:.0f} % of what the training data leave open." if sheet.draws else ""
+    band = f" Bands: central {100 * COVERAGE:.0f} % of what the training data leave open." if sheet.draws else ""
     per_mass = "" if data.mass_known else " Per unit mass, as no mass is given."
     cut = "where hardly any sample lies and a curve runs away" if data.joint else "where a curve leaves the frame"
     caption = f"Over the range of the training data; cut {cut}.{band}{per_mass}"
@@ -127,7 +127,7 @@ def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) ->
         if y is None:
             continue
         drawn = [c for draw in sheet.draws.get(model, ()) if (c := pick(draw)) is not None]
-        low, high = np.quantile(drawn, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0) if drawn else (y, y)
+        low, high = np.quantile(drawn, [(1 - COVERAGE) / 2, (1 + COVERAGE) / 2], axis=0) if drawn else (y, y)
         found.append(_Curve(model, curves.q, y, low, high))
     return found
 
@@ -161,7 +161,7 @@ def _curve_panel(
         if low is not y:
             seen = (low[rows] < frame[1]) & (high[rows] > frame[0])
             limits = np.where(seen, np.clip([low[rows], high[rows]], *frame), np.nan)
-            bands.append(Band(f"{model}, {100 * LEVEL:.0f} % band", model, q[rows], limits[0], limits[1]))
+            bands.append(Band(f"{model}, {100 * COVERAGE:.0f} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, q[rows], inside[rows]))
     # The headline is drawn last, over its baselines.

@@ -25,7 +25,7 @@ _ASSETS = files("pipeline.reporting") / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind
 LEVELS = 65534  # codes 0 … 65534; 65535 says that there is no sample
 MISSING = 65535
-LEVEL = 6  # of deflate; 9 takes ten times as long and saves 0.5 %
+DEFLATION = 6  # of deflate; 9 takes ten times as long and saves 0.5 %
 LONGEST = 60_000  # samples a series may have before it is stored by the extremes of its buckets
 
 
@@ -77,7 +77,7 @@ def _deflated(data: bytes) -> bytes:
 
 
 def _deflate(data: bytes, strategy: int) -> bytes:
-    packer = zlib.compressobj(LEVEL, zlib.DEFLATED, zlib.MAX_WBITS, zlib.DEF_MEM_LEVEL, strategy)
+    packer = zlib.compressobj(DEFLATION, zlib.DEFLATED, zlib.MAX_WBITS, zlib.DEF_MEM_LEVEL, strategy)
     return packer.compress(data) + packer.flush()
 
 

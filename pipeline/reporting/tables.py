@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from pipeline.names import log_title
+from pipeline.scoring.horizons import SHORTEST_HORIZON, WARM_UP, WARM_UP_SAMPLES
 from pipeline.scoring.intervals import BLOCK, FEWEST, FEWEST_BLOCKS, MEMORIES
 from pipeline.scoring.step_responses import SETTLED
 from pipeline.scoring.wells import SURE
 from pipeline.si_prefix import moment
-from pipeline.units import SIGNALS
+from pipeline.units import HORIZONS, SIGNALS
 
 ScoreRow = Mapping[str, Any]
 Form = Literal["latex", "markdown"]
@@ -27,9 +28,12 @@ _ERRORS = (
     f"1/{FEWEST_BLOCKS} of the log). * lowest of the log, all others higher in the paired bootstrap (both "
     "resampled at the same blocks); ≈ not told apart from the lowest, so no order among these."
 )
+_SOON, *_AHEAD = (words for _, words in HORIZONS.values())
+_LISTED = f"{', '.join([_SOON, *_AHEAD[:-1]])} and {_AHEAD[-1]}"
 _HORIZONS = (
-    "NRMSE of q after one sample, 0.1 s and 1 s (none of less than two samples or more than the log) from restarts in "
-    "the measured state, hidden states from up to 1 s or 100 samples of the measurement before"
+    f"NRMSE of q after {_LISTED} (none of less than {SHORTEST_HORIZON:g} samples or more than the log) from restarts "
+    f"in the measured state, hidden states from up to {WARM_UP:g} s or {WARM_UP_SAMPLES} samples of the measurement "
+    "before"
 )
 _WELLS, _SWITCHES, _OUTSIDE, _AMBIGUOUS = "wells", "switches", "outside", "ambiguous [pulses]"
 _TIMES = ("rise [ms]", "settling [ms]")
@@ -160,13 +164,13 @@ def behaviour_table(scores: Sequence[ScoreRow], *, free_run: bool = True) -> Nrm
     """
     rows = []
     for r in (r for r in scores if r["signal"] == "q"):
-        steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in ("one_step", "100ms", "1s")]
+        steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in HORIZONS]
         whole = [_cell(r, r["model"], set())] if free_run else []
         times = [_quantity(r, f"{name}_error", 1e3, "_s", digits=0) for name in ("rise", "settling")]
         trust = [_quantity(r, "outside_training", 100.0, digits=1), _ambiguous(r)]
         rows.append(Row(r["role"], r["log"], r["model"], (*steps, *whole, *times, *trust)))
     longest = ("free run",) if free_run else ()
-    extras = ("one step", "0.1 s", "1 s", *longest, *_TIMES, _OUTSIDE, _AMBIGUOUS)
+    extras = (*(words for _, words in HORIZONS.values()), *longest, *_TIMES, _OUTSIDE, _AMBIGUOUS)
     return NrmseTable((), extras, tuple(rows)).without_empty()
 
 

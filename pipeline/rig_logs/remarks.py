@@ -74,7 +74,7 @@ def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
             remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
     if clock == "s" and long and not quality.stepped:
-        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {moment(quality.frozen_at)} s on")
+        remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on")
     return remarks
 
 
@@ -83,7 +83,7 @@ def counted(number: int, thing: str) -> str:
     return f"{number} {thing}{'' if number == 1 else 's'}"
 
 
-def moment(stamp: float) -> str:
+def stamped(stamp: float) -> str:
     """A time stamp [s] without its unit, told to the millisecond where the clock has run for long."""
     return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{stamp:.6g}"
 
@@ -93,6 +93,6 @@ def _first(places: tuple[float, ...], clock: Clock) -> str:
     if not places or not np.isfinite(places[0]):
         return ""
     if clock == "s":
-        return f", the first at {moment(places[0])} s"
+        return f", the first at {stamped(places[0])} s"
     place = f"{places[0]:.6g}"
     return f", the first at {f'sample {place}' if clock == 'samples' else place}"

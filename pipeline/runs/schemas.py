@@ -3,8 +3,11 @@
 `data/README.md` publishes these tables; a test keeps the two in step.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Literal
+
+from pipeline.units import HORIZONS
 
 SCHEMA_VERSION = "1"
 
@@ -49,6 +52,12 @@ KINEMATICS = Schema("kinematics", (_T, _Q, _V1, _V2, _VELOCITY, _SEGMENT, _QDOT,
 PREDICTIONS = Schema("predictions", (_T, _Q, _QDOT, _QDDOT, _PHI))
 
 
+def _horizons() -> Iterator[Column]:
+    for name, (_, words) in HORIZONS.items():
+        yield Column(f"nrmse_{name}", "float64", "1", f"NRMSE {words} ahead of the measured state (q only)")
+        yield from _band(f"nrmse_{name}", "1", "moving-block bootstrap of the restarts")
+
+
 def _band(of: str, unit: str, how: str) -> tuple[Column, Column]:
     """The columns of an interval, after the number that it belongs to."""
     end = "_s" if unit == "s" else ""
@@ -90,12 +99,7 @@ SCORES = Schema(
         *_band("well_agreement", "1", "moving-block bootstrap"),
         Column("switch_accuracy", "float64", "1", "share of pulses after which both rest in one well (q only)"),
         *_band("switch_accuracy", "1", "Bayesian bootstrap of the pulses"),
-        Column("nrmse_one_step", "float64", "1", "NRMSE one sample ahead of the measured state (q only)"),
-        *_band("nrmse_one_step", "1", "moving-block bootstrap of the restarts"),
-        Column("nrmse_100ms", "float64", "1", "NRMSE 0.1 s ahead of the measured state (q only)"),
-        *_band("nrmse_100ms", "1", "moving-block bootstrap of the restarts"),
-        Column("nrmse_1s", "float64", "1", "NRMSE 1 s ahead of the measured state (q only)"),
-        *_band("nrmse_1s", "1", "moving-block bootstrap of the restarts"),
+        *_horizons(),
         Column("rise_error_s", "float64", "s", "median error of the rise time of switches (q only)"),
         *_band("rise_error", "s", "bootstrap of the switches"),
         Column("settling_error_s", "float64", "s", "median error of the settling time of switches (q only)"),

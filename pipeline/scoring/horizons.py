@@ -14,6 +14,9 @@ WARM_UP, WARM_UP_SAMPLES = 1.0, 100
 """How long before a restart a model may look at the measurement, to know its hidden states: in s, and at least in
 samples, because a slow device is sampled slowly."""
 
+SHORTEST_HORIZON = 2.0
+"""In sample intervals: a shorter one but for one step would be rounded to another time than its name says."""
+
 Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]
 """``(t, v, q, qdot) -> q``: see `pipeline.models.base.predictor`."""
 

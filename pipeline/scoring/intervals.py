@@ -18,8 +18,8 @@ FEWEST_BLOCKS = 8
 RESAMPLES = 1000
 SEED = 0
 """Of the bootstrap: equal errors have equal intervals."""
-LEVEL = 0.95
-_TAILS = [(1.0 - LEVEL) / 2.0, 1.0 - (1.0 - LEVEL) / 2.0]
+COVERAGE = 0.95
+_TAILS = [(1.0 - COVERAGE) / 2.0, 1.0 - (1.0 - COVERAGE) / 2.0]
 FEWEST = 4  # events; a median of fewer has no spread worth printing
 
 
@@ -29,7 +29,7 @@ class Interval:
 
     low: float
     high: float
-    level: float = LEVEL
+    level: float = COVERAGE
 
     def over(self, span: float) -> "Interval":
         """The interval of the measure over `span`."""
@@ -42,7 +42,7 @@ def interval_of(draws: FloatArray) -> Interval:
     return Interval(float(low), float(high))
 
 
-def correlation_time(error: FloatArray) -> int:
+def decorrelation_lag(error: FloatArray) -> int:
     """Samples over which an error or its square hangs together: the first lag with an autocorrelation under 1/e.
 
     Parameters
@@ -91,7 +91,7 @@ def block_of(errors: Sequence[FloatArray], interval: float, *, joint: bool) -> i
     shortest = samples_of(BLOCK, interval)
     if joint:
         return shortest
-    block = max([shortest, *(MEMORIES * correlation_time(error) for error in errors)])
+    block = max([shortest, *(MEMORIES * decorrelation_lag(error) for error in errors)])
     known = min((int(np.count_nonzero(np.isfinite(error))) for error in errors), default=0)
     return block if known < FEWEST_BLOCKS else min(block, known // FEWEST_BLOCKS)
 

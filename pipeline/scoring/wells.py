@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
 from pipeline.numerics.metrics import signal_range
-from pipeline.scoring.intervals import correlation_time
+from pipeline.scoring.intervals import decorrelation_lag
 from pipeline.signals.inputs import peaks, voltages
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
@@ -111,7 +111,7 @@ def places_of_rest(
     span = signal_range(q)
     if joint or not span:
         return found
-    memory = correlation_time(q)
+    memory = decorrelation_lag(q)
     return [rest for rest in found if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
 
 

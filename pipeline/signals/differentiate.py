@@ -86,7 +86,7 @@ def differentiate(
         by applying it again, with the same numbers for both parameters.  2 lets the acceleration jump.
     alpha, epsilon : float, optional
         Parameters of `tvregdiff` [signal·s^m, (signal/s^m)²]; both are chosen from the record
-        (`smoothing_parameter`) if `alpha` is left out, and `epsilon` is `PAPER_EPSILON` for q in mm if only it is.
+        (`smoothing_parameter`) if both are left out; one alone is refused.
     reweighted : bool, default True
         Whether the penalty is lifted where the acceleration jumps, as after a voltage step, and no derivative is taken
         across a jump; with automatic parameters and orders above 1 only.
@@ -112,8 +112,9 @@ def differentiate(
     if alpha is None:
         parameter = smoothing_parameter(samples, dt, order, reweighted=reweighted and order > 1)
     else:
-        rounding = PAPER_EPSILON * 1e-3**2 if epsilon is None else epsilon
-        parameter = SmoothingParameter(alpha, rounding, noise_std(samples), 0.0, settled=True)
+        if epsilon is None:
+            raise InputError("alpha and epsilon belong together: both carry the unit of the samples")
+        parameter = SmoothingParameter(alpha, epsilon, noise_std(samples), 0.0, settled=True)
     return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
 
 

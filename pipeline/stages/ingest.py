@@ -189,14 +189,14 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
     """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
     what of it speaks against the log.
     """
-    from pipeline.rig_logs.remarks import counted, moment
+    from pipeline.rig_logs.remarks import counted, stamped
     from pipeline.signals.missing import missing
     from pipeline.signals.quality_gates import missing_findings
 
     beside, said = missing(signals.q, signals.beside), []
     for name, lacks in beside.items():
         if lacks.not_finite:
-            place = f", the first at {moment(lacks.first)} s" if np.isfinite(lacks.first) else ""
+            place = f", the first at {stamped(lacks.first)} s" if np.isfinite(lacks.first) else ""
             said.append(f"{name}: {counted(lacks.not_finite, 'sample')} not finite{place}")
         for alone, how in ((lacks.before, "begins {} after q"), (lacks.after, "ends {} before q")):
             if alone > interval:
@@ -206,7 +206,7 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
 
 def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
     """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
-    from pipeline.rig_logs.remarks import counted, moment
+    from pipeline.rig_logs.remarks import counted, stamped
 
     found = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
@@ -221,7 +221,7 @@ def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[
     for what, count, places, then in found:
         if count:
             (before, after), several = places[0], "the first " if count > 1 else ""
-            place = f"{several}from {moment(before)} to {moment(after)} s"
+            place = f"{several}from {stamped(before)} to {stamped(after)} s"
             said.append(f"{counted(count, 'gap')} {what}, {place}: {then}")
     return said
 

@@ -26,18 +26,13 @@ from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype
 from pipeline.signals.inputs import voltages
+from pipeline.units import HORIZONS
 
 if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.scoring.wells import NoWells, Wells
 
 ALGORITHM = "19"
-
-HORIZONS = {"one_step": 0.0, "100ms": 0.1, "1s": 1.0}
-"""How far ahead [s] a model is judged from the measured state; 0 is one sample."""
-
-SHORTEST_HORIZON = 2.0
-"""In sample intervals: a shorter one but for one step would be rounded to another time than its name says."""
 
 _RESTARTS = 60
 _DRAWS = 32
@@ -82,8 +77,9 @@ def _predict(
         result = free_run(table, model)
         notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
         rate = notes["lyapunov_per_s"] = _lyapunov_exponent(table, model, result)
+        ahead = {name: seconds for name, (seconds, _) in HORIZONS.items()}
         notes["horizons"] = _horizons(
-            table, model, HORIZONS if rate is None else HORIZONS | {"lyapunov": 1.0 / rate}, joint=plant.joint
+            table, model, ahead if rate is None else ahead | {"lyapunov": 1.0 / rate}, joint=plant.joint
         )
         notes["basis_functions"] = model.describe().get("basis_functions")
         notes |= {"stable_rests": seen} | trust_notes(model, table, wells, trained, joint=plant.joint)
@@ -118,7 +114,7 @@ def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> fl
 
 def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    from pipeline.scoring.horizons import HorizonError, horizon_errors
+    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, horizon_errors
     from pipeline.scoring.intervals import SEED
 
     shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])

@@ -39,10 +39,11 @@ def energy_over_q(
 
     None where the beam snaps although its tip is held: no curve over q exists then.
     """
+    from pipeline.joint.bifurcation import SHOWN
     from pipeline.joint.static_path import static_path
 
     try:
-        path = static_path(joint, np.linspace(-0.02, 0.02, 161), np.array([v1, v2]))
+        path = static_path(joint, SHOWN, np.array([v1, v2]))
     except InputError:
         return None
     return path.q, path.energy - force * path.q

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from pipeline.identification.residuals import LEVEL, surely_smaller, whiteness
+from pipeline.identification.residuals import SIGNIFICANCE, surely_smaller, whiteness
 
 
 @pytest.mark.parametrize("memory", [0.5, 0.9])
@@ -11,13 +11,14 @@ def test_the_correlation_time_of_an_autoregressive_residual_is_recovered(memory)
     for i in range(1, len(x)):
         x[i] = memory * x[i - 1] + noise[i]
     found = whiteness(x)
-    assert found.correlation_time == pytest.approx((1 + memory) / (1 - memory), rel=0.2)
+    assert found.integrated_correlation_time == pytest.approx((1 + memory) / (1 - memory), rel=0.2)
     assert found.lag_one == pytest.approx(memory, abs=0.02)
 
 
 def test_white_noise_is_worth_its_samples_and_zeros_do_no_harm():
-    assert whiteness(np.random.default_rng(8).standard_normal(5000)).correlation_time == pytest.approx(1.0, abs=0.15)
-    assert whiteness(np.zeros(10)).correlation_time == 1.0
+    noise = whiteness(np.random.default_rng(8).standard_normal(5000))
+    assert noise.integrated_correlation_time == pytest.approx(1.0, abs=0.15)
+    assert whiteness(np.zeros(10)).integrated_correlation_time == 1.0
 
 
 def test_a_smaller_error_is_sure_only_if_it_is_smaller_everywhere():
@@ -41,4 +42,4 @@ def test_equal_models_are_told_apart_as_often_as_the_level_says(memory):
         for i in range(1, 600):
             errors[:, i] += memory * errors[:, i - 1]
         claims.append(surely_smaller(*errors))
-    assert np.mean(claims) == pytest.approx(LEVEL, abs=0.04)
+    assert np.mean(claims) == pytest.approx(SIGNIFICANCE, abs=0.04)

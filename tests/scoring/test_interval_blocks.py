@@ -5,7 +5,7 @@ import pytest
 from scipy.signal import lfilter
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.intervals import block_of, correlation_time, excess_over_lowest, rms_interval
+from pipeline.scoring.intervals import block_of, decorrelation_lag, excess_over_lowest, rms_interval
 
 
 def first_order(memory: float, samples: int, rng: np.random.Generator) -> FloatArray:
@@ -18,9 +18,9 @@ def first_order(memory: float, samples: int, rng: np.random.Generator) -> FloatA
 def test_the_correlation_time_is_that_of_the_error_masked_or_not() -> None:
     error = first_order(40.0, 20_000, np.random.default_rng(1))
     masked = np.where(np.arange(error.size) % 5 == 0, np.nan, error)
-    assert correlation_time(error) == pytest.approx(40, rel=0.2)
-    assert correlation_time(masked) == pytest.approx(40, rel=0.2)
-    assert correlation_time(np.ones(100)) == correlation_time(np.full(100, np.nan)) == 1
+    assert decorrelation_lag(error) == pytest.approx(40, rel=0.2)
+    assert decorrelation_lag(masked) == pytest.approx(40, rel=0.2)
+    assert decorrelation_lag(np.ones(100)) == decorrelation_lag(np.full(100, np.nan)) == 1
 
 
 def test_intervals_of_a_slow_device_hold_the_truth() -> None:

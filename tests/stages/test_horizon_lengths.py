@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from pipeline.stages.validate import HORIZONS, _horizons
+from pipeline.stages.validate import _horizons
+from pipeline.units import HORIZONS
 
 
 class Still:
@@ -33,7 +34,12 @@ def test_no_horizon_is_called_what_it_is_not(interval, judged):
     """One sample of 4 s is neither 0.1 s nor 1 s, and a log of 10 ms has neither."""
     t = interval * np.arange(1001)
     log = {"t": t, "q": np.sin(t / interval / 20.0), "qdot": np.cos(t / interval / 20.0), "v1": np.zeros(t.size)}
-    found = _horizons(log | {"segment": np.zeros(t.size, dtype=np.int32)}, Still(), HORIZONS, joint=False)
+    found = _horizons(
+        log | {"segment": np.zeros(t.size, dtype=np.int32)},
+        Still(),
+        {name: ahead for name, (ahead, _) in HORIZONS.items()},
+        joint=False,
+    )
     assert list(found) == list(HORIZONS)
     assert {name for name, error in found.items() if error["nrmse"] is not None} == judged
-    assert all(found[name]["horizon_s"] == pytest.approx(max(HORIZONS[name], interval), rel=0.25) for name in judged)
+    assert all(found[name]["horizon_s"] == pytest.approx(max(HORIZONS[name][0], interval), rel=0.25) for name in judged)
