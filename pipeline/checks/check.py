@@ -1,7 +1,7 @@
 """All checks of a prototype's logs, as rows."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
 from pipeline.si_prefix import quantity, scale, short, significant
 from pipeline.signals.bandwidth import advised_interval
-from pipeline.signals.noise import below_resolution
+from pipeline.signals.noise import below_resolution, is_idle, noise_level
 from pipeline.signals.plausible_spans import plausible_span, scale_suspicion
 from pipeline.signals.signal_quality import takes_both_signs
 from pipeline.units import of_joint
@@ -69,6 +69,8 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
     Cost: 0.3 s of processor time for each log of 40,000 samples.
     """
     facts = [log_facts(log, declared.sample_interval, squared=declared.squared, joint=declared.joint) for log in logs]
+    lags = [fact.lag for fact in facts if fact.lag is not None]  # what one log tells of a device is so in all
+    facts = [replace(fact, lag=lags[0]) if lags and fact.lag is None else fact for fact in facts]
     rows = [row for fact in facts for row in _of_log(fact, declared)]
     return rows + [_device_row(facts[0], other, declared) for other in facts[1:]]
 
@@ -93,6 +95,9 @@ def _unseen_push_row(fact: LogFacts, i: int) -> CheckRow:
     """Of an input whose push the log does not show: as it is never on, hardly ever changes, or does all the same."""
     name, what = fact.signals.name, f"push of v{i + 1}"
     v, peak = fact.signals.v[:, i], float(fact.peaks[i])
+    if peak > 0.0 and is_idle(float(np.ptp(v)), noise_level(v)):
+        advice = f"where no training log drives v{i + 1}, leave it out of [channels]: nothing is known of its gain"
+        return CheckRow(name, what, "nothing but noise", "", "note", None, advice)
     if peak > 0.0 and np.mean(np.abs(v - np.median(v)) > ROUGHLY * peak) > SELDOM:
         advice = "larger changes of the input, or a longer log, show what it does"
         return CheckRow(name, what, "cannot be told apart from the motion", "", "not seen", None, advice)
@@ -214,7 +219,7 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
     sure = abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
     unsure = abs(known.push.value) <= limits.SIGN_CERTAINTY * known.push.error
     noted = sure and intervals > limits.NOTED_DELAY
-    if noted and delay.value > 0.0 and fact.lag is not None:
+    if noted and fact.lag is not None and 0.0 < delay.value < limits.OF_LAG * fact.lag:
         advice = (
             f"a lag of about {_short(fact.lag, 's')} explains it better than any delay, as of electrodes that charge "
             'slowly: hybrid estimates it, rbf with drive = "lag" in [identify]'

@@ -29,6 +29,9 @@ ALIKE = 1.5
 """Factor between the largest voltages of two logs up to which they can be of one device for sure or not: a joint driven
 at 35 % of the voltage, or by one side only, has had 2.4 to 5.7 times the misfit of its training log."""
 
+OF_LAG = 2.0
+"""Times a lag that some log of the device tells, up to which an input that acts late is explained by it."""
+
 ZEROED_ANEW = 0.15
 """Share of what both rests have moved by, together, by which they may differ if it is the sensor's zero that moved."""
 

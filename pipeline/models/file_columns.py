@@ -74,6 +74,8 @@ _DIAGNOSTICS = {
     "converged": (TEXT, "whether the fit met its tolerance"),
     "corrected": (TEXT, "whether the equations are corrected by basis functions"),
     "correlation": ("1", "correlations of the fitted parameters"),
+    "integrated_correlation_time": ("1", "samples over which the residual is correlated"),
+    "lag_one": ("1", "correlation of neighbouring residuals"),
     "driven_visits_per_centre": ("1", "training samples around each centre while each input acts"),
     "effort_s": ("s", "processor time of the fit by the cost model"),
     "evaluations": ("1", "simulations of the training logs"),

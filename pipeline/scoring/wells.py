@@ -11,6 +11,7 @@ from pipeline.scoring.intervals import decorrelation_lag
 from pipeline.signals.inputs import peaks, voltages
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
+MIDDLE, FEW = 0.25, 0.05  # of the range of rest positions to either side; share of rests that may lie between
 LONGEST_WINDOW = 0.4  # s, the end of a rest that is looked at; one period of the 2.8 Hz ring-down
 SHORTEST_REST = 0.3  # s; in a shorter pause nothing comes to rest in a well
 CLUSTER_GAP = 0.5  # of the range of rest positions: two wells leave the middle empty
@@ -187,6 +188,10 @@ def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:
     if len(positions) < 2:
         return NoWells("the device is never at rest twice with its inputs at zero")
     ordered = np.sort(positions)
+    spread = float(ordered[-1] - ordered[0])
+    between = (ordered > ordered[0] + MIDDLE * spread) & (ordered < ordered[-1] - MIDDLE * spread)
+    if np.mean(between) <= FEW:  # a slow joint may hang at its barrier
+        ordered = ordered[~between]
     gaps = np.diff(ordered)
     k = int(np.argmax(gaps))
     if gaps[k] < CLUSTER_GAP * (ordered[-1] - ordered[0]) or gaps[k] <= 0.1 * span:

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "19"
+ALGORITHM = "20"
 
 _RESTARTS = 60
 _DRAWS = 32

@@ -32,7 +32,10 @@ states."""
 _LEAST_SPREAD = 0.02
 """The same of a lag from steps, at least: a step of another height takes another time."""
 _SIZES = 1.5
-"""Factor in length within which the distances of estimator and law fit a joint."""
+"""Factor in the distance of the wells within which the distances of estimator and law fit a joint. The logs show that,
+whereas a beam's length trades with its other parameters."""
+_DRAWN_WELLS = 22.4e-3
+"""Distance [m] of the wells of the set `nominal`."""
 _ROUNDED = 1.01
 MOST = 3000.0
 """Largest voltage [V] where the user names none."""
@@ -124,8 +127,6 @@ def control_run(root: Path) -> ControlRun:
     DataRefusedError
         Its validation refuses the model.
     """
-    from pipeline.joint.condensed_kernels import INDEX
-    from pipeline.joint.parameters import NOMINAL
     from pipeline.models.hybrid import HybridModel
 
     run = RunFolder.open(root)
@@ -136,14 +137,23 @@ def control_run(root: Path) -> ControlRun:
         joint = "name the model 'hybrid' first in [identify] models"
         advice = joint if device(prototype).joint else "it is for a joint with two membranes, not for another device"
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
-    size = float(model.joint.constants(model.theta)[INDEX["l"]]) / NOMINAL.l
+    size = _size(run, prototype)
     if not 1.0 / _SIZES < size < _SIZES:
         raise InputError(
-            f"{root}: the joint is {size:.2g} times as long as that of the set 'nominal' ({1e3 * NOMINAL.l:.0f} mm); "
-            "control is for joints of about its size"
+            f"{root}: the wells are {size:.2g} times as far apart as those of the set 'nominal' "
+            f"({1e3 * _DRAWN_WELLS:.1f} mm); control is for joints of about its size"
         )
     _refuse_bad_model(run, name, model)
     return ControlRun(run, prototype, model, name, artifact)
+
+
+def _size(run: RunFolder, prototype: Prototype) -> float:
+    """Distance of the wells that the logs show over that of the joint as drawn; 1 where they show none."""
+    from pipeline.scoring.wells import Wells, wells_of
+
+    tables = [run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype)]
+    wells = wells_of(tables, joint=True)
+    return (wells.right - wells.left) / _DRAWN_WELLS if isinstance(wells, Wells) else 1.0
 
 
 def _refuse_bad_model(run: RunFolder, name: str, model: "HybridModel") -> None:

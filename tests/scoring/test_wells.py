@@ -190,3 +190,14 @@ def test_of_several_passes_the_highest_is_the_saddle() -> None:
     stable = [True, False, True, False, True]
     assert outermost_pair(stable, [0.0, 1.0, 0.2, 3.0, 0.1]) == (0, 3, 4)
     assert outermost_pair([True, False], [0.0, 1.0]) is None and outermost_pair([True, True], [0.0, 1.0]) is None
+
+
+def test_a_rest_at_the_barrier_among_many_does_not_hide_the_wells() -> None:
+    places = [*np.full(20, -0.0113), *np.full(20, 0.0110), -0.0015]
+    length = 100
+    q = np.concatenate([np.full(length, place) for place in np.random.default_rng(0).permutation(places)])
+    v = np.zeros((q.size, 2))
+    v[::length, 0] = v[1::length, 0] = 3000.0
+    found = find_wells([(q, v, DT)], joint=True)
+    assert isinstance(found, Wells)
+    assert (found.left, found.right, found.barrier) == pytest.approx((-0.0113, 0.0110, -0.00015), abs=1e-6)
