@@ -95,7 +95,7 @@ def _unseen_push_row(fact: LogFacts, i: int) -> CheckRow:
     """Of an input whose push the log does not show: as it is never on, hardly ever changes, or does all the same."""
     name, what = fact.signals.name, f"push of v{i + 1}"
     v, peak = fact.signals.v[:, i], float(fact.peaks[i])
-    if peak > 0.0 and is_idle(float(np.ptp(v)), noise_level(v)):
+    if np.ptp(v) > 0.0 and is_idle(float(np.ptp(v)), noise_level(v)):
         advice = f"where no training log drives v{i + 1}, leave it out of [channels]: nothing is known of its gain"
         return CheckRow(name, what, "nothing but noise", "", "note", None, advice)
     if peak > 0.0 and np.mean(np.abs(v - np.median(v)) > ROUGHLY * peak) > SELDOM:

@@ -77,14 +77,22 @@ def test_what_cannot_be_seen_of_an_input_is_said_by_what_the_input_does(pair: li
     log = pair[0]
     about = 95.0 + 9.0 * np.sin(0.7 * log.t)  # a coolant flow: always on, and changing
     once = np.where(log.t < 0.02, 3000.0, 0.0)
+    noise = np.random.default_rng(0).normal(0.0, 3.0, log.t.size)
     said = {}
-    for name, v in (("about", about), ("once", once), ("steady", np.full_like(once, 4.0)), ("off", 0.0 * once)):
+    for name, v in (
+        ("about", about),
+        ("once", once),
+        ("steady", np.full_like(once, 4.0)),
+        ("off", 0.0 * once),
+        ("noise", noise),
+    ):
         other = replace(JOINT, inputs=("V",), squared=False)
         (row,) = (r for r in check_logs([replace(log, v=v[:, None])], other) if r.what == "push of v1")
         said[name] = row.found, row.state
     assert said["about"] == ("cannot be told apart from the motion", "not seen")
     assert said["once"] == said["steady"] == ("hardly ever changes", "not seen")
     assert said["off"] == ("hardly ever on", "note")
+    assert said["noise"] == ("nothing but noise", "note")
 
 
 @pytest.mark.parametrize("slower", [0.25, 0.5, 2.0, 4.0])
