@@ -55,7 +55,7 @@ class Model:
         t : array_like, shape (N,)
             Uniform times [s].
         v : array_like, shape (N, inputs)
-            Voltages [V], linear between samples.
+            Voltages [V]; between the samples as the model takes them, `hybrid` by a cubic spline, others by lines.
         q0, qdot0 : float
             Initial displacement [m] and velocity [m/s].
 
@@ -151,7 +151,9 @@ class Model:
 
         if not isinstance(self.core, HasCurves):
             raise InputError(f"the model {self.name} has no characteristic curves")
-        places = np.asarray(q, dtype=np.float64)
+        places = np.atleast_1d(np.asarray(q, dtype=np.float64))
+        if places.ndim != 1:
+            raise InputError(f"q has the shape {places.shape}; give one column of displacements, shape (n,)")
         units = device(self._prototype).curve_units
         found = {
             f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve

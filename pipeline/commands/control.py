@@ -1,5 +1,6 @@
 """`debist control`: from the identified joint to linear models, snaps, a switching map and a controller."""
 
+import shlex
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -8,6 +9,9 @@ import typer
 from pipeline.choices import Goal, Well
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
+
+SWINGS = 5e-5
+"""RMS [m] about the unstable equilibrium, in the second half of its time on the model, that is warned of."""
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
 
@@ -90,7 +94,9 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
         emit_table(f"{run}: probability of switching to the {each['to']}", header, rows)
         for one in each["lowest"]:
             volts, low, high = (1e-3 * one[name] for name in ("voltage", "low", "high"))
-            typer.echo(f"{one['duration']:g} s switch from {volts:.3f} kV on ({low:.3f} to {high:.3f} kV with 90 %)")
+            until = "" if one["until"] is None else f", no longer at {1e-3 * one['until']:.2f} kV, where it swings back"
+            band = f"{low:.3f} to {high:.3f} kV with 90 %"
+            typer.echo(f"{one['duration']:g} s switch from {volts:.3f} kV on ({band}){until}")
 
 
 @app.command()
@@ -157,8 +163,16 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = None, quiet: Quiet = F
     left, right = (f"{1e3 * lag:.1f}" for lag in found["lags_s"])
     emit_text(f"the converters' lags: {left} and {right} ms, {found['lags_known']}")
     for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
-        emit_text(f"on the model, {name}: {_settles(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm")
-    emit_text(f"next: debist export {run} --to controller")
+        emit_text(
+            f"on the model, {name}: {_settles(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm, "
+            f"RMS {1e3 * step['rms_m']:.3f} mm then"
+        )
+    if predicted[-1]["rms_m"] > SWINGS:
+        emit_text(
+            "the unstable equilibrium is hardly held: the model itself keeps swinging about it, and a joint that "
+            "differs will swing on with the largest voltage; allow a higher --max-voltage, or hold wells only"
+        )
+    emit_text(f"next: debist export {shlex.quote(str(run))} --to controller")
 
 
 def _settings(max_voltage: str | None, lag: str | None) -> Any:

@@ -10,7 +10,7 @@ import typer
 from pipeline.choices import Target
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
-from pipeline.errors import CorruptArtifactError
+from pipeline.errors import CorruptArtifactError, InputError
 
 if TYPE_CHECKING:
     from pipeline.runs.comparison import Comparison, RunDifference
@@ -33,6 +33,8 @@ def diff(
     """
     from pipeline.tools.diff import diff_runs, write_diff_page
 
+    if output is not None and output.suffix.lower() not in (".html", ".htm"):
+        raise InputError(f"{output}: the page is HTML; name it *.html")
     found = diff_runs(one, other)
     if output is not None:
         write_diff_page(found, one, other, output, force=force)

@@ -1,5 +1,6 @@
 """`debist rig`: raw logs of simulated prototypes with their truth beside them, and voltage sequences for a real rig."""
 
+import shlex
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -74,7 +75,7 @@ def simulate(
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
     else:
-        typer.echo(f"{prototype}: simulated logs; next: debist run {prototype}")
+        typer.echo(f"{prototype}: simulated logs; next: debist run {shlex.quote(str(prototype))}")
 
 
 @app.command()
@@ -110,7 +111,7 @@ def fleet(
     if as_json:
         emit_json({"prototypes": prototypes})
     else:
-        typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {output} -o runs")
+        typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {shlex.quote(str(output))} -o runs")
 
 
 @app.command()

@@ -34,6 +34,9 @@ class LowestVoltage:
         [s].
     voltage, low, high : float
         Of the estimate and the ends of its central 90 % [V].
+    until : float or None
+        Next higher voltage [V] of those tried that does not switch the estimate, as the joint swings back; None if all
+        do.
     of_parameters, of_lags, of_probe : float
         Standard deviations of its logarithm: what the identified parameters, the converters' lags and the probe that
         measured the training logs may err by.
@@ -43,6 +46,7 @@ class LowestVoltage:
     voltage: float
     low: float
     high: float
+    until: float | None
     of_parameters: float
     of_lags: float
     of_probe: float
@@ -80,9 +84,10 @@ def lowest_voltage(
     """
     lags = np.array([converters.lags])
     estimate = ensemble_at(model, model.theta[None], lags, np.ones(1))
-    found = _first(estimate, wells, to, duration)
-    if found is None:
+    first = _first(estimate, wells, to, duration)
+    if first is None:
         return None
+    found, until = first
     lengths = np.linalg.norm(model.band_spread, axis=0)
     columns = model.band_spread[:, lengths > 0.0].T / lengths[lengths > 0.0, None]
     sides = np.concatenate([np.zeros((len(columns), 2)), np.eye(2)])
@@ -97,7 +102,7 @@ def lowest_voltage(
     of_lags = float(converters.spread * np.linalg.norm(slopes[-2:]))
     half = NORMAL_90 * float(np.linalg.norm([of_parameters, of_lags, converters.probe]))
     low, high = found * np.exp([-half, half])
-    return LowestVoltage(duration, found, float(low), float(high), of_parameters, of_lags, converters.probe)
+    return LowestVoltage(duration, found, float(low), float(high), until, of_parameters, of_lags, converters.probe)
 
 
 def uncertain(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:
@@ -128,15 +133,22 @@ def _unit(joint: Ensemble, to: Well, duration: float) -> FloatArray:
     return joint.squares(pulses(np.ones(1), np.array([duration]), 0 if to == "right" else 1))
 
 
-def _first(joint: Ensemble, wells: tuple[float, float, float], to: Well, duration: float) -> float | None:
-    """The first voltage [V] from below that switches the one joint, to 1e-9; None where none does."""
+def _first(
+    joint: Ensemble, wells: tuple[float, float, float], to: Well, duration: float
+) -> tuple[float, float | None] | None:
+    """The first voltage [V] from below that switches the one joint, to 1e-9, and the next of those tried that does not.
+
+    None where none switches it.
+    """
     unit, volts = _unit(joint, to, duration), joint.highest * np.geomspace(LEAST, 1.0, COARSE)
     over = _switched(joint, volts[:, None, None, None] ** 2 * unit, wells, to)[:, 0]
     if over[0] or not over.any():
         return None
     at = int(np.argmax(over))
     middle = float(np.sqrt(volts[at - 1] * volts[at]))
-    return float(np.exp(_logarithms(joint, wells, to, duration, middle)[0]))
+    beyond = volts[at:][~over[at:]]
+    first = float(np.exp(_logarithms(joint, wells, to, duration, middle)[0]))
+    return first, float(beyond[0]) if beyond.size else None
 
 
 def _logarithms(

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.loading.parts import part_rows, parts
+from pipeline.loading.parts import part, part_rows
 from pipeline.loading.trajectories import EDGE, begins_in_motion, drive
 from pipeline.models.base import DynamicModel, FreeRun
 from pipeline.numerics.arrays import FloatArray
@@ -33,24 +33,24 @@ def free_run(table: Table, model: DynamicModel) -> FreeRun:
         What is simulated.
     """
     q, qdot, qddot = (np.full(len(table["t"]), np.nan) for _ in range(3))
-    for rows, part in zip(part_rows(table), parts(table), strict=True):
-        made = model.simulate(*start_of(part, model))
+    for rows in part_rows(table):
+        made = model.simulate(*start_of(part(table, rows), model))
         q[rows], qdot[rows], qddot[rows] = made.q, made.qdot, made.qddot
         if made.status != "ok":
             return FreeRun(table["t"], q, qdot, qddot, made.status, made.diverged_at_s)
     return FreeRun(table["t"], q, qdot, qddot, "ok", None)
 
 
-def start_of(part: Table, model: DynamicModel) -> Start:
+def start_of(piece: Table, model: DynamicModel) -> Start:
     """Where a free run of a model over a part of a log starts, whatever is simulated from there.
 
     At rest the velocity is the measured one or the derivative. Where it begins in motion a derivative at its edge is
     poor, and a free run carries its error on: then it is the velocity with which the model follows the first samples.
     """
-    v, q0, qdot0 = drive(part, fine=model.fine_voltages), float(part["q"][0]), float(part["qdot"][0])
-    if begins_in_motion(part):
-        qdot0 = followed_velocity(part, v, model)
-    return Start(part["t"], v, q0, qdot0)
+    v, q0, qdot0 = drive(piece, fine=model.fine_voltages), float(piece["q"][0]), float(piece["qdot"][0])
+    if begins_in_motion(piece):
+        qdot0 = followed_velocity(piece, v, model)
+    return Start(piece["t"], v, q0, qdot0)
 
 
 def followed_velocity(known: Table, v: FloatArray, model: DynamicModel) -> float:

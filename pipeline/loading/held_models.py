@@ -16,6 +16,8 @@ CHOICE = "choice"
 """Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
 EQUATIONS = "equations"
 """Note of ``model.h5``: name of the joint that "auto" fitted and did not choose; control is designed on it."""
+WORST = 0.15
+"""NRMSE of q on a validation log above which a model does not know where the device is."""
 TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")
 
 
@@ -97,3 +99,17 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
 def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
     """What was made, by title."""
     return {title: json.loads(run.read_bytes(layout.control(title))) for title in titles}
+
+
+def failed_validations(run: RunFolder, name: str) -> list[str]:
+    """On which validation logs a model diverges, or errs by more than `WORST`; a sentence each, none without scores."""
+    if layout.SCORES not in run.manifest.artifacts:
+        return []
+    table = run.read_table(layout.SCORES)
+    rows = (table["model"] == name) & (table["role"] == "validation") & (table["signal"] == "q")
+    found = []
+    for log, status, error in zip(table["log"][rows], table["status"][rows], table["nrmse"][rows], strict=True):
+        if status != "ok" or not error <= WORST:
+            told = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
+            found.append(f"the model {name} {told} on the validation log {log}")
+    return found

@@ -41,9 +41,14 @@ def part_rows(table: Table) -> list[slice]:
 
 def parts(table: Table) -> list[Table]:
     """The parts of a table, each beginning with a valid sample."""
-    return [{name: values[rows] for name, values in table.items() if name != _PART} for rows in part_rows(table)]
+    return [part(table, rows) for rows in part_rows(table)]
 
 
-def longest_part(table: Table) -> Table:
-    """The part with the most rows."""
-    return max(parts(table), key=lambda part: len(part["t"]))
+def part(table: Table, rows: slice) -> Table:
+    """The rows of one part."""
+    return {name: values[rows] for name, values in table.items() if name != _PART}
+
+
+def longest_rows(table: Table) -> slice:
+    """The rows of the longest part."""
+    return max(part_rows(table), key=lambda rows: rows.stop - rows.start)

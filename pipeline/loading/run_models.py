@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.loading.device import device
 from pipeline.loading.free_runs import start_of
 from pipeline.loading.held_models import model_artifact
-from pipeline.loading.parts import longest_part
+from pipeline.loading.parts import longest_rows, part
 from pipeline.loading.trajectories import load_motion, training_tables
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
@@ -56,7 +56,8 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
 def _check_log(run: RunFolder, prototype: Prototype) -> Table:
     """The first validation log, or the first training log where there is none; of one with gaps the longest part."""
     role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    return longest_part(load_motion(run, prototype, role, log))
+    table = load_motion(run, prototype, role, log)
+    return part(table, longest_rows(table))
 
 
 def _validity(run: RunFolder, prototype: Prototype) -> "Validity":

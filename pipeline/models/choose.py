@@ -36,10 +36,6 @@ QUICK_TIME, FOLLOWED, HOPELESS = 0.6, 0.02, 2.0
 operating range, and errs so many times as much as the equations on held-out data, is the last: 2.5 s instead of this
 changed the held-out error of such networks by −11 to +40 % (four simulated joints)."""
 
-FAILED = 0.02
-"""Share of the operating range: equations that leave more in free run of what they were fitted to have lost it, as
-where the device changed during the log, and a network that errs less on that and on held-out data replaces them."""
-
 POORER = 2.0
 """Times the error of the equations on what both were fitted to, beyond which a network does not replace them: a single
 slow passage of the last quarter may go wrong with equations that follow all others within 0.01 %."""
@@ -151,10 +147,9 @@ def _compared(
     if held_out["hybrid"] <= held_out["rbf"]:
         return Choice(model, "smaller error on held-out training data", held_out, excess, interval)
     surely = UNKNOWN_BOUND * held_out["rbf"] < held_out["hybrid"] if excess is None else excess.high < 0.0
-    fitted = _rms(_errors(getattr(model, "early", None) or model, _first_parts(training), held_out=False))
-    failed = fitted > FAILED and network_fitted < fitted  # equations that follow not even what they were fitted to
-    if not surely and not failed:
+    if not surely:
         return Choice(model, "rbf is not surely nearer to held-out training data", held_out, excess, interval)
+    fitted = _rms(_errors(getattr(model, "early", None) or model, _first_parts(training), held_out=False))
     if network_fitted > POORER * fitted:
         return Choice(model, "rbf follows the data that both were fitted to less well", held_out, excess, interval)
     best = rbf(_within(training, max(training.identify.time_limit - QUICK_TIME - JUDGED_TIME, JUDGED_TIME)))
@@ -163,10 +158,7 @@ def _compared(
     ):
         return Choice(model, "rbf of all training data follows them less well", held_out, excess, interval)
     excess = None if excess is None else Interval(-excess.high, -excess.low, excess.level)
-    reason = (
-        "surely smaller error on held-out training data" if surely else "the joint's equations do not follow the log"
-    )
-    return Choice(best, reason, held_out, excess, interval, model)
+    return Choice(best, "surely smaller error on held-out training data", held_out, excess, interval, model)
 
 
 def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatArray, float]:

@@ -14,7 +14,7 @@ from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import free_run, start_of
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.parts import longest_part, part_rows, parts, recorded
+from pipeline.loading.parts import longest_rows, part, part_rows, parts, recorded
 from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources
 from pipeline.models.base import DynamicModel, FreeRun, HasDraws, predictor
 from pipeline.models.kind import model_from_tree
@@ -101,8 +101,9 @@ def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> fl
     span = signal_range(table["q"])
     if result.status != "ok" or not span:
         return None
-    known = longest_part(table)
-    made = None if begins_in_motion(known) else result.q[np.isin(table["t"], known["t"])]
+    rows = longest_rows(table)
+    known = part(table, rows)
+    made = None if begins_in_motion(known) else result.q[rows]
 
     def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
         """The model's q, NaN after a divergence."""
@@ -196,8 +197,8 @@ def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells", *, 
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None
     ensemble = np.full((_DRAWS, len(t)), np.nan)
-    for rows, part in zip(places, parts(table), strict=True):
-        ensemble[:, rows], _ = model.simulate_draws(*start_of(part, model), count=_DRAWS)
+    for rows in places:
+        ensemble[:, rows], _ = model.simulate_draws(*start_of(part(table, rows), model), count=_DRAWS)
     outcomes = pulse_outcomes(ensemble, after, wells)
     ends = [float(t[rest.stop - 1]) for rest in after]
     return {

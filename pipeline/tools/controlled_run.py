@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.loading.device import device
-from pipeline.loading.held_models import controlled_model
+from pipeline.loading.held_models import WORST, controlled_model, failed_validations
 from pipeline.loading.run_models import load_run_model
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
@@ -22,10 +22,8 @@ if TYPE_CHECKING:
     from pipeline.models.hybrid import HybridModel
 
 ALGORITHM = "14"
-_REFUSED = 0.15
-"""NRMSE of q on a validation log above which no control is designed on a model: it does not know where the joint is."""
 _MISSED = 2e-3
-"""The same for the RMS residual [m] on the training logs."""
+"""RMS residual [m] on the training logs above which no control is designed on a model."""
 DATA_SHEET, GIVEN = 0.36, 0.1
 """Standard deviations of a lag's logarithm: of the one assumed, for converters of 2 to 7 ms, and of one that the user
 states."""
@@ -163,17 +161,11 @@ def _refuse_bad_model(run: RunFolder, name: str, model: "HybridModel") -> None:
             f"{run.root}: the model {name} misses its training data by {1e3 * missed:.1f} mm; control on it would be a "
             f"guess (limit {1e3 * _MISSED:.1f} mm); see `debist show {run.root}`"
         )
-    if layout.SCORES not in run.manifest.artifacts:
-        return
-    table = run.read_table(layout.SCORES)
-    rows = (table["model"] == name) & (table["role"] == "validation") & (table["signal"] == "q")
-    for log, status, error in zip(table["log"][rows], table["status"][rows], table["nrmse"][rows], strict=True):
-        if status != "ok" or not error <= _REFUSED:
-            told = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
-            raise DataRefusedError(
-                f"{run.root}: the model {name} {told} on the validation log {log}; control on it would be a guess "
-                f"(limit {100.0 * _REFUSED:.0f} %); see `debist show {run.root}`"
-            )
+    for failed in failed_validations(run, name):
+        raise DataRefusedError(
+            f"{run.root}: {failed}; control on it would be a guess (limit {100.0 * WORST:.0f} %); see `debist show "
+            f"{run.root}`"
+        )
 
 
 def kept_document(

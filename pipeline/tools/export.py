@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from pipeline.choices import Target
 from pipeline.errors import InputError
-from pipeline.loading.held_models import model_artifact
+from pipeline.loading.held_models import failed_validations, model_artifact
 from pipeline.loading.measured_curves import named_curves
 from pipeline.loading.run_models import subject
 from pipeline.runs import layout
@@ -104,7 +104,8 @@ def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | No
         return _controller(run, prototype, folder)
     write = getattr(import_module(f"pipeline.export.{_WRITERS[target]}"), f"write_{target}")
     made: Exported = write(subject(run, prototype, model), folder)
-    return made
+    failed = failed_validations(run, model_artifact(run, prototype, model)[0])
+    return replace(made, notes=[*made.notes, *(f"{one}: do not trust its free runs" for one in failed)])
 
 
 def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":

@@ -99,3 +99,13 @@ def test_draws_of_a_map_err_by_what_the_lowest_voltage_errs_and_the_estimate_doe
     assert np.log(gains[1:]).std() == pytest.approx(np.hypot(one.of_parameters, 0.003), rel=0.05)
     assert np.log(gains[1:]).mean() == pytest.approx(0.0, abs=1e-12)
     assert np.all(uncertain(few, [None, None]).gains == few.gains)
+
+
+def test_where_a_higher_voltage_no_longer_switches_it_swings_back() -> None:
+    joint, places_of = only(), places(model())
+    alone = ensemble_at(joint, joint.theta[None], np.array([EXACT.lags]), np.ones(1))
+    for duration in (0.2, 0.8):
+        until = found(joint, EXACT, duration=duration).until
+        volts = np.array([until or alone.highest])
+        ends = alone.run(pulses(volts, np.array([duration]), 0), places_of[0])[:, 0, -1]
+        assert (ends[0] > places_of[1]) == (until is None)

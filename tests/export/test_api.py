@@ -52,6 +52,8 @@ def test_what_is_not_there_is_said_by_name(planted_run, tmp_path):
     for call in (lambda: run.log("c"), lambda: run.model("sindy"), lambda: run.plot("nothing")):
         with pytest.raises(InputError, match=r"it (has|holds)"):
             call()
+    with pytest.raises(InputError, match=r"shape \(2, 3\)"):
+        run.model("hybrid").curves(np.zeros((2, 3)))
     with pytest.raises(InputError, match="no export 'simulink'; there are c, controller"):
         run.export("simulink")
 

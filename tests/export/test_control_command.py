@@ -121,13 +121,28 @@ def test_a_folder_without_a_run_is_one_line(tmp_path: Path) -> None:
 def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_are_one_line(
     planted_run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    from pipeline.loading import held_models
     from pipeline.tools import controlled_run
 
-    monkeypatch.setattr(controlled_run, "_REFUSED", -1.0)
+    monkeypatch.setattr(held_models, "WORST", -1.0)
     told = call("design", planted_run, "-q", code=3)
     assert "control on it would be a guess" in told
+    assert (
+        CliRunner()
+        .invoke(app, ["export", str(planted_run), "--to", "json", "-o", str(tmp_path)])
+        .stderr.count("on the validation log b: do not trust its free runs")
+    )
     monkeypatch.setattr(controlled_run, "load_run_model", lambda *_: None)
     assert "the model 'hybrid'" in call("design", planted_run, "-q", code=2)
+
+
+def test_the_drawn_joint_that_sizes_are_told_against_is_the_set_nominal() -> None:
+    from pipeline.joint.equilibria import equilibria
+    from pipeline.joint.parameters import NOMINAL
+    from pipeline.tools import controlled_run
+
+    places = [each.q for each in equilibria(NOMINAL, np.zeros(2))]
+    assert max(places) - min(places) == pytest.approx(controlled_run._DRAWN_WELLS, rel=2e-3)
 
 
 def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(planted_run: Path, tmp_path: Path) -> None:

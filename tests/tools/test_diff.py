@@ -100,3 +100,9 @@ def test_a_folder_without_a_run_is_one_line(planted_run, tmp_path):  # noqa: F81
     result = CliRunner().invoke(app, ["diff", str(planted_run), str(tmp_path)])
     assert result.exit_code == 2
     assert "no run here" in result.stderr
+
+
+def test_a_page_is_html_and_nothing_else(planted_run, twin, tmp_path):  # noqa: F811
+    result = CliRunner().invoke(app, ["diff", str(planted_run), str(twin), "-o", str(tmp_path / "diff.pdf")])
+    assert (result.exit_code, list(tmp_path.glob("*.pdf"))) == (2, [])
+    assert "name it *.html" in result.stderr
