@@ -9,9 +9,10 @@ FLEET  := .venv-workflow
 # Children that start in the hundreds would compile every module anew
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-long coverage fuzz faults audit check kernels bench bench-all docs dist workflow test-workflow lock clean
+.PHONY: demo test test-long coverage fuzz faults audit check bench bench-all docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready
+	$(BIN)/debist warmup
 	$(BIN)/debist demo -o runs/demo
 
 # The tests of a file share its fixtures, so they stay in one process
@@ -44,10 +45,6 @@ check: $(VENV)/.dev-ready
 	$(BIN)/ruff check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
-
-# The kernels that come with the package, after a change of what they are made from: half a minute
-kernels: $(VENV)/.dev-ready
-	$(BIN)/python -m pipeline.first_run
 
 # The table of docs/reference/speed.md, measured anew: 4 minutes. `make bench-all`: every benchmark, half an hour, 4 GB
 bench: $(VENV)/.dev-ready

@@ -52,6 +52,7 @@ app.command()(whole_run.show)
 app.command("run")(whole_run.run_command)
 app.command()(whole_run.demo)
 app.command()(whole_run.status)
+app.command()(whole_run.warmup)
 
 
 def _version(requested: bool) -> None:

@@ -6,13 +6,9 @@
 >>> debist.open_run("runs/P1").plot("curves")  # doctest: +SKIP
 """
 
-from pipeline.machine import settle_library
-
-settle_library()  # before NumPy loads, if it has not yet
-
-from pipeline import __version__  # noqa: E402
-from pipeline.api import Model, Run, identify, open_run  # noqa: E402
-from pipeline.errors import DebistError  # noqa: E402
+from pipeline import __version__
+from pipeline.api import Model, Run, identify, open_run
+from pipeline.errors import DebistError
 
 __all__ = ["DebistError", "Model", "Run", "__version__", "identify", "open_run"]
 

@@ -1,15 +1,18 @@
-"""The cache of compiled kernels: used again, and not after something that a kernel calls has changed."""
+"""The cache of compiled kernels: used again, not after something that a kernel calls has changed, nor when damaged."""
 
+import os
+import random
 import subprocess
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
 from pipeline import compiled
+from pipeline.errors import InputError
+from pipeline.kernel_cache import VARIABLE, check_private
 
-_COMPILER = ("compiled.py", "kernel_parts.py", "prepared_kernels.py")
+_COMPILER = ("compiled.py", "kernel_cache.py", "machine.py", "errors.py")
 _CALLED = "from pipeline.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
 _CALLER = """from pipeline.compiled import compiled
 from pipeline.called import (
@@ -21,25 +24,6 @@ def outer(x):
     return inner(x) + 1.0
 """
 _RUN = "from pipeline.caller import outer; print(outer(2.0), sum(outer.stats.cache_hits.values()))"
-_COPIES = """import os, sys
-import numpy
-from numba.core.registry import cpu_target
-cpu_target.target_context.refresh()
-for program in sys.argv[1:]:
-    copy = os.fork()
-    if copy == 0:
-        exec(program)
-        print(end="\f", flush=True)
-        os._exit(0)
-    assert os.waitpid(copy, 0)[1] == 0
-"""
-
-
-def _in_processes(programs: Sequence[str], folder: Path) -> list[list[str]]:
-    """The words that each program prints, one after the other; each is in a copy of a process with numba alone."""
-    run = [sys.executable, "-c", _COPIES, *programs]
-    done = subprocess.run(run, cwd=folder, capture_output=True, text=True, check=True, timeout=120)
-    return [words.split() for words in done.stdout.split("\f")[:-1]]
 
 
 @pytest.fixture
@@ -55,25 +39,70 @@ def package(tmp_path: Path) -> Path:
     return folder
 
 
-def test_of_two_processes_one_compiles_a_kernel_and_the_other_waits(package: Path) -> None:
-    """And it is compiled anew when one that it calls has changed."""
-    both = [
-        subprocess.Popen([sys.executable, "-c", _RUN], cwd=package.parent, stdout=subprocess.PIPE, text=True)
-        for _ in range(2)
-    ]
-    assert sorted(child.communicate(timeout=60)[0].split() for child in both) == [["7.0", "0"], ["7.0", "1"]]
+def _words(package: Path, program: str = _RUN, cwd: Path | None = None) -> list[str]:
+    """The words that a program prints, in a process that finds this package and keeps kernels beside it."""
+    surroundings = os.environ | {VARIABLE: str(package.parent / "kernels"), "PYTHONPATH": str(package.parent)}
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", program], cwd=cwd or package.parent, env=surroundings, capture_output=True,
+        text=True, check=False, timeout=120,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return done.stdout.split()
+
+
+def test_a_kernel_is_compiled_anew_when_one_that_it_calls_has_changed(package: Path) -> None:
+    assert _words(package) == ["7.0", "0"]
+    assert _words(package) == ["7.0", "1"]
     # Of another length: Python tells sources apart by their size and their second, and both may fall into one second.
     (package / "called.py").write_text(_CALLED.format(factor=10.0))
-    done = subprocess.run([sys.executable, "-c", _RUN], cwd=package.parent, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["21.0", "0"]
+    assert _words(package) == ["21.0", "0"]
+
+
+def test_damaged_kernels_are_compiled_anew(package: Path) -> None:
+    """Emptied, cut, zeroed, with a flipped bit or without their digest; and the next process finds them whole."""
+    _words(package)
+    choice = random.Random(26)
+    files = sorted(file for file in (package.parent / "kernels").rglob("*") if file.is_file())
+    assert len(files) == 8  # index and machine code of two kernels, and their digests
+    whole = {file: file.read_bytes() for file in files}
+    for number in range(10):
+        file = choice.choice(files)
+        content = bytearray(whole[file])
+        place = choice.randrange(len(content))
+        match number % 5:
+            case 0:
+                content.clear()
+            case 1:
+                del content[place:]
+            case 2:
+                content[place:] = bytes(len(content) - place)
+            case 3:
+                content[place] ^= 1 << choice.randrange(8)
+        file.write_bytes(content)
+        if number % 5 == 4:
+            file.unlink()
+        assert _words(package)[0] == "7.0", (file, number % 5)
+        assert _words(package) == ["7.0", "1"], (file, number % 5)
 
 
 def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None:
     code = (
-        "from pathlib import Path; from pipeline.compiled import sources; "
+        "from pathlib import Path; from pipeline.kernel_cache import sources; "
         "print(*sorted(file.name for file in sources(Path('pipeline/caller.py').resolve())))"
     )
-    assert _in_processes([code], package.parent) == [["called.py", "caller.py", *_COMPILER]]
+    assert _words(package, code) == sorted(["called.py", "caller.py", *_COMPILER])
+
+
+def test_configuration_files_of_the_current_folder_have_no_effect(package: Path, tmp_path: Path) -> None:
+    """Neither when numba is imported nor when it compiles."""
+    folder = tmp_path / "logs"
+    folder.mkdir()
+    (folder / ".numba_config.yaml").write_text("disable_jit: 1\ncpu_name: generic\ncache_dir: planted\n")
+    (folder / "matplotlibrc").write_bytes(b"\xff\xfe no settings")
+    program = f"{_RUN}; from pipeline.compiled import numba; print(numba.config.DISABLE_JIT, numba.config.CPU_NAME)"
+    program += "; from pipeline.machine import import_configured; print(import_configured('matplotlib').__name__)"
+    assert _words(package, program, folder) == ["7.0", "0", "0", "None", "matplotlib"]
+    assert sorted(file.name for file in folder.iterdir()) == [".numba_config.yaml", "matplotlibrc"]
 
 
 _SYSTEM = """from typing import NamedTuple
@@ -94,54 +123,41 @@ print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 """
 
 
-def test_the_integrator_is_compiled_anew_when_a_system_has_changed(tmp_path: Path) -> None:
+def test_the_integrator_is_compiled_anew_when_a_system_has_changed(package: Path) -> None:
     """Even its name, which the index of the cache holds; and only then."""
     root = Path(compiled.__file__).parent
-    names = [*_COMPILER, "solvers/fixed_step.py", "numerics/arrays.py", "numerics/inner_loops.py"]
-    for name in (*names, "__init__.py", "solvers/__init__.py", "numerics/__init__.py"):
-        target = tmp_path / "pipeline" / name
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text((root / name).read_text() if name != "__init__.py" else "")
-    systems = [_SYSTEM.format(factor=factor, name=name) for factor, name in ((1.0, "Decay"), (2.0, "Fading"))]
-    first, second = (f"open('pipeline/decay.py', 'w').write({system!r}); import pipeline.decay" for system in systems)
-    (once, fresh), again, (twice, anew) = _in_processes([first, first, second], tmp_path)
+    for name in ("solvers/fixed_step.py", "numerics/arrays.py", "numerics/inner_loops.py"):
+        target = package / name
+        target.parent.mkdir(exist_ok=True)
+        (target.parent / "__init__.py").write_text("")
+        target.write_text((root / name).read_text())
+    answers = []
+    for factor, name in ((1.0, "Decay"), (1.0, "Decay"), (2.0, "Fading")):
+        (package / "decay.py").write_text(_SYSTEM.format(factor=factor, name=name))
+        answers.append(_words(package, "import pipeline.decay"))
+    (once, fresh), again, (twice, anew) = answers
     assert (float(once), fresh) == (pytest.approx(0.3678794412), "0")
     assert again == [once, "1"]
     assert (float(twice), anew) == (pytest.approx(0.1353352832), "0")
 
 
-def test_a_kernel_that_does_not_compile_is_refused_each_time(package: Path) -> None:
-    (package / "caller.py").write_text(_CALLER.replace("+ 1.0", "+ 'a'"))
-    run = (
-        "from pipeline.caller import outer\n"
-        "for _ in range(2):\n"
-        "    try: outer(2.0)\n"
-        "    except Exception as error: print(type(error).__name__)\n"
-    )
-    assert _in_processes([run], package.parent) == [["TypingError", "TypingError"]]
+def test_without_a_place_for_them_kernels_are_compiled_in_each_process(package: Path) -> None:
+    (package.parent / "kernels").write_text("a file")
+    assert _words(package) == ["7.0", "0"]
 
 
-_ARRAYS = """import sys
-import numpy as np
-from pipeline.compiled import compiled
-
-@compiled
-def half(x):
-    return 0.5 * x
-
-@compiled(nogil=True)
-def largest(x):
-    return half(x).max()
-
-x = np.array([2.0, 4.0])
-for word in sys.argv[1:]:
-    print(np.sum(globals()[word](x)))
-print(*(sum(kernel.stats.cache_hits.values()) for kernel in (half, largest)))
-"""
-
-
-def test_a_kernel_serves_python_and_other_kernels_in_any_order(package: Path) -> None:
-    (package / "arrays.py").write_text(_ARRAYS)
-    orders = (["largest"], ["largest", "half"], ["largest", "half"], ["half"])
-    found = _in_processes([f"sys.argv[1:] = {words}; import pipeline.arrays" for words in orders], package.parent)
-    assert found == [["2.0", "0", "0"], ["2.0", "3.0", "0", "1"], ["2.0", "3.0", "1", "1"], ["3.0", "1", "0"]]
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such modes")
+def test_kernels_are_loaded_from_no_folder_that_others_can_write(tmp_path: Path) -> None:
+    """They are unpickled and run: whoever may write there runs code as the user."""
+    own, opened = tmp_path / "own", tmp_path / "open"
+    for folder in (own, opened / "in"):
+        folder.mkdir(parents=True, mode=0o700)
+    check_private(own)
+    opened.chmod(0o777)
+    for folder in (opened, opened / "in"):
+        with pytest.raises(InputError, match=f"others can write into {opened}"):
+            check_private(folder)
+    opened.chmod(0o1777)  # as /tmp: what is there stays its owner's, but anybody can put something beside it
+    check_private(opened / "in")
+    with pytest.raises(InputError, match="others can write"):
+        check_private(opened)

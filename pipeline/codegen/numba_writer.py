@@ -12,13 +12,9 @@ import hashlib
 from typing import Any
 
 from llvmlite import ir
-from numba.core import types
-from numba.core.cgutils import get_or_insert_function
-from numba.core.errors import TypingError
-from numba.extending import intrinsic
-from numba.np.arrayobj import make_array
 
 from pipeline.codegen.graph import Graph, Operation
+from pipeline.compiled import TypingError, intrinsic, types
 from pipeline.numerics.inner_loops import FAST
 
 _FLAGS = tuple(sorted(FAST))
@@ -44,7 +40,7 @@ def kernel(
         (kinds,) = signature.args
         arrays = [builder.extract_value(arguments[0], i) for i in range(len(names))]
         pointers = {
-            name: make_array(kind)(context, builder, array).data
+            name: context.make_array(kind)(context, builder, array).data
             for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
         found = builder.call(
@@ -72,7 +68,7 @@ def _function(
     digest = hashlib.sha256(f"{graph.text} {names} {value} {common}".encode()).hexdigest()[:16]
     returned = ir.VoidType() if value is None else real
     kind = ir.FunctionType(returned, [real.as_pointer()] * len(names))
-    function = get_or_insert_function(module, kind, f"graph.{digest}.{width}.{real}")
+    function = function_of(module, kind, f"graph.{digest}.{width}.{real}")
     if function.is_declaration:
         function.linkage = "linkonce_odr"
         function.attributes.add("noinline")
@@ -82,6 +78,11 @@ def _function(
         writer.write(graph)
         builder.ret_void() if value is None else builder.ret(writer.value)
     return function
+
+
+def function_of(module: Any, kind: Any, name: str) -> Any:
+    """The function of this name in a module, declared if it is not there."""
+    return module.globals.get(name) or ir.Function(module, kind, name)
 
 
 def formula(graph: Graph) -> Any:
@@ -167,7 +168,7 @@ class _Writer:
         if name in _FUNCTIONS:
             kind = f"f{8 * self.bytes}" if self.width == 1 else f"v{self.width}f{8 * self.bytes}"
             kernel = ir.FunctionType(self.type, [self.type])
-            function = get_or_insert_function(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
+            function = function_of(build.module, kernel, f"{_FUNCTIONS[name]}.{kind}")
             return build.call(function, [a], fastmath=self.flags)
         return self._of_library(name, a)
 
@@ -179,7 +180,7 @@ class _Writer:
     def _of_library(self, name: str, a: Any) -> Any:
         """A function of the C library, of one joint after the other."""
         name = name if self.real == _REAL else f"{name}f"
-        function = get_or_insert_function(self.builder.module, ir.FunctionType(self.real, [self.real]), name)
+        function = function_of(self.builder.module, ir.FunctionType(self.real, [self.real]), name)
         if self.width == 1:
             return self.builder.call(function, [a])
         for i in range(self.width):

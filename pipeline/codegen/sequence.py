@@ -11,15 +11,11 @@ from functools import cached_property
 from typing import Any
 
 from llvmlite import ir
-from numba.core import types
-from numba.core.cgutils import alloca_once
-from numba.core.errors import TypingError
-from numba.extending import intrinsic
-from numba.np.arrayobj import make_array
 
 from pipeline.codegen.graph import Graph
 from pipeline.codegen.numba_writer import write_graph
 from pipeline.codegen.text_writer import arguments
+from pipeline.compiled import TypingError, intrinsic, types
 
 Call = tuple[str, dict[str, str]]
 """Name of a graph, and the arrays that stand for some of its inputs and outputs; the others have their own names."""
@@ -73,11 +69,12 @@ def sequence_kernel(sequence: Sequence) -> Any:
         (kinds,) = signature.args
         values = [builder.extract_value(arrays[0], i) for i in range(len(sequence.given))]
         pointers = {
-            name: make_array(kind)(context, builder, value).data
+            name: context.make_array(kind)(context, builder, value).data
             for name, kind, value in zip(sequence.given, kinds, values, strict=True)
         }
         for name, size in sequence.local.items():
-            space = alloca_once(builder, ir.ArrayType(ir.DoubleType(), size))
+            with builder.goto_entry_block():
+                space = builder.alloca(ir.ArrayType(ir.DoubleType(), size))
             pointers[name] = builder.bitcast(space, ir.DoubleType().as_pointer())
         for call in sequence.calls:
             function = _function(builder.module, call[0], sequence.graphs[call[0]])

@@ -103,6 +103,7 @@ def run_command(
     if only_plan:
         outcome.emit_status(f"plan for {place.root}", dry_run(place, replace=replace), as_json=as_json)
         return
+    _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
         results = run_prototype(place, None, progress, with_report=with_report, replace=replace)
     outcome.emit_scores(place.root, as_json=as_json, details=details)
@@ -122,12 +123,22 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     from pipeline.stages.run import run_prototype
 
     folder = output or Path("runs/demo")
+    _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
         results = run_prototype(write_demo_logs(folder, force=force), folder, progress)
     outcome.emit_scores(folder, as_json=as_json)
     if not as_json:
         outcome.emit_verdict(folder)
         typer.echo(f"{outcome.summary(results)}; the logs are simulated. Next: debist status {folder}")
+
+
+def _announce_compilation(quiet: bool) -> None:
+    from pipeline.warmup import COST, is_warm
+
+    if not quiet and not is_warm():
+        typer.echo(
+            f"compiling once, about {COST:.0f} s of processor time; `debist warmup` does this ahead of a run", err=True
+        )
 
 
 def status(
@@ -148,3 +159,20 @@ def status(
     outcome.emit_stale_exports(runs[0])
     if said := missing_settings(runs[0]):
         typer.echo(f"note: {said}", err=True)
+
+
+def warmup(
+    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 2,
+    as_json: Json = False,
+) -> None:
+    """Compile the kernels once per installation, so that no later command has to.
+
+    Without it the first commands compile what they need. Example: debist warmup
+    """
+    from pipeline.warmup import warm_up
+
+    seconds = warm_up(jobs)
+    if as_json:
+        emit_json({"compiled_in_s": seconds})
+    else:
+        typer.echo(f"kernels are compiled ({seconds:.0f} s)")

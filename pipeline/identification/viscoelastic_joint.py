@@ -96,7 +96,7 @@ def _shapes(c, inputs):
     return (len(c.curves) - INPUT - inputs - len(c.rates)) // (1 + inputs)
 
 
-@compiled(allocates=False)
+@compiled(_nrt=False)
 def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) -> None:
     """The basis and its derivative at x."""
     found = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
@@ -344,7 +344,7 @@ def _force(system, x, node, dx):
                     own[s * parameters + m] += relaxing[RATE_NOW, s] * values[row] * du[i, node, n]
 
 
-@compiled(allocates=False)
+@compiled(_nrt=False)
 def _slide(
     slip: FloatArray, share: float, way: float, way_sensitivity: FloatArray, c: Coefficients,
     wrt: SensitivityParameters, moved: FloatArray,

@@ -192,7 +192,7 @@ def _zeros(count: int) -> SingleArray:
     return np.zeros(count, dtype=np.float32)
 
 
-@compiled
+@compiled(inline="always")
 def _advance(
     first: int, stop: int, points: FloatArray, wall: float, substeps: int, a: SingleArray, w: SingleArray,
     drive: SingleArray, starts: SingleArray, stops: SingleArray, found: FloatArray,
@@ -211,7 +211,7 @@ def _advance(
                     found[(step + 1) // substeps, block * BATCH + batch_index] = here[batch_index]
 
 
-@compiled
+@compiled(inline="always")
 def _follow(
     points: FloatArray, slips: FloatArray, first: int, slot: int, k: FloatArray, h: float, z: SingleArray,
     w: SingleArray, drive: SingleArray, own: NDArray[np.int64],
@@ -235,7 +235,7 @@ def _follow(
             drive[own[i] + i * _ROW + slot * BATCH] = by_travel
 
 
-@compiled
+@compiled(inline="always")
 def _corrections(
     q: float, basis: FloatArray, weights: FloatArray, batch_index: int, c: SingleArray, c_q: SingleArray,
     bells: FloatArray,
@@ -254,7 +254,7 @@ def _corrections(
             c_q[(CURVES + i) * STAGES + batch_index] += weights[CURVED.start + i, j] * bend
 
 
-@compiled
+@compiled(inline="always")
 def _act(
     by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, batch_index: int,
     places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
@@ -278,7 +278,7 @@ def _act(
                 )
 
 
-@compiled
+@compiled(inline="always")
 def _act_by_weights(
     bells: FloatArray, by_c: SingleArray, batch_index: int, centres: int, first: int, drive: SingleArray
 ) -> None:

@@ -125,7 +125,7 @@ class _Variation(NamedTuple):
     source: FloatArray
 
 
-@compiled(forceinline=True)
+@compiled
 def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     """Matrices at a stage, and its right-hand side ``at / (γ h)`` plus ∂f/∂p."""
     w, shift, source = 0.5 * (system.half + SDIRK3.nodes[stage]), 1.0 / (SDIRK3.gamma * h), system.source

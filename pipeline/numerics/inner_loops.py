@@ -89,9 +89,8 @@ if TYPE_CHECKING:
         """
 else:
     from llvmlite import ir
-    from numba.core import types
-    from numba.extending import intrinsic
-    from numba.np.arrayobj import make_array
+
+    from pipeline.compiled import intrinsic, types
 
     _VECTOR, _INTEGER = ir.VectorType(ir.DoubleType(), 16), ir.IntType(64)
 
@@ -101,7 +100,7 @@ else:
 
         def generate(context, builder, signature, arguments):
             """LLVM code: Horner's rule for a row of 16, of which `count` are stored."""
-            data, target = (make_array(signature.args[i])(context, builder, arguments[i]).data for i in (0, 3))
+            data, target = (context.make_array(signature.args[i])(context, builder, arguments[i]).data for i in (0, 3))
             start = builder.mul(arguments[1], ir.Constant(_INTEGER, 96))
 
             def row(number):

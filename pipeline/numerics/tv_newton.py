@@ -112,7 +112,7 @@ def newton_step(
     return within_bounds(longest, p[1], dp[1]), variation + 0.5 * misfit
 
 
-@compiled
+@compiled(inline="always")
 def _filter(
     b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
     gamma: float, m0: float, m1: float, p11: float, dy: FloatArray, dt: FloatArray, gains: FloatArray,
@@ -141,7 +141,7 @@ def _filter(
         dy[i] = v
 
 
-@compiled
+@compiled(inline="always")
 def _smooth(
     b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
     gamma: float, dy: FloatArray, dt: FloatArray, dp: FloatArray, gains: FloatArray,
@@ -240,7 +240,7 @@ def newton_step_high_order(
     return longest, variation + 0.5 * misfit
 
 
-@compiled
+@compiled(inline="always")
 def _filter_chain(
     b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
     start: FloatArray, cov: FloatArray, dy: FloatArray, dt: FloatArray, gains: FloatArray,
@@ -265,7 +265,7 @@ def _filter_chain(
         dy[i] = v
 
 
-@compiled
+@compiled(inline="always")
 def _smooth_chain(
     b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
     adjoint: FloatArray, dy: FloatArray, dt: FloatArray, dp: FloatArray, gains: FloatArray,

@@ -7,13 +7,9 @@ from importlib.resources import as_file, files
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
-from matplotlib.figure import Figure as Canvas
-from matplotlib.figure import SubFigure
-from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 
 from pipeline.choices import Typeface
+from pipeline.machine import import_configured
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import (
     Cells,
@@ -32,6 +28,13 @@ from pipeline.reporting.figure import (
 )
 from pipeline.reporting.legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
 from pipeline.si_prefix import axis_scale, scale
+
+import_configured("matplotlib")
+from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.collections import LineCollection  # noqa: E402
+from matplotlib.figure import Figure as Canvas  # noqa: E402
+from matplotlib.figure import SubFigure  # noqa: E402
+from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator  # noqa: E402
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

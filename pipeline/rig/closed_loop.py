@@ -8,10 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from llvmlite import ir
-from numba import types
-from numba.extending import intrinsic
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, intrinsic, types
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.bench import bent, charged
 from pipeline.rig.midpoint import KEEP, advance, at_rest, read_tip, workspace

@@ -205,7 +205,7 @@ def workspace(p: JointParameters, n: int) -> _Work:
     )  # fmt: skip
 
 
-@compiled(forceinline=True)
+@compiled
 def read_tip(state: _State, p: JointParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
     """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state."""
     tip(state.x, p, work.pose, work.jacobian)
@@ -216,7 +216,7 @@ def read_tip(state: _State, p: JointParameters, work: _Work, pose: FloatArray, r
             rate[row] += work.jacobian[2 * row, j] * state.v[j]
 
 
-@compiled(forceinline=True)
+@compiled
 def advance(
     h: float, renew: bool, state: _State, p: JointParameters, work: _Work, inverse: FloatArray, vm: FloatArray
 ) -> int:

@@ -12,6 +12,7 @@ from typing import Literal
 import numpy as np
 
 from pipeline.errors import InputError
+from pipeline.machine import import_configured
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.numerics.stencils import finite_difference, finite_difference_at_jumps
@@ -191,7 +192,7 @@ def _savitzky_golay(samples: FloatArray, dt: float, parameter: SmoothingParamete
 def _rts(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # on import PyNumDiff warns that its optional convex solver is missing
-        from pynumdiff import rtsdiff
+        rtsdiff = import_configured("pynumdiff").rtsdiff
     # Acceleration that wanders with the variance sqrt(epsilon)/alpha, in units of the noise's, from sample to sample.
     ratio = np.log10(np.sqrt(parameter.epsilon) / parameter.alpha / dt)
     # Its memory, the fifth root of noise over process, lies between a sample and the record.

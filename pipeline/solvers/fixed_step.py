@@ -14,11 +14,8 @@ from types import FunctionType
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
-from numba.core import types
-from numba.extending import overload, register_jitable
 
-from pipeline.compiled import compiled
+from pipeline.compiled import Kernel, compiled, implement, inlinable, njit, types
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.inner_loops import FAST
 
@@ -29,7 +26,7 @@ _OPTIONS: Any = {
     "forceinline": True,
     "no_cpython_wrapper": True,
     "no_cfunc_wrapper": True,
-    "_nrt": False,  # see `allocates` of `compiled`
+    "_nrt": False,  # a function that makes no array need not count who holds those that it is given
 }
 _NAMED = (types.NamedTuple, types.NamedUniTuple)
 
@@ -40,8 +37,10 @@ SHARES, ALL_SHARES = (1.0, 2.0, 2.0, 1.0), 6.0
 STAGE_NODES, STAGE_AHEAD, STAGE_SHARES = np.array(NODES), np.array(AHEAD), np.array(SHARES)
 """The same for kernels, in which a look-up in a tuple is a chain of branches."""
 
-inlined = register_jitable(**_OPTIONS)
-"""For a function that `rates` of a system call: it becomes a part of the run's machine code."""
+
+def inlined(function: Kernel) -> Kernel:
+    """For a function that `rates` of a system call: it becomes a part of the run's machine code."""
+    return inlinable(**_OPTIONS)(function)
 
 
 # What `integrate` calls; the compiler puts in its place what `integrator` was given for the system's class.
@@ -84,7 +83,7 @@ def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., i
     _implement(kind, methods)
     own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
     own.__qualname__ = own.__name__
-    found: Callable[..., int] = compiled(with_module_of=kind, fastmath=FAST, allocates=False)(own)
+    found: Callable[..., int] = compiled(with_module_of=kind, fastmath=FAST, _nrt=False)(own)
     return found
 
 
@@ -94,15 +93,15 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
     def of(system) -> Methods | None:
         return known(system) if isinstance(system, _NAMED) and system.instance_class is kind else None
 
-    @overload(begin, jit_options=_OPTIONS)
+    @implement(begin, jit_options=_OPTIONS)
     def _begin(system, x, node):
         return found.begin if (found := of(system)) else None
 
-    @overload(rates, jit_options=_OPTIONS)
+    @implement(rates, jit_options=_OPTIONS)
     def _rates(system, x, node, dx, acceleration):
         return found.rates if (found := of(system)) else None
 
-    @overload(finish, jit_options=_OPTIONS)
+    @implement(finish, jit_options=_OPTIONS)
     def _finish(system, x):
         return found.finish if (found := of(system)) else None
 

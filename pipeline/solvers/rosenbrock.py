@@ -40,7 +40,7 @@ class _Motion(NamedTuple):
     pivots: IntArray
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def _motion(p: FloatArray, v: FloatArray, force: FloatArray) -> _Motion:
     return _Motion(
         p, v, force, np.zeros(1, np.int64), np.zeros(1), np.zeros(3), np.zeros(STATES), np.empty(2), np.empty(1),
@@ -48,7 +48,7 @@ def _motion(p: FloatArray, v: FloatArray, force: FloatArray) -> _Motion:
     )  # fmt: skip
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: FloatArray) -> bool:
     """ẋ (11,) of the state x (11,) at `offset` [s] behind the sample, and M (4, 4); False if that is singular."""
     n = s.sample[0]
@@ -65,7 +65,7 @@ def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: Float
     return True
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
     n, lever = s.sample[0], s.p[0] * s.p[0]
@@ -81,7 +81,7 @@ def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     solve_factorised(s.factors, s.pivots, s.f_t[4:8])
 
 
-@compiled
+@compiled(inline="always")
 def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: FloatArray) -> float:
     """Rates of voltages and force behind a sample, filled into `rise` (3,); interval to the next, 0 at the last."""
     if sample == t.size - 1:
@@ -93,7 +93,7 @@ def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: F
     return float(interval)
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     """ẋ at a stage, with its share of h ∂f/∂t; the Jacobian is that of the step's start."""
     fine = _rate(s, work.at, s.offset[0] + RODAS4.nodes[stage] * h, s.mass, s.f)
@@ -104,7 +104,7 @@ def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
     return fine
 
 
-@compiled
+@compiled(inline="always")
 def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
     """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
     norm = 0.0

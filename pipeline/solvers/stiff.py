@@ -111,7 +111,7 @@ class Work(NamedTuple):
     pivots: IntArray
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def working(stages: int, columns: int) -> Work:
     """Room for the steps of a run."""
     return Work(
@@ -120,7 +120,7 @@ def working(stages: int, columns: int) -> Work:
     )  # fmt: skip
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float, work: Work, columns: int) -> bool:
     """The stages of a step of length `h` from x (STATES · P,), into `work.y`; False where the system fails.
 
@@ -141,7 +141,7 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
     return True
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: FloatArray, columns: int) -> None:
     """Add the stages before `stage` by their weights / `over`."""
     for j in range(stage):
@@ -150,7 +150,7 @@ def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: Flo
             total[i] += weight * y[j, i]
 
 
-@compiled
+@compiled(inline="always")
 def factorise_stages(shift: float, work: Work) -> bool:
     """Factorise the velocity block of ``shift·I − J``, multiplied by M: q_m and z are eliminated."""
     slopes, factors, inverse = work.slopes, work.factors, 1.0 / shift
@@ -166,7 +166,7 @@ def factorise_stages(shift: float, work: Work) -> bool:
     return bool(factorise(factors, work.pivots))
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> None:
     """Solve ``(shift·I − J) out = right``, with M⁻¹ `push` for the velocities beside, in all columns at once."""
     mass, slopes, right, inverse, p = work.mass, work.slopes, work.right, 1.0 / shift, columns
@@ -200,7 +200,7 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
             internal[k * p + c] += follows
 
 
-@compiled(forceinline=True)
+@compiled(inline="always")
 def _row(scale: float, of: FloatArray, begin: int) -> tuple[float, float, float, float]:
     """Four entries of a matrix, read before a loop: it need not ask whether it writes to them."""
     return scale * of[begin], scale * of[begin + 1], scale * of[begin + 2], scale * of[begin + 3]

@@ -64,10 +64,8 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path, title: str) ->
 def _ingest(
     run: RunFolder, on_progress: OnProgress, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
-    from pipeline.first_run import compile_ahead
     from pipeline.signals.uniform_record import Resampling
 
-    compile_ahead()
     plant, settings = device(prototype), prototype.ingest
     written = {}
     with open_si(path, prototype, plant, partial(on_progress, "reading")) as signals:

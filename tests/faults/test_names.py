@@ -8,7 +8,6 @@ from typer.testing import CliRunner
 
 import pipeline
 from cli import app
-from pipeline import prepared_kernels
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
 from pipeline.runs.run_folder import RunFolder
@@ -84,20 +83,13 @@ def test_no_shell_is_given_a_name(tmp_path, monkeypatch, name):
 
 
 def test_no_shell_no_eval_no_pickle_in_the_sources():
-    """What the linter forbids, seen without it: no call that takes a command line, evaluates text or unpickles.
-
-    One module unpickles, what lies beside it in the package and is as trusted as the sources: compiled kernels.
-    """
-    own_kernels = Path(pipeline.__file__).with_name("prepared_kernels.py")
-    assert "PREPARED.read_bytes()" in own_kernels.read_text(encoding="utf-8")
-    assert Path(pipeline.__file__).parent in prepared_kernels.PREPARED.parents
+    """What the linter forbids, seen without it: no call that takes a command line, evaluates text or unpickles."""
     forbidden = {"eval", "exec", "system", "popen", "compile"}
     for path in [Path(pipeline.__file__).parent.parent / "cli.py", *Path(pipeline.__file__).parent.rglob("*.py")]:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Import | ast.ImportFrom):
                 modules = {alias.name for alias in node.names} | {getattr(node, "module", "") or ""}
-                allowed = {"pickle"} if path == own_kernels else set()
-                assert not modules & {"pickle", "marshal", "shelve", "dill", "joblib", "yaml"} - allowed, path
+                assert not modules & {"pickle", "marshal", "shelve", "dill", "joblib", "yaml"}, path
             elif isinstance(node, ast.Call):
                 name = getattr(node.func, "id", None) or getattr(node.func, "attr", "")
                 owner = getattr(getattr(node.func, "value", None), "id", "")

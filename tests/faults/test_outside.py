@@ -15,7 +15,8 @@ from cli import app
 from pipeline.child_processes import isolated
 from pipeline.commands import boundary
 from pipeline.errors import InputError
-from pipeline.machine import KERNELS, ONE_THREAD, check_kernel_folder
+from pipeline.kernel_cache import check_private
+from pipeline.machine import ONE_THREAD
 from pipeline.settings import parse_prototype
 from tests.faults.test_names import _document
 
@@ -97,14 +98,13 @@ def _told(program: str, **environment: str) -> str:
     return done.stdout
 
 
-def test_threads_and_kernels_of_blas_are_set_whatever_the_environment_says():
+def test_threads_of_blas_are_set_whatever_the_environment_says():
     program = (
         "from pipeline.machine import settle_machine; settle_machine(); import os, hashlib, numpy as np; "
         "a = np.random.default_rng(1).normal(size=(400, 400)); q, r = np.linalg.qr(a @ a.T); "
         "print(hashlib.sha256(q.tobytes() + r.tobytes()).hexdigest(), os.environ['OMP_NUM_THREADS'])"
     )
-    odd = dict.fromkeys(ONE_THREAD, "2") | {"OPENBLAS_CORETYPE": "Prescott"}
-    assert _told(program) == _told(program, **odd)
+    assert _told(program) == _told(program, **dict.fromkeys(ONE_THREAD, "2"))
 
 
 def test_threads_of_a_program_that_imports_debist_change_no_result_and_stay_its_own():
@@ -124,25 +124,6 @@ def test_threads_of_a_program_that_imports_debist_change_no_result_and_stay_its_
         assert hasattr(computing, "__wrapped__"), f"{computing} would take the program's threads"
 
 
-def test_kernels_are_loaded_from_no_folder_that_others_can_write(tmp_path):
-    """They are unpickled and run: whoever may write there runs code as the user."""
-    own, opened = tmp_path / "own", tmp_path / "open"
-    for folder in (own, opened / "in"):
-        folder.mkdir(parents=True, mode=0o700)
-    check_kernel_folder(own)
-    check_kernel_folder(own / "not" / "yet")
-    opened.chmod(0o777)
-    for folder in (opened, opened / "in", opened / "not" / "yet"):
-        with pytest.raises(InputError, match=f"{KERNELS}=.*others can write into {opened}"):
-            check_kernel_folder(folder)
-    opened.chmod(0o1777)  # as /tmp: what is there stays its owner's, but anybody can put something beside it
-    check_kernel_folder(opened / "in")
-    with pytest.raises(InputError, match="others can write"):
-        check_kernel_folder(opened)
-    done = debist("status", tmp_path, stdout=subprocess.PIPE, env=os.environ | {KERNELS: str(opened)})
-    assert done.returncode == 2 and b"others can write into" in done.stderr
-
-
 @pytest.mark.skipif(os.geteuid() != 0, reason="needs root, to give a folder away")
 @pytest.mark.parametrize(("owner", "mode"), [(12345, 0o755), (0, 0o775)])
 def test_kernels_are_loaded_from_nobody_elses_folder(tmp_path, owner, mode):
@@ -151,7 +132,7 @@ def test_kernels_are_loaded_from_nobody_elses_folder(tmp_path, owner, mode):
     os.chown(tmp_path / "theirs", owner, 12345)
     (tmp_path / "theirs").chmod(mode)
     with pytest.raises(InputError, match="others can write into"):
-        check_kernel_folder(tmp_path / "theirs")
+        check_private(tmp_path / "theirs")
 
 
 def test_no_container_file_makes_a_cache_that_everybody_can_write():

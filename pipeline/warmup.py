@@ -1,79 +1,42 @@
-"""A first run compiles the kernels of later stages in a second process, while the first one reads and differentiates.
+"""Compile the kernels once per installation, by calls on next to no data; `debist warmup` does it at set-up.
 
-Both look into the same cache, and `pipeline.compiled` lets only one of them compile a kernel. What is compiled is what
-the calls below need; a kernel that they leave out is compiled when it is called.
+A kernel that these calls leave out is compiled when a run first calls it, which costs time and nothing else.
 """
 
-import fcntl
-import os
-import subprocess
-import tempfile
-from contextlib import suppress
+import time
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from pipeline.child_processes import isolated
-from pipeline.compiled import cache_folder, is_cached, is_prepared
-from pipeline.machine import KERNELS
+from pipeline.child_processes import in_processes
+from pipeline.kernel_cache import folder_for, has_kernels
 
-_PROGRAM = (
-    "from pipeline.machine import settle_machine; settle_machine(); "
-    "from pipeline.first_run import compile_kernels; compile_kernels()"
-)
-_started: list["subprocess.Popen[bytes]"] = []
+COST = 30.0
+"""Processor time [s] that a first run spends on compilation, roughly."""
 
 
-def compile_ahead() -> None:
-    """Start the second process, which ends with this one, unless the kernels are there or only one processor is."""
-    from pipeline.joint.condensed_curves import curves_at
-    from pipeline.joint.sensitivity import integrate_sensitivities
-
-    if (
-        _started
-        or _processors() < 2
-        or all(is_cached(each) or is_prepared(each) for each in (curves_at, integrate_sensitivities))
-    ):
-        return
-    nowhere, program = subprocess.DEVNULL, f"from pipeline.child_processes import end_with; end_with({os.getpid()}); "
-    child = subprocess.Popen(isolated(program + _PROGRAM), stdin=nowhere, stdout=nowhere, stderr=nowhere)
-    _started.append(child)
+def warm_up(jobs: int) -> float:
+    """Compile what any command needs, in so many processes; the wall time [s] that it took."""
+    began = time.perf_counter()
+    list(in_processes(_compile, range(len(_GROUPS)), jobs))
+    return time.perf_counter() - began
 
 
-def _processors() -> int:
-    """Processors that this process may use; where the system does not say (macOS), all that there are."""
-    allowed = getattr(os, "sched_getaffinity", None)
-    return len(allowed(0)) if allowed else os.cpu_count() or 1
+def is_warm() -> bool:
+    """Whether the kernels of the default model are in the cache; nothing is imported to find out."""
+    specifications = (find_spec(name) for name in ("pipeline.joint.condensed_runs", "pipeline.solvers.fixed_step"))
+    modules = frozenset(Path(each.origin) for each in specifications if each is not None and each.origin)
+    return has_kernels(folder_for(modules))
 
 
-def compile_kernels() -> None:
-    """Call, on next to no data, what models need, in the order of a run; one process at a time."""
-    from pipeline.joint.condensed_curves import curves_at
+def _compile(group: int) -> None:
+    from pipeline.compiled import keep_kernels
 
-    lock = os.open(cache_folder(curves_at) / "first_run.lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
-    with suppress(BlockingIOError):
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        _hybrid()
-        _without_parameter_set()
-        _analytical()
-        _measured()
-
-
-def compile_all() -> None:
-    """Call, on next to no data, what any command needs: models, the virtual rig, controllers."""
-    compile_kernels()
-    _rig()
-    _control()
-
-
-def write_prepared() -> None:
-    """Write the kernels that come with the package anew, in a process that finds no compiled ones."""
-    program = (
-        "from pipeline.prepared_kernels import PREPARED, write; "
-        "from pipeline.first_run import compile_all; write(PREPARED, compile_all)"
-    )
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(isolated(program), check=True, env=os.environ | {KERNELS: folder})
+    for call in _GROUPS[group]:
+        call()
+    keep_kernels()
 
 
 def _hybrid() -> None:
@@ -183,5 +146,5 @@ def _control() -> None:
     closed_on_model(law, condensed_joint_law(plant, (0.003, 0.003)), -0.01, np.zeros(2))
 
 
-if __name__ == "__main__":
-    write_prepared()
+_GROUPS = ((_hybrid, _control), (_analytical, _without_parameter_set, _measured, _rig))
+"""What is compiled in one process each, by about the same time; kernels that share others stand together."""
