@@ -40,7 +40,7 @@ STAGE_NODES, STAGE_AHEAD, STAGE_SHARES = np.array(NODES), np.array(AHEAD), np.ar
 
 def inlined(function: Kernel) -> Kernel:
     """For a function that `rates` of a system call: it becomes a part of the run's machine code."""
-    return inlinable(**_OPTIONS)(function)
+    return inlinable(**_OPTIONS)(function)  # type: ignore[no-any-return]
 
 
 # What `integrate` calls; the compiler puts in its place what `integrator` was given for the system's class.
