@@ -24,12 +24,12 @@ def check_name(name: str) -> str:
     ValueError
         It is empty or longer than 64, holds what leaves a folder, a line, a table or a shell, or is reserved.
     """
-    if not _WRITABLE.fullmatch(name) or name.strip(".") == "":
+    if not _WRITABLE.fullmatch(name) or name.endswith("."):  # Windows leaves a dot at the end out
         raise ValueError(
             f"{name!r} is no usable name: 1 to 64 letters, digits, blanks, dots, hyphens, underscores or brackets, "
-            "without blanks at its ends; rename it"
+            "without blanks at its ends or a dot at its end; rename it"
         )
-    if name.split(".")[0].lower() in _RESERVED:
+    if name.split(".")[0].strip().lower() in _RESERVED:
         raise ValueError(f"{name!r} is a reserved device name on some systems; rename it")
     return name
 

@@ -13,7 +13,7 @@ from pipeline.batch.worker import Outcome, Workers
 from pipeline.errors import DebistError, InputError
 from pipeline.names import slug
 from pipeline.plain_files import read_toml
-from pipeline.runs.confined import make_folder
+from pipeline.runs.atomic import make_folder
 from pipeline.runs.manifest import MANIFEST
 from pipeline.settings import load_prototype
 

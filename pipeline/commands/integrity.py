@@ -1,4 +1,4 @@
-"""`debist verify`, `debist repair`, `debist sign`: is everything as it was written, and by whom?"""
+"""`debist verify`, `debist repair`: is everything as it was written?"""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -22,14 +22,11 @@ def verify(
     every: Annotated[
         bool, typer.Option("--all", help="RUN is a folder of runs: check each, and the fleet tables.")
     ] = False,
-    key: Annotated[
-        Path | None, typer.Option("--key", metavar="FILE", help="Check the signature too, with the key in this file.")
-    ] = None,
     as_json: Json = False,
 ) -> None:
-    """Check every file of a run; exit code 4 if anything does not have the bytes that were written.
+    """Check every file of a run; exit code 4 if one does not have the bytes that were written or does not belong there.
 
-    Files that debist did not write there are named. With --against also whether another run, of another machine for
+    With --against also whether another run, of another machine for
     instance, holds the same content; where floating point forbids that, whether it is the same to 6 digits (of the
     largest magnitude of a column); exit code 4 if not. Example: debist verify runs/P1 --against crate/run
     """
@@ -38,15 +35,16 @@ def verify(
     if every:
         _emit_all(verify_all(run), as_json)
         return
-    found, signed = verify_everything(run, key)
-    if against is not None and not found.problems:
+    found = verify_everything(run)
+    if against is not None and found.intact:
         from pipeline.commands.results import emit_comparison
         from pipeline.tools.diff import compare_runs
 
         emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
         return
-    _emit(found, signed, as_json)
+    _emit(found, as_json)
     _fail_where(run, found)
+    _fail_beside(run, found)
 
 
 def repair(
@@ -74,39 +72,17 @@ def repair(
     _fail_where(run, found)
 
 
-def sign(
-    run: Run,
-    key: Annotated[Path, typer.Option("--key", metavar="FILE", help="File with the key.")],
-    new_key: Annotated[bool, typer.Option("--new-key", help="Make the key and write it to that file first.")] = False,
-    as_json: Json = False,
-) -> None:
-    """Sign a run, so that who has the same key can tell whether anything in it was replaced (HMAC-SHA-256).
-
-    Example: debist sign runs/P1 --key lab.key --new-key; then, elsewhere: debist verify runs/P1 --key lab.key
-    """
-    from pipeline.runs.verification import make_key
-    from pipeline.tools.verify import sign_run
-
-    if new_key:
-        make_key(key)
-    written = sign_run(run, key)
+def _emit(found: "Verified", as_json: bool) -> None:
     if as_json:
-        emit_json({"signature": written})
-    else:
-        typer.echo(printable(f"{written}: signed; check it by `debist verify {run} --key {key}`"))
-
-
-def _emit(found: "Verified", signed: str, as_json: bool) -> None:
-    if as_json:
-        emit_json(vars(found) | ({"signed": signed} if signed else {}))
+        emit_json(vars(found))
         return
-    if not found.problems:
-        when = f"; signed {signed}" if signed else ""
-        typer.echo(printable(f"{found.checked} artifacts checked, {_state(found)}{when}"))
-    for name in found.unknown[:_MOST_NAMED]:
-        typer.echo(printable(f"not written by debist: {name}"), err=True)
-    if len(found.unknown) > _MOST_NAMED:
-        typer.echo(f"and {len(found.unknown) - _MOST_NAMED} more", err=True)
+    if found.intact:
+        typer.echo(f"{found.checked} artifacts checked, all intact")
+    for what, names in (("does not belong to the run", found.unknown), ("left by an interrupted run", found.leftover)):
+        for name in names[:_MOST_NAMED]:
+            typer.echo(printable(f"{what}: {name}"), err=True)
+        if len(names) > _MOST_NAMED:
+            typer.echo(f"and {len(names) - _MOST_NAMED} more", err=True)
 
 
 def _state(found: "Verified") -> str:
@@ -124,7 +100,7 @@ def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
                 str(run.root),
                 str(run.found.checked),
                 str(len(run.found.problems)),
-                str(len(run.found.unknown)),
+                str(len(run.found.unknown) + len(run.found.leftover)),
                 _first(run),
             )
             for run in runs
@@ -136,7 +112,9 @@ def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
 
 
 def _first(run: "VerifiedRun") -> str:
-    return run.failure or next((f"{p['artifact']} {p['problem']}" for p in run.found.problems), "")
+    problems = (f"{p['artifact']} {p['problem']}" for p in run.found.problems)
+    others = (f"{name} does not belong there" for name in (*run.found.unknown, *run.found.leftover))
+    return run.failure or next(iter((*problems, *others)), "")
 
 
 def _fail_where(run: Path, found: "Verified") -> None:
@@ -147,3 +125,12 @@ def _fail_where(run: Path, found: "Verified") -> None:
             "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in found.problems)
             + f"; `debist repair {run}` sets aside and rebuilds what is damaged"
         )
+
+
+def _fail_beside(run: Path, found: "Verified") -> None:
+    from pipeline.errors import CorruptArtifactError
+
+    if found.unknown:
+        raise CorruptArtifactError(f"{run}: {len(found.unknown)} files do not belong to the run; move them elsewhere")
+    if found.leftover:
+        raise CorruptArtifactError(f"{run}: a run was interrupted; `debist run` completes it and removes what it left")

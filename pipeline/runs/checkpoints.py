@@ -1,15 +1,15 @@
 """Finished parts of a long task, kept on the disk until its artifacts are committed: a killed task goes on from there.
 
 A part is a JSON value, with arrays of floats in it to the last bit, under a name. It counts only for the recipe that it
-was made for (settings, inputs and version of the algorithm), and only whole: it is written atomically, with its hash.
+was made for (settings, inputs and version of the algorithm), and only whole: it is written atomically, with the digest
+of the recipe and one of recipe, name and content. A part that has not both is made anew.
 """
 
 import base64
 import hashlib
 import json
-import os
+import shutil
 from collections.abc import Callable, Iterable
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +18,6 @@ import numpy as np
 from pipeline.numerics.kept import Parts
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_bytes
-from pipeline.runs.confined import folder_within
 from pipeline.runs.hashing import json_sha256
 from pipeline.runs.manifest import Recipe
 
@@ -40,14 +39,13 @@ class Checkpoints:
 
     def __init__(self, root: Path, recipe: Recipe) -> None:
         self._root = root
-        key = json_sha256({**vars(recipe), "settings": dict(recipe.settings), "inputs": dict(recipe.inputs)})
-        self._folder = root / FOLDER / key[:32]
+        self._recipe = json_sha256({**vars(recipe), "settings": dict(recipe.settings), "inputs": dict(recipe.inputs)})
 
     def get(self, name: str) -> Any | None:
         """The value of a part that is finished, None otherwise."""
         try:
-            digest, _, text = read_plain(self._place(name), _LARGEST).partition(b"\n")
-            return json.loads(text, object_hook=_array) if digest == _digest(text) else None
+            head, _, text = read_plain(self._place(name), _LARGEST).partition(b"\n")
+            return json.loads(text, object_hook=_array) if head == self._head(name, text) else None
         except (OSError, ValueError, KeyError, TypeError, RecursionError):
             return None
 
@@ -60,7 +58,7 @@ class Checkpoints:
             The disk does not let it.
         """
         text = json.dumps(value, default=_described).encode()
-        write_bytes(self._place(name), _digest(text) + b"\n" + text, within=self._root)
+        write_bytes(self._place(name), self._head(name, text) + b"\n" + text, within=self._root)
 
     def keep(self, name: str, make: Callable[[], Parts]) -> Parts:
         """The parts of a piece of work under a name: as they were kept, or made now and kept."""
@@ -79,11 +77,12 @@ class Checkpoints:
         return [self.get(name) for name in wanted]
 
     def _place(self, name: str) -> Path:
-        return self._folder / f"{json_sha256(name)[:32]}.json"
+        return self._root / FOLDER / self._recipe[:32] / f"{json_sha256(name)[:32]}.json"
 
-
-def _digest(text: bytes) -> bytes:
-    return hashlib.sha256(text).hexdigest().encode()
+    def _head(self, name: str, text: bytes) -> bytes:
+        """The first line of a part: the recipe's digest and its own."""
+        own = hashlib.sha256(json.dumps([self._recipe, name]).encode() + text).hexdigest()
+        return f"{self._recipe} {own}".encode()
 
 
 def _described(array: np.ndarray[Any, Any]) -> dict[str, Any]:
@@ -99,13 +98,5 @@ def _array(found: dict[str, Any]) -> Any:
 
 def clear_checkpoints(root: Path) -> None:
     """Remove all parts: those of a task that is committed, and those of recipes that nobody asks for any more."""
-    with suppress(OSError):
-        if (root / FOLDER).is_symlink() or not (root / FOLDER).is_dir():
-            return
-        with folder_within(root, root / FOLDER) as held:
-            for _, folders, files, folder in os.fwalk(".", topdown=False, dir_fd=held):
-                for name in files:
-                    os.unlink(name, dir_fd=folder)
-                for name in folders:
-                    os.rmdir(name, dir_fd=folder)
-        (root / FOLDER).rmdir()
+    if not (root / FOLDER).is_symlink():
+        shutil.rmtree(root / FOLDER, ignore_errors=True)

@@ -190,7 +190,7 @@ def _seen(task: Task) -> dict[Path, _Seen]:
         with suppress(OSError):  # `_recipe` says what is wrong with it
             stat = path.stat()
             identity = (stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns)
-            found[path] = _Seen(identity, time.time_ns() - stat.st_ctime_ns < _TICK)
+            found[path] = _Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
     return found
 
 

@@ -1,6 +1,6 @@
 """Where the artifacts of a run lie (contract: run folder)."""
 
-from pathlib import Path
+from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from pipeline.names import log_name
 from pipeline.settings import ROLES, Prototype, Role
@@ -15,6 +15,12 @@ PAPER = "paper.html"
 DATASHEET = "datasheet.json"
 STUDIES, EXPORTS = "studies", "exports"
 """Folders with files beside the artifacts, each with a list of what was written."""
+
+
+def inside(name: str) -> bool:
+    """Whether a path in a run, with slashes, leads to no other place on any system: no step up, drive or backslash."""
+    path = PureWindowsPath(name)
+    return not (path.anchor or ".." in path.parts or "\\" in name)
 
 
 def logs(prototype: Prototype) -> list[tuple[Role, str, str]]:
@@ -79,7 +85,7 @@ def control(title: str) -> str:
 
 def command_of(name: str) -> str:
     """The command that makes an artifact which `debist run` does not; empty for those of its stages."""
-    folder, title = name.partition("/")[0], Path(name).stem
+    folder, title = name.partition("/")[0], PurePosixPath(name).stem
     if folder == STUDIES:
         return "study folds" if name.startswith(f"{STUDIES}/folds") else f"study {title}"
     if folder == "control":

@@ -1,5 +1,8 @@
 """The manifest of a run: for every artifact its stage, settings, inputs and hashes; and how both change together.
 
+For each stage there is a small file with the content hashes of what it made. A workflow engine passes these stage
+manifests between its rules: they change exactly when the content changes. The manifest holds what stands in them.
+
 A task writes each artifact under a staging name beside its place. The commit then (1) writes the new manifest beside
 the old one, whole and synced; (2) moves the artifacts to their places; (3) moves the manifest to its own. A process
 killed before (1) has changed nothing; after it, the new manifest counts, and an artifact that was not moved yet is
@@ -16,8 +19,7 @@ from typing import Any
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
-from pipeline.runs.atomic import move, sync, write_text
-from pipeline.runs.confined import reading, remove_within
+from pipeline.runs.atomic import move, not_written, reading, refuse_link, sweep, write_text
 from pipeline.runs.hashing import file_sha256, flatten, json_sha256
 from pipeline.runs.manifest_shape import Notes, check_shape
 
@@ -25,6 +27,7 @@ MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"
 """A manifest whose commit was interrupted: where it is there, it is the valid one."""
 FORMAT = "debist-run/1"
+STAGES, STAGED_MARK = "stages", ".debist-staged"
 _LARGEST = 256 << 20
 _INTACT: set[bytes] = set()
 """SHA-256 of manifests that this process found intact; checking one costs seven times as much as parsing it."""
@@ -95,13 +98,33 @@ class ArtifactRecord:
 
 @dataclass
 class Manifest:
-    """The whole manifest; `save` writes it atomically."""
+    """The whole manifest; `save` writes it atomically.
+
+    Attributes
+    ----------
+    prototype : dict
+        The settings.
+    prototype_file : str
+        Where they were read from.
+    versions : dict of str to str
+        Of debist and of the packages that can move a digit.
+    artifacts : dict of str to ArtifactRecord
+        By path in the run, with slashes.
+    environments : dict
+        What the artifacts were made in, by key.
+    stages : dict of str to dict
+        What stands in the stage manifests: content hash by artifact, by stage.
+    set_aside : list of str
+        Damaged files that were moved out of the way, by path in the run.
+    """
 
     prototype: dict[str, Any]
     prototype_file: str
     versions: dict[str, str]
     artifacts: dict[str, ArtifactRecord]
     environments: dict[str, Mapping[str, Any]] = field(default_factory=dict)
+    stages: dict[str, dict[str, str]] = field(default_factory=dict)
+    set_aside: list[str] = field(default_factory=list)
 
     def save(self, root: Path, name: str = MANIFEST) -> None:
         """Write the manifest into the run folder `root`."""
@@ -158,7 +181,7 @@ def load_manifest(root: Path) -> Manifest:
             document["prototype_file"],
             document["versions"],
             artifacts,
-            document.get("environments", {}),
+            *(document.get(key, empty) for key, empty in (("environments", {}), ("stages", {}), ("set_aside", []))),
         )
         intact = known or _dump(manifest).encode() == raw
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
@@ -169,17 +192,12 @@ def load_manifest(root: Path) -> Manifest:
     return manifest
 
 
-def manifest_bytes(manifest: Manifest) -> bytes:
-    """The manifest as it lies on the disk."""
-    return _dump(manifest).encode()
-
-
 def _dump(manifest: Manifest) -> str:
     # `asdict` would copy every note and setting, half of the time that this takes
     artifacts = {name: {**vars(record), "recipe": vars(record.recipe)} for name, record in manifest.artifacts.items()}
     document = {"format": FORMAT, **vars(manifest), "artifacts": artifacts}
     for entry in (document, *document["artifacts"].values()):  # so that a manifest of before is dumped as it was
-        for key in ("environment", "environments"):
+        for key in ("environment", "environments", "stages", "set_aside"):
             if not entry.get(key, True):
                 del entry[key]
     return (
@@ -211,16 +229,23 @@ def changes(settings: Mapping[str, Any], before: Mapping[str, Any]) -> list[str]
     ]
 
 
-STAGED_MARK = ".debist-staged"
+def stage_file(stage: str) -> str:
+    """Where the manifest of a stage lies in a run."""
+    return f"{STAGES}/{stage}.json"
+
+
+def stage_text(stage: str, content: Mapping[str, str]) -> str:
+    """The manifest of a stage; no content for a stage that has nothing to do."""
+    return json.dumps({"stage": stage, "content": dict(sorted(content.items()))}, indent=1) + "\n"
 
 
 def staging_place(path: Path) -> Path:
-    """Where an artifact lies until its commit."""
+    """Where a file of a run lies until its commit."""
     return path.with_name(f".{path.name}{STAGED_MARK}")
 
 
-def commit(root: Path, manifest: Manifest, paths: Iterable[Path]) -> None:
-    """Make a manifest and the staged artifacts that it describes valid.
+def commit(root: Path, manifest: Manifest, names: Iterable[str]) -> None:
+    """Make a manifest and the staged files that it describes valid, and remove stage manifests that it does not hold.
 
     Raises
     ------
@@ -228,7 +253,7 @@ def commit(root: Path, manifest: Manifest, paths: Iterable[Path]) -> None:
         The disk is full or not writable. Nothing has changed then, or the next run completes what was begun.
     """
     manifest.save(root, NEXT_MANIFEST)
-    _move_all(root, paths)
+    _complete(root, manifest, names)
 
 
 def recover(root: Path) -> None:
@@ -236,9 +261,11 @@ def recover(root: Path) -> None:
     with reading(root):
         if (root / NEXT_MANIFEST).exists():
             manifest = load_manifest(root)
-            paths = (root / name for name in manifest.artifacts)
-            _move_all(root, [path for path in paths if is_staged(path, manifest.artifacts[_name(root, path)].sha256)])
-    remove_within(root, STAGED_MARK)
+            made = {name: record.sha256 for name, record in manifest.artifacts.items()}
+            texts = {stage_file(stage): stage_text(stage, content) for stage, content in manifest.stages.items()}
+            made |= {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
+            _complete(root, manifest, [name for name, sha256 in made.items() if is_staged(root / name, sha256)])
+    sweep(root, STAGED_MARK)
 
 
 def is_staged(path: Path, sha256: str) -> bool:
@@ -247,16 +274,14 @@ def is_staged(path: Path, sha256: str) -> bool:
     return staged.is_file() and file_sha256(staged) == sha256
 
 
-def _move_all(root: Path, paths: Iterable[Path]) -> None:
-    folders = set()
-    for path in paths:
-        move(staging_place(path), path, within=root)
-        folders.add(path.parent)
-    for folder in folders:
-        sync(folder, within=root)
+def _complete(root: Path, manifest: Manifest, names: Iterable[str]) -> None:
+    refuse_link(root / STAGES, within=root)
+    for path in (root / STAGES).glob("*.json"):
+        if path.stem not in manifest.stages:
+            try:
+                path.unlink()
+            except OSError as error:
+                raise not_written(path, error) from error
+    for name in names:
+        move(staging_place(root / name), root / name, within=root)
     move(root / NEXT_MANIFEST, root / MANIFEST, within=root)
-    sync(root, within=root)
-
-
-def _name(root: Path, path: Path) -> str:
-    return path.relative_to(root).as_posix()

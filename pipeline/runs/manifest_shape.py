@@ -1,14 +1,16 @@
 """What a manifest may say: the kind of every value that is read from it, whoever wrote it and whatever its digest."""
 
 from collections.abc import Mapping
-from typing import Any, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from pipeline.errors import CorruptArtifactError
 
-_DEEPEST = 64
 _DIGEST = Field(pattern="^[0-9a-f]{64}$")
+_Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
+_Path = Annotated[str, Field(pattern=r"^\.*[A-Za-z0-9_-][A-Za-z0-9._-]*(/\.*[A-Za-z0-9_-][A-Za-z0-9._-]*)*$")]
+"""Inside the run on every system: slashes, no step up, no drive, no backslash."""
 Number = float | None
 """JSON knows no number that is not finite: null stands for it."""
 
@@ -99,8 +101,10 @@ class _Manifest(_Shape):
     prototype: dict[str, Any]
     prototype_file: str
     versions: dict[str, str]
-    artifacts: dict[str, _Record]
+    artifacts: dict[_Path, _Record]
     environments: dict[str, dict[str, Any]] = {}
+    stages: dict[_Name, dict[str, str]] = {}
+    set_aside: list[str] = []
     digest: str = _DIGEST
 
 
@@ -124,17 +128,9 @@ class Notes(dict[str, Any]):
 
 def check_shape(document: Mapping[str, Any]) -> str | None:
     """The first key of a manifest whose value is not what it must be, and why; None if all are."""
-    for key, value in document.items():
-        if not _is_flat(value, _DEEPEST):
-            return f"{key}: nested too deeply"
     try:
         _Manifest.model_validate(document)
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
         return f"{'.'.join(map(str, first['loc']))}: {first['msg'][0].lower()}{first['msg'][1:]}"
     return None
-
-
-def _is_flat(value: Any, levels: int) -> bool:
-    entries = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
-    return levels > 0 and all(_is_flat(entry, levels - 1) for entry in entries)

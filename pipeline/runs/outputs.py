@@ -16,8 +16,7 @@ from typing import Any
 from pipeline.errors import InputError
 from pipeline.plain_files import read_plain, read_toml
 from pipeline.runs import layout
-from pipeline.runs.atomic import TEMPORARY_MARK, write_text
-from pipeline.runs.confined import not_written, refuse_link
+from pipeline.runs.atomic import TEMPORARY_MARK, not_written, refuse_link, replace, write_text
 from pipeline.runs.hashing import file_sha256
 
 WRITTEN = ".debist-written.json"
@@ -98,7 +97,7 @@ def _place(staged: Path, folder: Path, written: list[Path], about: dict[str, Any
     write_text(folder / WRITTEN, _list(known | replacing))
     for name in written:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (staged / name).replace(folder / name)
+        replace(staged / name, folder / name)
     write_text(folder / WRITTEN, _list(known | coming))
 
 
@@ -160,7 +159,7 @@ def written_files(folder: Path) -> dict[str, Any]:
         files = dict(json.loads(read_plain(folder / WRITTEN, _LARGEST_LIST))["files"])
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return {}
-    return {name: entry for name, entry in files.items() if isinstance(entry, dict)}
+    return {name: entry for name, entry in files.items() if isinstance(entry, dict) and layout.inside(name)}
 
 
 def _named_by(path: Path) -> Path | None:

@@ -10,38 +10,34 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pipeline.errors import CorruptArtifactError, InputError, SupersededError
-from pipeline.plain_files import open_plain
 from pipeline.runs import layout, tables, trees
-from pipeline.runs.atomic import TEMPORARY_MARK, move, sweep, write_bytes, write_text
+from pipeline.runs.atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
+from pipeline.runs.checked_reads import Read, buffered, hashed, look_up, whole
 from pipeline.runs.checkpoints import Checkpoints, clear_checkpoints
-from pipeline.runs.confined import reading, refuse_link
 from pipeline.runs.environment import current_environment, recorded_versions
 from pipeline.runs.hashing import file_sha256, json_sha256
-from pipeline.runs.lock import check_held
 from pipeline.runs.manifest import (
     MANIFEST,
     NEXT_MANIFEST,
+    STAGES,
     ArtifactRecord,
     Manifest,
     Recipe,
     commit,
     load_manifest,
     recover,
+    stage_file,
+    stage_text,
     staging_place,
     to_json,
 )
 from pipeline.runs.schemas import Schema
-from pipeline.runs.stage_manifest import withdraw
 from pipeline.settings import Prototype, parse_prototype
 
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
-_NO_RUN_YET = (".lock", "stages")
-
+_NO_RUN_YET = (".lock", STAGES)
 
 T = TypeVar("T")
-Read = Callable[[Path], tuple[T, str]]
-"""Gives what is wanted of a file, and the SHA-256 of the bytes that it is from."""
-
 CORRUPT_MARK = ".corrupt-"
 _TRIES, _PAUSE = 50, 0.02
 
@@ -91,6 +87,7 @@ class RunFolder:
         sweep(root)
         stored = load_manifest(root)
         made.artifacts, made.environments = stored.artifacts, stored.environments
+        made.stages, made.set_aside = stored.stages, stored.set_aside
         if (stored.prototype, stored.prototype_file) != (made.prototype, made.prototype_file):
             replace(stored, prototype=made.prototype, prototype_file=made.prototype_file).save(root)
         return cls(root, made)
@@ -115,14 +112,12 @@ class RunFolder:
         Raises
         ------
         InputError
-            A folder on the way is a symbolic link, or the name leaves the run.
+            A folder on the way is a symbolic link, or the name leaves the run on some system.
         """
-        target = self.root / name
-        relative = Path(name)
-        if relative.is_absolute() or ".." in relative.parts:
+        if not layout.inside(name):
             raise InputError(f"{name!r} leaves the run folder {self.root}")
-        for folder in list(relative.parents)[:-1]:
-            refuse_link(self.root / folder)
+        target = self.root / name
+        refuse_link(target.parent, within=self.root)
         return target
 
     def record(self, name: str) -> ArtifactRecord:
@@ -145,11 +140,11 @@ class RunFolder:
         SupersededError
             Another process has replaced it since this run was opened.
         """
-        return self._examine(name, _hashed)[1]
+        return self._examine(name, hashed)[1]
 
     def checked(self, name: str) -> Path:
         """The path of an intact artifact; errors as for `read_bytes`."""
-        return self._intact(name, _hashed)
+        return self._intact(name, hashed)
 
     def read_bytes(self, name: str) -> bytes:
         """The bytes of an artifact, which are those that were written.
@@ -161,11 +156,11 @@ class RunFolder:
         SupersededError
             Another process has replaced them since this run was opened.
         """
-        return self._intact(name, _whole)
+        return self._intact(name, whole)
 
     def read_table(self, name: str) -> tables.Table:
         """Read a Parquet artifact from bytes that were checked; errors as for `read_bytes`."""
-        return tables.parse_table(self._intact(name, _buffer), self.path(name))
+        return tables.parse_table(self._intact(name, buffered), self.path(name))
 
     def read_records(self, name: str) -> list[dict[str, Any]]:
         """The rows of a Parquet artifact, None where there is no finite number; errors as for `read_bytes`."""
@@ -176,7 +171,7 @@ class RunFolder:
         """Read an HDF5 artifact, or a branch of it, from bytes that were checked; errors as for `read_bytes`."""
         return trees.parse_tree(self.read_bytes(name), self.path(name), group)
 
-    def _intact(self, name: str, read: "Read[T]") -> T:
+    def _intact(self, name: str, read: Read[T]) -> T:
         content, problem = self._examine(name, read)
         if problem is not None or content is None:
             command, stage = layout.command_of(name), self.record(name).recipe.stage
@@ -184,22 +179,25 @@ class RunFolder:
             raise CorruptArtifactError(f"{self.path(name)}: {problem}; `debist run` sets it aside and {remedy}")
         return content
 
-    def _examine(self, name: str, read: "Read[T]") -> tuple[T | None, str | None]:
+    def _examine(self, name: str, read: Read[T]) -> tuple[T | None, str | None]:
         """What `read` gives of the artifact's file, or what is wrong with it.
 
         While a commit awaits its completion the file is at its staging place, from which it may just be moved.
         """
         record, path = self.record(name), self.path(name)
-        with reading(path):
-            content, problem = _look(path, record, read)
-            if problem is not None and (self.root / NEXT_MANIFEST).exists():
-                content, elsewhere = _look(staging_place(path), record, read)
-                problem = elsewhere and problem
-            if problem is not None:
-                content, problem = _look(path, record, read)
+        content, problem = look_up(self.root, path, record.bytes, record.sha256, read)
         if problem is not None and load_manifest(self.root).artifacts.get(name) != record:
             raise SupersededError(f"{path}: was replaced by another run while it was read; do it again")
         return content, problem
+
+    def stage_problem(self, stage: str) -> str | None:
+        """What is wrong with the manifest of a stage, or None; errors as for `problem`."""
+        content, path = self.manifest.stages[stage], self.path(stage_file(stage))
+        text = stage_text(stage, content).encode()
+        _, problem = look_up(self.root, path, len(text), hashlib.sha256(text).hexdigest(), hashed)
+        if problem is not None and load_manifest(self.root).stages.get(stage) != content:
+            raise SupersededError(f"{path}: was replaced by another run while it was read; do it again")
+        return problem
 
     def write_table(self, name: str, schema: Schema, columns: Mapping[str, Any], notes: Mapping[str, Any]) -> Written:
         """Write a Parquet artifact; like all that is written, it counts from its commit on."""
@@ -233,14 +231,7 @@ class RunFolder:
         return staging_place(path)
 
     def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
-        """Make the artifacts that one task has written valid, all at once.
-
-        Raises
-        ------
-        RunLockedError
-            Others can write into the run by now.
-        """
-        check_held(self.root)
+        """Make the artifacts that one task has written valid, all at once; a stage manifest of other content goes."""
         key, environment = current_environment()
         for name, artifact in written.items():
             staged = staging_place(self.path(name))
@@ -252,9 +243,26 @@ class RunFolder:
         used = {record.environment for record in self.manifest.artifacts.values()}
         self.manifest.environments = {k: e for k, e in self.manifest.environments.items() if k in used}
         self.manifest.environments[key] = environment
-        withdraw(self.root, recipe.stage, {name: artifact.content_hash for name, artifact in written.items()})
-        commit(self.root, self.manifest, [self.path(name) for name in written])
+        stated = self.manifest.stages.get(recipe.stage, {})
+        if any(stated.get(name, artifact.content_hash) != artifact.content_hash for name, artifact in written.items()):
+            del self.manifest.stages[recipe.stage]
+        commit(self.root, self.manifest, written)
         clear_checkpoints(self.root)
+
+    def state(self, stages: Mapping[str, Mapping[str, str]]) -> None:
+        """Write the manifests of stages that are up to date: content hash by artifact, by stage.
+
+        What is there already is left alone.
+        """
+        made = self.manifest.stages
+        changed = [
+            stage for stage, content in stages.items() if made.get(stage) != content or self.stage_problem(stage)
+        ]
+        for stage in changed:
+            made[stage] = dict(stages[stage])
+            write_text(self._staged(stage_file(stage)), stage_text(stage, stages[stage]), within=self.root)
+        if changed:
+            commit(self.root, self.manifest, map(stage_file, changed))
 
     def checkpoints(self) -> Checkpoints:
         """The finished parts of the task that is at work, also those from before it was killed."""
@@ -268,11 +276,11 @@ class RunFolder:
 
     def set_aside(self, name: str) -> Path:
         """Move a damaged artifact out of the way, never deleting it; returns its new path."""
-        path = self.path(name)
-        stamp = datetime.now(UTC).strftime("%Y%m%dT%H%M%S%f")
-        aside = path.with_name(f"{path.name}{CORRUPT_MARK}{stamp}")
-        move(path, aside, within=self.root)
-        return aside
+        path, aside = self.path(name), f"{name}{CORRUPT_MARK}{datetime.now(UTC).strftime('%Y%m%dT%H%M%S%f')}"
+        self.manifest.set_aside.append(aside)
+        commit(self.root, self.manifest, [])
+        move(path, self.root / aside, within=self.root)
+        return self.root / aside
 
     def strike(self, name: str) -> str:
         """Strike an artifact off the manifest if it is damaged or lost, setting its file aside; what is wrong with it.
@@ -306,34 +314,6 @@ def in_snapshot(root: Path, work: Callable[[RunFolder], T]) -> T:
             return work(RunFolder.open(root))
         time.sleep(_PAUSE)
     return work(RunFolder.open(root))
-
-
-def _look(path: Path, record: ArtifactRecord, read: "Read[T]") -> tuple[T | None, str | None]:
-    try:
-        size = path.stat().st_size
-        if not path.is_file():
-            return None, "is no regular file"
-        if size != record.bytes:
-            return None, f"has {size} bytes, {record.bytes} were written"
-        content, sha256 = read(path)
-    except FileNotFoundError:
-        return None, "is missing"
-    return (content, None) if sha256 == record.sha256 else (None, "does not have the bytes that were written")
-
-
-def _hashed(path: Path) -> tuple[Path, str]:
-    return path, file_sha256(path)
-
-
-def _whole(path: Path) -> tuple[bytes, str]:
-    with open_plain(path) as stream:
-        content = stream.read()
-    return content, hashlib.sha256(content).hexdigest()
-
-
-def _buffer(path: Path) -> tuple[Any, str]:
-    content = tables.read_buffer(path)
-    return content, hashlib.sha256(memoryview(content)).hexdigest()
 
 
 def holds_run(root: Path) -> bool:

@@ -9,14 +9,16 @@ import numpy as np
 
 from pipeline.errors import CorruptArtifactError, memory_failure
 from pipeline.plain_files import open_plain
-from pipeline.runs.atomic import atomic_path
-from pipeline.runs.confined import reading
+from pipeline.runs.atomic import atomic_path, reading
 from pipeline.runs.hashing import ColumnDigest, digests_hash
 from pipeline.runs.schemas import SCHEMA_VERSION, Schema
 
 Table = dict[str, np.ndarray[Any, Any]]
 
 _ROW_GROUP = 1 << 20
+_SMALL_FILE, _LARGEST_RATIO = 256 << 20, 200
+"""Bytes that any file may declare, and those for each of its own bytes."""
+_WIDEST = 8
 
 
 def write_table(
@@ -170,10 +172,25 @@ def parse_table(content: Any, path: Path) -> Table:
     try:
         # pq.read_table would load pyarrow.dataset and with it pandas: half a second.
         with pq.ParquetFile(pa.BufferReader(content), page_checksum_verification=True) as file:
+            _check_size(file.metadata, len(content))
             table = file.read()
         return {name: to_numpy(table[name]) for name in table.column_names}
-    except (OSError, pa.ArrowException) as error:
+    except (OSError, pa.ArrowException, ValueError) as error:
         if memory_failure(error):
             raise
         reason = str(error).splitlines()[0]
         raise CorruptArtifactError(f"{path}: damaged ({reason}); `debist run` sets it aside and rebuilds it") from error
+
+
+def _check_size(metadata: Any, size: int) -> None:
+    """Make sure that what a file of `size` bytes declares is what it can hold; ValueError if not.
+
+    Rows of nulls take next to no bytes, nor do rows that all name one text of a dictionary.
+    """
+    declared = metadata.num_rows * metadata.num_columns * _WIDEST
+    for i, j in np.ndindex(metadata.num_row_groups, metadata.num_columns):
+        column = metadata.row_group(i).column(j)
+        repeated = column.has_dictionary_page and "BYTE_ARRAY" in column.physical_type
+        declared += column.total_uncompressed_size * (column.num_values if repeated else 1)
+    if declared > max(_SMALL_FILE, _LARGEST_RATIO * size):
+        raise ValueError(f"declares {declared / 1e6:.3g} MB in a file of {size / 1e6:.3g} MB")

@@ -1,5 +1,10 @@
-"""HDF5 files as nested mappings of arrays, numbers and texts."""
+"""HDF5 files as nested mappings of arrays, numbers and texts.
 
+A file may come from anybody. What it declares is held against its own size before it is read: it has only numbers and
+texts of its own, in the form in which `write_tree` lays them out, and never more than its bytes can hold.
+"""
+
+import math
 from collections.abc import Callable, Mapping
 from io import BytesIO
 from pathlib import Path
@@ -9,14 +14,20 @@ import numpy as np
 
 from pipeline.errors import CorruptArtifactError, memory_failure
 from pipeline.plain_files import open_plain
-from pipeline.runs.atomic import write_bytes
-from pipeline.runs.confined import reading
+from pipeline.runs.atomic import reading, write_bytes
 from pipeline.runs.hashing import flatten, tree_hash
 
 Tree = dict[str, Any]
 Columns = Callable[[str], tuple[str, str]]
 """Unit and meaning of a leaf by its path."""
-_UNREADABLE = (OSError, KeyError, RuntimeError, ValueError)
+_UNREADABLE = (OSError, KeyError, RuntimeError, ValueError, TypeError)
+_FILTERS = {1, 2, 3}
+"""HDF5's numbers of gzip, byte shuffling and Fletcher-32."""
+_MOST_FROM_GZIP = 1100
+"""Bytes from one byte; deflate cannot give more than 1032."""
+_SMALL, _LARGEST_RATIO, _LEAST_ENTRY = 1 << 12, 200, 16
+"""Bytes that need no look, bytes declared in a file for each of its own, and bytes that an entry takes at least."""
+_SMALL_FILE = 256 << 20
 
 
 def write_tree(
@@ -88,10 +99,7 @@ def parse_tree(content: bytes, path: Path, group: str = "/") -> Tree:
         It is damaged, or the branch is missing.
     """
     try:
-        try:
-            return _parsed(content, group)
-        except _UNREADABLE:  # of memory that HDF5 was refused it may say only that it cannot read
-            return _parsed(content, group)
+        return _parsed(content, group)
     except _UNREADABLE as error:
         if memory_failure(error):
             raise MemoryError from error
@@ -105,28 +113,68 @@ def _parsed(content: bytes, group: str) -> Tree:
     import h5py
 
     with h5py.File(BytesIO(content), "r") as file:
-        return _read_group(file[group].id)
+        return _Reader(len(content)).group(file[group].id)
 
 
-def _read_group(group: Any) -> Tree:
-    """What lies below a group, by HDF5's own functions, which take half the time of the objects over them."""
-    import h5py
+class _Reader:
+    """Reads what is declared within the bounds of a file of `size` bytes; ValueError for anything else.
 
-    tree: Tree = {}
-    for name in group:
-        if group.links.get_info(name).type != h5py.h5l.TYPE_HARD:
-            raise ValueError(f"{name.decode()!r} is a link")
-        item = h5py.h5o.open(group, name)
-        within = isinstance(item, h5py.h5g.GroupID)
-        tree[name.decode()] = _read_group(item) if within else _read_dataset(h5py.Dataset(item))
-    return tree
+    By HDF5's own functions, which take half the time of the objects over them.
+    """
 
+    def __init__(self, size: int) -> None:
+        self._entries = size // _LEAST_ENTRY
+        self._bytes = max(_SMALL_FILE, _LARGEST_RATIO * size)
+        self._letters = size
 
-def _read_dataset(dataset: Any) -> Any:
-    import h5py
+    def group(self, group: Any) -> Tree:
+        """What lies below a group."""
+        import h5py
 
-    if h5py.check_string_dtype(dataset.dtype) is not None:
-        text = dataset.asstr()[()]
-        return text if isinstance(text, str) else np.asarray(text, dtype=str)
-    value = dataset[()]
-    return value.item() if np.ndim(value) == 0 else value
+        tree: Tree = {}
+        for name in group:
+            self._entries -= 1
+            if self._entries < 0:
+                raise ValueError("more entries than the file can hold")
+            if group.links.get_info(name).type != h5py.h5l.TYPE_HARD:
+                raise ValueError(f"{name.decode()!r} is a link")
+            item = h5py.h5o.open(group, name)
+            within = isinstance(item, h5py.h5g.GroupID)
+            tree[name.decode()] = self.group(item) if within else self._dataset(h5py.Dataset(item), name.decode())
+        return tree
+
+    def _dataset(self, dataset: Any, name: str) -> Any:
+        import h5py
+
+        self._check(dataset, name)
+        if h5py.check_string_dtype(dataset.dtype) is not None:
+            return self._texts(dataset, name)
+        value = dataset[()]
+        return value.item() if np.ndim(value) == 0 else value
+
+    def _check(self, dataset: Any, name: str) -> None:
+        """Make sure that the samples are in this file, and as many as it declares."""
+        import h5py
+
+        layout, width = dataset.id.get_create_plist(), dataset.dtype.itemsize
+        if layout.get_layout() == h5py.h5d.VIRTUAL or layout.get_external_count():
+            raise ValueError(f"{name!r} lies in other files")
+        filters = [layout.get_filter(i)[0] for i in range(layout.get_nfilters())]
+        if len(set(filters)) < len(filters) or not _FILTERS.issuperset(filters):
+            raise ValueError(f"{name!r} is packed as debist packs nothing")
+        if dataset.dtype.kind not in "biufO" or (dataset.dtype.kind == "O" and filters):
+            raise ValueError(f"{name!r} is of type {dataset.dtype}")
+        declared, stored = (dataset.size or 0) * width, dataset.id.get_storage_size()
+        self._bytes -= max(declared, width * math.prod(dataset.chunks or (1,)))
+        if self._bytes < 0 or (declared > _SMALL and declared > stored * (_MOST_FROM_GZIP if filters else 1)):
+            raise ValueError(f"{name!r} declares {declared / 1e6:.3g} MB and stores {stored / 1e6:.3g}")
+
+    def _texts(self, dataset: Any, name: str) -> Any:
+        """A text or an array of texts, one by one: many may lead to one place in the file."""
+        texts = np.empty(dataset.shape, dtype=object)
+        for place in np.ndindex(dataset.shape):
+            texts[place] = dataset.asstr()[place]
+            self._letters -= len(texts[place])
+            if self._letters < 0:
+                raise ValueError(f"{name!r} has more letters than the file")
+        return texts.item() if texts.ndim == 0 else np.asarray(texts, dtype=str)

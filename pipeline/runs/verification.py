@@ -1,128 +1,23 @@
-"""Everything in a run folder against what was written, with the rest named; and a keyed signature of all of it.
+"""Everything in a run folder against what was written, with the rest named."""
 
-The signature is HMAC-SHA-256 (RFC 2104) of the manifest, which holds the hash of every artifact, of the lists that hold
-those of studies and exports, and of the time of signing. Who has the key can tell whether anything in the run was
-replaced, hashes included. Whoever shall check it needs the same key, by a way of its own: the signature keeps out who
-does not have the key, and does not tell those apart who do.
-"""
-
-import hashlib
-import hmac
-import json
 import os
-import secrets
-import stat
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
 from pathlib import Path
 
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.plain_files import read_plain
-from pipeline.runs import layout
-from pipeline.runs.atomic import TEMPORARY_MARK, write_text
+from pipeline.errors import InputError, SupersededError
+from pipeline.runs.atomic import TEMPORARY_MARK
 from pipeline.runs.checkpoints import FOLDER as CHECKPOINTS
-from pipeline.runs.confined import not_written
 from pipeline.runs.hashing import file_sha256
-from pipeline.runs.lock import HOLDER, LOCK
-from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK, manifest_bytes
+from pipeline.runs.lock import HOLDER, LOCK, is_held
+from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK, STAGES, load_manifest, stage_file
 from pipeline.runs.outputs import EXTRA_FOLDERS, WRITTEN, written_files
-from pipeline.runs.run_folder import CORRUPT_MARK, RunFolder
-from pipeline.runs.stage_manifest import FOLDER as STAGES
-from pipeline.runs.stage_manifest import said_content
-
-SIGNATURE = "signature.json"
-FORMAT = "debist-signature/2"
-_FEWEST_BYTES, _MOST_BYTES, _NEW_BYTES = 16, 4096, 32
-_LARGEST = 1 << 16
-_OTHERS = stat.S_IRWXO
-
-
-def make_key(path: Path) -> None:
-    """Write a new key that its owner alone can read.
-
-    Raises
-    ------
-    InputError
-        The file is there already, or cannot be written.
-    """
-    try:
-        descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o600)
-        with os.fdopen(descriptor, "w", encoding="ascii") as stream:
-            stream.write(secrets.token_hex(_NEW_BYTES) + "\n")
-    except FileExistsError:
-        raise InputError(f"{path}: is there already; sign with it, or name another file for a new key") from None
-    except OSError as error:
-        raise not_written(path, error) from error
-
-
-def load_key(path: Path) -> bytes:
-    """The key in a file, without blanks around it.
-
-    Raises
-    ------
-    InputError
-        It cannot be read, everybody can read it, or it is too short to be one.
-    """
-    try:
-        mode, key = path.stat().st_mode, read_plain(path, _MOST_BYTES).strip()
-    except OSError as error:
-        raise InputError(f"{path}: the key cannot be read: {error.strerror}") from error
-    if mode & _OTHERS:
-        raise InputError(f"{path}: everybody can read this key; chmod 600 it, and take a new one")
-    if len(key) < _FEWEST_BYTES:
-        raise InputError(f"{path}: is no key (fewer than {_FEWEST_BYTES} bytes); `debist sign --new-key` makes one")
-    return key
-
-
-def sign(run: RunFolder, key: bytes) -> Path:
-    """Sign the state of a run; call it as the only writer, on a run that is intact."""
-    signed = datetime.now(UTC).isoformat(timespec="seconds")
-    document = {"format": FORMAT, "key": _key_name(key), "signed": signed, "hmac_sha256": _code(run, signed, key)}
-    target = run.root / SIGNATURE
-    write_text(target, json.dumps(document, indent=1) + "\n", within=run.root)
-    return target
-
-
-def check_signature(run: RunFolder, key: bytes) -> str:
-    """Make sure that a run is in the state that was signed with this key; when that was.
-
-    Raises
-    ------
-    CorruptArtifactError
-        It is not signed, by another key, or was changed since.
-    """
-    path = run.root / SIGNATURE
-    try:
-        document = json.loads(read_plain(path, _LARGEST))
-        code, name, signed = (str(document[field]) for field in ("hmac_sha256", "key", "signed"))
-    except FileNotFoundError:
-        raise CorruptArtifactError(f"{run.root}: is not signed; `debist sign` does it") from None
-    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
-        raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); have the run signed again") from error
-    if not hmac.compare_digest(code.encode(errors="replace"), _code(run, signed, key).encode()):
-        why = "was changed after it was signed" if name == _key_name(key) else "was signed with another key"
-        raise CorruptArtifactError(f"{run.root}: {why}; get the run from who signed it, or have it signed again")
-    return signed
-
-
-def _code(run: RunFolder, signed: str, key: bytes) -> str:
-    lists = {folder: written_files(run.root / folder) for folder in EXTRA_FOLDERS}
-    head = json.dumps([FORMAT, signed, lists], sort_keys=True).encode()
-    return hmac.new(key, head + b"\n" + manifest_bytes(run.manifest), hashlib.sha256).hexdigest()
-
-
-def _key_name(key: bytes) -> str:
-    """Tells keys apart without telling them."""
-    return hmac.new(key, b"debist key name", hashlib.sha256).hexdigest()[:16]
-
-
-_OWN = frozenset({MANIFEST, NEXT_MANIFEST, LOCK, HOLDER, SIGNATURE})
+from pipeline.runs.run_folder import RunFolder
 
 
 @dataclass(frozen=True)
 class Verified:
-    """What a look at everything in a run folder found.
+    """What a look at everything in a run folder gave.
 
     Attributes
     ----------
@@ -131,12 +26,20 @@ class Verified:
     problems : list of dict
         ``artifact``, ``stage``, ``problem`` for each file that is not as it was written.
     unknown : list of str
-        Files that debist did not write there, by their paths in the folder; links among them.
+        Files and links that do not belong to the run, by their paths in the folder.
+    leftover : list of str
+        Files that an interrupted run leaves, by their paths in the folder.
     """
 
     checked: int
     problems: list[dict[str, str]] = field(default_factory=list)
     unknown: list[str] = field(default_factory=list)
+    leftover: list[str] = field(default_factory=list)
+
+    @property
+    def intact(self) -> bool:
+        """Everything is as it was written, and nothing else is there."""
+        return not (self.problems or self.unknown or self.leftover)
 
 
 def verified(run: RunFolder) -> Verified:
@@ -149,9 +52,19 @@ def verified(run: RunFolder) -> Verified:
     """
     problems = [
         {"artifact": name, "stage": stage, "problem": problem}
-        for name, stage, problem in (*_artifacts(run), *_stage_manifests(run), *_extra_files(run.root))
+        for name, stage, problem in (*_artifacts(run), *_stage_manifests(run), *_written_files(run.root))
     ]
-    return Verified(len(run.manifest.artifacts), problems, sorted(_unknown(run)))
+    others = sorted(_others(run))
+    leftover = [path for path in others if _is_leftover(path)]
+    if leftover and is_held(run.root):
+        leftover = []  # they are of the process that writes now
+    unknown = [path for path in others if not _is_leftover(path)]
+    if unknown and load_manifest(run.root) != run.manifest:
+        raise SupersededError(f"{run.root}: another run writes into it; do it again")
+    if (run.root / NEXT_MANIFEST).exists():  # its commit has not yet removed the stage manifests that it withdraws
+        unknown = [path for path in unknown if not path.startswith(f"{STAGES}/")]
+    unknown, leftover = ([path for path in some if os.path.lexists(run.root / path)] for some in (unknown, leftover))
+    return Verified(len(run.manifest.artifacts), problems, unknown, leftover)
 
 
 def _artifacts(run: RunFolder) -> Iterator[tuple[str, str, str]]:
@@ -166,44 +79,46 @@ def _artifacts(run: RunFolder) -> Iterator[tuple[str, str, str]]:
 
 def _stage_manifests(run: RunFolder) -> Iterator[tuple[str, str, str]]:
     """Workflow engines trust them."""
-    for path in sorted((run.root / STAGES).glob("*.json")):
-        said = said_content(path)
-        known = {
-            name: run.manifest.artifacts[name].content_hash for name in said or () if name in run.manifest.artifacts
-        }
-        if said is None or said != known:
-            yield f"{STAGES}/{path.name}", path.stem, "does not say what the manifest says; `debist run` writes it anew"
+    for stage in sorted(run.manifest.stages):
+        if problem := run.stage_problem(stage):
+            yield stage_file(stage), stage, f"{problem}; `debist run` writes it anew"
 
 
-def _extra_files(root: Path) -> Iterator[tuple[str, str, str]]:
+def _written_files(root: Path) -> Iterator[tuple[str, str, str]]:
+    """File, command and what is wrong, for what was written beside the artifacts."""
     for folder in EXTRA_FOLDERS:
-        for name, entry in sorted(written_files(root / folder).items()):
-            path = root / folder / name
-            try:
-                if path.is_file() and file_sha256(path) != entry.get("sha256"):
-                    yield (
-                        f"{folder}/{name}",
-                        entry.get("command", folder),
-                        "was changed after it was written; write it anew",
-                    )
-            except OSError as error:
-                yield f"{folder}/{name}", folder, f"cannot be read: {error.strerror}"
+        for name, command, problem in file_problems(root / folder):
+            yield f"{folder}/{name}", command, f"{problem}; write it anew"
 
 
-def _unknown(run: RunFolder) -> Iterator[str]:
-    artifacts = run.manifest.artifacts
-    extra = {f"{folder}/{name}" for folder in EXTRA_FOLDERS for name in (WRITTEN, *written_files(run.root / folder))}
+def file_problems(folder: Path) -> Iterator[tuple[str, str, str]]:
+    """File, command and what is wrong, for the files in the list of a folder (`pipeline.runs.outputs`)."""
+    for name, entry in sorted(written_files(folder).items()):
+        try:
+            same = file_sha256(folder / name) in (entry.get("sha256"), entry.get("replaces"))
+            problem = "" if same else "does not have the bytes that were written"
+        except FileNotFoundError:
+            problem = "is missing"
+        except OSError as error:
+            problem = f"cannot be read: {error.strerror}"
+        if problem:
+            yield name, str(entry.get("command", folder.name)), problem
+
+
+def _others(run: RunFolder) -> Iterator[str]:
+    """Files that nothing in the run's lists names, and all links."""
+    lists = {f"{folder}/{name}" for folder in EXTRA_FOLDERS for name in (WRITTEN, *written_files(run.root / folder))}
+    own = {MANIFEST, NEXT_MANIFEST, LOCK, *lists, *run.manifest.artifacts, *run.manifest.set_aside}
+    own |= set(map(stage_file, run.manifest.stages))
     for place, folders, files in os.walk(run.root):
-        links = [name for name in folders if (Path(place) / name).is_symlink()]
-        for name in (*files, *links):
-            path = (Path(place) / name).relative_to(run.root).as_posix()
-            of_a_kill = name.startswith(".") and name.endswith((TEMPORARY_MARK, STAGED_MARK))
-            of_a_stage = path.startswith(f"{STAGES}/") and path.endswith(".json")
-            was = path.partition(CORRUPT_MARK)[0]
-            set_aside = was in artifacts or (was != path and bool(layout.command_of(was)))
-            finished = path.startswith(f"{CHECKPOINTS}/")
-            known = (
-                finished or path in artifacts or path in _OWN or path in extra or of_a_kill or of_a_stage or set_aside
-            )
-            if not known or (Path(place) / name).is_symlink():
+        for name in (*files, *folders):
+            entry = Path(place) / name
+            path = entry.relative_to(run.root).as_posix()
+            if entry.is_symlink() or (name in files and path not in own):
                 yield path
+
+
+def _is_leftover(path: str) -> bool:
+    name = path.rpartition("/")[2]
+    temporary = name.startswith(".") and name.endswith((TEMPORARY_MARK, STAGED_MARK))
+    return temporary or path == HOLDER or path.startswith(f"{CHECKPOINTS}/")

@@ -9,7 +9,7 @@ from typing import Any
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.loading.device import device
 from pipeline.runs import layout
-from pipeline.runs.confined import reading
+from pipeline.runs.atomic import reading
 from pipeline.runs.engine import Task, missing_source, unreadable_source
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest

@@ -11,11 +11,11 @@ from pipeline.loading.held_models import identified_models, made_control
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.runs import layout
 from pipeline.runs.atomic import sweep
+from pipeline.runs.checkpoints import clear_checkpoints
 from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.runs.stage_manifest import write_stage_manifest
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, measured_curves, report, scores, validate
 from pipeline.stages.belonging import Place, before_any_work, edited, place_of, run_folder
@@ -94,9 +94,12 @@ def run_prototype(
             coming = _of_stage(plan(run, prototype, prototype_file), only)
             observer.planned([task.stage for task in coming if with_report or task.stage != "report"])
         stages = (only,) if only else tuple(stage for stage in STAGES if with_report or stage != "report")
-        return _bring_up_to_date(
+        done = _bring_up_to_date(
             run, (task for task in tasks if with_report or task.stage != "report"), stages, observer
         )
+        if only is None:
+            clear_checkpoints(root)
+        return done
 
 
 def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:
@@ -176,9 +179,10 @@ def _bring_up_to_date(
 ) -> list[TaskStatus]:
     """Do what is to be done, and then state the content of these stages and of all that have tasks."""
     done = bring_up_to_date(run, tasks, observer)
-    for stage in dict.fromkeys((*stages, *(task.stage for task in done))):
-        made = (name for task in done if task.stage == stage for name in task.outputs)
-        write_stage_manifest(run.root, stage, {name: run.record(name).content_hash for name in made})
+    made = {stage: dict[str, str]() for stage in (*stages, *(task.stage for task in done))}
+    for task in done:
+        made[task.stage] |= {name: run.record(name).content_hash for name in task.outputs}
+    run.state(made)
     return done
 
 

@@ -12,7 +12,7 @@ from pipeline.loading.held_models import failed_validations, model_artifact
 from pipeline.loading.measured_curves import named_curves
 from pipeline.loading.run_models import subject
 from pipeline.runs import layout
-from pipeline.runs.confined import refuse_link
+from pipeline.runs.atomic import refuse_link
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder

@@ -13,8 +13,7 @@ from pipeline.loading.device import Device, device
 from pipeline.loading.trajectories import load_motion, sources, training_trajectories, trajectories
 from pipeline.numerics.arrays import sample_interval
 from pipeline.runs import layout, schemas
-from pipeline.runs.atomic import write_bytes
-from pipeline.runs.confined import refuse_link
+from pipeline.runs.atomic import refuse_link, write_bytes
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs

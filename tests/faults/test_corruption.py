@@ -2,12 +2,9 @@
 
 import json
 import random
-from functools import reduce
 
 import pytest
-from typer.testing import CliRunner
 
-from cli import app
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs import tables, trees
 from pipeline.runs.hashing import json_sha256
@@ -35,7 +32,7 @@ def test_no_flipped_bit_and_no_truncation_is_silent(bench):
         for name, content in good.items():
             (bench.run / name).write_bytes(damaged(content, rng, "flip" if done < FLIPS else "cut"))
             done += 1
-        assert {problem["artifact"] for problem in verify_everything(bench.run)[0].problems} == set(good)
+        assert {problem["artifact"] for problem in verify_everything(bench.run).problems} == set(good)
         run = RunFolder.open(bench.run)
         for name in good:
             with pytest.raises(CorruptArtifactError, match="sets it aside and redoes stage"):
@@ -52,51 +49,12 @@ def test_no_damage_of_the_manifest_is_silent(bench):
             load_manifest(bench.run)
 
 
-WRONG = ("gone", None, 7, "x", [], {}, [{}], True, reduce(lambda inner, _: [inner], range(900), []))
-
-
-def _keys(value, path=()):
-    """Paths to all that a manifest holds, of lists to their first entries."""
-    entries = value.items() if isinstance(value, dict) else enumerate(value[:2]) if isinstance(value, list) else ()
-    for key, entry in entries:
-        yield (*path, key)
-        yield from _keys(entry, (*path, key))
-
-
 def _forged(path, change) -> None:
     document = json.loads(path.read_bytes())
     del document["digest"]
     change(document)
     text = json.dumps({**document, "digest": json_sha256(document)}, indent=1, ensure_ascii=False)
     path.write_text(text + "\n", encoding="utf-8")
-
-
-@pytest.mark.parametrize("wanted", [60, pytest.param(2000, marks=pytest.mark.long)])
-def test_a_forged_manifest_is_refused_with_file_and_key_or_does_no_harm(bench, wanted, count):
-    """Its digest fits; a value is gone or of another kind. Whoever opens the run either takes it or says where."""
-    bench.start("intact")
-    path, rng, refused = bench.run / MANIFEST, random.Random(wanted), 0
-    good, commands = path.read_bytes(), (["status"], ["show"], ["verify"], ["plot"], ["diff", str(bench.intact)])
-    keys = [key for key in _keys(json.loads(good)) if key != ("digest",)]
-    for _ in range(wanted):
-        *where, last = rng.choice(keys)
-        value = rng.choice(WRONG)
-
-        def change(document, where=where, last=last, value=value):
-            holder = reduce(lambda inner, key: inner[key], where, document)
-            if value == "gone":
-                del holder[last]
-            else:
-                holder[last] = value
-
-        path.write_bytes(good)
-        _forged(path, change)
-        command = rng.choice(commands)
-        done = CliRunner().invoke(app, [*command, str(bench.run)])
-        assert done.exit_code in (0, 2, 4), (command, where, last, value, done.output)
-        assert done.exit_code == 0 or len(done.stderr.splitlines()) == 1 or command == ["verify"], done.stderr
-        refused += done.exit_code != 0
-    count.append(f"{refused} of {wanted} forged manifests were refused in a line")
 
 
 @pytest.mark.parametrize(

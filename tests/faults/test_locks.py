@@ -3,7 +3,6 @@
 import errno
 import os
 import signal
-import stat
 import subprocess
 import sys
 import time
@@ -13,10 +12,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError, RunLockedError
-from pipeline.runs.lock import run_lock
-from pipeline.runs.manifest import Recipe
-from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.verify import verify_everything
+from pipeline.runs.lock import is_held, run_lock
 from tests.faults.system_calls import Kind
 
 HOLD = """
@@ -97,55 +93,25 @@ def test_the_note_of_a_holder_is_not_trusted(tmp_path, holder):
         pass
 
 
-def test_a_deleted_lock_lets_nobody_in(tmp_path, holder):
-    """The lock is the folder's; the file is for file systems that lock no folders."""
-    (tmp_path / ".lock").unlink()
-    with pytest.raises(RunLockedError, match=f"in use by process {holder.pid}"), run_lock(tmp_path):
+def test_two_writers_do_not_mix_and_the_second_can_follow(tmp_path):
+    with run_lock(tmp_path):
+        with pytest.raises(RunLockedError, match=f"in use by process {os.getpid()} on "), run_lock(tmp_path):
+            pass
+        assert is_held(tmp_path)
+    assert not is_held(tmp_path)
+    with run_lock(tmp_path):
         pass
 
 
-def _no_folder_locks(monkeypatch):
-    """As on NFS, where a lock needs a descriptor that can be written."""
-    import fcntl
-
-    flock = fcntl.flock
-
-    def files_only(descriptor, operation):
-        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
-            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
-        flock(descriptor, operation)
-
-    monkeypatch.setattr("fcntl.flock", files_only)
-
-
-def test_where_folders_cannot_be_locked_the_file_is(tmp_path, monkeypatch, holder):
-    _no_folder_locks(monkeypatch)
-    with pytest.raises(RunLockedError), run_lock(tmp_path):
-        pass
-
-
-@pytest.mark.parametrize("another", [True, False])
-def test_where_folders_cannot_be_locked_a_deleted_lock_ends_the_writing(tmp_path, monkeypatch, another):
-    """Two writers at a time would leave a folder that fails `verify`; so the first one writes no more."""
-    _no_folder_locks(monkeypatch)
-    run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
-    with run_lock(run.root):
-        run.commit(Recipe("s", "1", {}, {}), {"one.json": run.write_text("one.json", "1", {})})
-        (run.root / ".lock").unlink()
-        if another:  # process got in
-            (run.root / ".lock").touch()
-        with pytest.raises(RunLockedError, match=r"\.lock was removed while it was worked on"):
-            run.commit(Recipe("s", "1", {}, {}), {"two.json": run.write_text("two.json", "2", {})})
-    assert sorted(RunFolder.open(run.root).manifest.artifacts) == ["one.json"]
-    assert verify_everything(run.root)[0].problems == []
-
-
-def test_a_run_that_is_moved_away_is_written_no_more(tmp_path):
-    run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
-    with run_lock(run.root):
-        written = {"one.json": run.write_text("one.json", "1", {})}
-        run.root.rename(tmp_path / "other")
-        run.root.mkdir()
-        with pytest.raises(RunLockedError, match="was moved or replaced"):
-            run.commit(Recipe("s", "1", {}, {}), written)
-    assert not list(run.root.iterdir())
+@pytest.mark.parametrize("kind", ["symbolic", "hard"])
+def test_a_lock_that_leads_to_a_file_of_the_user_changes_none(tmp_path, kind):
+    (tmp_path / "mine").write_text("mine")
+    (tmp_path / "run").mkdir()
+    lock = tmp_path / "run" / ".lock"
+    lock.symlink_to(tmp_path / "mine") if kind == "symbolic" else lock.hardlink_to(tmp_path / "mine")
+    try:
+        with run_lock(tmp_path / "run"):
+            pass
+    except InputError as refused:
+        assert kind == "symbolic" and ".lock: is a symbolic link" in str(refused)
+    assert (tmp_path / "mine").read_text() == "mine"

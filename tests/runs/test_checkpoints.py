@@ -59,10 +59,11 @@ def test_a_killed_task_goes_on(run, tmp_path):
     _killed(run, _task(tmp_path, killed_after=2))
     _killed(run, _task(tmp_path, killed_after=3))
     assert made(tmp_path) == PARTS[:5]
-    assert verify_everything(run.root)[0].unknown == []
+    assert len(verify_everything(run.root).leftover) == 5, "an interrupted run is named as one"
     bring_up_to_date(run, [_task(tmp_path)], Silent())
     assert made(tmp_path) == PARTS
     assert not (run.root / FOLDER).exists(), "what is committed needs no parts"
+    assert verify_everything(run.root).intact
 
 
 def test_parts_of_another_recipe_or_damaged_ones_do_not_count(run, tmp_path):
@@ -75,6 +76,18 @@ def test_parts_of_another_recipe_or_damaged_ones_do_not_count(run, tmp_path):
     bring_up_to_date(run, [_task(tmp_path, setting=3)], Silent())
     assert made(tmp_path) == [*PARTS[:2], *PARTS, *PARTS[:4], *PARTS]
     assert not (run.root / FOLDER).exists()
+
+
+def test_a_part_counts_for_its_recipe_and_its_name_alone(run):
+    """Copied from another run or renamed, it is dropped."""
+    one, other = (Checkpoints(run.root, Recipe("s", "1", {"setting": n}, {})) for n in range(2))
+    one.put("a", 1)
+    for checkpoints, name in ((other, "a"), (one, "b")):
+        place = checkpoints._place(name)
+        place.parent.mkdir(exist_ok=True)
+        place.write_bytes(one._place("a").read_bytes())
+        assert checkpoints.get(name) is None
+    assert one.get("a") == 1
 
 
 def test_parts_come_back_to_the_last_bit(run):

@@ -14,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from pipeline.errors import CorruptArtifactError
 from pipeline.runs import tables
 from pipeline.runs.hashing import column_digest, table_hash, tree_hash
 from pipeline.runs.schemas import SCORES, SIGNALS, Schema, resolve
@@ -145,3 +146,15 @@ def test_trees_hash_by_path_and_value() -> None:
     tree = {"rbf": {"centres": np.arange(3.0), "lag_s": 0.02}, "units": {"q": "m"}}
     assert tree_hash(tree) == tree_hash({"units": {"q": "m"}, "rbf": {"lag_s": 0.02, "centres": np.arange(3.0)}})
     assert tree_hash(tree) != tree_hash({**tree, "units": {"q": "rad"}})
+
+
+@pytest.mark.parametrize(
+    "column", [pa.nulls(10**8, pa.float64()), pa.DictionaryArray.from_arrays(np.zeros(10**5, "i4"), ["x" * 10**4])]
+)
+def test_a_table_that_declares_more_than_it_holds_is_refused_unread(tmp_path, column):
+    """Nulls, and rows that all name one long text, take next to no bytes."""
+    path = tmp_path / "t.parquet"
+    pq.write_table(pa.table({"x": column}), path)
+    assert path.stat().st_size < 10**6
+    with pytest.raises(CorruptArtifactError, match=r"t\.parquet: damaged \(declares .* MB in a file of"):
+        tables.read_table(path)

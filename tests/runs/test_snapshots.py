@@ -10,6 +10,7 @@ import pytest
 
 from pipeline.errors import InputError, SupersededError
 from pipeline.runs.engine import Task, bring_up_to_date
+from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.schemas import Column, Schema
@@ -30,10 +31,12 @@ def _commit(run: RunFolder, number: int) -> None:
 
 
 def _write_on(root: Path) -> None:
-    run, number = RunFolder.open(root), 0
-    while True:
-        number += 1
-        _commit(run, number)
+    with run_lock(root):
+        run, number = RunFolder.open(root), 0
+        while True:
+            number += 1
+            _commit(run, number)
+            run.state({"test": {name: record.content_hash for name, record in run.manifest.artifacts.items()}})
 
 
 def _both(run: RunFolder) -> tuple[int, int]:
@@ -58,8 +61,8 @@ def test_readers_get_one_state_while_another_process_replaces_all(tmp_path):
             one, two = in_snapshot(root, _both)
             assert one == two
             seen.add(one)
-            found, _ = verify_everything(root)
-            assert (found.problems, found.checked) == ([], 2)
+            found = verify_everything(root)
+            assert (found.problems, found.unknown, found.leftover, found.checked) == ([], [], [], 2)
         assert len(seen) > 5, "the writer stood still"
     finally:
         os.kill(writer, 9)
@@ -70,7 +73,7 @@ def test_what_is_really_damaged_is_still_told(tmp_path):
     root = tmp_path / "run"
     _commit(RunFolder.create(root, {}, tmp_path / "P.toml"), 0)
     (root / "two.json").write_text("x")
-    assert [problem["artifact"] for problem in verify_everything(root)[0].problems] == ["two.json"]
+    assert [problem["artifact"] for problem in verify_everything(root).problems] == ["two.json"]
     reader = RunFolder.open(root)
     _commit(RunFolder.open(root), 1)
     with pytest.raises(SupersededError, match="was replaced by another run while it was read"):

@@ -1,5 +1,6 @@
 """HDF5 trees come back as they were written."""
 
+import time
 from pathlib import Path
 
 import h5py
@@ -46,6 +47,54 @@ def test_a_branch_alone(tmp_path: Path) -> None:
     assert read_tree(tmp_path / "m.h5", "rbf")["rank"] == 40
     with pytest.raises(CorruptArtifactError, match=r"m\.h5"):
         read_tree(tmp_path / "m.h5", "sindy")
+
+
+def _dataset(**options):
+    return lambda file: file.create_dataset("x", **options)
+
+
+def _paths(file) -> None:
+    """Each group leads twice to the next one: 2⁶⁰ paths."""
+    group = file.create_group("g")
+    for _ in range(60):
+        inner = group.create_group("a")
+        group["b"] = inner
+        group = inner
+
+
+def _itself(file) -> None:
+    file["me"] = file["/"]
+
+
+BOMBS = {
+    "chunks never written": (
+        _dataset(shape=(3 * 10**9,), dtype="f8", chunks=(1 << 20,), compression="gzip"),
+        "declares",
+    ),
+    "space never written": (_dataset(shape=(3 * 10**9,), dtype="f8"), "declares"),
+    "one huge chunk": (
+        _dataset(shape=(9,), maxshape=(None,), dtype="f8", chunks=(4 * 10**8,), compression="gzip"),
+        "declares",
+    ),
+    "packed zeros": (_dataset(data=np.zeros(40_000_000), compression="gzip", shuffle=True), "declares 320 MB"),
+    "other filters": (_dataset(data=np.zeros(2000), compression="lzf"), "packed"),
+    "packed texts": (_dataset(data=["a"] * 9, dtype=h5py.string_dtype(), compression="gzip"), "of type"),
+    "records": (_dataset(data=np.zeros(3, dtype=[("a", "f8")])), "of type"),
+    "another file": (_dataset(shape=(10,), dtype="u1", external=[("/etc/passwd", 0, 10)]), "other files"),
+    "paths": (_paths, "more entries"),
+    "a circle": (_itself, "more entries"),
+}
+
+
+@pytest.mark.parametrize("name", BOMBS)
+def test_a_file_that_declares_more_than_it_holds_is_refused_unread(tmp_path: Path, name: str) -> None:
+    make, reason = BOMBS[name]
+    with h5py.File(tmp_path / "m.h5", "w") as file:
+        make(file)
+    began = time.process_time()
+    with pytest.raises(CorruptArtifactError, match=rf"m\.h5: damaged.*{reason}"):
+        read_tree(tmp_path / "m.h5")
+    assert time.process_time() - began < 2.0
 
 
 def test_links_are_refused(tmp_path: Path) -> None:

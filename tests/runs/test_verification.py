@@ -1,4 +1,4 @@
-"""`verify` looks at everything and names the unknown; `repair` sets aside and rebuilds; a signature tells who."""
+"""`verify` looks at everything and names what does not belong; `repair` sets aside and rebuilds."""
 
 import json
 import shutil
@@ -8,10 +8,10 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.runs.outputs import note_written
+from pipeline.errors import InputError
+from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.verification import SIGNATURE
+from pipeline.runs.verification import Verified
 from pipeline.tools.verify import repair_run, verify_all, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once
@@ -36,48 +36,84 @@ def debist(*arguments: object):
 
 
 def test_an_intact_run_is_intact_to_the_last_file(run):
-    found, _ = verify_everything(run)
+    found = verify_everything(run)
     assert (found.problems, found.unknown) == ([], [])
     assert found.checked == len(content(run))
 
 
-def test_a_stage_manifest_that_says_otherwise_is_a_problem(run):
+SPOILT = {
+    "emptied": lambda path: path.write_text(""),
+    "without content": lambda path: path.write_text(json.dumps({"stage": path.stem, "content": {}}, indent=1) + "\n"),
+    "deleted": Path.unlink,
+    "nested": lambda path: path.write_text("[" * 100_000),
+}
+
+
+@pytest.mark.parametrize("how", SPOILT)
+def test_a_stage_manifest_that_is_not_as_written_is_a_problem(run, how):
     """Workflow engines trust it: a stage would count as done that is not."""
-    path = run / "stages" / "identify.json"
-    said = json.loads(path.read_text())
-    said["content"]["model.h5"] = "0" * 64
-    path.write_text(json.dumps(said))
-    (run / "stages" / "ingest.json").write_text("[" * 100_000)
-    assert [problem["artifact"] for problem in verify_everything(run)[0].problems] == [
-        "stages/identify.json",
-        "stages/ingest.json",
-    ]
+    SPOILT[how](run / "stages" / "identify.json")
+    assert [problem["artifact"] for problem in verify_everything(run).problems] == ["stages/identify.json"]
     result = debist("verify", run)
-    assert result.exit_code == 4 and "stages/identify.json (stage identify) does not say what" in result.stderr
+    assert result.exit_code == 4 and "stages/identify.json (stage identify)" in result.stderr
+    repair_run(run, Silent())
+    assert verify_everything(run).intact
+
+
+def test_an_invented_stage_manifest_is_named(run):
+    (run / "stages" / "simulate.json").write_text('{"stage": "simulate", "content": {}}')
+    result = debist("verify", run)
+    assert result.exit_code == 4 and "does not belong to the run: stages/simulate.json" in result.stderr
 
 
 def test_figures_of_studies_and_exports_are_checked(run):
     assert debist("study", "alpha", run).exit_code == 0
     assert debist("export", run, "--to", "json", "--model", "rbf-paper").exit_code == 0
-    assert verify_everything(run)[0].unknown == [] and verify_everything(run)[0].problems == []
+    assert verify_everything(run).intact
     (document,) = (run / "exports").glob("[!.]*.json")
     for path in (document, run / "studies" / "alpha.svg", run / "studies" / "alpha.parquet"):
         path.write_bytes(path.read_bytes() + b" ")
-    assert {problem["artifact"] for problem in verify_everything(run)[0].problems} == {
+    assert {problem["artifact"] for problem in verify_everything(run).problems} == {
         "studies/alpha.parquet",
         "studies/alpha.svg",
         f"exports/{document.name}",
     }
-
-
-def test_what_debist_did_not_write_is_named(run, tmp_path):
-    (run / "notes.txt").write_text("mine")
-    (run / "train" / "extra.parquet").write_text("x")
-    (run / "link").symlink_to(tmp_path)
-    found, _ = verify_everything(run)
-    assert (found.problems, found.unknown) == ([], ["link", "notes.txt", "train/extra.parquet"])
+    document.unlink()
     result = debist("verify", run)
-    assert result.exit_code == 0 and "not written by debist: notes.txt" in result.stderr
+    assert result.exit_code == 4 and f"exports/{document.name} (stage export) is missing" in result.stderr
+
+
+PLANTED = (
+    "notes.txt", "train/extra.parquet", "model.h5.corrupt-20200101T000000000000", ".debist-written.json",
+    "exports/foreign.c", "figures/new.svg",
+)  # fmt: skip
+LEFT = (".model.h5.debist-staged", "train/.x.1.debist-tmp", ".checkpoints/0/1.json", ".lock-holder.json")
+
+
+def test_what_does_not_belong_to_the_run_is_named(run, tmp_path):
+    (run / "link").symlink_to(tmp_path)
+    for name in (*PLANTED, *LEFT):
+        (run / name).parent.mkdir(parents=True, exist_ok=True)
+        (run / name).write_text("x")
+    found = verify_everything(run)
+    assert found == Verified(found.checked, [], sorted((*PLANTED, "link")), sorted(LEFT))
+    result = debist("verify", run)
+    assert result.exit_code == 4 and "7 files do not belong to the run" in result.stderr
+    for name in (*PLANTED, "link"):
+        assert f"does not belong to the run: {name}" in result.stderr
+        (run / name).unlink()
+    result = debist("verify", run)
+    assert result.exit_code == 4 and "a run was interrupted; `debist run` completes it" in result.stderr
+    with run_lock(run):
+        assert debist("verify", run).exit_code == 0, "they are of the process that writes"
+
+
+def test_a_run_removes_what_an_interrupted_one_left(bench, run):
+    for name in LEFT:
+        (run / name).parent.mkdir(parents=True, exist_ok=True)
+        (run / name).write_text("x")
+    bench.make()
+    assert verify_everything(run).intact
 
 
 def test_all_runs_of_a_folder_are_verified_and_the_fleet_tables(run, tmp_path):
@@ -128,62 +164,6 @@ def test_repair_of_a_run_without_a_manifest_needs_the_settings(bench, run):
     shutil.rmtree(aside)
 
 
-def test_a_signature_tells_whether_anything_was_replaced(run, tmp_path):
-    key, other = tmp_path / "lab.key", tmp_path / "other.key"
-    assert debist("sign", run, "--key", key, "--new-key").exit_code == 0
-    assert key.stat().st_mode & 0o777 == 0o600
-    result = debist("verify", run, "--key", key)
-    assert result.exit_code == 0 and "all intact; signed 20" in result.stdout
-    assert verify_everything(run)[0].unknown == []
-    other.write_text("0123456789abcdef0123")
-    other.chmod(0o600)
-    with pytest.raises(CorruptArtifactError, match="was signed with another key"):
-        verify_everything(run, other)
-
-    # whoever may rewrite the run can give it a date or hashes that fit, but no signature
-    signature = (run / SIGNATURE).read_text()
-    (run / SIGNATURE).write_text(signature.replace('"signed": "20', '"signed": "19'))
-    with pytest.raises(CorruptArtifactError, match="was changed after it was signed"):
-        verify_everything(run, key)
-    (run / SIGNATURE).write_text(signature)
-    (run / "exports").mkdir(exist_ok=True)
-    (run / "exports" / "controller.c").write_text("/* of somebody else */")
-    note_written(run / "exports", ["controller.c"], "export")
-    assert verify_everything(run)[0].problems == []
-    with pytest.raises(CorruptArtifactError, match="was changed after it was signed"):
-        verify_everything(run, key)
-    shutil.rmtree(run / "exports")
-
-    folder = RunFolder.open(run)
-    record = folder.record("scores.parquet")
-    folder.commit(record.recipe, {"scores.parquet": folder.write_bytes("scores.parquet", b"better", {})})
-    assert verify_everything(run)[0].problems == []
-    with pytest.raises(CorruptArtifactError, match="was changed after it was signed"):
-        verify_everything(run, key)
-    for spoilt in ("{}", "[" * 100_000, '{"hmac_sha256": "é\\ud800", "key": 1, "signed": 2}'):
-        (run / SIGNATURE).write_text(spoilt)
-        with pytest.raises(CorruptArtifactError, match=r"damaged|signed with another key"):
-            verify_everything(run, key)
-    (run / SIGNATURE).unlink()
-    with pytest.raises(CorruptArtifactError, match="is not signed"):
-        verify_everything(run, key)
-
-
-def test_a_damaged_run_is_not_signed_and_a_bad_key_is_none(run, tmp_path):
-    key = tmp_path / "lab.key"
-    key.write_text("short")
-    key.chmod(0o600)
-    assert "is no key" in debist("sign", run, "--key", key).stderr
-    key.write_text("long enough to be one")
-    key.chmod(0o644)
-    assert "everybody can read this key" in debist("sign", run, "--key", key).stderr
-    key.chmod(0o600)
-    assert "is there already" in debist("sign", run, "--key", key, "--new-key").stderr
-    (run / "model.h5").write_text("x")
-    result = debist("sign", run, "--key", key)
-    assert result.exit_code == 4 and "model.h5" in result.stderr and not (run / SIGNATURE).exists()
-
-
 def test_no_stage_manifest_outlives_its_content(run):
     """Before other content becomes valid, the stage manifest that says otherwise is withdrawn."""
     folder = RunFolder.open(run)
@@ -191,7 +171,7 @@ def test_no_stage_manifest_outlives_its_content(run):
     written = {"scores.parquet": folder.write_bytes("scores.parquet", b"other", {})}
     folder.commit(recipe, written)
     assert not (run / "stages" / f"{recipe.stage}.json").exists()
-    assert verify_everything(run)[0].problems == []
+    assert verify_everything(run).problems == []
 
 
 def test_what_a_task_notes_reads_the_same_after_the_run_was_opened_anew(tmp_path):

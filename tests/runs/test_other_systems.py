@@ -1,0 +1,128 @@
+"""What Windows and other disks do differently, by stand-ins: files that are open elsewhere, long paths, names."""
+
+import errno
+import os
+import stat
+from pathlib import Path
+
+import pytest
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.names import check_name
+from pipeline.runs import atomic, layout
+from pipeline.runs.atomic import reading, write_text
+from pipeline.runs.manifest import MANIFEST, Recipe, load_manifest
+from pipeline.runs.run_folder import RunFolder
+
+
+@pytest.fixture
+def patient(monkeypatch) -> list[float]:
+    """The pauses, none of which is waited for."""
+    pauses: list[float] = []
+    monkeypatch.setattr(atomic.time, "sleep", pauses.append)
+    return pauses
+
+
+def _refusing(monkeypatch, times: float) -> None:
+    """Moves are refused so often, as while another program has the target open."""
+    move, left = Path.replace, [times]
+
+    def refused(source, target):
+        left[0] -= 1
+        if left[0] >= 0:
+            raise PermissionError(errno.EACCES, "The process cannot access the file", str(source))
+        return move(source, target)
+
+    monkeypatch.setattr(Path, "replace", refused)
+
+
+def test_a_file_that_is_open_elsewhere_for_a_moment_is_replaced(tmp_path, monkeypatch, patient):
+    (tmp_path / "a.json").write_text("old")
+    _refusing(monkeypatch, 3)
+    write_text(tmp_path / "a.json", "new")
+    assert (tmp_path / "a.json").read_text() == "new" and len(patient) == 3
+
+
+def test_a_file_that_stays_open_elsewhere_is_named_and_left_whole(tmp_path, monkeypatch, patient):
+    (tmp_path / "a.json").write_text("old")
+    _refusing(monkeypatch, float("inf"))
+    with pytest.raises(InputError, match=r"a\.json: cannot be written: .*; close the program that has it open, or"):
+        write_text(tmp_path / "a.json", "new")
+    assert [path.name for path in tmp_path.iterdir()] == ["a.json"]
+    assert (tmp_path / "a.json").read_text() == "old" and sum(patient) < 1.0
+
+
+def test_a_commit_that_meets_an_open_file_is_completed_by_the_next_run(tmp_path, monkeypatch, patient):
+    run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
+    run.commit(Recipe("s", "1", {}, {}), {"one.json": run.write_text("one.json", "old", {})})
+    written = {"one.json": run.write_text("one.json", "new", {})}
+    move = Path.replace
+
+    def refused(source, target):
+        if target == run.root / "one.json":
+            raise PermissionError(errno.EACCES, "The process cannot access the file", str(source))
+        return move(source, target)
+
+    with monkeypatch.context() as patch, pytest.raises(InputError, match=r"one\.json: cannot be written"):
+        patch.setattr(Path, "replace", refused)
+        run.commit(Recipe("s", "2", {}, {}), written)
+    assert RunFolder.open(run.root).read_bytes("one.json") == b"new"
+    again = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
+    assert (run.root / "one.json").read_text() == "new" and again.problem("one.json") is None
+
+
+@pytest.mark.parametrize("code", [errno.ENAMETOOLONG, errno.ENOENT])
+def test_a_path_that_is_too_long_is_a_line(tmp_path, monkeypatch, code):
+    """Windows says of a path of 260 characters that it does not exist."""
+    target = tmp_path / ("a" * 120) / ("b" * 120) / "c.json"
+    write_text(target, "whole")
+
+    def too_long(path, *_, **__):
+        raise OSError(code, os.strerror(code), str(path))
+
+    monkeypatch.setattr(Path, "write_bytes", too_long)
+    with pytest.raises(InputError, match=r"c\.json: cannot be written: the path is too long") as caught:
+        write_text(target, "more")
+    assert "\n" not in str(caught.value) and target.read_text() == "whole"
+
+
+def test_folders_are_not_synced_where_they_cannot_be(tmp_path, monkeypatch):
+    sync = os.fsync
+
+    def refused(descriptor):
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))
+        sync(descriptor)
+
+    monkeypatch.setattr(os, "fsync", refused)
+    write_text(tmp_path / "a.json", "x")
+    assert (tmp_path / "a.json").read_text() == "x"
+
+
+@pytest.mark.parametrize("name", ["C:/x.json", "C:x.json", "//host/share/x", "a\\b.json", "..\\x", "a/../../x", "/x"])
+def test_no_name_of_an_artifact_leaves_the_run_on_any_system(tmp_path, name):
+    assert not layout.inside(name)
+    run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
+    with pytest.raises(InputError, match="leaves the run folder"):
+        run.path(name)
+    run.commit(Recipe("s", "1", {}, {}), {"one.json": run.write_text("one.json", "x", {})})
+    run.manifest.artifacts[name] = run.manifest.artifacts["one.json"]
+    run.manifest.save(run.root)
+    with pytest.raises(CorruptArtifactError, match=MANIFEST):
+        load_manifest(run.root)
+
+
+@pytest.mark.parametrize("name", ["P.", "P...", "CON", "nul.txt", "com1 .a", "LPT9.x.y", "P "])
+def test_names_that_windows_reserves_or_changes_are_refused(name):
+    with pytest.raises(ValueError, match="rename it"):
+        check_name(name)
+
+
+@pytest.mark.parametrize(
+    ("named", "told"),
+    [("run/scores.parquet", "run/scores.parquet"), ("predictions", "run"), (7, "run"), (None, "run")],
+    ids=["a file within", "a bare name", "a descriptor", "nothing"],
+)
+def test_what_cannot_be_read_is_named_whatever_the_system_named(named, told):
+    with pytest.raises(InputError, match=f"^{told}: cannot be read: Input/output error"), reading(Path("run")):
+        raise OSError(errno.EIO, "Input/output error", named)
