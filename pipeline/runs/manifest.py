@@ -13,24 +13,29 @@ import hashlib
 import json
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, TypeAdapter, ValidationError
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, not_written, reading, refuse_link, sweep, write_text
 from pipeline.runs.hashing import file_sha256, flatten, json_sha256
-from pipeline.runs.manifest_shape import Notes, check_shape
+from pipeline.runs.notes import ADVICE, checked_notes, first_mistake
 
 MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"
 """A manifest whose commit was interrupted: where it is there, it is the valid one."""
-FORMAT = "debist-run/1"
 STAGES, STAGED_MARK = "stages", ".debist-staged"
 _LARGEST = 256 << 20
 _INTACT: set[bytes] = set()
-"""SHA-256 of manifests that this process found intact; checking one costs seven times as much as parsing it."""
+"""SHA-256 of manifests that this process checked; its digest costs three times as much as all else."""
+_Digest = Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
+_Stage = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
+_Path = Annotated[str, Field(pattern=r"^\.*[A-Za-z0-9_-][A-Za-z0-9._-]*(/\.*[A-Za-z0-9_-][A-Za-z0-9._-]*)*$")]
+"""Inside the run on every system: slashes, no step up, no drive, no backslash."""
 
 
 @dataclass(frozen=True)
@@ -89,9 +94,9 @@ class ArtifactRecord:
     """
 
     recipe: Recipe
-    sha256: str
-    content_hash: str
-    bytes: int
+    sha256: _Digest
+    content_hash: _Digest
+    bytes: Annotated[int, Field(ge=0)]
     notes: Mapping[str, Any] = field(default_factory=dict)
     environment: str = ""
 
@@ -121,14 +126,18 @@ class Manifest:
     prototype: dict[str, Any]
     prototype_file: str
     versions: dict[str, str]
-    artifacts: dict[str, ArtifactRecord]
+    artifacts: dict[_Path, ArtifactRecord]
     environments: dict[str, Mapping[str, Any]] = field(default_factory=dict)
-    stages: dict[str, dict[str, str]] = field(default_factory=dict)
+    stages: dict[_Stage, dict[str, str]] = field(default_factory=dict)
     set_aside: list[str] = field(default_factory=list)
+    format: Literal["debist-run/1"] = "debist-run/1"
 
     def save(self, root: Path, name: str = MANIFEST) -> None:
         """Write the manifest into the run folder `root`."""
         write_text(root / name, _dump(self), within=root)
+
+
+_SHAPE = TypeAdapter(Manifest)
 
 
 def _read(root: Path) -> tuple[Path, bytes]:
@@ -163,31 +172,19 @@ def load_manifest(root: Path) -> Manifest:
         The manifest is damaged or was edited.
     """
     path, raw = _read(root)
-    advice = "restore it, or move the folder away and run again"
     try:
-        document = json.loads(raw)
-        if document.get("format") != FORMAT:
-            raise CorruptArtifactError(f"{path}: is no {FORMAT} manifest; {advice}")
+        manifest = _SHAPE.validate_json(raw, strict=True)
         digest = hashlib.sha256(raw).digest()
-        known = digest in _INTACT
-        if not known and (wrong := check_shape(document)):
-            raise CorruptArtifactError(f"{path}: {wrong}; {advice}")
-        artifacts = {}
-        for name, entry in document["artifacts"].items():
-            notes = Notes(entry.get("notes", {}), f"{path}: artifacts.{name}.notes")
-            artifacts[name] = ArtifactRecord(**{**entry, "recipe": Recipe(**entry["recipe"]), "notes": notes})
-        manifest = Manifest(
-            document["prototype"],
-            document["prototype_file"],
-            document["versions"],
-            artifacts,
-            *(document.get(key, empty) for key, empty in (("environments", {}), ("stages", {}), ("set_aside", []))),
-        )
-        intact = known or _dump(manifest).encode() == raw
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); {advice}") from error
+        intact = digest in _INTACT or _dump(manifest).encode() == raw
+    except ValidationError as error:
+        raise CorruptArtifactError(f"{path}: {first_mistake(error)}") from None
+    except (ValueError, TypeError, RecursionError) as error:
+        raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); {ADVICE}") from error
     if not intact:
-        raise CorruptArtifactError(f"{path}: was changed after it was written; {advice}")
+        raise CorruptArtifactError(f"{path}: was changed after it was written; {ADVICE}")
+    for name, record in manifest.artifacts.items():
+        notes = checked_notes(record.notes, f"{path}: artifacts.{name}.notes")
+        manifest.artifacts[name] = replace(record, notes=notes)
     _INTACT.add(digest)
     return manifest
 
@@ -195,7 +192,7 @@ def load_manifest(root: Path) -> Manifest:
 def _dump(manifest: Manifest) -> str:
     # `asdict` would copy every note and setting, half of the time that this takes
     artifacts = {name: {**vars(record), "recipe": vars(record.recipe)} for name, record in manifest.artifacts.items()}
-    document = {"format": FORMAT, **vars(manifest), "artifacts": artifacts}
+    document = {"format": manifest.format, **vars(manifest), "artifacts": artifacts}
     for entry in (document, *document["artifacts"].values()):  # so that a manifest of before is dumped as it was
         for key in ("environment", "environments", "stages", "set_aside"):
             if not entry.get(key, True):

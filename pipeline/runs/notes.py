@@ -1,16 +1,13 @@
-"""What a manifest may say: the kind of every value that is read from it, whoever wrote it and whatever its digest."""
+"""Notes of artifacts: the kind of every value that is read from them, whoever wrote them."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self
+from typing import Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from pipeline.errors import CorruptArtifactError
 
-_DIGEST = Field(pattern="^[0-9a-f]{64}$")
-_Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
-_Path = Annotated[str, Field(pattern=r"^\.*[A-Za-z0-9_-][A-Za-z0-9._-]*(/\.*[A-Za-z0-9_-][A-Za-z0-9._-]*)*$")]
-"""Inside the run on every system: slashes, no step up, no drive, no backslash."""
+ADVICE = "restore it, or move the folder away and run again"
 Number = float | None
 """JSON knows no number that is not finite: null stands for it."""
 
@@ -81,33 +78,6 @@ class _Notes(_Shape):
         return self
 
 
-class _Recipe(_Shape):
-    stage: str
-    algorithm: str
-    settings: dict[str, Any]
-    inputs: dict[str, str]
-
-
-class _Record(_Shape):
-    recipe: _Recipe
-    sha256: str = _DIGEST
-    content_hash: str = _DIGEST
-    bytes: int = Field(ge=0)
-    notes: _Notes = _Notes()
-    environment: str = ""
-
-
-class _Manifest(_Shape):
-    prototype: dict[str, Any]
-    prototype_file: str
-    versions: dict[str, str]
-    artifacts: dict[_Path, _Record]
-    environments: dict[str, dict[str, Any]] = {}
-    stages: dict[_Name, dict[str, str]] = {}
-    set_aside: list[str] = []
-    digest: str = _DIGEST
-
-
 class Notes(dict[str, Any]):
     """Notes of an artifact, or a part of them, which must have what is asked of them.
 
@@ -126,11 +96,22 @@ class Notes(dict[str, Any]):
         raise CorruptArtifactError(f"{self._where}: {key} is missing; move the folder away and run again")
 
 
-def check_shape(document: Mapping[str, Any]) -> str | None:
-    """The first key of a manifest whose value is not what it must be, and why; None if all are."""
+def checked_notes(notes: Mapping[str, Any], where: str) -> Notes:
+    """The notes, if every value is of the kind that is read from it; `where` is file and key.
+
+    Raises
+    ------
+    CorruptArtifactError
+        One is not; the text names it.
+    """
     try:
-        _Manifest.model_validate(document)
+        _Notes.model_validate(notes)
     except ValidationError as error:
-        first = error.errors(include_url=False, include_input=False)[0]
-        return f"{'.'.join(map(str, first['loc']))}: {first['msg'][0].lower()}{first['msg'][1:]}"
-    return None
+        raise CorruptArtifactError(f"{where}.{first_mistake(error)}") from None
+    return Notes(notes, where)
+
+
+def first_mistake(error: ValidationError) -> str:
+    """The first key whose value is not what it must be, and why."""
+    first = error.errors(include_url=False, include_input=False)[0]
+    return f"{'.'.join(map(str, first['loc']))}: {first['msg'][0].lower()}{first['msg'][1:]}; {ADVICE}"
