@@ -22,7 +22,7 @@ test: $(VENV)/.dev-ready
 test-long: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile -m "long or not long"
 
-# 10,000 damaged logs of every format; faults at every call of a run that changes a file (Linux), which renews the
+# 10,000 damaged logs of every format; faults at many calls of a run that change a file (Linux), which renews the
 # counts in docs/reference/faults.md
 fuzz: $(VENV)/.dev-ready
 	$(BIN)/python -m tests.fuzz

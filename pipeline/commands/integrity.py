@@ -108,7 +108,9 @@ def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
         emit_table("verified", ("run", "files", "problems", "unknown", "first"), rows)
     bad = [str(run.root) for run in runs if not run.intact]
     if bad:
-        raise CorruptArtifactError(f"{len(bad)} of {len(runs)} are not intact: {', '.join(bad)}; `debist repair` each")
+        raise CorruptArtifactError(
+            f"{len(bad)} of {len(runs)} are not intact: {', '.join(bad)}; `debist verify` names why"
+        )
 
 
 def _first(run: "VerifiedRun") -> str:

@@ -26,7 +26,7 @@ from typing import Any
 
 from pipeline.runs.atomic import atomic_path
 from pipeline.runs.hashing import file_sha256
-from pipeline.runs.manifest import MANIFEST, Manifest
+from pipeline.runs.manifest import MANIFEST, Manifest, stage_file
 from pipeline.runs.run_folder import RunFolder
 
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
@@ -160,8 +160,11 @@ def _results(crate: Any, run: RunFolder) -> Mapping[str, list[Any]]:
         results.setdefault(record.environment, []).append(
             _add_file(crate, run.checked(name), f"run/{name}", properties)
         )
-    manifest = _add_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", {"name": "Recipes and hashes of all artifacts"})
-    return {key: [manifest, *made] for key, made in results.items()}
+    about = {MANIFEST: "Recipes and hashes of all artifacts"}
+    stages = [stage for stage in run.manifest.stages if not run.stage_problem(stage)]
+    about |= {stage_file(stage): f"Content hashes of the stage {stage}" for stage in stages}
+    lists = [_add_file(crate, run.path(name), f"run/{name}", {"name": title}) for name, title in about.items()]
+    return {key: [*lists, *made] for key, made in results.items()}
 
 
 def _add_file(crate: Any, source: Path, name: str, properties: Mapping[str, str]) -> Any:

@@ -28,6 +28,7 @@ from pipeline.runs.notes import ADVICE, checked_notes, first_mistake
 MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"
 """A manifest whose commit was interrupted: where it is there, it is the valid one."""
+FORMAT: Literal["debist-run/1"] = "debist-run/1"
 STAGES, STAGED_MARK = "stages", ".debist-staged"
 _LARGEST = 256 << 20
 _INTACT: set[bytes] = set()
@@ -130,7 +131,7 @@ class Manifest:
     environments: dict[str, Mapping[str, Any]] = field(default_factory=dict)
     stages: dict[_Stage, dict[str, str]] = field(default_factory=dict)
     set_aside: list[str] = field(default_factory=list)
-    format: Literal["debist-run/1"] = "debist-run/1"
+    format: Literal["debist-run/1"] = FORMAT
 
     def save(self, root: Path, name: str = MANIFEST) -> None:
         """Write the manifest into the run folder `root`."""
@@ -177,7 +178,10 @@ def load_manifest(root: Path) -> Manifest:
         digest = hashlib.sha256(raw).digest()
         intact = digest in _INTACT or _dump(manifest).encode() == raw
     except ValidationError as error:
-        raise CorruptArtifactError(f"{path}: {first_mistake(error)}") from None
+        mistake = first_mistake(error)
+        if FORMAT.encode() not in raw[:64] and not mistake.startswith("damaged"):
+            mistake = f"is no {FORMAT} manifest; {ADVICE}"
+        raise CorruptArtifactError(f"{path}: {mistake}") from None
     except (ValueError, TypeError, RecursionError) as error:
         raise CorruptArtifactError(f"{path}: damaged ({type(error).__name__}); {ADVICE}") from error
     if not intact:

@@ -114,4 +114,5 @@ def checked_notes(notes: Mapping[str, Any], where: str) -> Notes:
 def first_mistake(error: ValidationError) -> str:
     """The first key whose value is not what it must be, and why."""
     first = error.errors(include_url=False, include_input=False)[0]
-    return f"{'.'.join(map(str, first['loc']))}: {first['msg'][0].lower()}{first['msg'][1:]}; {ADVICE}"
+    place, reason = ".".join(map(str, first["loc"])), f"{first['msg'][0].lower()}{first['msg'][1:]}"
+    return f"{place}: {reason}; {ADVICE}" if place else f"damaged ({reason}); {ADVICE}"
