@@ -4,8 +4,9 @@
 
 54 million rows are half an hour at 30 kHz. The peers read the same four columns into memory and do nothing with them:
 pyarrow (Parquet, CSV), asammdf (MDF), SciPy (MAT v5), h5py (HDF5, as MAT v7.3); `debist ingest` checks, resamples and
-stores them. Needs some 4 GB of disk. The memory is the resident one with pages of files, each page counted once (Pss of
-smaps_rollup), sampled every 50 ms and summed over the processes of the command; Linux only.
+stores them. Needs some 6 GB of disk. The memory is the resident one, each page counted once and without those of mapped
+files, which the system can drop (smaps_rollup), sampled every 50 ms and summed over the processes of the command; Linux
+only.
 """
 
 import argparse
@@ -102,7 +103,7 @@ def _write_hdf5(path: Path, rows: int, rate: float) -> None:
 
 
 def _resident(root: int) -> int:
-    """Resident bytes of a process and all that came from it, pages that several share counted once."""
+    """Resident bytes of a process and all that came from it, pages that several share counted once, those of files left out."""
     total, waiting = 0, [root]
     while waiting:
         pid = waiting.pop()
@@ -111,7 +112,7 @@ def _resident(root: int) -> int:
             lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
         except OSError:
             continue
-        total += sum(1024 * int(line.split()[1]) for line in lines if line.startswith("Pss:"))
+        total += sum(1024 * int(line.split()[1]) for line in lines if line.startswith(("Pss_Anon:", "Pss_Shmem:")))
     return total
 
 

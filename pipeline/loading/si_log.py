@@ -1,7 +1,6 @@
-"""A raw log by the settings: displacement and inputs in SI units, each with its time base, read slice by slice."""
+"""A raw log by the settings: displacement and inputs in SI units, each with its time base."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,15 +9,14 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.loading.device import Device
-from pipeline.numerics.arrays import Samples
+from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import Channel, Prototype
-from pipeline.signals.columns import Held, Scaled, Signal, equal
+from pipeline.signals.columns import Signal, chunks, column, equal, held, scaled
 from pipeline.signals.timebase import nominal_step
 from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 
 if TYPE_CHECKING:
     from pipeline.rig_logs import Recording
-    from pipeline.rig_logs import SpooledColumn as Spooled
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 
@@ -48,11 +46,8 @@ class SiLog:
         return named if self.velocity is None else {**named, "velocity": self.velocity}
 
 
-@contextmanager
-def open_si(
-    path: Path, prototype: Prototype, plant: Device, progress: Callable[[float], None] | None = None
-) -> Iterator[SiLog]:
-    """Read a log and keep it open; its samples lie in a temporary file until the block ends.
+def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[[float], None] | None = None) -> SiLog:
+    """Read a log; long columns lie in temporary files, which are mapped and vanish with the last view of them.
 
     Parameters
     ----------
@@ -70,17 +65,16 @@ def open_si(
     InputError
         The log cannot be read, lacks a channel or a time base, or contradicts a unit of the settings.
     """
-    from pipeline.rig_logs import CsvOptions, spooled_recording
+    from pipeline.rig_logs import CsvOptions, read_recording
 
     channels = prototype.channels
     used = (channels.time, channels.q, *channels.inputs, channels.qdot)
     wanted = [channel.channel for channel in used if channel is not None]
     csv = CsvOptions(**prototype.ingest.csv.model_dump())
-    with spooled_recording(path, channels=wanted, csv=csv, progress=progress) as recording:
-        yield _si_log(recording, prototype, plant)
+    return _si_log(read_recording(path, channels=wanted, csv=csv, progress=progress), prototype, plant)
 
 
-def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device) -> SiLog:
+def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLog:
     channels = prototype.channels
     signals = [(channels.q, plant.displacement), *zip(channels.inputs, plant.inputs, strict=True)]
     if channels.qdot is not None and plant.velocity is not None:
@@ -91,32 +85,32 @@ def _si_log(recording: "Recording[Spooled]", prototype: Prototype, plant: Device
     else:
         bases = _own_bases(recording, [channel for channel, _ in signals], prototype.ingest.sample_rate)
     _check_rate(recording.path, bases[0], prototype.ingest.sample_rate)
-    for (channel, _), base, column in zip(signals, bases, columns, strict=True):
-        if base.size != column.size:
+    for (channel, _), base, samples in zip(signals, bases, columns, strict=True):
+        if base.size != samples.size:
             raise InputError(
-                f"{recording.path}: channel {channel.channel!r} has {column.size} samples, but its time has "
+                f"{recording.path}: channel {channel.channel!r} has {samples.size} samples, but its time has "
                 f"{base.size}; they are not of one recording, or the log was cut"
             )
     q, *others = (
-        _held(recording.path, channel, bases[0], (base, column)) if channel.on_change else (base, column)
-        for (channel, _), base, column in zip(signals, bases, columns, strict=True)
+        _held(recording.path, channel, bases[0], (base, samples)) if channel.on_change else (base, samples)
+        for (channel, _), base, samples in zip(signals, bases, columns, strict=True)
     )
     inputs = len(plant.inputs)
     return SiLog(q, tuple(others[:inputs]), *others[inputs:])
 
 
-def _held(path: Path, channel: Channel, time: Samples, seen: Signal) -> Signal:
+def _held(path: Path, channel: Channel, time: FloatArray, seen: Signal) -> Signal:
     """An input that was recorded when it changed, at the stamps of q."""
-    held = Held(time, *seen)
-    if not held.rising:
+    at = seen[0][np.isfinite(seen[0]) & np.isfinite(seen[1])]
+    if np.any(np.diff(at) < 0.0):
         raise InputError(
             f"{path}: the time of channel {channel.channel!r} steps back, so what held when is not known; "
             "repair the log"
         )
-    return time, held
+    return time, held(time, *seen)
 
 
-def _check_rate(path: Path, time: Samples, rate: float | None) -> None:
+def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
     """Refuse a sample rate [Hz] of the settings that the log's own time contradicts."""
     if rate is None or time.size < 2:
         return
@@ -128,25 +122,25 @@ def _check_rate(path: Path, time: Samples, rate: float | None) -> None:
         )
 
 
-def _si(recording: "Recording[Spooled]", channel: Channel, unit: SiUnit) -> Samples:
+def _si(recording: "Recording", channel: Channel, unit: SiUnit) -> FloatArray:
     found = recording.channel(channel.channel)
     factor, offset = unit.factor * channel.scale, unit.factor * channel.offset
     if channel.scale == 1.0:  # else the log's own unit is that of its data acquisition
         _check_unit(recording.path, found.name, found.unit, channel.unit, unit)
-    return found.samples if (factor, offset) == (1.0, 0.0) else Scaled(found.samples, factor, offset)
+    return scaled(found.samples, factor, offset)
 
 
-def _own_bases(recording: "Recording[Spooled]", channels: list[Channel], rate: float | None) -> list[Samples]:
+def _own_bases(recording: "Recording", channels: list[Channel], rate: float | None) -> list[FloatArray]:
     """The channels' own time bases, or that of a sample rate [Hz]; equal ones become one object."""
-    bases: list[Samples] = []
+    bases: list[FloatArray] = []
     counted: dict[str, int] = {}
     for channel in channels:
         found = recording.channel(channel.channel)
-        base: Samples | None = found.time
+        base: FloatArray | None = found.time
         if base is None and rate is not None:
             counted[channel.channel] = found.samples.size
             base = next((known for known in bases if known.size == found.samples.size), None)
-            base = np.arange(found.samples.size) / rate if base is None else base
+            base = _counted(found.samples.size, rate) if base is None else base
         if base is None:
             raise InputError(
                 f"{recording.path}: the format carries no time base; name the time channel as [channels] time, "
@@ -160,6 +154,11 @@ def _own_bases(recording: "Recording[Spooled]", channels: list[Channel], rate: f
             "name channels of one recording in [channels], or save the log with time"
         )
     return bases
+
+
+def _counted(size: int, rate: float) -> FloatArray:
+    """Stamps [s] of so many samples at a rate [Hz]."""
+    return column(size, (np.arange(rows.start, rows.stop) / rate for rows in chunks(size)), np.float64)
 
 
 def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUnit) -> None:

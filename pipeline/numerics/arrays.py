@@ -1,7 +1,5 @@
 """The array types that the numerics exchange."""
 
-from typing import Protocol
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,17 +7,6 @@ FloatArray = NDArray[np.float64]
 SingleArray = NDArray[np.float32]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
-
-
-class Samples(Protocol):
-    """A column that need not fit into memory: its size is known, and a slice of it is an array. Arrays are samples."""
-
-    @property
-    def size(self) -> int:
-        """Number of samples."""
-
-    def __getitem__(self, rows: slice, /) -> FloatArray:
-        """The samples of a range of rows (step 1, bounds not negative), read-only."""
 
 
 def sample_interval(t: FloatArray) -> float:

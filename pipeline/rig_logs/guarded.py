@@ -20,12 +20,9 @@ from pipeline.process_copies import CAN_COPY, Copies
 from pipeline.rig_logs.child import START, module_for
 from pipeline.rig_logs.recording import (
     Channel,
-    Column,
     Places,
     Recording,
-    SpooledColumn,
     mapped_columns,
-    spooled_columns,
 )
 from pipeline.rig_logs.source import CsvOptions, Limits, read_start
 
@@ -39,7 +36,8 @@ def read_recording(
     channels: Sequence[str] | None = None,
     csv: CsvOptions | None = None,
     limits: Limits | None = None,
-) -> Recording[FloatArray]:
+    progress: Callable[[float], None] | None = None,
+) -> Recording:
     """Read a raw log into arrays, in a child process with limits.
 
     Parameters
@@ -52,6 +50,8 @@ def read_recording(
         What is known of a CSV log; the rest is found out.
     limits : Limits, optional
         Memory, processor time and sizes that are allowed.
+    progress : callable, optional
+        Told the share of the samples that are read.
 
     Raises
     ------
@@ -61,39 +61,12 @@ def read_recording(
     Notes
     -----
     Cost: once the start of the process that is copied (0.15 s of processor time, most of it numpy's import); the
-    parse, and one write and one mapped read of 8 bytes a sample; the arrays are backed by an unlinked temporary file,
-    so the system can page them out.
+    parse, and one write of 8 bytes a sample; the arrays are views of a mapped temporary file, so the system can page
+    them out. A large compressed variable of a MAT file of version 5 is expanded into another one.
     """
     with tempfile.TemporaryFile(prefix="debist-") as data:
-        answer = _ask_child(path, channels, csv, limits, data.fileno(), None)
-        return _recording(path, answer, mapped_columns(data.fileno()))
-
-
-@contextmanager
-def spooled_recording(
-    path: Path,
-    *,
-    channels: Sequence[str] | None = None,
-    csv: CsvOptions | None = None,
-    progress: Callable[[float], None] | None = None,
-) -> Iterator[Recording[SpooledColumn]]:
-    """The same for a log of any length: its samples stay in a temporary file, and slices of them are read.
-
-    Parameters
-    ----------
-    path, channels, csv
-        As for `read_recording`.
-    progress : callable, optional
-        Told the share of the samples that are read.
-
-    Notes
-    -----
-    Cost: as `read_recording`; the memory does not depend on the log's length. The temporary file takes 8 bytes a
-    sample; a large compressed variable of a MAT file of version 5 is expanded into another one.
-    """
-    with tempfile.TemporaryFile(prefix="debist-") as data:
-        answer = _ask_child(path, channels, csv, None, data.fileno(), progress)
-        yield _recording(path, answer, spooled_columns(data.fileno()))
+        answer = _ask_child(path, channels, csv, limits, data.fileno(), progress)
+        return _recording(path, answer, mapped_columns(data))
 
 
 def _check_is_file(path: Path) -> None:
@@ -277,10 +250,10 @@ def _cause_of_death(code: int, stderr: bytes, limits: Limits, size: int) -> str:
     return f"failed ({last[0][:200]}); the file is damaged or not what it claims to be"
 
 
-def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Column]) -> Recording[Column]:
-    columns: dict[str, Column] = {}
+def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], FloatArray]) -> Recording:
+    columns: dict[str, FloatArray] = {}
 
-    def found(places: list[list[int]]) -> Column:
+    def found(places: list[list[int]]) -> FloatArray:
         """The column of which the child says that it lies there."""
         key = str(places)  # channels on one time base get the same object
         if key not in columns:

@@ -110,7 +110,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
     stamps: list[FloatArray] = []
     bases: list[TimeQuality] = []
-    examined: list[tuple[Channel[FloatArray], int | None, SignalQuality, Clock]] = []
+    examined: list[tuple[Channel, int | None, SignalQuality, Clock]] = []
     for channel in recording.channels:
         time = column if channel.time is None and not own_time else channel.time
         position = _time_base(time, stamps, bases, notes) if time is not None else None
@@ -133,7 +133,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     )
 
 
-def _constant_rates(channels: Sequence[Channel[FloatArray]], notes: list[str]) -> dict[str, float]:
+def _constant_rates(channels: Sequence[Channel], notes: list[str]) -> dict[str, float]:
     """Sample rates [Hz] that columns of one number state (`fs`, `Ts`), which may stand in the first row only."""
     rates = {}
     for channel in channels:
@@ -148,7 +148,7 @@ def _constant_rates(channels: Sequence[Channel[FloatArray]], notes: list[str]) -
 
 
 def _roles(
-    channels: Sequence[Channel[FloatArray]], rates: Collection[str], notes: list[str], *, own_time: bool
+    channels: Sequence[Channel], rates: Collection[str], notes: list[str], *, own_time: bool
 ) -> tuple[tuple[Suggestion, ...], tuple[str, ...]]:
     """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
     usual = [channel for channel in channels if channel.time is not None or not own_time]
@@ -173,7 +173,7 @@ def _rises_evenly(samples: FloatArray) -> bool:
 
 
 def _time_column(
-    channels: Sequence[Channel[FloatArray]], roles: Sequence[Suggestion], notes: list[str]
+    channels: Sequence[Channel], roles: Sequence[Suggestion], notes: list[str]
 ) -> tuple[FloatArray | None, Clock]:
     """The column that is taken for time in the description, in s, and in what places are told then."""
     name = next((role.only for role in roles if role.role == "time"), None)

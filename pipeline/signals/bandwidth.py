@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, Samples
+from pipeline.numerics.arrays import FloatArray
 
 LEAST_PER_PERIOD = 5.0
 """Samples in a period of what moves, below which a record hardly shows it."""
@@ -26,12 +26,12 @@ class Bandwidth(NamedTuple):
     most: float
 
 
-def bandwidth(samples: Samples, step: float, noise: float) -> Bandwidth:
+def bandwidth(samples: FloatArray, step: float, noise: float) -> Bandwidth:
     """How fast a signal moves.
 
     Parameters
     ----------
-    samples : Samples, N of them
+    samples : FloatArray, shape (N,)
         Finite samples, taken as uniform.
     step : float
         Sampling step [s].

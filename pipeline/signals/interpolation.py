@@ -4,20 +4,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, Samples
-from pipeline.signals.columns import row_at
+from pipeline.numerics.arrays import FloatArray
 
 _PIECE = 1 << 15
 
 
-def interpolated(time: Samples, samples: Samples, t_out: Samples, *, smooth: bool) -> Iterator[FloatArray]:
-    """The same as `interpolate` of columns that need not fit into memory, piece after piece."""
-    near = 0
+def interpolated(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> Iterator[FloatArray]:
+    """The same as `interpolate` of columns of any length, piece after piece."""
     for first in range(0, t_out.size, _PIECE):
-        points = t_out[first : min(first + _PIECE, t_out.size)]
-        low = row_at(time, points[0], near)
-        near = row_at(time, points[-1], low)
-        rows = slice(max(low - 3, 0), min(near + 3, time.size))
+        points = t_out[first : first + _PIECE]
+        low, high = np.searchsorted(time, points[[0, -1]])
+        rows = slice(max(low - 3, 0), high + 3)
         yield interpolate(time[rows], samples[rows], points, smooth=smooth)
 
 

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray, Samples
-from pipeline.signals.columns import Scaled, Signal, chunks, take
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.signals.columns import Signal, chunks
 from pipeline.signals.signal_quality import SignalQuality, span
 
 _LOST_FOR = 0.05
@@ -41,9 +41,9 @@ def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, ste
 
     Parameters
     ----------
-    q : (Samples, Samples)
+    q : (FloatArray, FloatArray)
         Time stamps [s] and displacement as measured.
-    inputs : sequence of (Samples, Samples)
+    inputs : sequence of (FloatArray, FloatArray)
         Time stamps [s] and samples of the inputs.
     quality : SignalQuality
         Of these samples of q.
@@ -57,35 +57,40 @@ def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, ste
     """
     smallest, largest = quality.usual
     width = min(max(_NOISES * quality.noise, _THINNEST * (largest - smallest)), _WIDEST * (largest - smallest))
-    low = _bound((q[0], Scaled(q[1], -1.0)), inputs, (-smallest - width, -smallest + width), -largest, step)
+    low = _bound(q, inputs, (-smallest - width, -smallest + width), -largest, step, sign=-1.0)
     high = _bound(q, inputs, (largest - width, largest + width), smallest, step)
     return (-np.inf if low is None else -low, np.inf if high is None else high)
 
 
 def _bound(
-    q: Signal, inputs: Sequence[Signal], level: tuple[float, float], smallest: float, step: float
+    q: Signal,
+    inputs: Sequence[Signal],
+    level: tuple[float, float],
+    smallest: float,
+    step: float,
+    sign: float = 1.0,
 ) -> float | None:
-    """The middle of the gap below the level at the top, if the sensor has lost its target there.
+    """The middle of the gap below the level at the top of `sign` times q, if the sensor has lost its target there.
 
     level: its lower and upper end · smallest: of all · step: of time [s].
     """
     stamps, samples = q
-    bound = _gap(samples, level, smallest, step)
+    bound = _gap(samples, level, smallest, step, sign)
     if bound is None:
         return None
-    runs = _runs_beyond(samples, bound)
+    runs = _runs_beyond(samples, bound, sign)
     if np.diff(runs).sum() >= _MOST * samples.size:
         return None
     ends = np.unique(runs)
-    times = take(stamps, ends[(ends > 0) & (ends < samples.size)])
+    times = stamps[ends[(ends > 0) & (ends < samples.size)]]
     return None if _goes_with(times[np.isfinite(times)], inputs, step, step * samples.size) else bound
 
 
-def _gap(samples: Samples, level: tuple[float, float], smallest: float, step: float) -> float | None:
-    """The middle of the gap below `level`, if that is entered by jumps, kept, and far from the rest."""
+def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, step: float, sign: float) -> float | None:
+    """The middle of the gap below `level` of `sign` times the samples, if that is entered by jumps, kept, and far from the rest."""
     (bottom, ceiling), at_level, runs, before = level, 0, 0, False
     for rows in chunks(samples.size):
-        part = samples[rows]
+        part = sign * samples[rows]
         there = part >= bottom
         runs += int(np.count_nonzero(np.diff(there.astype(np.int8), prepend=np.int8(before)) == 1))
         at_level += int(np.count_nonzero(there & (part <= ceiling)))
@@ -94,18 +99,18 @@ def _gap(samples: Samples, level: tuple[float, float], smallest: float, step: fl
         return None
     top, jumps = np.empty(0), _JUMP * runs
     for rows in chunks(samples.size):
-        part = samples[rows]
+        part = sign * samples[rows]
         top = np.sort(np.concatenate((top, part[part < bottom])))[-jumps - 1 :]
     if top.size <= jumps or bottom - top[0] < _FAR * (top[0] - smallest):
         return None
     return float(0.5 * (bottom + top[0]))
 
 
-def _runs_beyond(samples: Samples, bound: float) -> IntArray:
-    """First and end index of each run of samples above the bound, shape (n, 2)."""
+def _runs_beyond(samples: FloatArray, bound: float, sign: float) -> IntArray:
+    """First and end index of each run of `sign` times the samples above the bound, shape (n, 2)."""
     edges, before = [np.empty(0, dtype=np.int64)], False
     for rows in chunks(samples.size):
-        beyond = samples[rows] > bound
+        beyond = sign * samples[rows] > bound
         edges.append(rows.start + np.flatnonzero(np.diff(beyond, prepend=before)))
         before = bool(beyond[-1])
     edges.append(np.full(int(before), samples.size))

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, Samples
+from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import robust_std
 
 _SPACINGS = (1, 2)
@@ -93,7 +93,7 @@ def mostly_repeated(values: FloatArray) -> bool:
     return 2 * int(np.unique(values).size) <= values.size
 
 
-def resolution(samples: Samples) -> float | None:
+def resolution(samples: FloatArray) -> float | None:
     """Step of the converter that made these samples: the least distance of two different values.
 
     None in numbers without steps, where most values occur once and do not lie on a grid, or where all are equal. The
@@ -113,7 +113,7 @@ def resolution(samples: Samples) -> float | None:
     return step if on_grid else None
 
 
-def is_stepped(samples: Samples) -> bool:
+def is_stepped(samples: FloatArray) -> bool:
     """Whether a signal stands still between its steps, as a command does: a PRBS, pulses, steps of any height.
 
     Three quarters of its values are held for two samples or more; noise and a converter's flicker are not. A signal of
@@ -131,14 +131,14 @@ def is_stepped(samples: Samples) -> bool:
     return of_two and bool(_BALANCED <= high / values.size <= 1.0 - _BALANCED)
 
 
-def _excerpt(samples: Samples) -> FloatArray:
+def _excerpt(samples: FloatArray) -> FloatArray:
     """The finite ones of the first 2¹⁷ samples."""
-    first = samples[: min(samples.size, _EXCERPT)]
+    first = samples[:_EXCERPT]
     finite: FloatArray = first[np.isfinite(first)]
     return finite
 
 
-def noise_level(samples: Samples) -> float:
+def noise_level(samples: FloatArray) -> float:
     """Standard deviation of white noise on a smooth signal, robust against steps and spikes.
 
     It comes from the median magnitude of second differences. Where more than half of them vanish (a coarsely quantised
@@ -156,20 +156,20 @@ def noise_level(samples: Samples) -> float:
     return 0.0 if _would_be_idle(samples, level) and is_stepped(samples) else level
 
 
-def _would_be_idle(samples: Samples, level: float) -> bool:
+def _would_be_idle(samples: FloatArray, level: float) -> bool:
     values = _excerpt(samples)
     return level > 0.0 and values.size > 0 and is_idle(float(np.ptp(values)), level)
 
 
-def _differences(samples: Samples, order: int) -> FloatArray:
+def _differences(samples: FloatArray, order: int) -> FloatArray:
     """Differences of some order, of the whole or of blocks spread over a long signal."""
     if samples.size <= _NOISE_BLOCKS * _NOISE_BLOCK:
-        return np.diff(samples[: samples.size], order)
+        return np.diff(samples, order)
     starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64).tolist()
     return np.concatenate([np.diff(samples[i : i + _NOISE_BLOCK], order) for i in starts])
 
 
-def high_difference_level(samples: Samples) -> float:
+def high_difference_level(samples: FloatArray) -> float:
     """As `noise_level` from the median of sixth differences, which let less of a fast signal through; else infinite."""
     order = 6
     if samples.size <= 2 * order:

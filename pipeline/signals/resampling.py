@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray, Samples, runs_of
-from pipeline.signals.columns import Part, row_at
+from pipeline.numerics.arrays import FloatArray, IntArray, runs_of
+from pipeline.signals.columns import chunks, column
 from pipeline.signals.decimation_kernel import kernel, slope_window
 
 LEAST_RATIO = 1.5
@@ -26,33 +26,11 @@ _MOMENT_TOLERANCE = 1e-6
 _GRID_TOLERANCE = 1e-6
 
 
-@dataclass(frozen=True)
-class Grid:
-    """Uniform grid points ``start + j·interval`` [s], as samples: none is held in memory."""
-
-    start: float
-    interval: float
-    size: int
-
-    @classmethod
-    def between(cls, start: float, stop: float, interval: float) -> "Grid":
-        """The grid from `start` up to `stop`, and a millionth of an interval beyond."""
-        return cls(start, interval, int(np.floor((stop - start) / interval + _GRID_TOLERANCE)) + 1)
-
-    def __getitem__(self, points: slice, /) -> FloatArray:
-        """A range of grid points."""
-        first, last, _ = points.indices(self.size)
-        values: FloatArray = self.start + self.interval * np.arange(first, last, dtype=np.float64)
-        return values
-
-    def count(self, values: FloatArray, *, up_to: bool = False) -> IntArray:
-        """How many points lie before each value, or with `up_to` how many not after it, shape of `values`."""
-        guess = np.floor((values - self.start) / self.interval).astype(np.int64) - 1
-        count = np.clip(guess, 0, self.size)
-        for _ in range(4):  # the guess is low by one to three, whatever the rounding
-            point = self.start + self.interval * count
-            count += (count < self.size) & ((point <= values) if up_to else (point < values))
-        return count
+def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
+    """Points ``start + j·interval`` [s] up to `stop` and a millionth of an interval beyond, shape (M,)."""
+    size = int(np.floor((stop - start) / interval + _GRID_TOLERANCE)) + 1
+    parts = (start + interval * np.arange(rows.start, rows.stop, dtype=np.float64) for rows in chunks(size))
+    return column(size, parts, np.float64)
 
 
 def decimate(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> FloatArray:
@@ -76,8 +54,10 @@ def decimate(time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray,
     return np.concatenate(list(decimated(time, columns, t_out, interval)), axis=1)
 
 
-def decimated(time: Samples, columns: Sequence[Samples], t_out: Samples, interval: float) -> Iterator[FloatArray]:
-    """The same as `decimate` of columns that need not fit into memory, shape (k, m), piece after piece.
+def decimated(
+    time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float
+) -> Iterator[FloatArray]:
+    """The same as `decimate` of columns of any length, shape (k, m), piece after piece.
 
     Notes
     -----
@@ -86,15 +66,15 @@ def decimated(time: Samples, columns: Sequence[Samples], t_out: Samples, interva
     the log. About 0.1 µs a sample for k = 3 on one core of 2024.
     """
     if time.size == 1:
-        yield np.array([np.full(t_out.size, column[0:1][0]) for column in columns], dtype=np.float64)
+        yield np.array([np.full(t_out.size, column[0]) for column in columns], dtype=np.float64)
         return
     slopes, apart = _Slopes(time, columns, t_out, interval), _BLOCK * t_out.size // time.size
-    for first, near, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
+    for first, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
         values: FloatArray = sums[0] / moments[0]
         shift = moments[1] / moments[0]
         uneven = np.abs(shift) > _MOMENT_TOLERANCE
         for run in _joined(runs_of(uneven), apart):
-            slope = slopes.at(first + run.start, first + run.stop, near, ends=run.stop < shift.size)
+            slope = slopes.at(first + run.start, first + run.stop, ends=run.stop < shift.size)
             values[:, run] -= np.where(uneven[run], shift[run], 0.0) * slope
         yield values
 
@@ -113,23 +93,23 @@ def _joined(runs: list[slice], apart: int) -> list[slice]:
 class _Slopes:
     """Local slopes [per output interval] by weighted least squares, run after run of grid points in ascending order."""
 
-    def __init__(self, time: Samples, columns: Sequence[Samples], t_out: Samples, interval: float) -> None:
+    def __init__(self, time: FloatArray, columns: Sequence[FloatArray], t_out: FloatArray, interval: float) -> None:
         self._stretch = (time, columns, interval)
         self._grid = t_out
         self._open: Iterator[FloatArray] | None = None
         self._next = -1
         self._ready: FloatArray = np.empty((len(columns), 0))
 
-    def at(self, first: int, last: int, near: int, *, ends: bool) -> FloatArray:
+    def at(self, first: int, last: int, *, ends: bool) -> FloatArray:
         """The slopes at the points `first` … `last` − 1, shape (k, last − first).
 
         A run that goes on (`ends` is false) is taken up by the next call, so that it makes no difference where it
-        was interrupted; `near` is a row close to the first point.
+        was interrupted.
         """
         if self._open is None or first != self._next:
             # The sums at a point do not depend on how far the run goes on: bins beyond it do not reach it.
             stop = last if ends else self._grid.size
-            self._open = self._pieces(Part(self._grid, first, stop), near)
+            self._open = self._pieces(self._grid[first:stop])
             self._ready = self._ready[:, :0]
         while self._ready.shape[1] < last - first:
             self._ready = np.concatenate((self._ready, next(self._open)), axis=1)
@@ -139,9 +119,9 @@ class _Slopes:
             self._open = None
         return slopes
 
-    def _pieces(self, points: Samples, near: int) -> Iterator[FloatArray]:
+    def _pieces(self, points: FloatArray) -> Iterator[FloatArray]:
         time, columns, interval = self._stretch
-        for _, _, moments, sums in _moments(time, columns, points, interval, slope_window, (3, 2), near):
+        for _, moments, sums in _moments(time, columns, points, interval, slope_window, (3, 2)):
             centre = moments[1] / moments[0]
             spread = moments[2] - centre * moments[1]
             flat = spread <= 1e-12 * moments[0]  # a stretch of one sample or two stamps almost equal
@@ -149,26 +129,25 @@ class _Slopes:
 
 
 def _moments(
-    time: Samples,
-    columns: Sequence[Samples],
-    t_out: Samples,
+    time: FloatArray,
+    columns: Sequence[FloatArray],
+    t_out: FloatArray,
     interval: float,
     weight: Callable[[FloatArray], FloatArray],
     powers: tuple[int, int],
-    near: int = 0,
-) -> Iterator[tuple[int, int, FloatArray, FloatArray]]:
+) -> Iterator[tuple[int, FloatArray, FloatArray]]:
     """Sums of ``w x^p`` and ``w x^p y`` around each grid point, w the weight times the share of the time axis.
 
     Yields
     ------
-    first, near : int
-        Number of the first grid point of this piece, and a row of the log close to it.
+    first : int
+        Number of the first grid point of this piece.
     moments : FloatArray, shape (powers[0], m)
     sums : FloatArray, shape (powers[1], k, m)
     """
-    origin = float(t_out[0:1][0])
+    origin = float(t_out[0])
     moments, sums = np.zeros((powers[0], 3)), np.zeros((powers[1], len(columns), 3))
-    for bins in _blocks(time, origin, interval, t_out.size, near):
+    for bins in _blocks(time, origin, interval, t_out.size):
         # Grid point p counts as number p + 3, so that none is negative; bin b reaches the numbers b … b + 3.
         width = bins.last - bins.first
         moments = np.concatenate((moments, np.zeros((powers[0], width))), axis=1)
@@ -176,13 +155,13 @@ def _moments(
         if bins.starts[-1] > 0:
             _add_block(bins, columns, origin, interval, weight, moments, sums)
         skip = max(0, 3 - bins.first)
-        yield bins.first + skip - 3, bins.low, moments[:, skip:width], sums[:, :, skip:width]
+        yield bins.first + skip - 3, moments[:, skip:width], sums[:, :, skip:width]
         moments, sums = moments[:, width:], sums[:, :, width:]
 
 
 def _add_block(
     bins: "_Bins",
-    columns: Sequence[Samples],
+    columns: Sequence[FloatArray],
     origin: float,
     interval: float,
     weight: Callable[[FloatArray], FloatArray],
@@ -233,13 +212,13 @@ class _Bins:
     shares: FloatArray
 
 
-def _blocks(time: Samples, origin: float, interval: float, points: int, near: int) -> Iterator[_Bins]:
+def _blocks(time: FloatArray, origin: float, interval: float, points: int) -> Iterator[_Bins]:
     """All bins within reach of a grid of so many points, in blocks of about `_BLOCK` samples.
 
     Where a block ends depends on the samples alone, not on how they are read.
     """
     first, end, most = 0, points + 3, _BLOCK
-    low = row_at(time, float(_edges(origin, interval, 0, 1)[0]), near)
+    low = int(np.searchsorted(time, _edges(origin, interval, 0, 1)[0]))
     while first < end:
         before = min(low, 1)
         around = time[low - before : low + most + 1]

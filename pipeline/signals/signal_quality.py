@@ -1,12 +1,13 @@
 """The quality of one measured signal: rails, hum, spikes, frozen stretches, noise, and the size of its numbers."""
 
 from dataclasses import dataclass
+from itertools import chain, islice
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.bandwidth import Bandwidth, bandwidth
-from pipeline.signals.columns import Rows, chunks, select, take
+from pipeline.signals.columns import chunks, finite, select
 from pipeline.signals.mains_hum import EXCERPT, MAINS, Hum, hum
 from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
 from pipeline.signals.timebase import LOCATED
@@ -106,14 +107,14 @@ class SignalQuality:
         return is_idle(self.span, self.noise) and not self.stepped
 
 
-def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQuality:
+def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> SignalQuality:
     """Describe one signal.
 
     Parameters
     ----------
-    time : Samples, N of them
+    time : FloatArray, shape (N,)
         Time stamps [s], only used to locate what is found.
-    samples : Samples, N of them
+    samples : FloatArray, shape (N,)
         The signal; NaN and infinities allowed.
     step : float
         Nominal sampling step [s].
@@ -125,24 +126,21 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
 
     Notes
     -----
-    Cost: some five passes over the samples in chunks, memory for a chunk; the hum's spectrum is taken of at most
+    Cost: some five passes over the samples in chunks; the hum's spectrum is taken of at most
     2²¹ samples.
     """
-    finite = Rows([np.isfinite(samples[rows]) for rows in chunks(samples.size)])
-    bad = _first_not_taken(finite)
-    located = tuple(take(time, bad).tolist())
-    missing = samples.size - finite.count
-    lost = samples.size - sum(
-        int(np.count_nonzero(np.isfinite(time[rows]) & np.isfinite(samples[rows]))) for rows in chunks(samples.size)
-    )
-    if not finite.count:
+    usable = finite(samples)
+    values = select(samples, usable)
+    stamps, missing = select(time, usable), samples.size - values.size
+    located = tuple(time[_first_not_taken(usable)].tolist()) if missing else ()
+    lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
+    if not values.size:
         nan = float("nan")
         numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan
         return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), (), Bandwidth(nan, nan))
-    stamps, values = select(time, finite), select(samples, finite)
     (smallest, largest), roughness = span(values), noise_level(values)
     frozen, start = _longest_run(values)
-    began, ended = take(stamps, np.array([start, start + frozen - 1])).tolist()
+    began, ended = stamps[[start, start + frozen - 1]].tolist()
     spikes, first_spikes = _spikes(values, roughness)
     usual, noise = usual_span(values), min(roughness, high_difference_level(values))
     return SignalQuality(
@@ -152,7 +150,7 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         not_finite_at=located,
         smallest=smallest,
         largest=largest,
-        mean=sum(float(values[rows].sum()) for rows in chunks(values.size)) / values.size,
+        mean=float(values.mean()),
         usual=usual,
         noise=noise,
         roughness=roughness,
@@ -164,13 +162,13 @@ def examine_signal(time: Samples, samples: Samples, step: float) -> SignalQualit
         frozen_samples=frozen,
         frozen_at=began,
         spikes=spikes,
-        spikes_at=tuple(take(stamps, first_spikes).tolist()),
-        hum=tuple(line for f in MAINS if (line := hum(values[: min(values.size, EXCERPT)], step, f)) is not None),
+        spikes_at=tuple(stamps[first_spikes].tolist()),
+        hum=tuple(line for f in MAINS if (line := hum(values[:EXCERPT], step, f)) is not None),
         band=bandwidth(values, step, noise),
     )
 
 
-def _levels(values: Samples) -> tuple[float, ...]:
+def _levels(values: FloatArray) -> tuple[float, ...]:
     """The different values, none where there are more than `MOST_LEVELS`."""
     found: set[float] = set()
     for rows in chunks(values.size):
@@ -180,13 +178,9 @@ def _levels(values: Samples) -> tuple[float, ...]:
     return tuple(sorted(found))
 
 
-def span(samples: Samples) -> tuple[float, float]:
+def span(samples: FloatArray) -> tuple[float, float]:
     """Smallest and largest sample, NaN left out; NaN where there is none."""
-    lowest, highest = np.nan, np.nan
-    for rows in chunks(samples.size):
-        part = samples[rows]
-        lowest, highest = np.fmin(lowest, np.fmin.reduce(part)), np.fmax(highest, np.fmax.reduce(part))
-    return float(lowest), float(highest)
+    return float(np.fmin.reduce(samples, initial=np.nan)), float(np.fmax.reduce(samples, initial=np.nan))
 
 
 def takes_both_signs(smallest: float, largest: float) -> bool:
@@ -194,7 +188,7 @@ def takes_both_signs(smallest: float, largest: float) -> bool:
     return min(-smallest, largest) > BOTH_SIGNS * max(-smallest, largest)
 
 
-def usual_span(samples: Samples, low: float = -np.inf, high: float = np.inf) -> tuple[float, float]:
+def usual_span(samples: FloatArray, low: float = -np.inf, high: float = np.inf) -> tuple[float, float]:
     """Smallest and largest value between two bounds that three samples in a row reach: no spike of one or two does."""
     lowest, highest = np.nan, np.nan
     for rows in chunks(samples.size, overlap=2):
@@ -208,17 +202,13 @@ def usual_span(samples: Samples, low: float = -np.inf, high: float = np.inf) -> 
     return float(np.fmin(lowest, highest)), float(np.fmax(lowest, highest))
 
 
-def _first_not_taken(rows: Rows) -> IntArray:
+def _first_not_taken(taken: BoolArray) -> IntArray:
     """Indices of the first `LOCATED` rows that are left out."""
-    found: list[int] = []
-    for chunk, part in enumerate(chunks(rows.size)):
-        if len(found) >= LOCATED or rows.all:
-            break
-        found += (part.start + np.flatnonzero(~rows.flags(chunk))).tolist()
-    return np.array(found[:LOCATED], dtype=np.int64)
+    parts = (rows.start + np.flatnonzero(~taken[rows]) for rows in chunks(taken.size))
+    return np.fromiter(islice(chain.from_iterable(parts), LOCATED), np.int64)
 
 
-def _spikes(values: Samples, noise: float) -> tuple[int, IntArray]:
+def _spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:
     """Single samples far off the line between neighbours that agree with each other: how many, and the first ones."""
     count, first = 0, np.empty(0, dtype=np.int64)
     for rows in chunks(values.size, overlap=2):
@@ -244,7 +234,7 @@ def three_in_a_row(flags: BoolArray) -> BoolArray:
     return found
 
 
-def rail_share(values: Samples, usual: tuple[float, float], end: int) -> float:
+def rail_share(values: FloatArray, usual: tuple[float, float], end: int) -> float:
     """Share of the samples in runs of at least three that equal the end of their usual span, 0 lower, 1 upper.
 
     0 where they are a turning point, or a rest that the signal also passes by.
@@ -255,14 +245,14 @@ def rail_share(values: Samples, usual: tuple[float, float], end: int) -> float:
     inside, before = 0, np.zeros(2, dtype=np.bool_)
     for rows in chunks(values.size):
         own = rows.stop - rows.start
-        part = values[rows.start : min(rows.stop + 2, values.size)]
+        part = values[rows.start : rows.stop + 2]
         at_rail: BoolArray = np.concatenate((before, part == rail, np.zeros(2, dtype=np.bool_)))
         inside += int(np.count_nonzero(three_in_a_row(at_rail)[:own]))
         before = at_rail[own : own + 2]
     return inside / values.size
 
 
-def _passed(values: Samples, rail: float, other: float) -> bool:
+def _passed(values: FloatArray, rail: float, other: float) -> bool:
     """Whether the signal takes several values a little beyond `rail`, as one that overshoots a rest does."""
     beyond: set[float] = set()
     for rows in chunks(values.size if rail != other else 0, overlap=1):
@@ -273,36 +263,35 @@ def _passed(values: Samples, rail: float, other: float) -> bool:
     return len(beyond) >= _PASSED
 
 
-def _clipped(values: Samples, rail: float) -> bool:
+def _clipped(values: FloatArray, rail: float) -> bool:
     """Whether the signal leaves its longest run at `rail` at a slope, as a clipped one, and not as at a turning point.
 
     A signal in steps of a converter stays at the value of a turning point for a few samples, and beside them is one or
     two steps off. Without such steps, or with those of a text's last digit, no two samples are equal by chance, and a
     run of them is a clipped one.
     """
-    begin = values[: min(values.size, 1 << 17)]
+    begin = values[: 1 << 17]
     others = begin[np.isfinite(begin) & (begin != rail)]
     digit = resolution(others)
     if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others)):
         return True
-    found = [rows.start + np.flatnonzero(values[rows] == rail) for rows in chunks(values.size)]
-    at = np.concatenate([np.empty(0, dtype=np.int64), *found])
+    at = np.flatnonzero(values == rail)
     if at.size < 3:
         return False
     runs = np.split(at, np.flatnonzero(np.diff(at) > 1) + 1)
     longest = max(runs, key=len)
     reach = min(max(len(longest) // 2, 1), _BESIDE)
     first, last = int(longest[0]), int(longest[-1])
-    around = values[max(0, first - 4 * reach) : min(values.size, last + 4 * reach + 1)]
+    around = values[max(0, first - 4 * reach) : last + 4 * reach + 1]
     steps = np.abs(np.diff(around))
     if not np.any(steps > 0.0):
         return True
     step = float(steps[steps > 1e-9 * steps.max()].min())
-    beside = [values[i : i + 1] for i in (first - reach, last + reach) if 0 <= i < values.size]
-    return all(abs(float(value[0]) - rail) > _LEAVING * step for value in beside)
+    beside = [float(values[i]) for i in (first - reach, last + reach) if 0 <= i < values.size]
+    return all(abs(value - rail) > _LEAVING * step for value in beside)
 
 
-def _longest_run(values: Samples) -> tuple[int, int]:
+def _longest_run(values: FloatArray) -> tuple[int, int]:
     """Length and first index of the longest run of equal values, the first of several."""
     longest, at, began, last = 0, 0, 0, np.nan
     for rows in chunks(values.size):

@@ -10,10 +10,10 @@ from typing import Literal
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import FloatArray, IntArray, Samples
-from pipeline.signals.columns import Part, Rows, chunks, row_at, select, take
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.signals.columns import chunks, column, select
 from pipeline.signals.interpolation import interpolated
-from pipeline.signals.resampling import Grid, decimated
+from pipeline.signals.resampling import decimated
 from pipeline.signals.timebase import advancing, default_gap_limit, nominal_step, segments
 
 TimeReversal = Literal["refuse", "split"]
@@ -25,9 +25,9 @@ class TimeRows:
 
     Attributes
     ----------
-    time : Samples, N of them
+    time : FloatArray, shape (N,)
         All stamps [s].
-    keep : Rows
+    keep : BoolArray, shape (N,)
         Rows with a finite stamp later than all before.
     turns : FloatArray
         Stamps [s] after which time stepped back.
@@ -37,8 +37,8 @@ class TimeRows:
         Rows left out, by reason.
     """
 
-    time: Samples
-    keep: Rows
+    time: FloatArray
+    keep: BoolArray
     turns: FloatArray
     step: float
     not_finite: int
@@ -52,9 +52,9 @@ class Stretches:
 
     Attributes
     ----------
-    time : Samples, N of them
+    time : FloatArray, shape (N,)
         Strictly increasing stamps [s].
-    columns : tuple of Samples, N each
+    columns : tuple of FloatArray, shape (N,) each
         Finite samples.
     smooth : tuple of bool
         For each column, whether it is a displacement: how it is interpolated where it is not decimated.
@@ -68,8 +68,8 @@ class Stretches:
         For each column, the number of samples of the log that are NaN or infinite.
     """
 
-    time: Samples
-    columns: tuple[Samples, ...]
+    time: FloatArray
+    columns: tuple[FloatArray, ...]
     smooth: tuple[bool, ...]
     bounds: IntArray
     edges: FloatArray
@@ -82,7 +82,7 @@ class Stretches:
         return np.stack((self.edges[:-1, 1], self.edges[1:, 0]), axis=1)
 
 
-def advancing_rows(time: Samples, time_reversal: TimeReversal) -> TimeRows:
+def advancing_rows(time: FloatArray, time_reversal: TimeReversal) -> TimeRows:
     """Find the rows whose stamps advance.
 
     Raises
@@ -92,37 +92,41 @@ def advancing_rows(time: Samples, time_reversal: TimeReversal) -> TimeRows:
 
     Notes
     -----
-    Cost: one pass; the memory is that of a chunk and one bit a row.
+    Cost: one pass in chunks.
     """
-    flags, turns = [], []
-    finite = repeated = kept = 0
-    last, reached = np.nan, -np.inf  # the last finite stamp, and the latest
-    for rows in chunks(time.size):
-        part = time[rows]
-        flags.append(advancing(part, reached))
-        stamps = part[np.isfinite(part)]
-        if stamps.size:
-            steps = np.diff(stamps, prepend=last)
-            turns.append(np.concatenate(([last], stamps[:-1]))[steps < 0.0])
-            behind = stamps < np.maximum.accumulate(np.concatenate(([reached], stamps)))[:-1]
-            repeated += int(np.count_nonzero((steps == 0.0) & ~behind))
-            last, reached = float(stamps[-1]), max(reached, float(stamps.max()))
-        finite += stamps.size
-        kept += int(np.count_nonzero(flags[-1]))
+    turns: list[FloatArray] = []
+    usable = repeated = 0
+
+    def flags() -> Iterator[BoolArray]:
+        nonlocal usable, repeated
+        last, reached = np.nan, -np.inf  # the last finite stamp, and the latest
+        for rows in chunks(time.size):
+            part = time[rows]
+            yield advancing(part, reached)
+            stamps = part[np.isfinite(part)]
+            if stamps.size:
+                steps = np.diff(stamps, prepend=last)
+                turns.append(np.concatenate(([last], stamps[:-1]))[steps < 0.0])
+                behind = stamps < np.maximum.accumulate(np.concatenate(([reached], stamps)))[:-1]
+                repeated += int(np.count_nonzero((steps == 0.0) & ~behind))
+                last, reached = float(stamps[-1]), max(reached, float(stamps.max()))
+            usable += stamps.size
+
+    keep = column(time.size, flags(), np.bool_)
     back = np.concatenate([np.empty(0), *turns])
     if back.size and time_reversal == "refuse":
         raise DataRefusedError(
             f"time steps back at {back.size} place(s), first after {back[0]:.6g} s; "
             'repair the log or set [ingest] time_reversal = "split"'
         )
-    keep = Rows(flags)
-    step = nominal_step(select(time, keep))
-    return TimeRows(time, keep, back, step, time.size - finite, repeated, finite - kept - repeated)
+    advanced = select(time, keep)
+    left = time.size - usable, repeated, usable - advanced.size - repeated
+    return TimeRows(time, keep, back, nominal_step(advanced), *left)
 
 
 def finite_stretches(
     rows: TimeRows,
-    columns: Sequence[Samples],
+    columns: Sequence[FloatArray],
     smooth: Sequence[bool],
     names: Sequence[str],
 ) -> list[Stretches]:
@@ -132,7 +136,7 @@ def finite_stretches(
     ----------
     rows : TimeRows
         The columns' time base.
-    columns : sequence of Samples, N each
+    columns : sequence of FloatArray, shape (N,) each
         Samples; those that are not finite are left out.
     smooth : sequence of bool
         As `Stretches.smooth`.
@@ -146,48 +150,40 @@ def finite_stretches(
 
     Notes
     -----
-    Cost: one pass over the columns and one over the stamps; one bit a row and column.
+    Cost: one pass over the columns and one over the stamps, in chunks; where rows are left out, copies on disk.
     """
-    shared: list[tuple[Rows, list[int]]] = []
+    shared: list[tuple[BoolArray, list[int]]] = []
     not_finite = []
-    for j, column in enumerate(columns):
-        valid, missing = _valid(rows, column)
-        not_finite.append(missing)
-        if shared and shared[-1][0].same(valid):
+    for j, samples in enumerate(columns):
+        not_finite.append(sum(int(np.count_nonzero(~np.isfinite(samples[part]))) for part in chunks(samples.size)))
+        valid = rows.keep if not not_finite[-1] else _both(samples, rows.keep)
+        if shared and (shared[-1][0] is valid or np.array_equal(shared[-1][0], valid)):
             shared[-1][1].append(j)
         else:
             shared.append((valid, [j]))
     found = []
     for valid, members in shared:
-        if not valid.count:
+        if not valid.any():
             raise DataRefusedError(f"{names[members[0]]} holds no finite sample at all: no sensor, or another channel")
         stamps = select(rows.time, valid)
         bounds = _cut(segments(stamps, default_gap_limit(rows.step)), stamps, rows.turns)
-        edges = np.stack((take(stamps, bounds[:, 0]), take(stamps, bounds[:, 1] - 1)), axis=1)
+        edges = stamps[np.stack((bounds[:, 0], bounds[:, 1] - 1), axis=1)]
         picked = tuple(select(columns[j], valid) for j in members)
         kinds, missed = tuple(smooth[j] for j in members), tuple(not_finite[j] for j in members)
         found.append(Stretches(stamps, picked, kinds, bounds, edges, rows.step, missed))
     return found
 
 
-def _valid(rows: TimeRows, column: Samples) -> tuple[Rows, int]:
-    """The rows with an advancing stamp and a finite sample; the number of samples that are not finite."""
-    flags, missing = [], 0
-    for chunk, span in enumerate(chunks(column.size)):
-        finite = np.isfinite(column[span])
-        missing += finite.size - int(np.count_nonzero(finite))
-        flags.append(finite & rows.keep.flags(chunk))
-    return Rows(flags), missing
+def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
+    """The rows kept that have a finite sample."""
+    return column(samples.size, (np.isfinite(samples[rows]) & keep[rows] for rows in chunks(samples.size)), np.bool_)
 
 
-def _cut(bounds: IntArray, stamps: Samples, turns: FloatArray) -> IntArray:
+def _cut(bounds: IntArray, stamps: FloatArray, turns: FloatArray) -> IntArray:
     """Stretches also end where time stepped back, however small the hole is that this leaves."""
     if turns.size == 0:
         return bounds
-    before = np.zeros(turns.size, dtype=np.int64)
-    for rows in chunks(stamps.size):
-        before += np.searchsorted(stamps[rows], turns, side="right")
-    edges = np.unique(np.concatenate((bounds.ravel(), before)))
+    edges = np.unique(np.concatenate((bounds.ravel(), np.searchsorted(stamps, turns, side="right"))))
     return np.stack((edges[:-1], edges[1:]), axis=1)
 
 
@@ -203,14 +199,16 @@ class Stream:
     ----------
     group : Stretches
         Columns with k members.
-    grid : Grid
-        Inside the group's time span.
+    grid : FloatArray, shape (M,)
+        Uniform times [s] inside the group's time span.
+    interval : float
+        Their step [s].
     decimate : bool
         Low-pass and decimate, or interpolate.
     """
 
-    def __init__(self, group: Stretches, grid: Grid, *, decimate: bool) -> None:
-        self._pieces = _resampled(group, grid, decimate)
+    def __init__(self, group: Stretches, grid: FloatArray, interval: float, *, decimate: bool) -> None:
+        self._pieces = _resampled(group, grid, interval, decimate)
         self._ready: FloatArray = np.empty((len(group.columns), 0))
 
     def read(self, count: int) -> FloatArray:
@@ -224,53 +222,52 @@ class Stream:
         return values[:, :count]
 
 
-def _resampled(group: Stretches, grid: Grid, decimate: bool) -> Iterator[FloatArray]:
+def _resampled(group: Stretches, grid: FloatArray, interval: float, decimate: bool) -> Iterator[FloatArray]:
     """Values at all grid points, shape (k, m), piece after piece."""
     position = 0
-    for (low, high), (first, last, end) in zip(*_shares_of_grid(group, grid), strict=True):
+    for (low, high), (first, last, end) in _shares_of_grid(group, grid, interval):
         if position < first:
-            yield from _bridged(group, grid, position, first, low)
+            yield from _bridged(group, grid[position:first])
         wanted = end - first
-        for piece in _stretch(group, low, high, Part(grid, first, last), grid.interval, decimate):
+        for piece in _stretch(group, slice(low, high), grid[first:last], interval, decimate):
             yield piece[:, :wanted]
             wanted -= min(wanted, piece.shape[1])
         position = end
     if position < grid.size:
-        yield from _bridged(group, grid, position, grid.size, group.time.size)
+        yield from _bridged(group, grid[position:])
 
 
-def _shares_of_grid(group: Stretches, grid: Grid) -> tuple[list[IntArray], list[IntArray]]:
+def _shares_of_grid(group: Stretches, grid: FloatArray, interval: float) -> Iterator[tuple[IntArray, IntArray]]:
     """Rows of each stretch that holds grid points; its first and end point, and the end of those it gives values to."""
-    first = grid.count(group.edges[:, 0] - _EDGE * grid.interval)
-    last = grid.count(group.edges[:, 1] + _EDGE * grid.interval, up_to=True)
+    first = np.searchsorted(grid, group.edges[:, 0] - _EDGE * interval)
+    last = np.searchsorted(grid, group.edges[:, 1] + _EDGE * interval, side="right")
     holds = np.flatnonzero(first < last)
     first, last = first[holds], last[holds]
     # Where two stretches nearly touch, a point at the edge of both is the later one's.
     end = np.minimum(last, np.append(first[1:], grid.size))
-    return list(group.bounds[holds]), list(np.stack((first, last, end), axis=1))
+    return zip(group.bounds[holds], np.stack((first, last, end), axis=1), strict=True)
 
 
 def _stretch(
-    group: Stretches, low: int, high: int, points: Part, interval: float, decimate: bool
+    group: Stretches, rows: slice, points: FloatArray, interval: float, decimate: bool
 ) -> Iterator[FloatArray]:
     """Values of one gap-free stretch at its grid points."""
-    time = Part(group.time, int(low), int(high))
-    columns = [Part(column, int(low), int(high)) for column in group.columns]
+    time, columns = group.time[rows], [samples[rows] for samples in group.columns]
     if decimate:
         yield from decimated(time, columns, points, interval)
         return
     each = [
-        interpolated(time, column, points, smooth=smooth) for column, smooth in zip(columns, group.smooth, strict=True)
+        interpolated(time, samples, points, smooth=smooth)
+        for samples, smooth in zip(columns, group.smooth, strict=True)
     ]
     for pieces in zip(*each, strict=True):
         yield np.stack(pieces)
 
 
-def _bridged(group: Stretches, grid: Grid, first: int, last: int, near: int) -> Iterator[FloatArray]:
-    """Straight lines from sample to sample at the points between two stretches; `near` is the row behind them."""
-    for start in range(first, last, _PIECE):
-        points = grid[start : min(start + _PIECE, last)]
-        low = max(row_at(group.time, points[0], int(near)) - 1, 0)
-        high = min(row_at(group.time, points[-1], int(near)) + 1, group.time.size)
-        stamps = group.time[low:high]
-        yield np.stack([np.interp(points, stamps, column[low:high]) for column in group.columns])
+def _bridged(group: Stretches, gap: FloatArray) -> Iterator[FloatArray]:
+    """Straight lines from sample to sample at the points between two stretches."""
+    for first in range(0, gap.size, _PIECE):
+        points = gap[first : first + _PIECE]
+        low, high = np.searchsorted(group.time, points[[0, -1]])
+        rows = slice(max(low - 1, 0), high + 1)
+        yield np.stack([np.interp(points, group.time[rows], samples[rows]) for samples in group.columns])

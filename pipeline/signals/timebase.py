@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, Samples
-from pipeline.signals.columns import Rows, chunks, select
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.signals.columns import chunks, finite, select
 
 GAP_STEPS = 5.0
 """A hole of more nominal steps than this is a gap …"""
@@ -82,7 +82,7 @@ class TimeQuality:
         return not (self.not_finite or self.repeated or self.backward or self.gaps)
 
 
-def nominal_step(time: Samples) -> float:
+def nominal_step(time: FloatArray) -> float:
     """The median positive step of a time base.
 
     Beyond 2¹⁷ stamps the median is taken over 64 evenly spread blocks, so that its cost does not grow.
@@ -93,7 +93,7 @@ def nominal_step(time: Samples) -> float:
         Fewer than two different finite stamps.
     """
     if time.size <= _BLOCKS * _BLOCK:
-        steps = np.diff(time[: time.size])
+        steps = np.diff(time)
     else:
         starts = np.linspace(0, time.size - _BLOCK, _BLOCKS).astype(np.int64).tolist()
         steps = np.concatenate([np.diff(time[i : i + _BLOCK]) for i in starts])
@@ -115,12 +115,12 @@ def seldom(count: int, step: float, lasts: float) -> bool:
     return 2.0 * count * step < lasts
 
 
-def examine(time: Samples) -> TimeQuality:
+def examine(time: FloatArray) -> TimeQuality:
     """Count and locate everything that is wrong with a time base.
 
     Parameters
     ----------
-    time : Samples, N of them
+    time : FloatArray, shape (N,)
         Time stamps [s] in the order of the log.
 
     Raises
@@ -130,9 +130,9 @@ def examine(time: Samples) -> TimeQuality:
 
     Notes
     -----
-    Cost: O(N), two passes in chunks; the memory is that of a chunk and a bit a stamp.
+    Cost: O(N), two passes in chunks; where some are not finite, a copy of the others on disk.
     """
-    kept = select(time, Rows([np.isfinite(time[rows]) for rows in chunks(time.size)]))
+    kept = select(time, finite(time))
     step = nominal_step(kept)
     limit = default_gap_limit(step)
     repeated_at, backward_at, gaps_at = list[float](), list[float](), list[tuple[float, float]]()
@@ -155,8 +155,8 @@ def examine(time: Samples) -> TimeQuality:
         regular, square = regular + near.size, square + float(((near - step) ** 2).sum())
     return TimeQuality(
         n=time.size,
-        start=float(kept[:1][0]),
-        stop=float(kept[kept.size - 1 : kept.size][0]),
+        start=float(kept[0]),
+        stop=float(kept[-1]),
         step=step,
         shortest=float(shortest),
         longest=longest,
@@ -193,12 +193,12 @@ def advancing(time: FloatArray, reached: float = -np.inf) -> BoolArray:
     return later
 
 
-def segments(time: Samples, gap_limit: float) -> IntArray:
+def segments(time: FloatArray, gap_limit: float) -> IntArray:
     """Gap-free stretches of an advancing time base.
 
     Parameters
     ----------
-    time : Samples, N of them
+    time : FloatArray, shape (N,)
         Strictly increasing stamps [s], N ≥ 1.
     gap_limit : float
         Longest step [s] within a stretch.

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import FloatArray, IntArray, Samples
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.signals.decimation_kernel import REACH
-from pipeline.signals.resampling import LEAST_RATIO, Grid
+from pipeline.signals.resampling import LEAST_RATIO, uniform_grid
 from pipeline.signals.stretches import Stream, Stretches, TimeReversal, TimeRows, advancing_rows, finite_stretches
 from pipeline.signals.timebase import LOCATED, default_gap_limit
 
@@ -88,7 +88,7 @@ class UniformRecord:
 
 @dataclass(frozen=True)
 class Survey:
-    """A log whose usable stretches are known; nothing of it is held in memory.
+    """A log whose usable stretches are known.
 
     Attributes
     ----------
@@ -112,8 +112,8 @@ class Survey:
 
 
 def survey(
-    q: tuple[Samples, Samples],
-    beside: Mapping[str, tuple[Samples, Samples]],
+    q: tuple[FloatArray, FloatArray],
+    beside: Mapping[str, tuple[FloatArray, FloatArray]],
     *,
     gaps: Literal["split", "refuse"] = "split",
     time_reversal: TimeReversal = "refuse",
@@ -126,9 +126,9 @@ def survey(
 
     Parameters
     ----------
-    q : (Samples, Samples)
+    q : (FloatArray, FloatArray)
         Time stamps [s] and displacement [m or rad], N each, in the order of the log.
-    beside : mapping of name to (Samples, Samples)
+    beside : mapping of name to (FloatArray, FloatArray)
         Time stamps [s] and samples of the voltages [V] and of what else was measured; the same object where they share
         a time base.
     gaps : {"split", "refuse"}
@@ -143,11 +143,11 @@ def survey(
 
     Notes
     -----
-    Cost: two passes over the stamps and one over every column, in chunks; one bit a row and column of memory.
+    Cost: two passes over the stamps and one over every column, in chunks.
     """
     rows = [advancing_rows(q[0], time_reversal)]
     groups: list[Stretches] = []
-    together: list[Samples] = [q[1]]
+    together: list[FloatArray] = [q[1]]
     names = ["q"]
     for name, (time, column) in beside.items():
         if time is not rows[-1].time:
@@ -201,7 +201,7 @@ class Resampling:
 
     def __init__(self, log: Survey, interval: float) -> None:
         self._log = log
-        self._grid = grid = Grid.between(*_span(log), interval)
+        self._grid = grid = uniform_grid(*_span(log), interval)
         reach = max(REACH if _method(group.step, interval) == "decimated" else 0.5 for group in log.groups)
         self._valid = _valid_runs(grid, log.holes, reach * interval)
         missing = [count for group in log.groups for count in group.not_finite]
@@ -230,9 +230,9 @@ class Resampling:
         -----
         Cost: one pass over the log, that of `decimated`, O(4 N (k + 1)); memory for some pieces.
         """
-        interval = self._grid.interval
+        interval = self.report.interval
         streams = [
-            Stream(group, self._grid, decimate=_method(group.step, interval) == "decimated")
+            Stream(group, self._grid, interval, decimate=_method(group.step, interval) == "decimated")
             for group in self._log.groups
         ]
         for first in range(0, self._grid.size, _PIECE):
@@ -259,9 +259,10 @@ def _method(step: float, interval: float) -> Method:
     return "decimated" if interval >= (LEAST_RATIO - 1e-3) * step else "interpolated"
 
 
-def _valid_runs(grid: Grid, holes: FloatArray, reach: float) -> IntArray:
+def _valid_runs(grid: FloatArray, holes: FloatArray, reach: float) -> IntArray:
     """First and end index of each run of grid points out of reach of every hole, shape (S, 2)."""
-    masked = np.stack((grid.count(holes[:, 0] - reach, up_to=True), grid.count(holes[:, 1] + reach)), axis=1)
+    near = np.searchsorted(grid, holes[:, 0] - reach, side="right"), np.searchsorted(grid, holes[:, 1] + reach)
+    masked = np.stack(near, axis=1)
     masked = masked[masked[:, 0] < masked[:, 1]]
     ends = np.concatenate(([0], np.maximum.accumulate(masked[:, 1])))  # holes are in order of their beginnings
     starts = np.concatenate((masked[:, 0], [grid.size]))

@@ -2,13 +2,13 @@
 far off. They are masked.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, Samples
-from pipeline.signals.columns import Signal, chunks
+from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.signals.columns import Signal, chunks, column
 from pipeline.signals.lost_target import UNBOUNDED, lost_bounds
 from pipeline.signals.signal_quality import SignalQuality, rail_share, spikes_in, three_in_a_row, usual_span
 
@@ -17,81 +17,41 @@ _NEAR = 2
 
 @dataclass(frozen=True)
 class Trusted:
-    """A signal with NaN where it is not to be trusted, read by slices.
+    """A signal without what is not to be trusted.
 
     Attributes
     ----------
-    samples : Samples
-        As measured.
+    samples : FloatArray, shape (N,)
+        NaN where left out.
+    left_out : (int, int, int)
+        Samples left out at the rails, without a target, and as spikes.
     rails : tuple of float
         Values at which three samples in a row are a sensor at the end of its range.
     bounds : (float, float)
         Values beyond which the sensor has lost its target.
-    noise : float or None
-        Noise against which single samples are called spikes; None to keep them.
     quality : SignalQuality
-        Of the samples, its rails those between the bounds.
+        Of the samples as measured, its rails those between the bounds.
     """
 
-    samples: Samples
+    samples: FloatArray
+    left_out: tuple[int, int, int]
     rails: tuple[float, ...]
     bounds: tuple[float, float]
-    noise: float | None
     quality: SignalQuality
 
-    @property
-    def size(self) -> int:
-        """Number of samples."""
-        return self.samples.size
 
-    def __getitem__(self, rows: slice, /) -> FloatArray:
-        """The samples of a range of rows."""
-        if self._nothing:
-            return self.samples[rows]
-        start, stop, _ = rows.indices(self.size)
-        before, after = min(_NEAR, start), min(_NEAR, self.size - stop)
-        part = self.samples[start - before : stop + after]
-        own = slice(before, before + stop - start)
-        left_out: BoolArray = (self._at_rail(part) | self._lost(part) | self._spikes(part))[own]
-        trusted: FloatArray = np.where(left_out, np.nan, part[own])
-        return trusted
+def _at_rail(part: FloatArray, rails: Sequence[float]) -> BoolArray:
+    there = np.zeros(part.size, dtype=np.bool_)
+    for rail in rails:
+        there |= three_in_a_row(np.pad(part == rail, 2))
+    return there
 
-    def left_out(self) -> tuple[int, int, int]:
-        """Samples left out at the rails, without a target, and as spikes.
 
-        Cost: one pass, none where there is nothing to leave out.
-        """
-        rails = lost = spikes = 0
-        for rows in chunks(0 if self._nothing else self.size):
-            before, after = min(_NEAR, rows.start), min(_NEAR, self.size - rows.stop)
-            part = self.samples[rows.start - before : rows.stop + after]
-            own = slice(before, before + rows.stop - rows.start)
-            missed = self._lost(part)[own]
-            at_rail = self._at_rail(part)[own] & ~missed
-            rails += int(np.count_nonzero(at_rail))
-            lost += int(np.count_nonzero(missed))
-            spikes += int(np.count_nonzero(self._spikes(part)[own] & ~at_rail & ~missed))
-        return rails, lost, spikes
-
-    @property
-    def _nothing(self) -> bool:
-        return not self.rails and self.noise is None and self.bounds == UNBOUNDED
-
-    def _lost(self, part: FloatArray) -> BoolArray:
-        found: BoolArray = (part < self.bounds[0]) | (part > self.bounds[1])
-        return found
-
-    def _at_rail(self, part: FloatArray) -> BoolArray:
-        found = np.zeros(part.size, dtype=np.bool_)
-        for rail in self.rails:
-            found |= three_in_a_row(np.pad(part == rail, 2))
-        return found
-
-    def _spikes(self, part: FloatArray) -> BoolArray:
-        found = np.zeros(part.size, dtype=np.bool_)
-        if self.noise is not None and part.size > 2:
-            found[1:-1] = spikes_in(part, self.noise)
-        return found
+def _spikes(part: FloatArray, noise: float | None) -> BoolArray:
+    there = np.zeros(part.size, dtype=np.bool_)
+    if noise is not None and part.size > 2:
+        there[1:-1] = spikes_in(part, noise)
+    return there
 
 
 def trusted(
@@ -101,9 +61,9 @@ def trusted(
 
     Parameters
     ----------
-    q : (Samples, Samples)
+    q : (FloatArray, FloatArray)
         Time stamps [s] and samples as measured.
-    inputs : sequence of (Samples, Samples)
+    inputs : sequence of (FloatArray, FloatArray)
         The same of what drives the device; their steps tell a place of the device from a sensor's lost target.
     quality : SignalQuality
         Of these samples: says where the rails are and how large the noise is.
@@ -118,6 +78,23 @@ def trusted(
         usual = usual_span(samples, *bounds)
         low, high = (rail_share(samples, usual, end) for end in (0, 1))
         quality = replace(quality, usual=usual, low_rail=low, high_rail=high)
-    found = zip(quality.usual, (quality.low_rail, quality.high_rail), strict=True)
-    ends = tuple(end for end, share in found if share > 0.0) if rails and not quality.constant else ()
-    return Trusted(samples, ends, bounds, quality.roughness if spikes and quality.spikes else None, quality)
+    ends = zip(quality.usual, (quality.low_rail, quality.high_rail), strict=True)
+    at = tuple(end for end, share in ends if share > 0.0) if rails and not quality.constant else ()
+    noise = quality.roughness if spikes and quality.spikes else None
+    if not at and noise is None and bounds == UNBOUNDED:
+        return Trusted(samples, (0, 0, 0), at, bounds, quality)
+    counts = np.zeros(3, dtype=np.int64)
+
+    def parts() -> Iterator[FloatArray]:
+        for rows in chunks(samples.size):
+            first = max(rows.start - _NEAR, 0)
+            part, own = samples[first : rows.stop + _NEAR], slice(rows.start - first, rows.stop - first)
+            missed: BoolArray = (part < bounds[0]) | (part > bounds[1])
+            at_rail = _at_rail(part, at) & ~missed
+            left_out = np.stack((at_rail, missed, _spikes(part, noise) & ~at_rail & ~missed))[:, own]
+            counts[:] += np.count_nonzero(left_out, axis=1)
+            yield np.where(left_out.any(axis=0), np.nan, part[own])
+
+    masked = column(samples.size, parts(), np.float64)
+    rail, lost_target, spike = counts.tolist()
+    return Trusted(masked, (rail, lost_target, spike), at, bounds, quality)

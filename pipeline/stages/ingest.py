@@ -11,7 +11,7 @@ import numpy as np
 from pipeline.checks.gates import accepted_settings, judge
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
-from pipeline.loading.si_log import SiLog, open_si
+from pipeline.loading.si_log import SiLog, read_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.progress import OnProgress
@@ -68,18 +68,18 @@ def _ingest(
 
     plant, settings = device(prototype), prototype.ingest
     written = {}
-    with open_si(path, prototype, plant, partial(on_progress, "reading")) as signals:
-        on_progress("examining", 0.0)
-        log_seen = examined(signals, prototype, str(path))
-        for name, schema, interval in (
-            (layout.record(role, log), schemas.RECORD, record_interval(settings, log_seen.raw_step)),
-            (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
-        ):
-            resampling = Resampling(log_seen.usable, interval)
-            notes = asdict(resampling.report) | log_seen.notes
-            written[name] = run.write_pieces(
-                name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), on_progress), notes
-            )
+    signals = read_si(path, prototype, plant, partial(on_progress, "reading"))
+    on_progress("examining", 0.0)
+    log_seen = examined(signals, prototype, str(path))
+    for name, schema, interval in (
+        (layout.record(role, log), schemas.RECORD, record_interval(settings, log_seen.raw_step)),
+        (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
+    ):
+        resampling = Resampling(log_seen.usable, interval)
+        notes = asdict(resampling.report) | log_seen.notes
+        written[name] = run.write_pieces(
+            name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), on_progress), notes
+        )
     return written
 
 
@@ -109,7 +109,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         raw_step = nominal_step(signals.q[0])
         kept = _trusted(signals, settings, raw_step)
         warnings = _warnings(signals, prototype, kept.quality)
-        usable = survey((signals.q[0], kept), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal)
+        usable = survey(
+            (signals.q[0], kept.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal
+        )
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     quality, left_out = kept.quality, _left_out(kept, warnings)
@@ -151,7 +153,7 @@ def _few_samples(signals: SiLog, interval: float) -> tuple[list[str], "list[Find
 
     own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
     steps = {name: nominal_step(time) for name, time in own.items()}
-    lasts = {name: float(time[time.size - 1 : time.size][0] - time[:1][0]) for name, time in own.items()}
+    lasts = {name: float(time[-1] - time[0]) for name, time in own.items()}
     return [name for name in own if seldom(own[name].size, steps[name], lasts[name])], coarse_inputs(steps, interval)
 
 
@@ -228,7 +230,7 @@ def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
     from pipeline.rig_logs.remarks import counted
 
-    rails, lost, spikes = kept.left_out()
+    rails, lost, spikes = kept.left_out
     if rails:
         warnings.append(f"q: {counted(rails, 'sample')} at the ends of its range masked ([ingest] rails)")
     if lost:

@@ -13,7 +13,7 @@ from pipeline.errors import DebistError, InputError
 from pipeline.identification.excitation import Excitation, examine_excitation
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_set
-from pipeline.loading.si_log import open_si
+from pipeline.loading.si_log import read_si
 from pipeline.rig_logs.channel_roles import suggested_unit
 from pipeline.rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
 from pipeline.rig_logs.source import CsvOptions
@@ -87,8 +87,8 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
     from pipeline.signals.uniform_record import Resampling, survey
 
     plant, ingest = device(prototype), prototype.ingest
-    with open_si(log, prototype, plant) as signals:
-        record = Resampling(survey(signals.q, signals.beside, time_reversal="split"), ingest.sample_interval).record()
+    signals = read_si(log, prototype, plant)
+    record = Resampling(survey(signals.q, signals.beside, time_reversal="split"), ingest.sample_interval).record()
     found = examine_excitation(
         record.q,
         record.v[:, : len(plant.inputs)],

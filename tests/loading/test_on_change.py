@@ -8,7 +8,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.runs.run_folder import RunFolder
-from pipeline.signals.columns import CHUNK, Held
+from pipeline.signals.columns import CHUNK, held
 
 RUNNER = CliRunner()
 T = 0.001 * np.arange(8000)
@@ -72,15 +72,12 @@ def test_a_displacement_moves_between_its_samples(tmp_path):
     assert result.exit_code == 2 and "q cannot be recorded on change" in result.output
 
 
-def test_held_samples_are_the_last_finite_ones_however_they_are_read():
+def test_held_samples_are_the_last_finite_ones():
     rng = np.random.default_rng(0)
     time = np.cumsum(rng.uniform(0.5, 1.5, CHUNK + 999))
     stamps = np.sort(rng.choice(time[50:], 300, replace=False))
     samples = np.where(rng.random(300) < 0.1, np.nan, rng.standard_normal(300))
     expected = pd.Series(samples, stamps).dropna().reindex(time, method="ffill").to_numpy()
-    held = Held(time, stamps, samples)
-    assert held.size == time.size and held.rising
-    np.testing.assert_array_equal(held[0 : time.size], expected)
-    np.testing.assert_array_equal(np.concatenate([held[0:777], held[777 : time.size]]), expected)
-    assert np.isnan(held[0:50]).all()
-    assert not Held(time, stamps[::-1], samples).rising
+    found = held(time, stamps, samples)
+    np.testing.assert_array_equal(found, expected)
+    assert np.isnan(found[:50]).all()

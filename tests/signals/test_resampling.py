@@ -5,14 +5,9 @@ import pytest
 
 from pipeline.signals.decimation_kernel import REACH, filtered_samples, kernel, sharpened
 from pipeline.signals.interpolation import interpolate
-from pipeline.signals.resampling import LEAST_RATIO, Grid, decimate
+from pipeline.signals.resampling import LEAST_RATIO, decimate, uniform_grid
 
 T = 0.01
-
-
-def uniform_grid(start, stop, interval):
-    grid = Grid.between(start, stop, interval)
-    return grid[0 : grid.size]
 
 
 def _response(frequencies):

@@ -1,5 +1,9 @@
 """Uniform records: nothing shifted, nothing invented across gaps, everything left out is counted."""
 
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -223,6 +227,7 @@ def test_the_result_does_not_depend_on_how_the_log_is_read(monkeypatch, interval
     t, q, v, raster = _awkward_log(chunk)
     whole = uniform_record(t, q, v, interval, v_time=raster, time_reversal="split")
     monkeypatch.setattr("pipeline.signals.columns.CHUNK", chunk)
+    monkeypatch.setattr("pipeline.signals.columns._LONG", 0)
     monkeypatch.setattr("pipeline.signals.uniform_record._PIECE", chunk // 2)
     monkeypatch.setattr("pipeline.signals.stretches._PIECE", chunk // 3)
     monkeypatch.setattr("pipeline.signals.interpolation._PIECE", chunk // 4)
@@ -235,34 +240,49 @@ def test_the_result_does_not_depend_on_how_the_log_is_read(monkeypatch, interval
     assert whole.report.segments > 3 and whole.report.repeated > 0 and whole.report.backward > 0
 
 
-class _Spied:
-    """A column that remembers the longest slice it gave away."""
-
-    def __init__(self, values):
-        self._values = values
-        self.longest = 0
-
-    @property
-    def size(self):
-        return self._values.size
-
-    def __getitem__(self, rows):
-        part = self._values[rows]
-        self.longest = max(self.longest, part.size)
-        return part
-
-
 @pytest.mark.parametrize("interval", [0.01, 0.0001])
-def test_no_column_is_ever_read_as_a_whole(interval):
+def test_the_record_comes_in_pieces(interval):
     t = np.arange(600_000) * 1e-4
-    time, q, v = (_Spied(values) for values in (t, np.sin(t), np.cos(t)))
-    resampling = Resampling(survey((time, q), {"v1": (time, v)}), interval)
-    pieces = list(resampling.pieces())
-    np.testing.assert_array_equal(
-        np.concatenate([piece.q for piece in pieces]), uniform_record(t, np.sin(t), np.cos(t)[:, None], interval).q
-    )
-    assert max(column.longest for column in (time, q, v)) <= 1 << 18
+    q, v = np.sin(t), np.cos(t)
+    pieces = list(Resampling(survey((t, q), {"v1": (t, v)}), interval).pieces())
+    whole = uniform_record(t, q, v[:, None], interval)
+    np.testing.assert_array_equal(np.concatenate([piece.q for piece in pieces]), whole.q)
     assert max(piece.t.size for piece in pieces) <= 1 << 17
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="memory without pages of files is known on Linux")
+def test_a_long_log_is_never_in_memory_as_a_whole(tmp_path):
+    """Eight million rows, of which some are left out in each column, take 64 MB a column."""
+    program = """
+import re, numpy as np
+from pathlib import Path
+from pipeline.signals.columns import chunks, column, scaled
+from pipeline.signals.signal_quality import examine_signal
+from pipeline.signals.uniform_record import Resampling, survey
+from pipeline.signals.untrusted import trusted
+
+def anonymous():
+    return int(re.search(r"RssAnon:\\s+(\\d+)", Path("/proc/self/status").read_text())[1])
+
+def parts(of):
+    return (of(np.arange(rows.start, rows.stop)) for rows in chunks(8_000_000))
+
+t = column(8_000_000, parts(lambda n: n * 1e-4), np.float64)
+q = column(8_000_000, parts(lambda n: np.where(n % 9_999, np.clip(np.sin(n * 1e-3), -0.9, None), np.nan)), np.float64)
+v = column(8_000_000, parts(lambda n: np.where(n % 8_888, np.floor(n * 1e-4) % 2, np.nan)), np.float64)
+examine_signal(t[:99], q[:99], 1e-4)
+before, most = anonymous(), 0
+q = scaled(q, 1e-3, 0.5)
+kept = trusted((t, q), [(t, v)], examine_signal(t, q, 1e-4), 1e-4, rails=True, lost=True, spikes=True)
+most = max(most, anonymous())
+for piece in Resampling(survey((t, kept.samples), {"v1": (t, v)}), 1e-3).pieces():
+    most = max(most, anonymous())
+print(most - before, sum(kept.left_out) > 0)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    grown, masked = done.stdout.split()
+    assert masked == "True"
+    assert int(grown) < 60_000  # kilobytes
 
 
 def test_each_input_is_taken_from_its_own_raster():
