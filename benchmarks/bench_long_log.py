@@ -103,7 +103,7 @@ def _write_hdf5(path: Path, rows: int, rate: float) -> None:
 
 
 def _resident(root: int) -> int:
-    """Resident bytes of a process and all that came from it, pages that several share counted once, those of files left out."""
+    """Resident bytes of a process and all that came from it, each page once, those of files left out."""
     total, waiting = 0, [root]
     while waiting:
         pid = waiting.pop()

@@ -36,15 +36,8 @@ def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = 
         return
     from pipeline.reporting.short_tables import headline_table
 
-    scores = shown_scores(run)
-    table = headline_table(scores)
+    table = headline_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)
-    for row in scores:
-        if row["headline"] and row.get("lyapunov_per_s"):
-            emit_text(
-                f"{row['log']}: chaotic, free runs part e-fold in {1.0 / row['lyapunov_per_s']:.3g} s; --details has "
-                "the error after that time and the statistics, by which to judge"
-            )
     typer.echo(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
 
 

@@ -37,7 +37,6 @@ THRESHOLDS = {
     ),
     "extrapolation": Threshold(0.01, 0.05, "outside the range of the training data curves are continued, not measured"),
     "nrmse": Threshold(0.021, 0.057, "2.1 % is what the paper's RBF model reaches for q, 5.7 % its analytical one"),
-    "lyapunov": Threshold(0.057, 0.155, "the limits of nrmse times e: what an error has grown to by chaos alone"),
     "rival": Threshold(1.0, 4.0, "times the error of the best baseline: where one is surely nearer, take that one"),
     "switch_accuracy": Threshold(0.99, 0.9, "one wrong well costs a whole stroke until the next pulse", True),
     "ambiguous": Threshold(0.1, 0.3, "ambiguous outcomes come true about half of the time on simulated prototypes"),

@@ -27,9 +27,6 @@ def model_checks(
     judged, where = (by_role["validation"], "validation") if by_role["validation"] else (by_role["train"], "train")
     checks = [] if where == "validation" else [_no_validation(data)]
     checks += _ended_early(model, data.descriptions.get(model, {}), judged)
-    chaotic = [s for s in judged if s.get("lyapunov_per_s")]
-    checks += _chaos_checks(chaotic, model)
-    judged = [s for s in judged if s not in chaotic]
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
         text = f"free-run NRMSE of q of {model} is {percent(max(errors))} on the worst {ROLE_WORDS[where]} log"
@@ -45,7 +42,7 @@ def model_checks(
         checks.append(graded("model", "switch_accuracy", min(right), text, advice))
     checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
     checks += _trust_checks(judged)
-    train = [s["nrmse"] for s in by_role["train"] if s["nrmse"] and not s.get("lyapunov_per_s")]
+    train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
     # Beside an error that is good as it is, a yet smaller one on the training data is no fault.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
         ratio = max(errors) / max(train)
@@ -136,20 +133,6 @@ def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Ma
         at = ", ".join(f"{s['log']} at t = {moment(s['diverged_at_s'])}" for s in diverged)
         advice = "see its last second under “Measured against models”; train on data that reach as far"
         checks.append(Check("model", "divergence", "poor", f"the free run of {model} diverged: {at}", advice))
-    return checks
-
-
-def _chaos_checks(chaotic: Sequence[Mapping[str, Any]], model: str) -> list[Check]:
-    """Free runs that part from any that start beside them: judged after the time in which they do so e-fold."""
-    checks = []
-    for s in chaotic:
-        error, after = s.get("nrmse_lyapunov"), f"{1.0 / s['lyapunov_per_s']:.2g} s"
-        if error is not None:
-            text = (
-                f"{s['log']} is chaotic (free runs part e-fold in {after}); "
-                f"{model} errs by {percent(error)} after that time"
-            )
-            checks.append(graded("model", "lyapunov", error, text, "a smaller sample interval, or a richer structure"))
     return checks
 
 

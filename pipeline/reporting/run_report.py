@@ -27,7 +27,6 @@ from pipeline.reporting.tables import (
     Cell,
     NrmseTable,
     behaviour_table,
-    chaos_table,
     nrmse_table,
     with_unit,
 )
@@ -162,7 +161,6 @@ def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
         "score_tables": [
             _score_table("nrmse", nrmse_table(scores)),
             _score_table("behaviour", behaviour_table(scores, free_run=False)),
-            *([_score_table("chaos", chaotic)] if (chaotic := chaos_table(scores)).rows else []),
         ],
         "worst": headline_table([row for row in scores if row["model"] in data.model_names]),
     }

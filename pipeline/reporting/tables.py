@@ -49,14 +49,6 @@ _COLUMNS = {
 }
 """What columns mean that not every device has; one without a number in any row is left out with its sentence."""
 
-CHAOS = (
-    "These free runs are chaotic: one that starts a hair's breadth beside another parts from it e-fold in each "
-    "Lyapunov time, so their NRMSE says nothing of the model. Judge it by the error after a Lyapunov time from "
-    "the measured state, and by how far distribution (Wasserstein, over the range) and amplitude spectrum of q "
-    "are from the measured ones; in round brackets the distance between the halves of the measured record, which "
-    "chance alone makes."
-)
-
 TIED, BEST = " ≈", " *"
 
 
@@ -109,8 +101,6 @@ class NrmseTable:
     @property
     def explanation(self) -> str:
         """What its columns mean."""
-        if "Lyapunov time [s]" in self.extras:
-            return CHAOS
         if self.signals:
             return _said(_ERRORS, self.extras)
         return _said(
@@ -174,16 +164,6 @@ def behaviour_table(scores: Sequence[ScoreRow], *, free_run: bool = True) -> Nrm
     return NrmseTable((), extras, tuple(rows)).without_empty()
 
 
-def chaos_table(scores: Sequence[ScoreRow]) -> NrmseTable:
-    """Short horizon and statistics of the free runs that are chaotic; `scores` as in `nrmse_table`."""
-    rows = []
-    for r in (r for r in scores if r["signal"] == "q" and r.get("lyapunov_per_s")):
-        cells = [Cell(f"{1.0 / r['lyapunov_per_s']:.3g}"), _quantity(r, "nrmse_lyapunov", 100.0)]
-        cells += [_beside_halves(r, f"{name}_distance") for name in ("histogram", "spectrum")]
-        rows.append(Row(r["role"], r["log"], r["model"], tuple(cells)))
-    return NrmseTable((), ("Lyapunov time [s]", "error after it", "distribution", "spectrum"), tuple(rows))
-
-
 def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
     """The model of the lowest NRMSE and those that the log does not tell from it; one alone is the best.
 
@@ -218,12 +198,6 @@ def _quantity(record: ScoreRow, key: str, factor: float, unit: str = "", digits:
         return Cell("–")
     band = f" [{factor * low:.{digits}f}, {factor * high:.{digits}f}]" if low is not None and high is not None else ""
     return Cell(f"{factor * value:.{digits}f}{band}")
-
-
-def _beside_halves(record: ScoreRow, key: str) -> Cell:
-    """A distance, and that of the halves of the measured record, such as ``1.2 (0.9)``."""
-    value, halves = record.get(key), record.get(f"{key}_of_halves")
-    return Cell("–" if value is None else f"{100.0 * value:.2f}" + (f" ({100.0 * halves:.2f})" if halves else ""))
 
 
 def _share(record: ScoreRow, key: str) -> Cell:

@@ -64,7 +64,6 @@ class _Notes(_Shape):
     choice: _Choice | None = None
     status: Literal["ok", "diverged"] = "ok"
     diverged_at_s: Number = None
-    lyapunov_per_s: Number = None
     basis_functions: int | None = None
     outside_training: Number = None
     processor_time: dict[str, Number] = {}

@@ -116,17 +116,6 @@ SCORES = Schema(
             "1",
             "Gaussian basis functions that act in each curve of the model; null for a model without any (q only)",
         ),
-        Column("lyapunov_per_s", "float64", "1/s", "rate at which free runs part; null where they do not (q only)"),
-        Column("nrmse_lyapunov", "float64", "1", "NRMSE 1/rate ahead of the measured state, of a chaotic run (q only)"),
-        *_band("nrmse_lyapunov", "1", "moving-block bootstrap of the restarts"),
-        *(
-            Column(f"{name}_distance{end}", "float64", "1", f"{meaning}, {of} (chaotic run, q only)")
-            for end, of in (("", "measured and calculated"), ("_of_halves", "of the measured record's halves"))
-            for name, meaning in (
-                ("histogram", "Wasserstein distance of the distributions over the measured range"),
-                ("spectrum", "norm of the difference of the amplitude spectra over that of the measured one"),
-            )
-        ),
         Column("outcomes", "int64", "1", "rests after a pulse that were given a probability for their well (q only)"),
         Column("ambiguous_outcomes", "int64", "1", "those in which neither well has nine tenths of it (q only)"),
     ),

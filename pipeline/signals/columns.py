@@ -28,7 +28,8 @@ def chunks(size: int, overlap: int = 0) -> Iterator[slice]:
 def column(size: int, parts: Iterable[NDArray[Entry]], dtype: type[Entry]) -> NDArray[Entry]:
     """The array of `size` entries that follow each other in `parts`.
 
-    A long one is a `numpy.memmap` on a temporary file, which the system deletes with the last view of it, and read-only.
+    A long one is a `numpy.memmap` on a temporary file, read-only, which the system deletes with
+    the last view of it.
 
     Raises
     ------

@@ -87,7 +87,7 @@ def _bound(
 
 
 def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, step: float, sign: float) -> float | None:
-    """The middle of the gap below `level` of `sign` times the samples, if that is entered by jumps, kept, and far from the rest."""
+    """The middle of the gap below `level`, if that is entered by jumps, kept, and far from the rest of sign times q."""
     (bottom, ceiling), at_level, runs, before = level, 0, 0, False
     for rows in chunks(samples.size):
         part = sign * samples[rows]

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "9"
+ALGORITHM = "10"
 
 
 def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:
@@ -151,8 +151,6 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     for name, error in made.notes["horizons"].items():
         band = error["interval"] or {"low": None, "high": None}
         more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
-    if made.notes.get("lyapunov_per_s"):
-        more |= _chaos(made, interval)
     if isinstance(wells, Wells):
         switches = response_errors(*made.pairs["q"], v, interval, wells, rng, joint=plant.joint)
         more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
@@ -161,21 +159,6 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     return [
         score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
     ]
-
-
-def _chaos(made: _Run, interval: float) -> dict[str, float | None]:
-    """The rate at which free runs part, and how far the stationary motions are apart."""
-    from pipeline.scoring.chaos import statistics, statistics_of_halves
-
-    measured, calculated = made.pairs["q"]
-    rows: dict[str, float | None] = {"lyapunov_per_s": made.notes["lyapunov_per_s"]}
-    for end, found in (
-        ("", statistics(measured, np.where(np.isfinite(measured), calculated, np.nan), interval)),
-        ("_of_halves", statistics_of_halves(measured, interval)),
-    ):
-        for name in ("histogram", "spectrum"):
-            rows[f"{name}_distance{end}"] = getattr(found, name) if found else None
-    return rows
 
 
 def score_row(score: "Score") -> dict[str, Any]:
@@ -203,15 +186,13 @@ def score_text(root: Path, form: "Format") -> str:
 
 
 def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
-    """Errors with fitting and simulation times, behaviour and, where there is any, chaos of all models on all logs."""
-    from pipeline.reporting.tables import behaviour_table, chaos_table, nrmse_table
+    """Errors with fitting and simulation times, and behaviour of all models on all logs."""
+    from pipeline.reporting.tables import behaviour_table, nrmse_table
 
     times, shown = in_snapshot(
         root, lambda run: (_times(run, found := run.read_records(layout.SCORES)), _shown(run, found))
     )
-    return tuple(
-        table for table in (nrmse_table(shown, times), behaviour_table(shown), chaos_table(shown)) if table.rows
-    )
+    return tuple(table for table in (nrmse_table(shown, times), behaviour_table(shown)) if table.rows)
 
 
 def shown_scores(root: Path) -> list[dict[str, Any]]:

@@ -14,8 +14,8 @@ from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import free_run, start_of
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.parts import longest_rows, part, part_rows, parts, recorded
-from pipeline.loading.trajectories import begins_in_motion, drive, load_motion, sources
+from pipeline.loading.parts import part, part_rows, parts, recorded
+from pipeline.loading.trajectories import drive, load_motion, sources
 from pipeline.models.base import DynamicModel, FreeRun, HasDraws, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from pipeline.joint.parameters import JointParameters
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "20"
+ALGORITHM = "21"
 
 _RESTARTS = 60
 _DRAWS = 32
@@ -76,11 +76,8 @@ def _predict(
         began = time.process_time()
         result = free_run(table, model)
         notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
-        rate = notes["lyapunov_per_s"] = _lyapunov_exponent(table, model, result)
         ahead = {name: seconds for name, (seconds, _) in HORIZONS.items()}
-        notes["horizons"] = _horizons(
-            table, model, ahead if rate is None else ahead | {"lyapunov": 1.0 / rate}, joint=plant.joint
-        )
+        notes["horizons"] = _horizons(table, model, ahead, joint=plant.joint)
         notes["basis_functions"] = model.describe().get("basis_functions")
         notes |= {"stable_rests": seen} | trust_notes(model, table, wells, trained, joint=plant.joint)
         artifact = layout.predictions(role, log, name)
@@ -91,26 +88,6 @@ def _predict(
 def _compile(model: DynamicModel, table: Table) -> None:
     """Have the model's kernels compiled, which is done once per machine and is no part of the time of a run."""
     free_run({name: values[:3] for name, values in parts(table)[0].items()}, model)
-
-
-def _lyapunov_exponent(table: Table, model: DynamicModel, result: FreeRun) -> float | None:
-    """Rate [1/s] at which free runs of a model part along a log; None where they do not: no chaos."""
-    from pipeline.numerics.metrics import signal_range
-    from pipeline.scoring.chaos import lyapunov_exponent
-
-    span = signal_range(table["q"])
-    if result.status != "ok" or not span:
-        return None
-    rows = longest_rows(table)
-    known = part(table, rows)
-    made = None if begins_in_motion(known) else result.q[rows]
-
-    def displacement(t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FloatArray:
-        """The model's q, NaN after a divergence."""
-        return model.simulate(t, v, q0, qdot0).q
-
-    v = drive(known, fine=model.fine_voltages)
-    return lyapunov_exponent(displacement, known["t"], v, known["q"], known["qdot"], span, made)
 
 
 def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:

@@ -293,15 +293,6 @@ def test_a_fit_that_did_not_converge_is_part_of_the_verdict() -> None:
         assert [check.grade for check in checks if check.name == "converged"] == ["fair"] * (not converged)
 
 
-def test_a_chaotic_log_is_judged_after_its_lyapunov_time_and_not_by_its_free_run() -> None:
-    data = run_data()
-    rows = [row | {"lyapunov_per_s": 2.0, "nrmse_lyapunov": 0.08, "nrmse": 0.4} for row in data.scores]
-    found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
-    assert found["lyapunov"].grade == "fair"
-    assert "part e-fold in 0.5 s" in found["lyapunov"].statement
-    assert not {"nrmse", "generalisation", "switch_accuracy"} & set(found)
-
-
 @pytest.mark.parametrize(
     ("displacement", "mass_known", "force", "energy"),
     [

@@ -11,7 +11,6 @@ from pipeline.reporting.tables import (
     EXPLANATION,
     NrmseTable,
     behaviour_table,
-    chaos_table,
     leaders,
     nrmse_table,
     render,
@@ -93,15 +92,6 @@ def test_columns_of_wells_and_their_sentences_go_where_no_row_has_any() -> None:
     assert headline_table(rows).heading == ("model", "q [%]")
     assert headline_table([rows[0], record("sindy", 0.02)]).heading == ("model", "q [%]", "well", "pulses")
     assert nrmse_table([rows[0], record("sindy", 0.02)]).explanation == EXPLANATION
-
-
-def test_only_chaotic_runs_have_a_lyapunov_time_and_statistics() -> None:
-    chaotic = {
-        "lyapunov_per_s": 2.5, "nrmse_lyapunov": 0.02, "histogram_distance": 0.011, "spectrum_distance": 0.2,
-        "spectrum_distance_of_halves": 0.3,
-    }  # fmt: skip
-    table = chaos_table([record("rbf", 0.4, **chaotic), record("sindy", 0.01), record("rbf", 0.1, signal="qdot")])
-    assert [cell.text for row in table.rows for cell in row.cells] == ["0.4", "2.00", "1.10", "20.00 (30.00)"]
 
 
 @pytest.mark.parametrize("form", ["latex", "markdown"])
