@@ -12,6 +12,7 @@ import importlib
 import json
 import os
 import resource
+import struct
 import sys
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -24,7 +25,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
-from pipeline.rig_logs.matlab4_head import begins_matlab4
 from pipeline.rig_logs.recording import for_any_variable, missing_channel
 from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, read_start
 
@@ -238,7 +238,6 @@ FORMATS = (
     Format("Parquet", "parquet", lambda start: start.startswith(b"PAR1")),
     Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB 7.3")),
     Format("HDF5", "hdf5", lambda start: _is_hdf5(start)),
-    Format("MAT v4", "matlab4", begins_matlab4),
     Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""
@@ -247,6 +246,16 @@ START = 1024  # bytes that tell the format
 
 def _is_hdf5(start: bytes) -> bool:
     return _HDF5 in (start[:8], start[512:520])  # a MAT file has its own 512 bytes before
+
+
+def _is_matlab4(start: bytes) -> bool:
+    """Whether a file begins with the head of a matrix (type, rows, columns, complex, length of the name) and a name."""
+    for order, types in (("<5i", range(53)), (">5i", range(1000, 1053))):
+        kind, _, _, imaginary, length = struct.unpack(order, start[:20].ljust(20, b"\xff"))
+        name = start[20:][:length] if 1 < length <= 64 else b""
+        if kind in types and imaginary in (0, 1) and name.endswith(b"\0") and name[:-1].decode("latin-1").isidentifier():
+            return True
+    return False
 
 
 def module_for(start: bytes) -> str:
@@ -271,5 +280,7 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
             raise UnreadableLogError(f"this is {what}")
     if module == "csv" and start.startswith(b"MATLAB"):
         raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
+    if module == "csv" and _is_matlab4(start):
+        raise UnreadableLogError("this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`")
     source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)
     return source

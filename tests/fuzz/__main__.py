@@ -16,7 +16,7 @@ from tests.fuzz.property import LIMITS, Tally, Target, processor_time
 from tests.fuzz.seeds import KINDS, Seed, seeds
 
 _SUFFIXES = {"mdf4": ".mf4", "csv": ".csv", "parquet": ".parquet", "hdf5": ".h5"}
-_SUFFIXES |= {"mat4": ".mat", "mat5": ".mat", "mat73": ".mat73"}
+_SUFFIXES |= {"mat5": ".mat", "mat73": ".mat73"}
 _LARGEST = 16 << 20
 
 

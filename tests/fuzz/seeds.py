@@ -80,11 +80,6 @@ def _simulink(path: Path) -> Ranges:
     return []
 
 
-def _mat4(path: Path) -> Ranges:
-    savemat(path, {"t": TIME, "rows": np.vstack([TIME, Q, V]), "counts": (100.0 * Q).astype(np.int16)}, format="4")
-    return []
-
-
 def _matlab73_by_hand(path: Path) -> Ranges:
     axis = {"Name": "", "Type": 4.0, "Data": TIME, "Unit": "s", "Raster": "HostService"}
     channel = {**axis, "Path": "Model Root/Scope", "XIndex": 1.0}
@@ -192,7 +187,6 @@ def _hdf5_checksums(path: Path) -> Ranges:
 
 
 _WRITERS: dict[str, tuple[Callable[[Path], Ranges], ...]] = {
-    "mat4": (_mat4,),
     "mat5": (_controldesk, _compressed_mat, _simulink),
     "mat73": (_matlab73_by_hand, _matlab73_by_rig),
     "mdf4": (_mdf, _mdf_deflated, _mdf_transposed),
