@@ -253,7 +253,12 @@ def _is_matlab4(start: bytes) -> bool:
     for order, types in (("<5i", range(53)), (">5i", range(1000, 1053))):
         kind, _, _, imaginary, length = struct.unpack(order, start[:20].ljust(20, b"\xff"))
         name = start[20:][:length] if 1 < length <= 64 else b""
-        if kind in types and imaginary in (0, 1) and name.endswith(b"\0") and name[:-1].decode("latin-1").isidentifier():
+        if (
+            kind in types
+            and imaginary in (0, 1)
+            and name.endswith(b"\0")
+            and name[:-1].decode("latin-1").isidentifier()
+        ):
             return True
     return False
 
@@ -281,6 +286,8 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     if module == "csv" and start.startswith(b"MATLAB"):
         raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
     if module == "csv" and _is_matlab4(start):
-        raise UnreadableLogError("this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`")
+        raise UnreadableLogError(
+            "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
+        )
     source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)
     return source

@@ -1,15 +1,12 @@
 """MDF logs (ASAM, versions 3 and 4) through asammdf; each channel keeps the time base of its group.
 
-A conversion formula is a text in the log, of which nothing but arithmetic is done. asammdf gives raw numbers, without a
-word, where numexpr refuses a formula; or, where sympy is installed, has sympy run it as Python. So no formula is left
-to it: here it is parsed, not executed, and its tree is worked out node by node.
+A channel whose conversion is a formula is named and not read: a formula is a text that would have to be run. asammdf
+gives raw numbers, without a word, where numexpr refuses one, or has sympy run it as Python where that is installed.
 """
 
-import ast
 import mmap
-import operator
 import weakref
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -19,83 +16,15 @@ from numpy.typing import NDArray
 
 from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, ranges, unique_names
 
-_LONGEST = 1000
-_OPERATORS: dict[type[ast.AST], Callable[..., Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.Pow: operator.pow,
-    ast.USub: operator.neg,
-    ast.UAdd: operator.pos,
-    ast.Lt: operator.lt,
-    ast.LtE: operator.le,
-    ast.Gt: operator.gt,
-    ast.GtE: operator.ge,
-}
-_SAME = ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "log10", "sqrt", "abs", "floor", "ceil")
-_FUNCTIONS: dict[str, Callable[..., Any]] = {name: getattr(np, name) for name in _SAME} | {
-    **{prefix + name: getattr(np, f"arc{name}") for name in ("sin", "cos", "tan") for prefix in ("a", "arc")},
-    **{"ln": np.log, "pow": np.power},
-}
+_FORMULA = "the result of a conversion formula, which is not worked out; export the channel with its physical values"
 
 
-def formula_of(conversion: Any) -> str | None:
-    """The formula of a channel's conversion, "" for one hidden within a table of conversions; None without any."""
-    if conversion is None:
-        return None
-    text = str(getattr(conversion, "formula", "") or "")
-    if text:
-        return text
+def _has_formula(conversion: Any) -> bool:
+    """Whether a channel's conversion is a formula, or hides one within a table of conversions."""
+    if getattr(conversion, "formula", ""):
+        return True
     inner = (getattr(conversion, "referenced_blocks", None) or {}).values()
-    return "" if any(formula_of(block) is not None for block in inner if hasattr(block, "conversion_type")) else None
-
-
-def convert(formula: str, raw: NDArray[Any]) -> NDArray[np.float64]:
-    """Work out a formula in X (or X1) for raw samples, in float64.
-
-    Raises
-    ------
-    ValueError
-        It is no arithmetic of numbers, X and the usual functions.
-
-    Notes
-    -----
-    Letters count the same in both cases, since asammdf has turned every x in the text into X, also that of exp.
-    """
-    if len(formula) > _LONGEST:
-        raise ValueError(f"it has {len(formula)} characters, more than {_LONGEST}")
-    values = np.asarray(raw, dtype=np.float64)
-    try:
-        tree = ast.parse(formula.strip().lower(), mode="eval")
-        with np.errstate(all="ignore"):  # what has no value is NaN, as a missing sample is
-            result = _worked_out(tree.body, values)
-    except (SyntaxError, RecursionError, MemoryError, TypeError, OverflowError) as error:
-        raise ValueError(f"it cannot be worked out ({type(error).__name__})") from error
-    return np.broadcast_to(np.asarray(result, dtype=np.float64), values.shape)
-
-
-def _worked_out(node: ast.AST, x: NDArray[np.float64]) -> Any:
-    def of(inner: ast.AST) -> Any:
-        return _worked_out(inner, x)
-
-    match node:
-        case ast.Constant(value=int() | float() as number):
-            return np.float64(number)
-        case ast.Name(id="x" | "x1"):
-            return x
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATORS:
-            return _OPERATORS[type(op)](of(left), of(right))
-        case ast.UnaryOp(op=op, operand=operand) if type(op) in _OPERATORS:
-            return _OPERATORS[type(op)](of(operand))
-        case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in _OPERATORS:
-            return np.asarray(_OPERATORS[type(op)](of(left), of(right)), dtype=np.float64)
-        case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in _FUNCTIONS:
-            return _FUNCTIONS[name](*map(of, arguments))
-    raise ValueError(f"{ast.unparse(node)[:40]!r} is no arithmetic that is known here")
-
-
-_ADVICE = "export the channel with its physical values"
+    return any(_has_formula(block) for block in inner if hasattr(block, "conversion_type"))
 
 
 class MdfSource:
@@ -148,9 +77,6 @@ class MdfSource:
 
     def _samples(self, name: str, group: int, index: int, first: int, count: int) -> NDArray[Any]:
         is_master = index == self._mdf.masters_db.get(group)
-        formula = formula_of(self._mdf.groups[group].channels[index].conversion)
-        if formula == "" or (formula and is_master):
-            raise UnreadableLogError(f"channel {name!r}: is converted by formulas in a way that is not read; {_ADVICE}")
         try:
             if is_master:
                 samples: NDArray[Any] = self._mdf.get_master(group, record_offset=first, record_count=count)
@@ -160,7 +86,6 @@ class MdfSource:
                     group=group,
                     index=index,
                     samples_only=True,
-                    raw=formula is not None,
                     ignore_invalidation_bits=True,
                     record_offset=first,
                     record_count=count,
@@ -169,12 +94,6 @@ class MdfSource:
             raise UnreadableLogError(f"channel {name!r}: {type(error).__name__}: {error}") from error
         if samples.ndim != 1 or samples.dtype.kind not in "fiub":
             raise UnreadableLogError(f"channel {name!r} holds no plain numbers ({samples.dtype})")
-        if formula:
-            try:
-                samples = convert(formula, samples)
-            except ValueError as error:
-                said = f"channel {name!r}: the log's conversion formula {formula[:60]!r}: {error}; {_ADVICE}"
-                raise UnreadableLogError(said) from error
         if invalid is not None and np.any(invalid):
             samples = np.where(np.asarray(invalid, dtype=np.bool_), np.nan, samples)
         return np.asarray(samples)
@@ -185,20 +104,25 @@ class MdfSource:
         for group, content in enumerate(groups):
             listed += [(channel.name, group, index, channel) for index, channel in enumerate(content.channels)]
         names = unique_names([name for name, *_ in listed])
+        masters_of: dict[int, int] = self._mdf.masters_db
         masters = {
             group: name
             for name, (_, group, index, _) in zip(names, listed, strict=True)
-            if index == self._mdf.masters_db.get(group)
+            if index == masters_of.get(group)
         }
         for name, (_, group, index, channel) in zip(names, listed, strict=True):
             kind = _number_type(channel, self._mdf.version)
             if kind is None:
+                continue
+            if any(_has_formula(groups[group].channels[i].conversion) for i in {index, masters_of.get(group, index)}):
+                self.texts[name] = _FORMULA
                 continue
             count = int(self._mdf.groups[group].channel_group.cycles_nr)
             master = masters.get(group)
             unit = channel.unit or (getattr(channel.conversion, "unit", "") if channel.conversion else "")
             self._places[name] = (group, index)
             self._entries.append(Entry(name, unit or "", kind, count, None if name == master else master))
+        self.notes += [f"{name} is {what}" for name, what in self.texts.items()]
 
 
 _KINDS_4 = {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"}
