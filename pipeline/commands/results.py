@@ -11,60 +11,68 @@ from pipeline.choices import Target
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.si_prefix import percent
 
 if TYPE_CHECKING:
-    from pipeline.runs.comparison import Comparison, RunDifference
+    from pipeline.runs.comparison import Comparison, RunDifferences
 
 _ALARMING = ("differs", "missing")
+_LONGEST = 60
 
 
 def diff(
-    one: Annotated[Path, typer.Argument(metavar="RUN_A", help="Run folder.")],
-    other: Annotated[Path, typer.Argument(metavar="RUN_B", help="Run folder to set beside it.")],
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="PAGE.html", help="Also a page with curves and free runs.")
-    ] = None,
-    force: Force = False,
+    runs: Annotated[list[Path], typer.Argument(metavar="RUN...", help="Two or more run folders.")],
     as_json: Json = False,
 ) -> None:
-    """Two runs side by side: settings, versions, raw logs, scores and artifacts that differ.
+    """Runs side by side: only what differs in settings, versions, raw logs, scores, facts of the device and artifacts.
 
-    NRMSE in percent, a fraction in JSON. Exit code 0 whether they differ or not. Example: debist diff runs/P1 runs/P1b
+    NRMSE in percent, a fraction in JSON; artifacts are compared with those of the first run. Exit code 0 whether they
+    differ or not. Example: debist diff runs/P1 runs/P1b
     """
-    from pipeline.tools.diff import diff_runs, write_diff_page
+    from pipeline.tools.diff import diff_runs
 
-    if output is not None and output.suffix.lower() not in (".html", ".htm"):
-        raise InputError(f"{output}: the page is HTML; name it *.html")
-    found = diff_runs(one, other)
-    if output is not None:
-        write_diff_page(found, one, other, output, force=force)
+    if len(runs) < 2:
+        raise InputError(f"{runs[0]}: name a second run to compare it with")
+    different = diff_runs(runs)
     if as_json:
-        emit_json(asdict(found) | {"equal": found.equal, "page": output})
+        emit_json(asdict(different) | {"equal": different.equal})
     else:
-        _emit_difference(found)
-        if output is not None:
-            emit_text(f"open {output}")
+        _emit_differences(different)
 
 
-def _emit_difference(found: "RunDifference") -> None:
+def _emit_differences(runs: "RunDifferences") -> None:
     """Print what differs, table by table."""
-    from pipeline.reporting.diff_page import artifact_rows, change_row, notes, score_rows
-
     tables = (
-        ("settings", ("key", *found.names), [change_row(change) for change in found.settings], 3),
-        ("versions", ("package", *found.names), [change_row(change) for change in found.versions], 3),
-        ("raw logs (SHA-256)", ("log", *found.names), [change_row(change) for change in found.sources], 3),
-        ("NRMSE of free runs", ("log", "model", "signal", *found.names, "ratio"), score_rows(found), 3),
-        ("artifacts", ("artifact", "state", "deviation", "in"), artifact_rows(found), 2),
+        ("settings", "key", [(row.key, *map(_text, row.values)) for row in runs.settings]),
+        ("versions", "package", [(row.key, *map(_text, row.values)) for row in runs.versions]),
+        ("raw logs (SHA-256)", "log", [(row.key, *map(_text, row.values)) for row in runs.sources]),
+        ("NRMSE of free runs", "log · model · signal", [(row.key, *map(percent, row.values)) for row in runs.scores]),
+        ("facts", "fact", [(row.key, *map(_text, row.values)) for row in runs.facts]),
     )
-    for title, header, rows, numeric in tables:
+    for title, head, rows in tables:
         if rows:
-            emit_table(title, header, [row.cells for row in rows], numeric_from=numeric)
-    for sentence in notes(found):
-        emit_text(sentence)
-    same = [title for title, _, rows, _ in tables if not rows and (found.scores or not title.startswith("NRMSE"))]
+            emit_table(
+                title,
+                (head, *runs.names),
+                rows,
+                numeric_from=1 if title in ("NRMSE of free runs", "facts") else len(runs.names) + 1,
+            )
+    for name, compared in zip(runs.names[1:], runs.artifacts, strict=True):
+        unequal = [
+            (c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column) for c in compared
+        ]
+        if unequal := [row for row in unequal if row[1] not in ("equal", "drawn")]:
+            emit_table(f"artifacts of {name}", ("artifact", "state", "deviation", "in"), unequal, numeric_from=2)
+    same = [title for title, _, rows in tables if not rows]
     if same:
-        emit_text(f"equal: {', '.join(same)}")
+        emit_text(f"equal: {', '.join(same)}{', artifacts' if runs.equal else ''}")
+
+
+def _text(value: object) -> str:
+    if value is None or isinstance(value, float):
+        return "–" if value is None else f"{value:.6g}"
+    text = ", ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
 def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as_json: bool) -> None:

@@ -1,6 +1,7 @@
 """What may differ between two runs, and how far apart two artifacts are."""
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -46,61 +47,55 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Change:
-    """What stands under one key in the two runs; None where a run has no such key."""
+    """What stands under one key in each run; None where a run has no such key."""
 
     key: str
-    one: Any
-    other: Any
+    values: tuple[Any, ...]
 
 
 @dataclass(frozen=True)
-class ScorePair:
-    """The NRMSE (fractions) of one model on one log for one signal; None where it is undefined or not there."""
-
-    role: str
-    log: str
-    model: str
-    signal: str
-    one: float | None
-    other: float | None
-
-    @property
-    def ratio(self) -> float | None:
-        """The other's error over the one's."""
-        return None if self.one is None or self.other is None or self.one == 0.0 else self.other / self.one
-
-
-@dataclass(frozen=True)
-class RunDifference:
-    """Two runs side by side.
+class RunDifferences:
+    """Any number of runs side by side.
 
     Attributes
     ----------
-    names : (str, str)
-        What the runs are called here: folder names, or paths where those are equal.
-    settings, versions, sources : tuple of Change
-        Keys of the settings, packages and raw logs (SHA-256) that differ.
-    artifacts : tuple of Comparison
-        Every artifact; equal ones too.
-    scores : tuple of ScorePair
-        Every score of the models that both runs have, on the logs that both have.
-    only : (tuple of str, tuple of str)
-        Models that only the one run has, and only the other.
+    names : tuple of str
+        What the runs are called here: folder names, or paths where some of those are equal.
+    settings, versions, sources, scores, facts : tuple of Change
+        Keys of the settings, packages, raw logs (SHA-256), NRMSE of free runs (fractions; log, model and signal), and
+        facts of the device (SI) that differ, the last two by more than rounding.
+    artifacts : tuple of tuple of Comparison
+        Every artifact of each run after the first, beside the first; equal ones too.
     """
 
-    names: tuple[str, str]
+    names: tuple[str, ...]
     settings: tuple[Change, ...]
     versions: tuple[Change, ...]
     sources: tuple[Change, ...]
-    artifacts: tuple[Comparison, ...]
-    scores: tuple[ScorePair, ...]
-    only: tuple[tuple[str, ...], tuple[str, ...]]
+    scores: tuple[Change, ...]
+    facts: tuple[Change, ...]
+    artifacts: tuple[tuple[Comparison, ...], ...]
 
     @property
     def equal(self) -> bool:
         """Whether nothing differs by more than rounding but the page and the figures of numbers that do not."""
         changed = self.settings or self.versions or self.sources
-        return not changed and all(c.state in ("equal", "rounded", "close", "drawn") for c in self.artifacts)
+        states = {comparison.state for of_run in self.artifacts for comparison in of_run}
+        return not changed and states <= {"equal", "rounded", "close", "drawn"}
+
+
+def changes(runs: Sequence[Mapping[str, Any]]) -> tuple[Change, ...]:
+    """The keys whose values are not equal in all runs; numbers are equal up to `DIGITS` digits."""
+    rows = [
+        Change(key, tuple(run.get(key) for run in runs)) for key in dict.fromkeys(key for run in runs for key in run)
+    ]
+    return tuple(row for row in rows if any(not _same(row.values[0], value) for value in row.values[1:]))
+
+
+def _same(one: Any, other: Any) -> bool:
+    if isinstance(one, float) and isinstance(other, float):
+        return math.isclose(one, other, rel_tol=10.0 ** (1 - DIGITS))
+    return bool(one == other)
 
 
 def plain_numbers(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.runs.comparison import DIGITS, RunDifference, compared_columns
+from pipeline.runs.comparison import DIGITS, RunDifferences, changes, compared_columns
 
 UNIT = 10.0 ** (1 - DIGITS)
 """That of the last digit to which columns with a largest magnitude from 1 to 10 are compared."""
@@ -36,10 +36,15 @@ def test_either_run_may_be_named_first() -> None:
 def test_runs_whose_numbers_are_close_are_equal() -> None:
     close = compared_columns("a", {"x": np.array([1.0, 2000.4 * UNIT])}, {"x": np.array([1.0, 2000.6 * UNIT])})
     assert close.state == "close" and close.deviation == pytest.approx(0.2 * UNIT)
-    assert RunDifference(("a", "b"), (), (), (), (close,), (), ((), ())).equal
+    assert RunDifferences(("a", "b"), (), (), (), (), (), ((close,),)).equal
 
 
 def test_texts_and_shapes_differ_whatever_the_numbers() -> None:
     assert compared_columns("a", {"x": np.array(["a"])}, {"x": np.array(["b"])}).state == "differs"
     assert compared_columns("a", {"x": np.ones(2)}, {"x": np.ones(3)}).state == "differs"
     assert compared_columns("a", {"x": np.array([1.0, np.nan])}, {"x": np.ones(2)}).state == "differs"
+
+
+def test_only_keys_that_differ_by_more_than_rounding_are_changes() -> None:
+    runs = [{"a": 1.0, "b": "x", "c": None}, {"a": 1.0 + 1e-8, "b": "y"}, {"a": 1.0, "b": "x", "d": 2.0}]
+    assert [(row.key, row.values) for row in changes(runs)] == [("b", ("x", "y", "x")), ("d", (None, None, 2.0))]
