@@ -11,8 +11,6 @@ The crate holds all that another machine needs to check the run and to repeat it
 https://w3id.org/ro/wfrun/process/0.5, on RO-Crate 1.1.
 """
 
-import hashlib
-import io
 import json
 import mimetypes
 import shutil
@@ -58,133 +56,78 @@ class Packed:
 
 
 def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
-    """Write the crate as a zip file.
-
-    Parameters
-    ----------
-    run : RunFolder
-        Intact.
-    packed : Packed
-        What goes along.
-    target : Path
-        The zip file.
-    """
+    """Write an intact run and what goes along as a zip file."""
     from rocrate.rocrate import ROCrate
 
     crate = ROCrate(gen_preview=False, version="1.1")
-    made = datetime.fromtimestamp((run.root / MANIFEST).stat().st_mtime, UTC)
     crate.name = f"Run of {packed.name}"
     crate.description = f"Models identified from the rig logs of the prototype {packed.name} by debist"
     crate.license = "not stated by the run"
-    crate.datePublished = made
+    crate.datePublished = made = datetime.fromtimestamp((run.root / MANIFEST).stat().st_mtime, UTC)
     crate.metadata.extra_contexts.append("https://w3id.org/ro/terms/workflow-run/context")
     crate.metadata.extra_terms.update(_TERMS)
-    _conform(crate)
-    crate.root_dataset["mentions"] = _actions(crate, run, packed, made.isoformat(timespec="seconds"))
-    with tempfile.TemporaryDirectory(prefix="debist-") as place, atomic_path(target) as temporary:
-        zipped = Path(place) / "crate.zip"  # write_zip adds that ending to names without it
-        crate.write_zip(zipped)
-        shutil.copyfile(zipped, temporary)
-
-
-def _conform(crate: Any) -> None:
-    from rocrate.model.contextentity import ContextEntity
-
-    profile = ContextEntity(
-        crate, PROFILE, {"@type": "CreativeWork", "name": "Process Run Crate", "version": PROFILE.rsplit("/", 1)[1]}
-    )
-    crate.root_dataset["conformsTo"] = [crate.add(profile)]
-
-
-def _actions(crate: Any, run: RunFolder, packed: Packed, ended: str) -> list[Any]:
-    """What was executed: one action, or one for each environment that some of the artifacts were made in."""
-    objects, results, actions = _inputs(crate, packed), _results(crate, run), list[Any]()
-    for number, key in enumerate(sorted(results, key=[*packed.environments, ""].index), 1):
-        suffix = "" if number == 1 else f"-{number}"
-        recorded = [_environment(crate, run, packed, key)] if key else []
+    profile = _entity(crate, PROFILE, "CreativeWork", "Process Run Crate", version=PROFILE.rsplit("/", 1)[1])
+    crate.root_dataset["conformsTo"] = [profile]
+    with tempfile.TemporaryDirectory(prefix="debist-") as place:
+        objects, results = _files(crate, run, packed, Path(place))
         action = crate.add_action(
-            _software(crate, _versions(run.manifest, key), suffix),
-            identifier=f"#run{suffix}",
-            object=objects + recorded,
-            result=results[key],
+            _software(crate, run.manifest.versions),
+            identifier="#run",
+            object=objects,
+            result=results,
             properties={
                 "name": f"debist run {packed.name}",
                 "description": f"debist run {packed.name}.toml -o run",
-                "endTime": ended,
+                "endTime": made.isoformat(timespec="seconds"),
                 "actionStatus": "http://schema.org/CompletedActionStatus",
             },
         )
-        actions.append(action)
-    return actions
+        crate.root_dataset["mentions"] = [action]
+        zipped = Path(place) / "crate.zip"  # write_zip adds that ending to names without it
+        crate.write_zip(zipped)
+        with atomic_path(target) as temporary:
+            shutil.copyfile(zipped, temporary)
 
 
-def _versions(manifest: Manifest, key: str) -> Mapping[str, str]:
-    """Versions of what moves digits, in an environment; those of the last write where none was recorded."""
-    packages = manifest.environments.get(key, {}).get("packages", {})
-    return {name: packages.get(name, last) for name, last in manifest.versions.items()}
-
-
-def _software(crate: Any, versions: Mapping[str, str], suffix: str) -> Any:
+def _entity(crate: Any, key: str, kind: str, name: str, **properties: str) -> Any:
     from rocrate.model.contextentity import ContextEntity
 
-    entities = {
-        name: crate.add(
-            ContextEntity(
-                crate, f"#{name}{suffix}", {"@type": "SoftwareApplication", "name": name, "softwareVersion": number}
-            )
-        )
+    return crate.add(ContextEntity(crate, key, {"@type": kind, "name": name, **properties}))
+
+
+def _software(crate: Any, versions: Mapping[str, str]) -> Any:
+    """The program, with the packages that move digits as its requirements."""
+    software = {
+        name: _entity(crate, f"#{name}", "SoftwareApplication", name, softwareVersion=number)
         for name, number in versions.items()
     }
-    debist = entities.pop("debist")
-    debist["softwareRequirements"] = list(entities.values())
+    debist = software.pop("debist")
+    debist["softwareRequirements"] = list(software.values())
     return debist
 
 
-def _inputs(crate: Any, packed: Packed) -> list[Any]:
-    settings = _add_text(crate, f"{packed.name}.toml", packed.settings, "Settings")
-    return [settings] + [
-        _add_file(crate, source, name, {"name": f"Input {source.name}"}) for name, source in packed.inputs.items()
-    ]
-
-
-def _environment(crate: Any, run: RunFolder, packed: Packed, key: str) -> Any:
-    text = environment_text(run.manifest.environments[key])
-    return _add_text(crate, packed.environments[key], text, "Versions of interpreter and packages")
-
-
-def _results(crate: Any, run: RunFolder) -> Mapping[str, list[Any]]:
-    """The artifacts by the environment that made them; the manifest is a result of each."""
-    results: dict[str, list[Any]] = {}
+def _files(crate: Any, run: RunFolder, packed: Packed, place: Path) -> tuple[list[Any], list[Any]]:
+    """Settings, inputs and environments; manifest and artifacts. Texts wait in the folder `place`."""
+    texts = {f"{packed.name}.toml": packed.settings}
+    texts |= {name: environment_text(run.manifest.environments[key]) for key, name in packed.environments.items()}
+    for name, text in texts.items():
+        (place / name).write_text(text, encoding="utf-8", newline="\n")
+    objects = [_file(crate, place / name, name, name) for name in texts]
+    objects += [_file(crate, source, name, f"Input {source.name}") for name, source in packed.inputs.items()]
+    results = [_file(crate, run.root / MANIFEST, f"run/{MANIFEST}", "Recipes and hashes of all artifacts")]
     for name, record in sorted(run.manifest.artifacts.items()):
-        properties = {"name": f"{record.recipe.stage}: {name}", "contentHash": record.content_hash}
-        results.setdefault(record.environment, []).append(
-            _add_file(crate, run.checked(name), f"run/{name}", properties)
-        )
-    about = {MANIFEST: "Recipes and hashes of all artifacts"}
-    stages = [stage for stage in run.manifest.stages if not run.stage_problem(stage)]
-    about |= {stage_file(stage): f"Content hashes of the stage {stage}" for stage in stages}
-    lists = [_add_file(crate, run.path(name), f"run/{name}", {"name": title}) for name, title in about.items()]
-    return {key: [*lists, *made] for key, made in results.items()}
+        title = f"{record.recipe.stage}: {name}"
+        results.append(_file(crate, run.checked(name), f"run/{name}", title, contentHash=record.content_hash))
+    for stage in (stage for stage in run.manifest.stages if not run.stage_problem(stage)):
+        name = stage_file(stage)
+        results.append(_file(crate, run.path(name), f"run/{name}", f"Content hashes of the stage {stage}"))
+    return objects, results
 
 
-def _add_file(crate: Any, source: Path, name: str, properties: Mapping[str, str]) -> Any:
-    more = {
-        "encodingFormat": _FORMATS.get(source.suffix) or mimetypes.guess_type(name)[0] or "application/octet-stream",
-        "contentSize": str(source.stat().st_size),
-        "sha256": file_sha256(source),
-    }
-    return crate.add_file(source, dest_path=name, properties={**properties, **more})
-
-
-def _add_text(crate: Any, name: str, text: str, description: str) -> Any:
-    content = text.encode()
-    properties = {
-        "name": description,
-        "encodingFormat": _FORMATS.get(Path(name).suffix, "text/plain"),
-        "contentSize": str(len(content)),
-        "sha256": hashlib.sha256(content).hexdigest(),
-    }
-    return crate.add_file(io.StringIO(text), dest_path=name, properties=properties)
+def _file(crate: Any, source: Path, name: str, title: str, **more: str) -> Any:
+    kind = _FORMATS.get(source.suffix) or mimetypes.guess_type(name)[0] or "application/octet-stream"
+    known = {"encodingFormat": kind, "contentSize": str(source.stat().st_size), "sha256": file_sha256(source)}
+    return crate.add_file(source, dest_path=name, properties={"name": title, **more, **known})
 
 
 def environment_files(manifest: Manifest) -> dict[str, str]:

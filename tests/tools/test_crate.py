@@ -103,14 +103,10 @@ def test_it_records_the_environment_of_the_run_and_not_of_the_export(
     with zipfile.ZipFile(said["written"][0]) as archive:
         archive.extractall(tmp_path / "crate")
     entities = _entities(tmp_path / "crate")
-    actions = {action["instrument"]["@id"]: action for action in (entities["#run"], entities["#run-2"])}
-    by_version = {}
-    for instrument, action in actions.items():
-        needs = {e["name"]: e for e in (entities[r["@id"]] for r in entities[instrument]["softwareRequirements"])}
-        by_version[needs["numpy"]["softwareVersion"]] = {entry["@id"] for entry in action["result"]}
-        (text,) = (e["@id"] for e in action["object"] if e["@id"].startswith("environment"))
-        assert f"numpy=={needs['numpy']['softwareVersion']}\n" in (tmp_path / "crate" / text).read_text()
-    assert "run/model.h5" in by_version["9.9.9"] and "run/train/a/record.parquet" in by_version[np.__version__]
+    given = {entry["@id"] for entry in entities["#run"]["object"]}
+    assert {"environment.txt", "environment-2.txt"} <= given
+    texts = [(tmp_path / "crate" / name).read_text() for name in ("environment.txt", "environment-2.txt")]
+    assert sum("numpy==9.9.9\n" in text for text in texts) == 1
 
 
 def test_a_run_of_before_environments_were_recorded_is_read_and_packed(made: tuple[Path, Path], tmp_path: Path) -> None:
