@@ -129,6 +129,7 @@ def mapped_columns(file: IO[bytes]) -> Callable[[Places], FloatArray]:
     mapped = np.asarray(np.memmap(file, "<f8", "r", shape=(size,))) if size else np.empty(0)
 
     def samples(places: Places) -> FloatArray:
+        """The samples at these places."""
         if any(offset < 0 or offset % 8 or count < 0 or offset // 8 + count > size for offset, count in places):
             raise ValueError
         parts = [mapped[offset // 8 : offset // 8 + count] for offset, count in places]

@@ -86,6 +86,7 @@ def trusted(
     counts = np.zeros(3, dtype=np.int64)
 
     def parts() -> Iterator[FloatArray]:
+        """The samples with NaN, chunk by chunk; what is left out is counted beside."""
         for rows in chunks(samples.size):
             first = max(rows.start - _NEAR, 0)
             part, own = samples[first : rows.stop + _NEAR], slice(rows.start - first, rows.stop - first)
