@@ -14,7 +14,7 @@ from llvmlite import ir
 
 from pipeline.codegen.graph import Graph
 from pipeline.codegen.numba_writer import write_graph
-from pipeline.codegen.text_writer import arguments
+from pipeline.codegen.text_writer import Code, arguments
 from pipeline.compiled import TypingError, intrinsic, types
 
 Call = tuple[str, dict[str, str]]
@@ -108,17 +108,17 @@ def _function(module: Any, name: str, graph: Graph) -> Any:
     return module.globals[known]
 
 
-def c_sequence(name: str, sequence: Sequence) -> str:
+def c_sequence(name: str, sequence: Sequence) -> Code:
     """A static C function of the given arrays; those of its graphs are made by `c_function`."""
     changed = sequence.changed()
     given = ", ".join(f"{'' if array in changed else 'const '}real *{array}" for array in sequence.given)
     local = ", ".join(f"{array}[{size}]" for array, size in sequence.local.items())
     body = [f"real {local};"] if local else []
     body += [f"{call[0]}({', '.join(sequence.places(call))});" for call in sequence.calls]
-    return f"static void {name}({given})\n{{\n" + "".join(f"    {line}\n" for line in body) + "}\n"
+    return Code(f"static void {name}({given})\n{{\n" + "".join(f"    {line}\n" for line in body) + "}\n")
 
 
-def matlab_sequence(name: str, sequence: Sequence) -> str:
+def matlab_sequence(name: str, sequence: Sequence) -> Code:
     """A MATLAB function that takes the given arrays and returns those that it changes.
 
     A graph leaves some entries of an output as they are, so arrays exist before they are filled.
@@ -128,4 +128,4 @@ def matlab_sequence(name: str, sequence: Sequence) -> str:
         outputs = [call[1].get(array, array) for array in sequence.graphs[call[0]].outputs]
         lines.append(f"[{', '.join(outputs)}] = {call[0]}({', '.join(sequence.places(call))});")
     head = f"function [{', '.join(sequence.changed())}] = {name}({', '.join(sequence.given)})"
-    return head + "\n" + "".join(f"    {line}\n" for line in lines) + "end\n"
+    return Code(head + "\n" + "".join(f"    {line}\n" for line in lines) + "end\n")

@@ -1,14 +1,35 @@
 """From a graph to the text of a function: C99 or MATLAB (and GNU Octave)."""
 
+import math
 import textwrap
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from pipeline.codegen.graph import Graph, Operation
+from pipeline.errors import CorruptArtifactError
 
 _OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<="}
 _LONGEST = 90
 """Characters of an expression that is written where it is used, if it is used once."""
+
+
+class Code(str):
+    """Text that the program itself has written in the language of a file."""
+
+    __slots__ = ()
+
+
+def number(value: float) -> Code:
+    """A real number to the last bit, as C and MATLAB read it.
+
+    Raises
+    ------
+    CorruptArtifactError
+        It is not finite.
+    """
+    if not math.isfinite(value):
+        raise CorruptArtifactError(f"a constant of the model is {value}; make the model anew, then export it")
+    return Code(repr(float(value)))
 
 
 @dataclass(frozen=True)
@@ -28,7 +49,7 @@ class Language:
 
 C99 = Language(
     lambda array, entry: f"{array}[{entry}]",
-    lambda value: f"R({value!r})",
+    lambda value: f"R({number(value)})",
     {
         "sqrt": "M(sqrt)({})", "exp": "M(exp)({})", "expm1": "M(expm1)({})", "tanh": "M(tanh)({})", "sin": "M(sin)({})",
         "cos": "M(cos)({})", "abs": "M(fabs)({})", "floor": "M(floor)({})", "min": "least({}, {})",
@@ -43,7 +64,7 @@ C99 = Language(
 
 MATLAB = Language(
     lambda array, entry: f"{array}({entry + 1})",
-    repr,
+    number,
     {
         "sqrt": "sqrt({})", "exp": "exp({})", "expm1": "expm1({})", "tanh": "tanh({})", "sin": "sin({})",
         "cos": "cos({})", "abs": "abs({})", "floor": "floor({})", "min": "min({}, {})", "max": "max({}, {})",
@@ -55,7 +76,7 @@ MATLAB = Language(
 )  # fmt: skip
 
 
-def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> str:
+def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
     """A static C function of the inputs, then of the outputs that are none of them."""
     typed = [
         f"real {array}" if array in scalars else f"{'' if array in graph.outputs else 'const '}real *{array}"
@@ -68,14 +89,14 @@ def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> str:
     unused = [f"(void){array};" for array in arguments(graph) if array not in read]
     body = "\n".join(f"    {line}" for line in [*unused, *_lines(graph, C99, scalars)])
     head = textwrap.fill(f"static void {name}({', '.join(typed)})", 116, subsequent_indent="    ")
-    return f"{head}\n{{\n{body}\n}}\n"
+    return Code(f"{head}\n{{\n{body}\n}}\n")
 
 
-def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> str:
+def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
     """A MATLAB function that takes the same arguments and returns the outputs."""
     body = "\n".join(f"    {line}" for line in _lines(graph, MATLAB, scalars))
     results = ", ".join(graph.outputs)
-    return f"function [{results}] = {name}({', '.join(arguments(graph))})\n{body}\nend\n"
+    return Code(f"function [{results}] = {name}({', '.join(arguments(graph))})\n{body}\nend\n")
 
 
 def arguments(graph: Graph) -> list[str]:

@@ -1,18 +1,12 @@
 """The model as one C99 source and its header, for a real-time target."""
 
-import textwrap
-from collections.abc import Iterable
-from functools import cache
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
-from xml.sax.saxutils import quoteattr
-
-from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from pipeline import __version__
 from pipeline.codegen.text_writer import c_function
 from pipeline.export.subject import SCALARS, Exported, Realisation, Subject
+from pipeline.export.templates import constant, render
 from pipeline.runs.atomic import write_text
 from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
 
@@ -33,41 +27,9 @@ def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False)
     chosen = [name for name in realisation.functions if flow or name != "flow"]
     fields["functions"] = [c_function(name, realisation.functions[name], SCALARS) for name in chosen]
     return {
-        f"{subject.identifier}.h": template("model.h.j2").render(fields),
-        f"{subject.identifier}.c": template("model.c.j2").render(fields),
+        f"{subject.identifier}.h": render("model.h.j2", fields),
+        f"{subject.identifier}.c": render("model.c.j2", fields),
     }
-
-
-def _numbers(values: Iterable[float], end: str = "") -> str:
-    """Numbers to the last bit, apart by commas, in lines that end with `end`."""
-    lines = textwrap.wrap(", ".join(repr(float(value)) for value in values), 110, initial_indent="    ",
-                          subsequent_indent="    ")  # fmt: skip
-    return f"{end}\n".join(lines)
-
-
-@cache
-def _environment() -> Environment:
-    made = Environment(  # noqa: S701 - source code, not HTML; attributes of XML are quoted where they are filled in
-        loader=PackageLoader("pipeline.export", "assets"), undefined=StrictUndefined, keep_trailing_newline=True
-    )
-    made.filters["quoted"] = lambda value: quoteattr(str(value))
-    made.filters["numbers"] = _numbers
-    return made
-
-
-def template(name: str) -> Any:
-    """A template of the exports."""
-    return _environment().get_template(name)
-
-
-def asset(name: str) -> str:
-    """A file that is taken as it is."""
-    return files("pipeline.export").joinpath("assets", name).read_text(encoding="utf-8")
-
-
-def number(value: float) -> str:
-    """A real number to the last bit."""
-    return f"({float(value)!r})" if value < 0.0 else repr(float(value))
 
 
 def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
@@ -86,8 +48,8 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
         "unit": validity.q_unit,
         "id": subject.identifier,
         "ID": subject.identifier.upper(),
-        "step": number(realisation.step),
-        "number": number,
+        "step": constant(realisation.step),
+        "constant": constant,
         "bounds": bounds(subject),
         "ranges": ranges,
         "k": realisation.inputs,

@@ -10,10 +10,10 @@ from pipeline.codegen.text_writer import c_function, matlab_function
 from pipeline.control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
 from pipeline.control.estimator import PERIOD, RAMP
 from pipeline.control.law import CONTROLLER_STATE, SIDES, Law
-from pipeline.export.c99 import asset, number, template
 from pipeline.export.fmu import identity, packed
 from pipeline.export.hybrid import states, stop_operators
 from pipeline.export.subject import Exported, Variable
+from pipeline.export.templates import asset, constant, render
 from pipeline.runs.atomic import write_text
 
 NAME = "controller"
@@ -72,8 +72,8 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
         "title": f"Controller of the joint {subject.prototype}",
     }
     files = {each: asset(each) for each in ("fmi2.h", "fmu_common.h")}
-    files["fmu.c"] = template("controller_fmu.c.j2").render(fields | more)
-    description: str = template("controllerDescription.xml.j2").render(fields | more)
+    files["fmu.c"] = render("controller_fmu.c.j2", fields | more)
+    description = render("controllerDescription.xml.j2", fields | more)
     made = packed(sources | files, description, NAME, folder)
     return Exported([*written, *made.written], made.notes)
 
@@ -93,13 +93,14 @@ def _sources(subject: ControllerSubject) -> dict[str, str]:
         ],
     }
     return {
-        f"{NAME}.h": template("controller.h.j2").render(fields),
-        f"{NAME}.c": template("controller.c.j2").render(fields),
+        f"{NAME}.h": render("controller.h.j2", fields),
+        f"{NAME}.c": render("controller.c.j2", fields),
     }
 
 
 def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
-    text: str = template("controller.m.j2").render(
+    return render(
+        "controller.m.j2",
         fields
         | {
             "begins": "c.e, c.rests",
@@ -112,9 +113,8 @@ def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
                 matlab_sequence("observe", OBSERVE),
                 matlab_sequence("estimated", ESTIMATE),
             ],
-        }
+        },
     )
-    return text
 
 
 def _fields(subject: ControllerSubject) -> dict[str, Any]:
@@ -123,7 +123,7 @@ def _fields(subject: ControllerSubject) -> dict[str, Any]:
     low, high = (q + law.number("offset") for q in law.places)
     return {
         "version": __version__,
-        "prototype": subject.prototype.replace("*/", "* /"),
+        "prototype": subject.prototype,
         "model": subject.model,
         "origin": subject.origin,
         "highest": law.number("highest"),
@@ -133,11 +133,11 @@ def _fields(subject: ControllerSubject) -> dict[str, Any]:
         "left": left,
         "saddle": saddle,
         "right": right,
-        "start": repr(float(left)),
+        "start": float(left),
         "ramp_ms": round(1e3 * RAMP * PERIOD),
         "name": NAME,
         "tables": {"e": law.numbers} | {table: getattr(law, table).ravel() for table in TABLES},
         "size": CONTROLLER_STATE,
         "estimates": ESTIMATES,
-        "period": number(PERIOD),
+        "period": constant(PERIOD),
     }

@@ -13,6 +13,7 @@ https://w3id.org/ro/wfrun/process/0.5, on RO-Crate 1.1.
 
 import json
 import mimetypes
+import re
 import shutil
 import tempfile
 from collections import Counter
@@ -31,6 +32,7 @@ PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
 _TERMS = {"contentHash": "urn:debist:content-hash"}
 _FORMATS = {".parquet": "application/vnd.apache.parquet", ".h5": "application/x-hdf5", ".toml": "application/toml"}
 NAME = "environment.txt"
+_PIN = re.compile("[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9][A-Za-z0-9.!+_-]*")
 
 
 @dataclass(frozen=True)
@@ -144,7 +146,9 @@ def environment_text(described: Mapping[str, Any]) -> str:
         f"# {described['interpreter']} on {described['platform']}",
         f"# debist {packages.pop('debist', 'of unknown version')}: install it from its repository",
     ]
-    return "\n".join([*head, *(f"{name}=={number}" for name, number in sorted(packages.items()))]) + "\n"
+    pins = [f"{name}=={number}" for name, number in sorted(packages.items())]
+    lines = [*head, *(pin if _PIN.fullmatch(pin) else f"# {pin}" for pin in pins)]  # an option of pip is no pin
+    return "\n".join("".join(c if c.isprintable() else " " for c in line) for line in lines) + "\n"
 
 
 def toml_text(document: Mapping[str, Any]) -> str:

@@ -13,8 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from pipeline import __version__
-from pipeline.export.c99 import asset, bounds, c_sources, model_fields, template
+from pipeline.export.c99 import bounds, c_sources, model_fields
 from pipeline.export.subject import Exported, Realisation, Subject
+from pipeline.export.templates import asset, render
 from pipeline.runs.atomic import write_bytes
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")
@@ -71,7 +72,7 @@ def fmu_sources(subject: Subject, realisation: Realisation) -> dict[str, str]:
         **c_sources(subject, realisation, flow=flow == "flow"),
         "fmi2.h": asset("fmi2.h"),
         "fmu_common.h": asset("fmu_common.h"),
-        "fmu.c": template("fmu.c.j2").render(fields),
+        "fmu.c": render("fmu.c.j2", fields),
     }
 
 
@@ -218,8 +219,7 @@ def description(subject: Subject, realisation: Realisation, guid: str) -> str:
         "derivatives": derivatives,
         "initial": sorted([*outputs, *states, *derivatives]),
     }
-    text: str = template("modelDescription.xml.j2").render(fields)
-    return text
+    return render("modelDescription.xml.j2", fields)
 
 
 def rate_unit(unit: str) -> str:

@@ -9,8 +9,9 @@ from scipy.io import savemat
 
 from pipeline import __version__
 from pipeline.codegen.text_writer import matlab_function
-from pipeline.export.c99 import model_fields, template
+from pipeline.export.c99 import model_fields
 from pipeline.export.subject import SCALARS, Exported, Subject, curve_tables
+from pipeline.export.templates import render
 from pipeline.runs.atomic import write_bytes, write_text
 from pipeline.units import MASS
 
@@ -38,8 +39,7 @@ def function_source(subject: Subject) -> str:
         ],
         "z": max(1, len(realisation.hysteresis_states)),
     }
-    source: str = template("model.m.j2").render(fields)
-    return source
+    return render("model.m.j2", fields)
 
 
 def variables(subject: Subject) -> dict[str, Any]:

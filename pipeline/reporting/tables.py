@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
@@ -243,7 +244,7 @@ def scores_csv(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow]) -> str
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     names = [*scores[0], "fit_s", "simulate_s"]
-    writer.writerow(names)
+    writer.writerow(map(disarmed, names))
     for score in scores:
         row = {**times.get(score["model"], {}), **score}
         writer.writerow([disarmed(row.get(name)) for name in names])
@@ -252,15 +253,25 @@ def scores_csv(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow]) -> str
 
 def disarmed(value: Any) -> Any:
     """A CSV cell that no spreadsheet takes for a formula."""
-    if isinstance(value, str) and value[:1] in ("=", "+", "-", "@", "\t", "\r"):
+    if isinstance(value, str) and value.lstrip()[:1] in ("=", "+", "-", "@"):
         return f"'{value}"
     return "" if value is None else value
 
 
 def _markdown(table: NrmseTable) -> str:
-    heading, *rows = [[cell.replace("|", "\\|") for cell in line] for line in lines(table, "**{}**")]
+    heading, *rows = lines(table, "**{}**")
     rule = ["---", "---", *["---:"] * (len(heading) - 2)]
-    return "".join("| " + " | ".join(line) + " |\n" for line in (heading, rule, *rows))
+    named = [[*map(_in_markdown, line[:2]), *line[2:]] for line in rows]
+    return "".join("| " + " | ".join(line) + " |\n" for line in (heading, rule, *named))
+
+
+def _in_markdown(name: str) -> str:
+    """A name without markup: no HTML, link, code, column or line break."""
+    return re.sub(r"[\\`*_<>&|\[\]~!]", r"\\\g<0>", _one_line(name))
+
+
+def _one_line(text: str) -> str:
+    return "".join(c if c.isprintable() else " " for c in text)
 
 
 def _latex(table: NrmseTable) -> str:
@@ -287,4 +298,4 @@ def _escape(text: str) -> str:
         "–": "--",
         "≈": r"$\approx$",
     }
-    return "".join(special.get(c, c) for c in text.replace("^", ""))
+    return "".join(special.get(c, c) for c in _one_line(text.replace("^", "")))

@@ -84,7 +84,8 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
             continue
         lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)
-    return "\n".join([*lines, "", *_plant_lines(first), *_ingest_lines(first)]) + "\n"
+    # What a log holds is quoted where TOML reads it; in comments its control characters are written out, as here.
+    return "\n".join(map(_plain_line, [*lines, "", *_plant_lines(first), *_ingest_lines(first)])) + "\n"
 
 
 def _check_same_channels(inspections: Sequence[Inspection]) -> None:
@@ -292,6 +293,10 @@ def _escaped(character: str) -> str:
 
 def _plain(text: str) -> str:
     return quoted(text)[1:-1]
+
+
+def _plain_line(line: str) -> str:
+    return "".join(character if character.isprintable() else _escaped(character) for character in line)
 
 
 def _prototype_name(log: Path) -> str:

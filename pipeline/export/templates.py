@@ -1,0 +1,95 @@
+"""The one way by which values get into generated files: a writer for each language, through which every value goes.
+
+A template's own text and `Code` stand as they are. Any other text may come from a file that somebody else wrote, and
+reads as words wherever it lands: it can end no comment and no string, begin no line and no tag.
+"""
+
+import re
+import textwrap
+import unicodedata
+from collections.abc import Callable, Iterable
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined, Undefined
+
+from pipeline.codegen.text_writer import Code, number
+
+
+_SPELT = str.maketrans({"²": "^2", "³": "^3", "·": ".", "−": "-", "µ": "u", '"': "'", "\\": "/", "`": "'"})
+_DOT = re.compile("(?P<letter>[qz])(?P<dots>[\u0307\u0308])")
+_ENDS = re.compile(r"(?<=\*)(?=/)|(?<=/)(?=[*/])|(?<=\?)(?=\?)")
+"""Places in ASCII where two characters together end or begin a comment of C, or belong to a trigraph."""
+_NOT_IN_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+def words(text: str) -> str:
+    r"""Text for a comment or a string of C and MATLAB: one line of printable ASCII without ``"`` and ``\``.
+
+    Derivatives keep their names: ``q̈`` becomes qddot. What ASCII cannot spell becomes ``?``.
+    """
+    apart = unicodedata.normalize("NFD", text.translate(_SPELT))
+    named = _DOT.sub(lambda match: match["letter"] + ("dot" if match["dots"] == "\u0307" else "ddot"), apart)
+    plain = unicodedata.normalize("NFKD", named).translate(_SPELT)
+    spelt = "".join(c for c in plain if not unicodedata.combining(c))
+    one_line = "".join(c if " " <= c <= "~" else " " if c.isspace() or not c.isprintable() else "?" for c in spelt)
+    return _ENDS.sub(" ", one_line)
+
+
+def in_xml(text: str) -> str:
+    """Text without the characters that XML forbids; `jinja2` escapes the rest."""
+    return _NOT_IN_XML.sub("\ufffd", text)
+
+
+def constant(value: float) -> Code:
+    """A real number that stands for itself in any expression."""
+    return Code(f"({number(value)})") if value < 0.0 else number(value)
+
+
+def numbers(values: Iterable[float], end: str = "") -> Code:
+    """Numbers to the last bit, apart by commas, in lines that end with `end`."""
+    lines = textwrap.wrap(", ".join(number(value) for value in values), 110, initial_indent="    ",
+                          subsequent_indent="    ")  # fmt: skip
+    return Code(f"{end}\n".join(lines))
+
+
+def render(name: str, fields: dict[str, Any]) -> str:
+    """The file that the template `name` makes of `fields`; its ending, as ``.c.j2``, decides the language."""
+    text: str = _environment(_LANGUAGES[name.split(".")[-2]]).get_template(name).render(fields)
+    return text
+
+
+def asset(name: str) -> str:
+    """A file that is taken as it is."""
+    return files("pipeline.export").joinpath("assets", name).read_text(encoding="utf-8")
+
+
+def _value(value: Any, text: Callable[[str], str]) -> Any:
+    """A value as it gets into the file."""
+    if isinstance(value, Code | Undefined):
+        return value
+    if isinstance(value, float):
+        return number(value)
+    return str(value) if isinstance(value, int) else text(str(value))
+
+
+def _in_code(value: Any) -> Any:
+    return _value(value, words)
+
+
+def _in_document(value: Any) -> Any:
+    return _value(value, in_xml)
+
+
+_LANGUAGES = {"c": _in_code, "h": _in_code, "m": _in_code, "xml": _in_document}
+
+
+@cache
+def _environment(finalize: Callable[[Any], Any]) -> Environment:
+    made = Environment(
+        loader=PackageLoader("pipeline.export", "assets"), undefined=StrictUndefined, keep_trailing_newline=True,
+        autoescape=finalize is _in_document, finalize=finalize,
+    )  # fmt: skip
+    made.filters["numbers"] = numbers
+    return made
