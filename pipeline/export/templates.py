@@ -16,7 +16,6 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, Undefined
 
 from pipeline.codegen.text_writer import Code, number
 
-
 _SPELT = str.maketrans({"²": "^2", "³": "^3", "·": ".", "−": "-", "µ": "u", '"': "'", "\\": "/", "`": "'"})
 _DOT = re.compile("(?P<letter>[qz])(?P<dots>[\u0307\u0308])")
 _ENDS = re.compile(r"(?<=\*)(?=/)|(?<=/)(?=[*/])|(?<=\?)(?=\?)")
@@ -88,8 +87,11 @@ _LANGUAGES = {"c": _in_code, "h": _in_code, "m": _in_code, "xml": _in_document}
 @cache
 def _environment(finalize: Callable[[Any], Any]) -> Environment:
     made = Environment(
-        loader=PackageLoader("pipeline.export", "assets"), undefined=StrictUndefined, keep_trailing_newline=True,
-        autoescape=finalize is _in_document, finalize=finalize,
-    )  # fmt: skip
+        loader=PackageLoader("pipeline.export", "assets"),
+        undefined=StrictUndefined,
+        keep_trailing_newline=True,
+        autoescape=finalize is _in_document,  # noqa: S701 - markup is escaped so, the other languages by `finalize`
+        finalize=finalize,
+    )
     made.filters["numbers"] = numbers
     return made

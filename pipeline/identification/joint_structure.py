@@ -92,13 +92,6 @@ class JointStructure:
         """Plain values."""
         return {**vars(self), "rates": np.array(self.rates)}
 
-    @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "JointStructure":
-        """Back from `to_tree`; what an older model does not say is as it was then."""
-        kinds = {name: type(value) for name, value in vars(cls()).items() if name != "rates"}
-        plain = {name: kind(tree[name]) for name, kind in kinds.items() if name in tree}
-        return cls(rates=tuple(float(r) for r in tree["rates"]), **plain)
-
 
 @dataclass(frozen=True)
 class Scales:

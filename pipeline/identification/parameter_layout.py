@@ -257,14 +257,6 @@ class ParameterLayout:
             "signs": np.array(self.signs, dtype=np.int64),
         }
 
-    @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "ParameterLayout":
-        """Back from `to_tree`."""
-        scales = Scales(**{name: float(value) for name, value in tree["scales"].items()})
-        return cls(
-            JointStructure.from_tree(tree["structure"]), scales, tree["law"], tuple(int(sign) for sign in tree["signs"])
-        )
-
 
 def kind_of(block: str) -> str:
     """The name of a block of θ without the numbers of its element and input."""

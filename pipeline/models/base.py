@@ -1,7 +1,6 @@
 """The one interface of all models, the result of a free run, and the check of what a model is simulated with."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
 from inspect import signature
@@ -9,7 +8,7 @@ from typing import Any, Literal, Protocol, TypeVar, cast, runtime_checkable
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.timebase import is_uniform
 
@@ -147,21 +146,6 @@ def predictor(model: DynamicModel) -> Callable[[FloatArray, FloatArray, FloatArr
         return model.simulate(t[start:], v[start:], float(q[-1]), float(qdot[-1])).q
 
     return predict
-
-
-@contextmanager
-def stored(name: str, command: str) -> Iterator[None]:
-    """Read the tree of the model `name`; what it lacks is said, with the `command` that writes it anew.
-
-    Raises
-    ------
-    CorruptArtifactError
-        An entry is missing.
-    """
-    try:
-        yield
-    except KeyError as missing:
-        raise CorruptArtifactError(f"the model {name} lacks {missing}; run `debist {command}` again") from None
 
 
 MethodT = TypeVar("MethodT", bound=Callable[..., Any])

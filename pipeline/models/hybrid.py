@@ -5,9 +5,10 @@ Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.id
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
-from typing import Any
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
+from pydantic import Field, model_validator
 from scipy.interpolate import CubicSpline
 
 from pipeline.errors import CorruptArtifactError
@@ -21,7 +22,8 @@ from pipeline.joint.correction_table import CURVES
 from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.joint.similarity import Similarity
-from pipeline.models.base import FreeRun, checked, stored
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.file_schema import FilePart, ModelFile, Positive, Real, Sizes, Table
 from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.decimation_kernel import filtered_samples
@@ -32,6 +34,44 @@ MOVED = 0.2
 """Largest standard deviation [widths] of the draws in a direction of the posterior. The probabilities of 814 outcomes
 on 84 logs of 28 simulated joints had a Brier score of 0.0046 without a bound (47 called ambiguous), and of 0.0016 to
 0.0019 with bounds of 0.3 to 0.1 (8 to 4); of those called sure none was wrong. With a bound of 0.02 two were."""
+
+
+_FARTHEST = 300.0
+"""Largest magnitude of an entry of theta [widths]; exponentials of more overflow."""
+_Size = Annotated[float, Field(ge=1e-3, le=1e3)]
+
+
+class _Similarity(FilePart):
+    length: _Size
+    time: _Size
+    voltage: _Size
+    mass: _Size
+    origin: Real
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"P": (1, 5000), "R": (1, 5000), "B": (1, 5000), "C": (1, 10_000), "S": (1, 5000)}
+    parameters: dict[str, Real]
+    basis: Annotated[FloatArray, Table("3", -1e3, 1e3)]
+    centres: Annotated[int, Field(ge=0, le=200)]
+    largest_voltage_V: Positive
+    slope_ratio: Real
+    similarity: _Similarity
+    constants: str
+    deviations: str
+    prior_std: Annotated[FloatArray, Table("D")]
+    theta: Annotated[FloatArray, Table("P", -_FARTHEST, _FARTHEST)]
+    spread: Annotated[FloatArray, Table("P R")]
+    band_spread: Annotated[FloatArray, Table("P B")]
+    curve_spread: Annotated[FloatArray, Table("C S")]
+
+    @model_validator(mode="after")
+    def _corrections(self) -> Self:
+        if self.basis[1:].min() <= 0.0:
+            raise ValueError("distance and width in basis are not positive")
+        if len(self.curve_spread) < len(self.theta) or (len(self.curve_spread) - len(self.theta)) % CURVES:
+            raise ValueError(f"curve_spread has {len(self.curve_spread)} rows for {len(self.theta)} parameters")
+        return self
 
 
 @dataclass(frozen=True)
@@ -215,31 +255,21 @@ class HybridModel:
         Raises
         ------
         CorruptArtifactError
-            An entry is missing, or the parameters belong to another version of the program.
+            An entry is missing, of another kind or shape, or beyond its range, or the parameters belong to another
+            version of the program.
         """
-        with stored("hybrid", "identify"):
-            parameters = NOMINAL.with_values({name: float(tree["parameters"][name]) for name in VECTOR_NAMES})
-            joint = CondensedJoint(
-                parameters,
-                np.asarray(tree["basis"], dtype=np.float64),
-                int(tree["centres"]),
-                float(tree["largest_voltage_V"]),
-                float(tree["slope_ratio"]),
-                Similarity(**{key: float(value) for key, value in tree["similarity"].items()}),
-            )
-            theta = np.asarray(tree["theta"], dtype=np.float64)
-            spread = np.asarray(tree["spread"], dtype=np.float64)
-            bands, curves = (np.asarray(tree[f"{name}_spread"], dtype=np.float64) for name in ("band", "curve"))
-            names = str(tree["deviations"]).split(" | ")
-            constants = str(tree["constants"]).split(" | ")
-            prior_std = np.asarray(tree["prior_std"], dtype=np.float64)
-        known = names == list(condensed_parameters.NAMES) and constants == list(CONSTANTS)
-        known = known and np.array_equal(prior_std, condensed_parameters.PRIOR_STD)
-        if not known or len(theta) != len(joint.start()):
+        file = _File.read(tree, "hybrid", "identify")
+        joint = CondensedJoint(
+            NOMINAL.with_values(file.parameters), file.basis, file.centres, file.largest_voltage_V, file.slope_ratio,
+            Similarity(**dict(file.similarity)),
+        )  # fmt: skip
+        known = file.deviations == " | ".join(condensed_parameters.NAMES) and file.constants == " | ".join(CONSTANTS)
+        known = known and np.array_equal(file.prior_std, condensed_parameters.PRIOR_STD)
+        if not known or set(file.parameters) != set(VECTOR_NAMES) or len(file.theta) != len(joint.start()):
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
-        return cls(joint, theta, spread, bands, curves, dict(tree.get("diagnostics", {})))
+        return cls(joint, file.theta, file.spread, file.band_spread, file.curve_spread, file.diagnostics)
 
     def _simulate(
         self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray,

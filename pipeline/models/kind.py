@@ -146,7 +146,7 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
         )
     try:
         return made.read(dict(tree))
-    except (KeyError, TypeError, ValueError) as error:
+    except (TypeError, ValueError, ArithmeticError, InputError) as error:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 
 
@@ -172,4 +172,6 @@ def load_model(path: Path | str) -> DynamicModel:
     if not held:
         raise CorruptArtifactError(f"{path}: holds no model; run `debist run` again")
     headline = str(tree.get(HEADLINE, held[0]))
+    if headline not in held:
+        raise CorruptArtifactError(f"{path}: holds no model {headline!r}, which it names; run `debist run` again")
     return model_from_tree(headline, tree[headline])

@@ -2,18 +2,41 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
+from pydantic import model_validator
 
 from pipeline.baselines.narx import NarxEquation, NarxStructure, accelerations, narx_run
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.base import FreeRun, checked, stored
+from pipeline.errors import InputError
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.file_schema import MOST_INPUTS, Exponents, ModelFile, Positive, PositiveRow, Sizes, Span, Table
 from pipeline.models.kind import Kind
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
 from pipeline.numerics.stencils import finite_difference
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.free_run import run_status
+
+MOST_LAGS = 64
+"""Increments, or lags of an input."""
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"P": (1, 500), "X": (2, 1 + MOST_LAGS * (1 + MOST_INPUTS))}
+    structure: Annotated[IntArray, Table("4", 0, MOST_LAGS, whole=True)]
+    exponents: Exponents
+    coefficients: Annotated[FloatArray, Table("P")]
+    scales: PositiveRow
+    interval_s: Positive
+    inputs: Literal["squared", "linear"]
+    bounds: Span
+
+    @model_validator(mode="after")
+    def _lags(self) -> Self:
+        _, increments, input_lags, inputs = self.structure.tolist()
+        if increments < 1 or not 1 <= inputs <= MOST_INPUTS or len(self.scales) != 1 + increments + inputs * input_lags:
+            raise ValueError(f"structure {self.structure.tolist()} does not fit the {len(self.scales)} variables")
+        return self
 
 
 @dataclass(frozen=True)
@@ -111,22 +134,14 @@ class NarxModel:
         Raises
         ------
         CorruptArtifactError
-            An entry is missing or the tables do not fit each other.
+            An entry is missing, of another kind or shape, or beyond its range.
         """
-        with stored("narx", "compare"):
-            structure = NarxStructure(*(int(x) for x in tree["structure"]))
-            exponents = np.asarray(tree["exponents"], dtype=np.int64)
-            coefficients = np.asarray(tree["coefficients"], dtype=np.float64)
-            scales = np.asarray(tree["scales"], dtype=np.float64)
-            low, high = (float(x) for x in tree["bounds"])
-            squared = str(tree["inputs"]) == "squared"
-            equation = NarxEquation(
-                structure, exponents, coefficients, scales, float(tree["interval_s"]), squared, low, high
-            )
-        variables = 1 + structure.increments + structure.inputs * structure.input_lags
-        if scales.shape != (variables,) or exponents.shape != (coefficients.size, variables):
-            raise CorruptArtifactError("the tables of the model narx do not fit each other; run `debist compare` again")
-        return cls(equation, dict(tree.get("diagnostics", {})))
+        file = _File.read(tree, "narx", "compare")
+        equation = NarxEquation(
+            NarxStructure(*file.structure.tolist()), file.exponents, file.coefficients, file.scales, file.interval_s,
+            file.inputs == "squared", *file.bounds.tolist(),
+        )  # fmt: skip
+        return cls(equation, file.diagnostics)
 
 
 def identify_narx(

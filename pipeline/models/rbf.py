@@ -1,23 +1,90 @@
 """The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
+from pydantic import Field, model_validator
 
+from pipeline.errors import CorruptArtifactError
 from pipeline.generated.terms import ACCELERATION, STOP_FORCE
 from pipeline.identification import viscoelastic_joint as joint
 from pipeline.identification.joint_problem import steps_per_sample
-from pipeline.identification.joint_structure import JointStructure
+from pipeline.identification.joint_structure import ForceShape, Hold, JointStructure, Scales
 from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.models.base import FreeRun, checked, stored
+from pipeline.identification.rbf import InputLaw
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.file_schema import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table
 from pipeline.models.posterior import first_order_curves, posterior_draws
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
 from pipeline.solvers.free_run import run_status
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
 SLIGHT = 1e-5  # of half the range: for slopes of curves
 SEED = 20251  # of the posterior draws: the same model gives the same draws
+
+
+_MOST_ELEMENTS = 16
+_USUAL = JointStructure()
+"""What an older model does not say is as it was then."""
+
+
+class _Structure(FilePart):
+    sizes: ClassVar[Sizes] = {"L": (0, _MOST_ELEMENTS)}
+    basis_functions: Annotated[int, Field(ge=2, le=200)]
+    smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
+    rates: Annotated[FloatArray, Table("L", 0.0)]
+    shape_elements: Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
+    slips: Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
+    force: ForceShape = _USUAL.force
+    hold: Hold = _USUAL.hold
+    arc: bool = _USUAL.arc
+    drag: bool = _USUAL.drag
+    stops: bool = _USUAL.stops
+    input_lag: bool = _USUAL.input_lag
+    turning_arm: bool = _USUAL.turning_arm
+    constant_damping: bool = _USUAL.constant_damping
+    constant_gain: bool = _USUAL.constant_gain
+    rest_at_zero: bool = _USUAL.rest_at_zero
+    input_delay: bool = _USUAL.input_delay
+    bent_input: bool = _USUAL.bent_input
+    dead_zone: bool = _USUAL.dead_zone
+    overdamped: bool = _USUAL.overdamped
+
+    @model_validator(mode="after")
+    def _elements(self) -> Self:
+        if self.shape_elements > len(self.rates):
+            raise ValueError(f"{self.shape_elements} shape elements among {len(self.rates)} elements")
+        return self
+
+
+class _Scales(FilePart):
+    middle: Real
+    half: Positive
+    volts: Positive
+    stiffness: Positive
+    speed: Annotated[Real, Field(ge=0.0)] = 0.0
+
+
+class _Layout(FilePart):
+    sizes: ClassVar[Sizes] = {"K": (1, MOST_INPUTS)}
+    structure: _Structure
+    scales: _Scales
+    law: InputLaw
+    signs: Annotated[IntArray, Table("K", -1, 1, whole=True)]
+
+    def layout(self) -> ParameterLayout:
+        structure = JointStructure(**dict(self.structure) | {"rates": tuple(self.structure.rates.tolist())})
+        return ParameterLayout(structure, Scales(**dict(self.scales)), self.law, tuple(self.signs.tolist()))
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"P": (1, 20_000), "R": (1, 20_000), "B": (1, 20_000)}
+    parameters: _Layout
+    theta: Annotated[FloatArray, Table("P")]
+    spread: Annotated[FloatArray, Table("P R")]
+    band_spread: Annotated[FloatArray, Table("P B")]
+    mass_kg: Positive
 
 
 @dataclass(frozen=True)
@@ -186,21 +253,17 @@ class RbfModel:
         Raises
         ------
         CorruptArtifactError
-            An entry is missing.
+            An entry is missing, of another kind or shape, or beyond its range.
         """
-        with stored("rbf", "identify"):
-            parameters = ParameterLayout.from_tree(tree["parameters"])
-            theta = np.asarray(tree["theta"], dtype=np.float64)
-            if len(theta) != parameters.count:
-                raise KeyError("parameters of its hidden shape, which an older version wrote otherwise")
-            return cls(
-                parameters=parameters,
-                theta=theta,
-                spread=np.asarray(tree["spread"], dtype=np.float64),
-                band_spread=np.asarray(tree["band_spread"], dtype=np.float64),
-                mass=float(tree["mass_kg"]),
-                diagnostics=dict(tree.get("diagnostics", {})),
+        file = _File.read(tree, "rbf", "identify")
+        parameters = file.parameters.layout()
+        with np.errstate(all="ignore"):
+            finite = file.theta.size == parameters.count and all(
+                np.isfinite(values).all() for values in parameters.coefficients(file.theta)
             )
+        if not finite:
+            raise CorruptArtifactError("theta of the model rbf does not fit its structure; run `debist identify` again")
+        return cls(parameters, file.theta, file.spread, file.band_spread, file.mass_kg, file.diagnostics)
 
     def _run(
         self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float],

@@ -8,10 +8,12 @@ with c, d, g_k = Σ_i θ_i exp(−(q−ξ_i)²/(2σ_n²Δξ²)). Eq. 37 prints �
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
+from pydantic import Field, model_validator
 
+from pipeline.generated.basis_functions import NAMES
 from pipeline.identification.coverage import coverage
 from pipeline.identification.lag_search import LAG_START, LagSearch, LagStretch, search_lag
 from pipeline.identification.rbf import (
@@ -25,7 +27,8 @@ from pipeline.identification.rbf import (
 )
 from pipeline.identification.residuals import whiteness
 from pipeline.model_list import CENTRES, SMOOTHING
-from pipeline.models.base import FreeRun, checked, stored
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.file_schema import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table
 from pipeline.models.kind import Kind, Training
 from pipeline.models.posterior import curves_of_draws, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
@@ -38,6 +41,27 @@ from pipeline.solvers.lagged_free_run import lagged_rbf_run
 ROWS = 8192  # rows of the regressor that are held at once
 LAG_BOUNDS = (1e-4, 10.0)  # s
 SEED = 20251  # of the draws of weights: the same model gives the same bands
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"R": (3, 2 + MOST_INPUTS), "M": (2, 200), "S": (0, 1000)}
+    centres: Rising
+    smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
+    width: Positive
+    weights: Annotated[FloatArray, Table("R M")]
+    lag_s: Lag
+    mass_kg: Positive
+    inputs: InputLaw
+    basis: str = "gaussian"
+    spread: Annotated[FloatArray, Table("W S")]
+
+    @model_validator(mode="after")
+    def _named(self) -> Self:
+        if self.basis not in NAMES:
+            raise ValueError(f"basis is none of {', '.join(NAMES)}")
+        if len(self.spread) not in (0, self.weights.size):
+            raise ValueError(f"spread has {len(self.spread)} rows for {self.weights.size} weights")
+        return self
 
 
 @dataclass(frozen=True)
@@ -204,20 +228,13 @@ class RbfPaperModel:
         Raises
         ------
         CorruptArtifactError
-            An entry is missing.
+            An entry is missing, of another kind or shape, or beyond its range.
         """
-        with stored("rbf-paper", "identify"):
-            return cls(
-                centres=np.asarray(tree["centres"], dtype=np.float64),
-                smoothing=float(tree["smoothing"]),
-                weights=np.asarray(tree["weights"], dtype=np.float64),
-                lag=float(tree["lag_s"]),
-                mass=float(tree["mass_kg"]),
-                inputs=tree["inputs"],
-                basis=str(tree.get("basis", "gaussian")),
-                spread=np.asarray(tree["spread"], dtype=np.float64),
-                diagnostics=dict(tree.get("diagnostics", {})),
-            )
+        file = _File.read(tree, "rbf-paper", "identify")
+        return cls(
+            file.centres, file.smoothing, file.weights, file.lag_s, file.mass_kg, file.inputs, file.basis,
+            file.spread if file.spread.size else np.zeros((file.weights.size, 1)), file.diagnostics,
+        )  # fmt: skip
 
 
 def identify_rbf_paper(

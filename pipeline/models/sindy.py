@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
+from pydantic import BeforeValidator
 
 from pipeline.baselines.polynomial_dynamics import (
     FIRST_INPUT,
@@ -18,15 +19,46 @@ from pipeline.baselines.polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
-from pipeline.errors import CorruptArtifactError
 from pipeline.identification.rbf import InputLaw
-from pipeline.models.base import FreeRun, checked, stored
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.file_schema import (
+    MOST_INPUTS,
+    Exponents,
+    LagIfAny,
+    ModelFile,
+    Positive,
+    PositiveRow,
+    Sizes,
+    Span,
+    Table,
+)
 from pipeline.models.kind import Kind
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.free_run import run_status
+from pipeline.units import DISPLACEMENT, INPUT
 
 Units = tuple[str, str]
+
+
+def _units(values: Any) -> Units:
+    length, voltage = (str(unit) for unit in values)
+    if length not in DISPLACEMENT or voltage not in INPUT:
+        raise ValueError("are no SI units of a displacement and an input")
+    return length, voltage
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"P": (1, 500), "X": (FIRST_INPUT + 1, FIRST_INPUT + MOST_INPUTS)}
+    name: Literal["sindy", "sindy-default"]
+    exponents: Exponents
+    coefficients: Annotated[FloatArray, Table("2 P")]
+    scales: PositiveRow
+    lag_s: LagIfAny
+    mass_kg: Positive
+    inputs: Literal["squared", "linear"]
+    bounds: Span
+    units: Annotated[Units, BeforeValidator(_units)] = ("m", "V")
 
 
 @dataclass(frozen=True)
@@ -166,24 +198,13 @@ class SindyModel:
         Raises
         ------
         CorruptArtifactError
-            An entry is missing or the tables do not fit each other.
+            An entry is missing, of another kind or shape, or beyond its range.
         """
-        with stored("sindy", "compare"):
-            exponents = np.asarray(tree["exponents"], dtype=np.int64)
-            coefficients = np.asarray(tree["coefficients"], dtype=np.float64)
-            scales = np.asarray(tree["scales"], dtype=np.float64)
-            low, high = (float(x) for x in tree["bounds"])
-            dynamics = PolynomialDynamics(
-                exponents, coefficients, scales, float(tree["lag_s"]), tree["inputs"] == "squared", low, high
-            )
-            name, mass, diagnostics = str(tree["name"]), float(tree["mass_kg"]), dict(tree.get("diagnostics", {}))
-            length, voltage = (str(unit) for unit in tree.get("units", ("m", "V")))
-        fits = coefficients.shape == (2, len(exponents)) and exponents.shape[1:] == scales.shape
-        if not fits or scales.size <= FIRST_INPUT:
-            raise CorruptArtifactError(
-                "the tables of the model sindy do not fit each other; run `debist compare` again"
-            )
-        return cls(dynamics, name, mass, diagnostics, (length, voltage))
+        file = _File.read(tree, "sindy", "compare")
+        dynamics = PolynomialDynamics(
+            file.exponents, file.coefficients, file.scales, file.lag_s, file.inputs == "squared", *file.bounds.tolist()
+        )
+        return cls(dynamics, file.name, file.mass_kg, file.diagnostics, file.units)
 
 
 def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
