@@ -11,6 +11,7 @@ import numpy as np
 
 from pipeline.baselines.polynomial_dynamics import monomials
 from pipeline.compiled import compiled
+from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 COUPLING_DEGREE = 3  # degree in q of the factors of older increments and inputs
@@ -207,7 +208,9 @@ def accelerations(equation: NarxEquation, v: FloatArray, q: FloatArray) -> Float
 
     The first rows, whose lags reach before the record, and the last one repeat their neighbour.
     """
-    e = equation
+    e, needed = equation, first_step(equation.structure) + 2
+    if q.size < needed:
+        raise InputError(f"the record has {q.size} samples; the lags of this NARX equation reach over {needed}")
     x, _ = lagged_variables(e.structure, q, np.square(v) if e.squared else v)
     change = monomials(e.exponents, x / e.scales) @ e.coefficients / e.interval**2
     padded: FloatArray = np.pad(change, (first_step(e.structure), 1), mode="edge")

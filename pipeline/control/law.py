@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError
-from pipeline.generated.condensed_joint import FIRST_STRAIN, STATES, STOPS
+from pipeline.generated.condensed_joint import FIRST_STRAIN, PREPARE, STATES, STOPS
+from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
 from pipeline.joint.correction_table import CURVES
 from pipeline.numerics.arrays import FloatArray
 
@@ -60,6 +61,14 @@ REACHES = 24
 """Entries of a braking curve."""
 RESTS = 65
 """Rows of the table of rests."""
+
+
+_MOST_CELLS, _LARGEST = 10_000, 1e30
+_SHAPES = {
+    "numbers": (len(NUMBERS),), "prepared": (PREPARE.outputs["p"],), "slopes": (PREPARE_SLOPES.outputs["p"],),
+    "rests": (RESTS, 3), "targets": (TARGETS, TARGET_COLUMNS["common"].stop), "braking": (2 * TARGETS, REACHES),
+}  # fmt: skip
+"""Of the tables whose shape does not depend on the joint."""
 
 
 class Law(NamedTuple):
@@ -118,10 +127,14 @@ class Law(NamedTuple):
                 raise ValueError("constants of another version")
             numbers = np.array([values["numbers"][name] for name in NUMBERS], dtype=np.float64)
             law = cls(numbers, *(np.array(values[name], dtype=np.float64) for name in cls._fields[1:]))
-            wrong = law.targets.shape[0] != TARGETS or law.braking.shape != (2 * TARGETS, REACHES)
-            if wrong or law.curves.shape[1:] != (6, CURVES) or law.rests.shape != (RESTS, 3):
+            shapes = {name: getattr(law, name).shape for name in _SHAPES}
+            if shapes != _SHAPES or law.curves.shape[1:] != (6, CURVES) or not 1 <= len(law.curves) <= _MOST_CELLS:
                 raise ValueError("a table has another shape")
-        except (KeyError, TypeError, ValueError, IndexError) as error:
+            if not all(np.all(np.abs(values) <= _LARGEST) for values in law):
+                raise ValueError("a number is too large, or none")
+            if law.number("curve_last") != len(law.curves) - 1.0:
+                raise ValueError("the table of corrections has another length")
+        except (KeyError, TypeError, ValueError, IndexError, ArithmeticError) as error:
             raise CorruptArtifactError(
                 f"the designed controller cannot be read ({error}); run `debist control design` again"
             ) from None

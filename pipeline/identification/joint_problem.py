@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from pipeline.errors import InputError
 from pipeline.identification.effort import Effort, simulation_effort
 from pipeline.identification.input_path import drive_at_nodes, known_inputs, spline_through
 from pipeline.identification.parameter_layout import ParameterLayout
@@ -29,6 +30,9 @@ IMPACT = 2.0
 """Steps against an end stop, in units of its own period, may be so many times as long as those of the joint: it is
 touched softly."""
 
+MOST_STEPS = 2000
+"""Steps in a sample interval; a device that is faster than that by its frequency scale was not identified from it."""
+
 FASTEST = 100.0
 """Relaxations per sample interval beyond which no step follows; such an element does nothing but damp."""
 
@@ -47,7 +51,12 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
         touching = float(np.sqrt(stiffness)) / (IMPACT * step)
         fastest = max(fastest, float(resistance))
     fastest = min(fastest, FASTEST / interval) / STABLE
-    return max(1, int(np.ceil(interval * max(p.scales.frequency / step, min(touching, FASTEST / interval), fastest))))
+    rate = max(p.scales.frequency / step, min(touching, FASTEST / interval), fastest)
+    if interval * rate > MOST_STEPS:
+        raise InputError(
+            f"the model moves {interval * rate:.3g} steps in a sample interval of {interval:g} s; resample"
+        )
+    return max(1, int(np.ceil(interval * rate)))
 
 
 def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:

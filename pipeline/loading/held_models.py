@@ -1,10 +1,10 @@
 """What a run holds: the identified models, the headline first, the comparisons, and the controller."""
 
-import json
 from collections.abc import Sequence
 from typing import Any
 
 from pipeline.errors import InputError
+from pipeline.loading.documents import read_document
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype
@@ -78,7 +78,7 @@ def load_design(run: RunFolder) -> dict[str, Any]:
     name = layout.control("design")
     if name not in run.manifest.artifacts:
         raise InputError(f"{run.root}: no controller was designed yet; `debist control design {run.root}` does it")
-    document: dict[str, Any] = json.loads(run.read_bytes(name))
+    document = read_document(run, name)
     if document["origin"] != run.record(layout.MODELS).content_hash:
         raise InputError(
             f"{run.root}: its controller was designed for another model; `debist control design {run.root}` renews it"
@@ -98,7 +98,7 @@ def made_control(run: RunFolder) -> tuple[str, ...]:
 
 def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
     """What was made, by title."""
-    return {title: json.loads(run.read_bytes(layout.control(title))) for title in titles}
+    return {title: read_document(run, layout.control(title)) for title in titles}
 
 
 def failed_validations(run: RunFolder, name: str) -> list[str]:

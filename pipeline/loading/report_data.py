@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.run_data import WHY, LogData, RunData, Study
-from pipeline.errors import CorruptArtifactError, DebistError
+from pipeline.errors import DebistError
 from pipeline.loading.device import Device, device, rotation_map
+from pipeline.loading.documents import read_document
 from pipeline.loading.held_models import CHOICE, identified_models
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.models.base import DynamicModel
@@ -63,7 +64,7 @@ def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
     """The rows of `debist check`; none in a run of before they were made."""
     if layout.CHECK not in run.manifest.artifacts:
         return ()
-    return tuple(json.loads(run.checked(layout.CHECK).read_text(encoding="utf-8"))["rows"])
+    return tuple(read_document(run, layout.CHECK)["rows"])
 
 
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
@@ -184,9 +185,4 @@ def load_datasheet(root: Path) -> dict[str, Any]:
     CorruptArtifactError
         It is damaged.
     """
-    content = in_snapshot(root, lambda run: run.read_bytes(layout.DATASHEET))
-    path = root / layout.DATASHEET
-    try:
-        return dict(json.loads(content))
-    except ValueError as error:
-        raise CorruptArtifactError(f"{path}: damaged ({error}); `debist report {root}` rebuilds it") from error
+    return in_snapshot(root, lambda run: read_document(run, layout.DATASHEET))

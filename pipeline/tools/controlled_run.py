@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.loading.device import device
+from pipeline.loading.documents import read_document
 from pipeline.loading.held_models import WORST, controlled_model, failed_validations
 from pipeline.loading.run_models import load_run_model
 from pipeline.numerics.progress import OnProgress
@@ -189,4 +190,4 @@ def kept_document(
         inputs = (found.artifact, *found.records)
         task = Task("control", title, ALGORITHM, settings, inputs, (name,), write, reports=True)
         bring_up_to_date(found.run, [task], observer)
-        return dict(json.loads(found.run.read_bytes(name)))
+        return read_document(found.run, name)
