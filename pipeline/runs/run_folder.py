@@ -31,7 +31,7 @@ from pipeline.runs.manifest import (
     staging_place,
     to_json,
 )
-from pipeline.runs.schemas import Schema
+from pipeline.runs.schemas import Schema, misfit
 from pipeline.settings import Prototype, parse_prototype
 
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
@@ -160,7 +160,10 @@ class RunFolder:
 
     def read_table(self, name: str) -> tables.Table:
         """Read a Parquet artifact from bytes that were checked; errors as for `read_bytes`."""
-        return tables.parse_table(self._intact(name, buffered), self.path(name))
+        table = tables.parse_table(self._intact(name, buffered), self.path(name))
+        if wrong := misfit(name, table):
+            raise CorruptArtifactError(f"{self.path(name)}: {wrong}; `debist run` rebuilds it in an empty folder")
+        return table
 
     def read_records(self, name: str) -> list[dict[str, Any]]:
         """The rows of a Parquet artifact, None where there is no finite number; errors as for `read_bytes`."""

@@ -3,9 +3,12 @@
 `data/README.md` publishes these tables; a test keeps the two in step.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from fnmatch import fnmatchcase
+from typing import Any, Literal
+
+import numpy as np
 
 from pipeline.units import HORIZONS
 
@@ -193,3 +196,46 @@ def resolve(
             unit = unit.replace(mark, symbol)
         columns.append(replace(column, unit=unit))
     return Schema(schema.kind, tuple(columns))
+
+
+_KINDS = {"float64": "f", "int32": "i", "int64": "iO", "string": "O", "bool": "O"}
+"""Kinds of the arrays in which a column is read: of numbers, or of objects where values are texts or may be null."""
+_ENTRIES: dict[str, tuple[type, ...]] = {"string": (str,), "bool": (bool,), "int64": (int,)}
+_OPTIONAL = ("v2", "phi", "velocity")
+_OF_FILES = (
+    ("*/*/record.parquet", RECORD),
+    ("*/*/signals.parquet", SIGNALS),
+    ("*/*/kinematics.parquet", KINEMATICS),
+    ("*/*/predictions/*.parquet", PREDICTIONS),
+    ("scores.parquet", SCORES),
+    ("studies/folds/*.parquet", STUDIES["folds"]),
+    *((f"studies/{study}.parquet", schema) for study, schema in STUDIES.items()),
+)
+
+
+def misfit(name: str, table: Mapping[str, np.ndarray[Any, Any]]) -> str | None:
+    """What a table that was read from the artifact `name` holds or lacks otherwise than its schema; None if nothing."""
+    schema = next((schema for pattern, schema in _OF_FILES if fnmatchcase(name, pattern)), None)
+    if schema is None:
+        return next((f"{column} does not hold numbers" for column, x in table.items() if x.dtype.kind != "f"), None)
+    columns = {column.name: column for column in schema.columns}
+    if unknown := sorted(table.keys() - columns.keys()):
+        return f"holds a column {unknown[0]!r} that no {schema.kind} has"
+    for column in columns.values():
+        if column.name not in table:
+            if column.name not in _OPTIONAL:
+                return f"lacks the column {column.name}"
+            continue
+        if not _fits(table[column.name], column.dtype):
+            return f"{column.name} does not hold {column.dtype}"
+    if "t" in table and schema is not STUDIES["online"]:
+        time = table["t"]
+        if len(time) < 2 or not np.all(np.isfinite(time)) or not np.all(np.diff(time) > 0.0):
+            return "t does not rise from sample to sample"
+    return None
+
+
+def _fits(values: np.ndarray[Any, Any], dtype: Dtype) -> bool:
+    if values.dtype.kind not in _KINDS[dtype]:
+        return False
+    return values.dtype.kind != "O" or all(x is None or type(x) in _ENTRIES[dtype] for x in values)
