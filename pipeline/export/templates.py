@@ -20,6 +20,7 @@ _SPELT = str.maketrans({"²": "^2", "³": "^3", "·": ".", "−": "-", "µ": "u"
 _DOT = re.compile("(?P<letter>[qz])(?P<dots>[\u0307\u0308])")
 _ENDS = re.compile(r"(?<=\*)(?=/)|(?<=/)(?=[*/])|(?<=\?)(?=\?)")
 """Places in ASCII where two characters together end or begin a comment of C, or belong to a trigraph."""
+_AT_START, _AT_END = re.compile(r"^[*/?]"), re.compile(r"[*/?]$")
 _NOT_IN_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
@@ -33,7 +34,8 @@ def words(text: str) -> str:
     plain = unicodedata.normalize("NFKD", named).translate(_SPELT)
     spelt = "".join(c for c in plain if not unicodedata.combining(c))
     one_line = "".join(c if " " <= c <= "~" else " " if c.isspace() or not c.isprintable() else "?" for c in spelt)
-    return _ENDS.sub(" ", one_line)
+    apart_from_the_template = _AT_END.sub(r"\g<0> ", _AT_START.sub(r" \g<0>", one_line))
+    return _ENDS.sub(" ", apart_from_the_template)
 
 
 def in_xml(text: str) -> str:

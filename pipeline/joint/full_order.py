@@ -155,9 +155,12 @@ def _walked(parameters: JointParameters, q0: float) -> FloatArray:
 
     It is found by walking from the nearest equilibrium; NaN if there is none.
     """
-    start = min(equilibria(parameters, np.zeros(2)), key=lambda e: abs(e.q - q0))
+    rests = equilibria(parameters, np.zeros(2))
+    if not rests:
+        return np.full(4, np.nan)
+    start = min(rests, key=lambda e: abs(e.q - q0))
     qm, tangent = start.qm.copy(), np.empty(4)
-    for q in np.linspace(start.q, q0, 2 + int(abs(q0 - start.q) / 2.5e-4)):
+    for q in np.linspace(start.q, q0, 2 + int(min(abs(q0 - start.q) / 2.5e-4, 1e4))):
         hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
     return qm
 

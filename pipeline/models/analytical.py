@@ -7,12 +7,12 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field
 
-from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.errors import InputError
 from pipeline.joint.full_order import rest_state, simulate
 from pipeline.joint.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.joint.voltage_knots import voltage_knots
 from pipeline.models.base import FreeRun, checked
-from pipeline.models.file_schema import ModelFile, Real
+from pipeline.models.file_schema import JointValues, ModelFile
 from pipeline.models.kind import Kind, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.kept import Keep, make_anew
@@ -23,7 +23,7 @@ from pipeline.solvers.stiff import STATES
 class _File(ModelFile):
     name: Literal["analytical", "analytical-calibrated"]
     tolerance: Annotated[float, Field(ge=1e-8, le=0.1)]
-    parameters: dict[str, Real]
+    parameters: JointValues
 
 
 @dataclass(frozen=True)
@@ -127,8 +127,6 @@ class AnalyticalModel:
             An entry is missing, of another kind or shape, or beyond its range.
         """
         file = _File.read(tree, "analytical", "compare")
-        if set(file.parameters) != set(VECTOR_NAMES):
-            raise CorruptArtifactError("the model analytical has other parameters; run `debist compare` again")
         return cls(NOMINAL.with_values(file.parameters), file.name, file.diagnostics, file.tolerance)
 
 

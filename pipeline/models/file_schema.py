@@ -21,6 +21,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, core_schema
 
 from pipeline.errors import CorruptArtifactError
+from pipeline.joint.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 LARGEST = 1e30
@@ -98,6 +99,23 @@ PositiveRow = Annotated[FloatArray, Table("X", 1.0 / LARGEST)]
 LagIfAny = Annotated[float, Field(ge=0.0, le=LONGEST_LAG), AfterValidator(_lag)]
 Rising = Annotated[FloatArray, Table("M"), AfterValidator(_rising)]
 Span = Annotated[FloatArray, Table("2"), AfterValidator(_rising)]
+
+
+def _of_joint(values: dict[str, float]) -> dict[str, float]:
+    """Parameters of a joint that are all there and of no absurd size; their signs are checked where a set is made."""
+    if values.keys() != set(VECTOR_NAMES):
+        raise ValueError("does not hold the parameters of this version")
+    for name, value in values.items():
+        usual = abs(NOMINAL.value(name)) or 1.0
+        low = usual / ABSURD if QUANTITIES[name].sign == "positive" else -usual * ABSURD
+        if not low <= value <= usual * ABSURD:
+            raise ValueError(f"{name} = {value:g} is no size of a joint")
+    return values
+
+
+ABSURD = 1e4
+"""Factor between a parameter of the set `nominal` and one that no joint has."""
+JointValues = Annotated[dict[str, Real], AfterValidator(_of_joint)]
 
 
 def _facts(value: Any, levels: int = _DEEPEST) -> Any:

@@ -23,7 +23,7 @@ from pipeline.joint.driving_voltages import DrivingVoltages
 from pipeline.joint.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.joint.similarity import Similarity
 from pipeline.models.base import FreeRun, checked
-from pipeline.models.file_schema import FilePart, ModelFile, Positive, Real, Sizes, Table
+from pipeline.models.file_schema import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table
 from pipeline.models.posterior import first_order_curves, posterior_draws
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.signals.decimation_kernel import filtered_samples
@@ -51,7 +51,7 @@ class _Similarity(FilePart):
 
 class _File(ModelFile):
     sizes: ClassVar[Sizes] = {"P": (1, 5000), "R": (1, 5000), "B": (1, 5000), "C": (1, 10_000), "S": (1, 5000)}
-    parameters: dict[str, Real]
+    parameters: JointValues
     basis: Annotated[FloatArray, Table("3", -1e3, 1e3)]
     centres: Annotated[int, Field(ge=0, le=200)]
     largest_voltage_V: Positive
@@ -265,7 +265,7 @@ class HybridModel:
         )  # fmt: skip
         known = file.deviations == " | ".join(condensed_parameters.NAMES) and file.constants == " | ".join(CONSTANTS)
         known = known and np.array_equal(file.prior_std, condensed_parameters.PRIOR_STD)
-        if not known or set(file.parameters) != set(VECTOR_NAMES) or len(file.theta) != len(joint.start()):
+        if not known or len(file.theta) != len(joint.start()):
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )

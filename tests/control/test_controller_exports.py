@@ -1,5 +1,6 @@
 """The exported controller is the one that runs in Python: FMU by fmpy, MATLAB function under GNU Octave."""
 
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -91,3 +92,17 @@ def test_the_matlab_function_is_the_controller(exported: Path) -> None:
     np.testing.assert_allclose(found["x"].ravel(), estimate(running.state, law), rtol=1e-6, atol=1e-9)
     observe(running.state, q[-1], np.array([1500.0, 0.0]), law)
     np.testing.assert_allclose(found["y"].ravel(), estimate(running.state, law), rtol=1e-6, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "text", ["*/ INJECTED /*", "*\\\\/ ??/\n INJECTED", "\r\nINJECTED = 1;\n%{\n", "\u2028INJECTED"]
+)
+def test_no_name_leaves_the_comments(text: str, tmp_path: Path) -> None:
+    plant, law = designed()
+    places = tuple(each.q for each in wells_and_saddle(plant))
+    write_controller(ControllerSubject(text, text, text, law, (3e-3, 3e-3), places), tmp_path)
+    for ending in ("h", "c"):
+        source = (tmp_path / f"controller.{ending}").read_text(encoding="ascii")
+        assert "INJECTED" not in re.sub(r"/\*.*?\*/", " ", source, flags=re.DOTALL) and "??" not in source
+    script = (tmp_path / "controller.m").read_text(encoding="ascii")
+    assert not [line for line in script.splitlines() if "INJECTED" in line and not line.startswith("%")]

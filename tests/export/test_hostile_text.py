@@ -1,0 +1,93 @@
+"""Text of received files in exported ones: it ends no comment, no string, no line and no tag, whatever it is."""
+
+import re
+import subprocess
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from joints import COMPILER, STRICT, sindy, subject
+
+from pipeline.export import c99, fmu, matlab
+from pipeline.export.crate import environment_text
+from pipeline.export.subject import Subject, Variable, realise
+from pipeline.export.templates import words
+from pipeline.reporting.tables import disarmed, nrmse_table, render
+
+HOSTILE = (
+    "*/ int INJECTED(void); /*",
+    "*\\/ \\\n#include <INJECTED>",
+    "??/\n*??/\n/ INJECTED",
+    "\r\nsystem('INJECTED')\n%",
+    "%{\n%}\nINJECTED = 1;",
+    "' ; INJECTED ; '",
+    '" INJECTED="1"><INJECTED/>',
+    "]]>--><INJECTED/>\x00\x0b\ufffe",
+    "\u2028INJECTED\u0085INJECTED",
+    "∗/ ⁎⁄ INJECTED ＊／",
+)
+ALLOWED = re.compile(r"[\n\t -~]*")
+
+
+def hostile(text: str) -> Subject:
+    """A model whose every text is this one."""
+    what = subject(replace(sindy(), diagnostics={"structure": text, "equations": text}, units=(text, text)), 1.0)
+    return replace(what, prototype=text, origin=text, validity=replace(what.validity, q_unit=text, v_units=(text,) * 2))
+
+
+def without_comments(source: str) -> str:
+    return re.sub(r"/\*.*?\*/", " ", source, flags=re.DOTALL)
+
+
+def realised(what: Subject, text: str):
+    made = realise(what.model, what.validity.sample_interval, what.validity.q_unit)
+    states = tuple(replace(state, unit=text, meaning=text) for state in made.states)
+    return replace(made, structure=text, states=states, hysteresis_states=(Variable("h_0", text, text),))
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_no_text_leaves_its_comment_or_attribute(text: str, tmp_path: Path) -> None:
+    what = hostile(text)
+    made = realised(what, text)
+    sources = fmu.fmu_sources(what, made)
+    assert re.fullmatch(r"[A-Za-z]\w*", what.identifier, re.ASCII)
+    own = re.compile(what.identifier, re.IGNORECASE)
+    for name, source in sources.items():
+        assert ALLOWED.fullmatch(source) and "??" not in source, name
+        assert "INJECTED" not in own.sub("", without_comments(source)), name
+    script = matlab.function_source(what)
+    assert ALLOWED.fullmatch(script)
+    lines = own.sub("", script).splitlines()
+    assert not [line for line in lines if "INJECTED" in line and not line.lstrip().startswith("%")]
+    root = ET.fromstring(fmu.description(what, made, fmu.guid(what)))  # noqa: S314 - our own
+    assert not [tag for tag in root.iter() if "INJECTED" in tag.tag or "INJECTED" in tag.attrib]
+    if COMPILER is not None:
+        for name, source in c99.c_sources(what, made).items():
+            (tmp_path / name).write_text(source, encoding="ascii")
+        subprocess.run(
+            [COMPILER, *STRICT, "-trigraphs", "-fsyntax-only", f"{what.identifier}.c"], cwd=tmp_path, check=True
+        )
+
+
+@given(st.text())
+def test_words_are_one_line_that_ends_nothing(text: str) -> None:
+    found = words(text)
+    assert re.fullmatch(r"[ -~]*", found)
+    assert not re.search(r'\*/|/\*|\?\?|["\\]', found) and words(found) == found
+
+
+def test_an_environment_holds_no_option_of_pip() -> None:
+    packages = {"numpy": "2.0", "--index-url http://INJECTED #": "1", "scipy": "1.0\n-r INJECTED", "a b": "1"}
+    text = environment_text({"interpreter": "CPython\n-r INJECTED", "platform": "x", "packages": packages})
+    assert [line for line in text.splitlines() if not line.startswith("#")] == ["numpy==2.0"]
+
+
+def test_a_name_is_no_markup_in_a_table_and_no_formula() -> None:
+    row = {"log": "x](javascript:1)\n<b>`", "role": "train", "model": "**m**|", "signal": "q", "nrmse": 0.1}
+    row |= {"status": "ok", "unit": "m", "rmse": 0.1, "n": 1, "headline": True}
+    line = render(nrmse_table([row]), "markdown").splitlines()[2]
+    assert not re.search(r"(?<!\\)[`<>\]]", line.split(" | ")[0]) and r"\*\*m\*\*\|" in line
+    assert disarmed("\t =cmd()") == "'\t =cmd()" and disarmed("\n@x").startswith("'")

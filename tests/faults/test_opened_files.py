@@ -1,0 +1,91 @@
+"""Which files a command opens below the current folder: those that it was told, and none that a library looks for."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.faults.small_run import make, write_prototype
+
+DECOYS = (
+    ".numba_config.yaml", "matplotlibrc", ".pylintrc", "numpy.py", ".h5py", "pandas.py", "setup.cfg", "pyproject.toml",
+    ".pint", "sitecustomize.py", "usercustomize.py", ".coveragerc", "tox.ini", "pytest.ini", ".env", "pipeline.py",
+    "cli.py", "debist.toml", ".debist.toml", "json.py", "typing.py", "scipy.py", "numba.py", "pyarrow.py", "h5py.py",
+    "matplotlib.py", "pydantic.py", "logging.conf", ".gitignore", "pint.py", "jinja2.py", "mplstyle", ".jinja2",
+)  # fmt: skip
+WATCHED = """
+import os, sys
+home, log = os.getcwd(), os.open({log!r}, os.O_WRONLY | os.O_CREAT | os.O_APPEND)
+def watch(event, arguments):
+    if event == "open" and isinstance(arguments[0], (str, bytes)):
+        path = os.path.abspath(os.fsdecode(arguments[0]))
+        if path.startswith(home + os.sep):
+            os.write(log, (os.path.relpath(path, home) + "\\n").encode())
+sys.addaudithook(watch)
+import cli
+sys.argv = ["debist", *{arguments!r}]
+cli.app()
+"""
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the logs, the settings and the run of a prototype, below it a current folder with decoys."""
+    folder = tmp_path_factory.mktemp("opened")
+    make(write_prototype(folder), folder / "run")
+    here = folder / "here"
+    here.mkdir()
+    for name in DECOYS:
+        (here / name).write_text("raise SystemExit('a decoy was read')\n", encoding="utf-8")
+    return here
+
+
+def opened(here: Path, *arguments: str) -> set[str]:
+    """What a command opens below the current folder."""
+    log = here.parent / "opened.txt"
+    log.unlink(missing_ok=True)
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(("COV_", "COVERAGE", "PYTEST"))}
+    code = WATCHED.format(log=str(log), arguments=list(arguments))
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code], cwd=here, env=environment, capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    return set(log.read_text(encoding="utf-8").splitlines()) if log.exists() else set()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("--version",),
+        ("inspect", "../train.csv"),
+        ("init", "../train.csv"),
+        ("check", "../small.toml"),
+        ("run", "../small.toml", "-o", "../run"),
+        ("status", "../run"),
+        ("verify", "../run"),
+        ("show", "../run"),
+        ("report", "../run", "--figures", "sans"),
+        ("plot", "../run"),
+        ("diff", "../run", "../run"),
+        ("export", "../run", "--to", "json", "-o", "../out"),
+        ("export", "../run", "--to", "fmu", "-o", "../out"),
+        ("export", "../run", "--to", "matlab", "-o", "../out"),
+        ("export", "../run", "--to", "crate", "-o", "../out"),
+        ("physics", "--help"),
+        ("rig", "simulate", "-o", "../rig", "--kind", "nominal", "--duration", "1"),
+    ],
+    ids=lambda arguments: " ".join(arguments[:1] + arguments[3:4]) if arguments[0] == "export" else arguments[0],
+)
+def test_no_command_opens_what_it_was_not_told(made: Path, arguments: tuple[str, ...]) -> None:
+    assert opened(made, *arguments) == set()
+
+
+def test_what_a_command_was_told_is_all_that_it_opens(made: Path) -> None:
+    """Named files below the current folder are seen by the watch, and only those."""
+    (made / "train.csv").write_bytes((made.parent / "train.csv").read_bytes())
+    try:
+        assert opened(made, "inspect", "train.csv") == {"train.csv"}
+    finally:
+        (made / "train.csv").unlink()
