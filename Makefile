@@ -22,10 +22,11 @@ test: $(VENV)/.dev-ready
 test-long: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile -m "long or not long"
 
-# 10,000 damaged logs of every format; faults at many calls of a run that change a file (Linux), which renews the
-# counts in docs/reference/faults.md
+# 10,000 damaged logs of every format and 500 changed files of every model; faults at many calls of a run that change a
+# file (Linux), which renews the counts in docs/reference/faults.md
 fuzz: $(VENV)/.dev-ready
 	$(BIN)/python -m tests.fuzz
+	$(BIN)/python -m pytest -m long tests/fuzz/test_model_files.py
 
 faults: $(VENV)/.dev-ready
 	$(BIN)/python -m tests.faults

@@ -151,9 +151,11 @@ class FilePart(BaseModel):
         for name, field in type(self).model_fields.items():
             for table in (each for each in field.metadata if isinstance(each, Table)):
                 for axis, length in zip(table.shape.split(), getattr(self, name).shape, strict=True):
-                    expected, where = (int(axis), "") if axis.isdigit() else lengths.setdefault(axis, (length, name))
+                    expected, where = (
+                        (int(axis), "") if axis.isdigit() else lengths.setdefault(axis, (length, f" as {name}"))
+                    )
                     if length != expected:
-                        raise ValueError(f"{name} has {length} entries along an axis instead of {expected} {where}")
+                        raise ValueError(f"{name} has {length} entries along an axis instead of {expected}{where}")
                     least, most = self.sizes.get(axis, (length, length))
                     if not least <= length <= most:
                         raise ValueError(f"{name} has {length} entries along an axis, beyond {least} to {most}")

@@ -21,7 +21,7 @@ home, log = os.getcwd(), os.open({log!r}, os.O_WRONLY | os.O_CREAT | os.O_APPEND
 def watch(event, arguments):
     if event == "open" and isinstance(arguments[0], (str, bytes)):
         path = os.path.abspath(os.fsdecode(arguments[0]))
-        if path.startswith(home + os.sep):
+        if path.startswith(home + os.sep) and os.path.lexists(path):  # else it is relative to a descriptor
             os.write(log, (os.path.relpath(path, home) + "\\n").encode())
 sys.addaudithook(watch)
 import cli
@@ -74,12 +74,13 @@ def opened(here: Path, *arguments: str) -> set[str]:
         ("export", "../run", "--to", "matlab", "-o", "../out"),
         ("export", "../run", "--to", "crate", "-o", "../out"),
         ("physics", "--help"),
-        ("rig", "simulate", "-o", "../rig", "--kind", "nominal", "--duration", "1"),
+        ("rig", "simulate", "-o", "../rig", "--kind", "nominal", "--duration", "2"),
     ],
     ids=lambda arguments: " ".join(arguments[:1] + arguments[3:4]) if arguments[0] == "export" else arguments[0],
 )
 def test_no_command_opens_what_it_was_not_told(made: Path, arguments: tuple[str, ...]) -> None:
     assert opened(made, *arguments) == set()
+    assert {each.name for each in made.iterdir()} == set(DECOYS)
 
 
 def test_what_a_command_was_told_is_all_that_it_opens(made: Path) -> None:
