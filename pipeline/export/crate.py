@@ -23,6 +23,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from pipeline.errors import CorruptArtifactError
 from pipeline.runs.atomic import atomic_path
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, stage_file
@@ -141,6 +142,8 @@ def environment_files(manifest: Manifest) -> dict[str, str]:
 
 def environment_text(described: Mapping[str, Any]) -> str:
     """One ``name==version`` for each installed package, in the form that pip reads; the rest as comments."""
+    if not {"packages", "interpreter", "platform"} <= described.keys() or not isinstance(described["packages"], dict):
+        raise CorruptArtifactError(f"{MANIFEST}: environments do not hold what was installed; run again")
     packages = dict(described["packages"])
     head = [
         f"# {described['interpreter']} on {described['platform']}",
