@@ -74,6 +74,11 @@ def main(
     gc.set_threshold(100_000, 20, 20)
 
 
+def debist(arguments: list[str]) -> None:
+    """Be the command with these arguments, as each process of a batch is."""
+    app(arguments)
+
+
 @app.command()
 def batch(
     fleet: Annotated[list[Path], typer.Argument(metavar="FLEET...", help="Settings files, folders, or a fleet file.")],
@@ -103,7 +108,7 @@ def batch(
     else:
         with outcome.BatchProgress(len(named), quiet=quiet) as progress:
             outcomes = run_batch(
-                named, output, jobs, progress, program="cli:app", fail_fast=fail_fast, report=with_report,
+                named, output, jobs, progress, program=debist, fail_fast=fail_fast, report=with_report,
                 time_limit=limit,
             )  # fmt: skip
     outcome.emit_outcomes(outcomes, output, as_json=as_json)

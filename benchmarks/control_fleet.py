@@ -27,7 +27,6 @@ from control_bound import LATE, lowest_programmes
 from control_table import Found, line, recorded, told
 from scipy.signal import lfilter
 
-from pipeline.control.controller import begin_control, control
 from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
@@ -49,7 +48,7 @@ from pipeline.models.hybrid import HybridModel
 from pipeline.models.rbf_paper import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench
-from pipeline.rig.controllers import Controller, c_controller, played, python_controller
+from pipeline.rig.controllers import Controller, played
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.rig.joint import rest, wells
 from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
@@ -82,22 +81,6 @@ class Subject:
     def run(self, scenario: Scenario, controller: Controller) -> ClosedLoop:
         start = self.starts[scenario.side] if scenario.mass == scenario.gain == 1.0 else None
         return run_loop(self.p, self.bench, scenario, controller, start)
-
-
-def of_law(law: Law) -> Controller:
-    """The Python twin in the loop."""
-    s, v = np.zeros(CONTROLLER_STATE), np.zeros(2)
-
-    def made(q: float):
-        begin_control(q, law, s)
-
-        def step(q: float, target: float) -> tuple[float, float]:
-            control(s, q, target, law, v)
-            return float(v[0]), float(v[1])
-
-        return step
-
-    return python_controller(made)
 
 
 def identified(folder: Path, kind: str, seed: int) -> Subject:
@@ -158,7 +141,7 @@ def commanded_snaps(subject: Subject, law: Law, targets: tuple[float, float], se
     told = np.array([targets[0], *(targets[1 - i % 2] for i in range(count))])
     t = np.concatenate([[0.0], times])
     scenario = Scenario(t, told, float(times[-1] + WATCHED), seed=seed, **other)  # type: ignore[arg-type]
-    return judged(subject.run(scenario, of_law(law)), times, subject.places)
+    return judged(subject.run(scenario, designed(law)), times, subject.places)
 
 
 def plain(side: int, length: float) -> FloatArray:
@@ -183,7 +166,7 @@ def lowest_share(subject: Subject, targets: tuple[float, float], side: int, stat
     def switches(share: float) -> bool:
         law = design_law(plant_of(subject.model), Settings(min(share * static, TOP), subject.converters.lags))
         start = -1 if side == 0 else 1
-        run = subject.run(Scenario(np.zeros(1), np.array([targets[1 - side]]), 6.0, side=start), of_law(law))
+        run = subject.run(Scenario(np.zeros(1), np.array([targets[1 - side]]), 6.0, side=start), designed(law))
         return bool(abs(run.true_q[-1] - subject.places[1 - side]) < 0.1 * (subject.places[1] - subject.places[0]))
 
     share = 0.7
@@ -284,17 +267,21 @@ def step_seconds(law: Law, lags: tuple[float, float], places: tuple[float, float
 
     with tempfile.TemporaryDirectory() as name:
         subject = ControllerSubject("fleet", "hybrid", "0" * 12, law, lags, places)
-        loaded = c_controller(write_controller(subject, Path(name)).written[1])
-    call = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_void_p)(loaded.step)
-    v, t = np.zeros(2), np.arange(5000)
+        source, library = write_controller(subject, Path(name)).written[1], Path(name) / "controller.so"
+        subprocess.run(["cc", "-O2", "-fPIC", "-shared", str(source), "-o", str(library), "-lm"], check=True)
+        loaded = ctypes.CDLL(str(library))
+    call, begin = loaded.debist_controller_step, loaded.debist_controller_init
+    call.argtypes = [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_void_p]
+    begin.argtypes = [ctypes.c_void_p, ctypes.c_double]
+    memory, v, t = np.zeros(CONTROLLER_STATE), np.zeros(2), np.arange(5000)
     left, right = places[0], places[2]
     kinds = (np.full(t.size, left), left + 1e-6 * (t % 7), np.where(t % 100 < 50, np.nan, left))
     slowest = 0.0
     for readings in (*kinds, 0.5 * (left + right) + 0.5 * (left - right) * np.cos(t / 30)):
-        loaded.begin(left)
+        begin(memory.ctypes.data, left)
         began = time.process_time()
         for reading in readings.tolist():
-            call(loaded.memory, reading, right, v.ctypes.data)
+            call(memory.ctypes.data, reading, right, v.ctypes.data)
         slowest = max(slowest, (time.process_time() - began) / t.size)
     return slowest
 
@@ -364,7 +351,7 @@ def measure(subject: Subject, found: Found, seed: int) -> None:
     found.lines["hold"] = []
     for lag in (1e-3, 3e-3):
         told = np.array([left, saddle])
-        run = subject.run(Scenario(np.array([0.0, 0.2]), told, 60.0, lag=lag, seed=seed), of_law(law))
+        run = subject.run(Scenario(np.array([0.0, 0.2]), told, 60.0, lag=lag, seed=seed), designed(law))
         late = run.t > 2.0
         found.lines["hold"].append(float(np.sqrt(np.mean((run.true_q[late] - saddle) ** 2))))
         found.lines["charge"] = [float(np.sqrt(np.mean(run.command1[late] ** 2 + run.command2[late] ** 2) / 2.0))]
@@ -378,7 +365,7 @@ def measure(subject: Subject, found: Found, seed: int) -> None:
         best = lowest_possible(joint, targets, saddle, side, fast, min(share, 1.0))
         for name, value in (("static", slow), ("ramp", fast), ("share", share), ("possible", min(share, best))):
             found.lines[name].append(value)
-    found.lines["caught"] = impulses(subject, of_law(law), targets)
+    found.lines["caught"] = impulses(subject, designed(law), targets)
     found.lines["brier"] = brier(subject, joint, targets, saddle, seed)
     found.lines["band"] = thresholds(subject, (left, saddle, right))
     found.lines["step"] = [step_seconds(law, subject.converters.lags, (left, saddle, right))]

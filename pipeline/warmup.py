@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.child_processes import in_processes
+from pipeline.isolation import in_processes
 from pipeline.kernel_cache import folder_for, has_kernels
 
 COST = 30.0

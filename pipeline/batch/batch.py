@@ -1,16 +1,18 @@
 """Batch: many prototypes, each in a process of its own, so that one failing or killed leaves the others alone."""
 
 import difflib
+import math
+import pkgutil
 import time
 import tomllib
 from collections.abc import Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Protocol
 
 from pipeline.batch.fleet import FLEET_FILES, existing_outcomes, write_fleet
-from pipeline.batch.worker import Outcome, Workers
+from pipeline.batch.worker import Outcome, Program, Worker
 from pipeline.errors import DebistError, InputError
+from pipeline.isolation import next_ready, preload
 from pipeline.names import slug
 from pipeline.plain_files import read_toml
 from pipeline.runs.atomic import make_folder
@@ -18,6 +20,16 @@ from pipeline.runs.manifest import MANIFEST
 from pipeline.settings import load_prototype
 
 _FLEET_KEY = "prototypes"
+_HERE = Path(__file__).parent.parent
+_PACKAGES = (
+    "numerics", "solvers", "generated", "signals", "joint", "runs", "scoring", "identification", "models",
+    "device_facts", "loading", "checks", "stages",
+)  # fmt: skip
+_LIBRARIES = (
+    "pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate",
+    "pipeline.commands.outcome", "pipeline.reporting.log_figures",
+)  # fmt: skip
+"""Packages of `pipeline` that a run uses, and what they import within functions."""
 
 
 class BatchObserver(Protocol):
@@ -84,10 +96,10 @@ def run_batch(
     jobs: int,
     observer: BatchObserver,
     *,
-    program: str,
+    program: Program,
     fail_fast: bool = False,
     report: bool = True,
-    time_limit: float | None = None,
+    time_limit: float = math.inf,
 ) -> list[Outcome]:
     """Run every prototype; what is up to date costs a check only.
 
@@ -101,13 +113,13 @@ def run_batch(
         Processes at a time; results do not depend on it.
     observer : BatchObserver
         Told about each start and end.
-    program : str
-        The command that each process runs, as `pipeline.batch.worker.Workers` takes it.
+    program : callable
+        The command ``debist`` with a list of arguments, a function of a module; each process runs it.
     fail_fast : bool
         Start no more after the first failure; those left out have an exit code of None.
     report : bool
         Make each prototype's report; the tables and the page of the fleet are written anyway.
-    time_limit : float, optional
+    time_limit : float
         Wall time [s] after which a prototype's process is killed; it has failed then, and the others go on.
 
     Returns
@@ -117,44 +129,55 @@ def run_batch(
 
     Notes
     -----
-    Cost: that of the runs, and 2 s of processor time once for the process that is copied for each; for a prototype
-    that is up to date some milliseconds and the hashing of its logs and artifacts.
+    Cost: that of the runs, and once 2 s of processor time for the imports where processes are forked (Linux),
+    elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
     """
     make_folder(output)
-    waiting, outcomes = list(named), list[Outcome]()
-    running: set[Future[Outcome]] = set()
+    preload([program.__module__, *_imports_of_a_run()])
+    waiting, outcomes, running = list(named), list[Outcome](), list[Worker]()
+    options = () if report else ("--no-report",)
     first_failed = ""
-    # Left in this order: the pool waits for what the workers run.
-    with ThreadPoolExecutor(max_workers=jobs) as pool, Workers(program, warm=len(named) > 2) as workers:
+    try:
         while waiting or running:
             while waiting and len(running) < jobs:
                 name, prototype = waiting.pop(0)
                 observer.started(name)
-                running.add(pool.submit(_run_one, workers, name, prototype, output, report, time_limit))
-            done, running = wait(running, return_when=FIRST_COMPLETED)
-            for future in done:
-                outcome = future.result()
-                outcomes.append(outcome)
-                observer.finished(outcome)
-                if fail_fast and outcome.failed:
-                    first_failed = first_failed or outcome.name
-                    outcomes += [_not_started(name, path, first_failed) for name, path in waiting]
-                    waiting.clear()
+                began = time.perf_counter()
+                if _is_up_to_date(prototype, output / name, report):
+                    outcomes.append(Outcome(name, prototype, 0, "", time.perf_counter() - began))
+                    observer.finished(outcomes[-1])
+                else:
+                    running.append(Worker(program, name, prototype, output, options, time_limit=time_limit))
+            if running:
+                ready = next_ready(running)
+                with ready as worker:
+                    outcomes.append(worker.outcome())
+                running.remove(worker)
+                observer.finished(outcomes[-1])
+            if fail_fast and outcomes and outcomes[-1].failed:
+                first_failed = first_failed or outcomes[-1].name
+                outcomes += [_not_started(name, path, first_failed) for name, path in waiting]
+                waiting.clear()
+    finally:
+        for worker in running:
+            worker.__exit__()
     write_fleet(output, outcomes)
     return sorted(outcomes, key=lambda outcome: outcome.name)
 
 
-def _run_one(
-    workers: Workers, name: str, prototype: Path, output: Path, report: bool, time_limit: float | None
-) -> Outcome:
-    """Run a prototype in a process of its own; one that is up to date needs none, which saves its start."""
-    began = time.perf_counter()
-    if (output / name / MANIFEST).is_file():
-        from pipeline.stages.run import is_up_to_date  # a second of imports, which a new fleet does not need here
+def _imports_of_a_run() -> list[str]:
+    """The modules that a run imports, most of them within functions."""
+    rooms = ((pkgutil.iter_modules([str(_HERE / name)]), name) for name in _PACKAGES)
+    return [*_LIBRARIES, *(f"pipeline.{name}.{module.name}" for modules, name in rooms for module in modules)]
 
-        if is_up_to_date(prototype, output / name, with_report=report):
-            return Outcome(name, prototype, 0, "", time.perf_counter() - began)
-    return workers.run(name, prototype, output, () if report else ("--no-report",), time_limit)
+
+def _is_up_to_date(prototype: Path, run: Path, report: bool) -> bool:
+    """Whether a prototype needs no process, which saves its start."""
+    if not (run / MANIFEST).is_file():
+        return False
+    from pipeline.stages.run import is_up_to_date  # a second of imports, which a new fleet does not need here
+
+    return is_up_to_date(prototype, run, with_report=report)
 
 
 def _not_started(name: str, prototype: Path, first_failed: str) -> Outcome:

@@ -184,8 +184,8 @@ def closed_loop(
         typer.Argument(metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, same:SEED, foreign:SEED."),
     ],
     controller: Annotated[
-        str | None,
-        typer.Option("--controller", "-c", metavar="CONTROLLER", help="FILE.c, MODULE:NAME or FILE.py:NAME."),
+        Path | None,
+        typer.Option("--controller", "-c", metavar="RUN", help="Run whose controller (`debist control design`) acts."),
     ] = None,
     play: Annotated[
         Path | None, typer.Option("--play", metavar="FILE", help="Play voltages instead (CSV or MAT, in V).")
@@ -213,11 +213,11 @@ def closed_loop(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Run a controller against a simulated joint at 1 kHz and write a raw log with the reference in it.
+    """Run the controller of a run against a simulated joint at 1 kHz; write a raw log with the reference in it.
 
-    Voltages 0 to 3 kV, displacements in m or mm. The C interface is that of `debist export RUN --to controller`.
+    Voltages 0 to 3 kV, displacements in m or mm. The controller is the one of `debist export RUN --to controller`.
 
-    Example: debist rig closed-loop virtual --controller controller.c --target 0s:left,0.5s:right --push 2s:50mN:20ms
+    Example: debist rig closed-loop virtual --controller runs/P1 --target 0s:left,0.5s:right --push 2s:50mN:20ms
     """
     from pipeline.tools.closed_loop import ClosedLoopOptions, closed_loop_log
 

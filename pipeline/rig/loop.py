@@ -1,26 +1,18 @@
-"""One closed-loop experiment on a virtual joint: scenario in, log and truth out.
+"""One closed-loop experiment on a virtual joint: scenario in, log and truth out."""
 
-It runs in a child process, as what a foreign controller crashes or hangs must not be the parent. The request is one
-JSON document on standard input, the answer one on standard output; arrays go through files.
-"""
-
-import json
-import os
-import resource
-from dataclasses import dataclass, fields
-from pathlib import Path
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from pipeline.errors import DebistError, InputError
+from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench, Converter, Laser, Probe, kept
 from pipeline.rig.closed_loop import FINE, HALVES, PERIOD, Surroundings, close_loop, laser_reading
-from pipeline.rig.controllers import Controller, limit, load_controller, played
+from pipeline.rig.controllers import Controller
 from pipeline.rig.excitation import MAX_VOLTAGE
 from pipeline.rig.joint import barrier, rest, tip_displacement, wells
-from pipeline.rig.parameters import JointParameters, from_json
+from pipeline.rig.parameters import JointParameters
 
 
 @dataclass(frozen=True)
@@ -119,7 +111,7 @@ def run_loop(
     controller.begin(laser_reading(tip_displacement(p, start), 0, around))
     out = np.zeros((rows, 9))
     refused = np.zeros(2, dtype=np.int64)
-    taken = close_loop(gained, start, around, target, controller.step, controller.memory, out, refused)
+    taken = close_loop(gained, start, around, target, controller.step, 0, out, refused)
     if controller.failure:
         error = controller.failure[0]
         raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error
@@ -162,46 +154,6 @@ def _surroundings(
         push=push,
         spring=spring,
     )
-
-
-_GRACE, _MEMORY = 2, 8 << 30
-_WORDS, _BYTES = 64 << 20, 400
-"""Bytes that a controller may print, and bytes of a log for each sample, amply."""
-
-
-def main(request: dict[str, Any]) -> None:
-    """Run the loop of a request, save the log, answer."""
-    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # what a controller prints must not mix with the answer
-    limit(resource.RLIMIT_CPU, int(request["seconds"]), _GRACE)  # the signal of the first limit can be ignored
-    limit(resource.RLIMIT_CORE, 0)
-    limit(resource.RLIMIT_AS, _MEMORY)
-    samples = request["scenario"]["duration"] * request["bench"]["rate"]
-    limit(resource.RLIMIT_FSIZE, _WORDS + int(_BYTES * samples))
-    arrays = np.load(request["arrays"])
-    try:
-        controller = (
-            played(arrays["play_t"], arrays["play_u"])
-            if request["controller"] is None
-            else load_controller(request["controller"])
-        )
-        scenario = Scenario(t=arrays["t"], target=arrays["target"], **_tuples(request["scenario"]))
-        made = run_loop(from_json(request["joint"]), bench_from_json(request["bench"]), scenario, controller)
-        answer: dict[str, Any] = {key: value for key, value in vars(made).items() if isinstance(value, int)}
-        np.savez(Path(request["out"]), **{key: value for key, value in vars(made).items() if key not in answer})
-    except DebistError as error:
-        answer = {"error": " ".join(str(error).split())}
-    json.dump(answer, answers)
-    answers.flush()
-
-
-def _tuples(entries: dict[str, Any]) -> dict[str, Any]:
-    return {k: tuple(tuple(each) for each in v) if isinstance(v, list) else v for k, v in entries.items()}
-
-
-def scenario_json(scenario: Scenario) -> dict[str, Any]:
-    """A scenario without its arrays."""
-    return {f.name: getattr(scenario, f.name) for f in fields(scenario) if f.name not in ("t", "target")}
 
 
 def bench_from_json(values: dict[str, Any]) -> Bench:

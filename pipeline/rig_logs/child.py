@@ -1,23 +1,20 @@
 """The guarded child: opens one raw log under resource limits and writes its samples as plain bytes.
 
-Request and answer are one JSON document each on standard input and output; samples go part by part, as little-endian
-float64, into a temporary file that the parent opened. Nothing that was read is executed, pickled or trusted: the
-parent checks every offset against the file's length.
+Its messages are shares of the samples that are read, and at last the answer; samples go part by part, as little-endian
+float64, into a temporary file. Nothing that was read is executed, pickled or trusted: the parent checks every offset
+against the file's length.
 
 Which reader a file needs its first bytes say; the suffix is only a hint in messages. A new format is a module with
 ``open_log(path, csv, limits) -> Source`` and one line in `FORMATS`.
 """
 
 import importlib
-import json
 import os
-import resource
 import struct
-import sys
 from collections import Counter
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass
+from io import FileIO
 from pathlib import Path
 from typing import Any
 
@@ -25,78 +22,62 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
+from pipeline.isolation import Send, limit
 from pipeline.rig_logs.recording import for_any_variable, missing_channel
 from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, read_start
 
 _LONGEST_ERROR = 2000
+_ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
+    "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS",
+}  # fmt: skip
+"""All that a reader knows of the environment."""
 
 
 class _RefusedError(Exception):
     """A complete message for the user."""
 
 
-def answer_request() -> None:
-    """Answer the request on standard input on standard output, and end the process.
-
-    At once: while an interpreter is taken down, a thread of a library that still holds something aborts it.
-    """
-    main(json.loads(sys.stdin.readline()))
-    os._exit(0)
+def read_log(send: Send, request: dict[str, Any]) -> None:
+    """Answer a request; runs in a process of its own (see `pipeline.isolation`)."""
+    send({"answer": _answer(send, request)})
 
 
-def main(request: dict[str, Any]) -> None:
-    """Answer one request on standard output."""
-    limits = Limits(**request["limits"])
-    path = Path(request["path"])
-    _limit(limits, path.stat().st_size)
-    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # whatever a library prints must not mix with the answer
+def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
+    limits, path = Limits(**request["limits"]), Path(request["path"])
+    for name in set(os.environ) - _ENVIRONMENT:
+        del os.environ[name]
+    size = path.stat().st_size
+    limit(limits.memory(size), limits.seconds(size), limits.data_bytes + (1 << 22))
     try:
-        answer = _read(path, request, limits)
+        return _read(path, request, limits, send)
     except _RefusedError as error:
-        answer = {"error": str(error)}
+        reason = str(error)
     except UnreadableLogError as error:
-        answer = {"error": f"{path}: {error}"}
+        reason = f"{path}: {error}"
     except _NoSpaceError:
-        answer = {"error": f"{path}: the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"}
+        reason = f"{path}: the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
     except MemoryError:
-        answer = {
-            "error": f"{path}: reading it needs more than {limits.memory(path.stat().st_size) >> 20} MB of memory"
-        }
-    except (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RuntimeError) as error:
-        reason = disk_failure(error)
+        reason = f"{path}: reading it needs more than {limits.memory(size) >> 20} MB of memory"
+    except (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RuntimeError, ImportError) as error:
+        system = disk_failure(error)
         damaged = f"damaged or not what it claims to be ({type(error).__name__}: {error})"
-        answer = {"error": f"{path}: {damaged if reason is None else f'cannot be read: {reason}'}"}
-    if "error" in answer:  # libraries write paragraphs; a failure is one line
-        answer["error"] = " ".join(answer["error"].split())[:_LONGEST_ERROR]
-    json.dump(answer, answers)
-    answers.flush()
+        reason = f"{path}: {damaged if system is None else f'cannot be read: {system}'}"
+    return {"error": " ".join(reason.split())[:_LONGEST_ERROR]}  # libraries write paragraphs; a failure is one line
 
 
-def _limit(limits: Limits, file_bytes: int) -> None:
-    for kind, value in (
-        (resource.RLIMIT_AS, limits.memory(file_bytes)),
-        (resource.RLIMIT_CPU, limits.seconds(file_bytes)),
-        (resource.RLIMIT_FSIZE, limits.data_bytes + (1 << 22)),
-        (resource.RLIMIT_CORE, 0),
-    ):
-        hard = resource.getrlimit(kind)[1]
-        bound = value if hard == resource.RLIM_INFINITY else min(value, hard)
-        # a second later than the signal that says so, the kernel's SIGKILL, which could be anybody's
-        last = bound + 1 if kind == resource.RLIMIT_CPU and hard == resource.RLIM_INFINITY else bound
-        resource.setrlimit(kind, (bound, last))
-
-
-def _read(path: Path, request: dict[str, Any], limits: Limits) -> dict[str, Any]:
+def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> dict[str, Any]:
     source = open_source(path, CsvOptions(**request["csv"]), limits)
     entries = source.entries()
     wanted = _wanted(path, entries, source.texts, request["channels"])
     by_name = {entry.name: entry for entry in entries}
     bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
     needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
-    spool = _Spool(path, sum(entry.count for entry in needed.values()) * 8, limits, request)
-    for name, samples in source.parts(list(needed)):
-        spool.write(name, samples)
+    declared = sum(entry.count for entry in needed.values()) * 8
+    with Path(request["samples"]).open("wb", buffering=0) as file:
+        spool = _Spool(path, file, declared, limits)
+        for name, samples in source.parts(list(needed)):
+            spool.write(name, samples)
+            send({"share": min(1.0, file.tell() / max(declared, 1))})
     places = {name: spool.places.get(name, []) for name in needed}
     return {
         "format": source.format,
@@ -146,22 +127,19 @@ class _Spool:
     ----------
     path : Path
         The log.
+    file : FileIO
+        Gets the samples.
     declared : int
         Bytes of samples that its headers declare.
     limits : Limits
         Of which the size of the samples counts here.
-    request : mapping
-        With the descriptors ``data_fd`` and, where progress is wanted, ``progress_fd``.
     """
 
-    def __init__(self, path: Path, declared: int, limits: Limits, request: dict[str, Any]) -> None:
+    def __init__(self, path: Path, file: FileIO, declared: int, limits: Limits) -> None:
         self.places: dict[str, list[list[int]]] = {}
         self._path = path
         self._largest = limits.largest(path.stat().st_size)
-        self._declared = declared
-        self._file = os.fdopen(int(request["data_fd"]), "wb", buffering=0, closefd=False)
-        self._progress = request.get("progress_fd")
-        self._position = 0
+        self._file, self._position = file, 0
         if declared > self._largest:
             raise _RefusedError(f"{self._beyond(f'declares {declared / 1e6:.0f} MB')}; refused unread")
 
@@ -179,14 +157,6 @@ class _Spool:
             places.append([self._position, len(samples)])
         while content:
             content = content[self._append(content) :]
-        if self._progress is not None:
-            self._tell(self._progress, min(1.0, self._position / max(self._declared, 1)))
-
-    @staticmethod
-    def _tell(listener: int, share: float) -> None:
-        """How much has been read; a listener that is gone (its memory ended) is no reason to stop."""
-        with suppress(BrokenPipeError):
-            os.write(listener, f"{share:.4f}\n".encode())
 
     def _append(self, content: memoryview) -> int:
         try:

@@ -1,36 +1,33 @@
-"""Closed loop: a controller on a virtual joint, from files to a raw log with the reference in it."""
+"""Closed loop: a designed controller on a virtual joint, from files to a raw log with the reference in it."""
 
 import json
-import os
-import signal
-import subprocess
-import tempfile
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from pipeline.child_processes import isolated
+from pipeline.control.controller import begin_control, control
+from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import InputError
+from pipeline.loading.held_models import load_design
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.rig.bench import Bench
+from pipeline.rig.controllers import Controller, played, python_controller
+from pipeline.rig.excitation import load_sequence
 from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS, PER_SI
-from pipeline.rig.loop import ClosedLoop, Scenario, bench_from_json, scenario_json
-from pipeline.rig.parameters import JointParameters, as_json, from_json, nominal, table1
+from pipeline.rig.loop import ClosedLoop, Scenario, bench_from_json, run_loop
+from pipeline.rig.parameters import JointParameters, from_json, nominal, table1
 from pipeline.runs.outputs import new_outputs, rebased
+from pipeline.runs.run_folder import RunFolder
 from pipeline.units import parse_quantity, to_si
 
-_START = "import json; from pipeline.rig.loop import main; main(json.loads(sys.stdin.readline()))"
-LEAST_SECONDS, SECONDS_PER_SECOND = 60, 10
-"""Processor time that a controller may take: in any case, and for each second of motion."""
 _DRAWN = ("same", "foreign")
 _NAMED = {"nominal": nominal, "table1": table1}
 _MOST_STEPS = 50
-_LAST_WORDS = 1 << 12
 
 
 @dataclass(frozen=True)
@@ -139,63 +136,30 @@ def _in_time(events: tuple[tuple[float, ...], ...], duration: float, option: str
     return events
 
 
-def run_isolated(
-    joint: VirtualJoint, scenario: Scenario, controller: str | None, play: tuple[FloatArray, FloatArray] | None = None
-) -> ClosedLoop:
-    """Run the loop in a child process, so that a controller that crashes or hangs does not take this one along.
+def designed(law: Law) -> Controller:
+    """The controller of this law in Python, which equals the exported one."""
+    s, v = np.zeros(CONTROLLER_STATE), np.zeros(2)
 
-    Raises
-    ------
-    InputError
-        The controller cannot be loaded, fails, crashes or hangs.
-    """
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        arrays = {"t": scenario.t, "target": scenario.target}
-        if play is not None:
-            arrays |= {"play_t": play[0], "play_u": play[1]}
-        np.savez(folder / "in.npz", **arrays)  # type: ignore[arg-type]
-        request: dict[str, Any] = {
-            "joint": as_json(joint.parameters),
-            "bench": asdict(joint.bench),
-            "scenario": scenario_json(scenario),
-            "controller": controller,
-            "arrays": str(folder / "in.npz"),
-            "out": str(folder / "out.npz"),
-            "seconds": int(LEAST_SECONDS + SECONDS_PER_SECOND * scenario.duration),
-        }
-        answer = _answer(controller, request, folder / "said")
-        if "error" in answer:
-            raise InputError(answer["error"])
-        found = np.load(folder / "out.npz")
-        return ClosedLoop(**{key: found[key] for key in found.files} | answer)
+    def made(q: float) -> Any:
+        begin_control(q, law, s)
+
+        def step(q: float, target: float) -> tuple[float, float]:
+            """One period."""
+            control(s, q, target, law, v)
+            return float(v[0]), float(v[1])
+
+        return step
+
+    return python_controller(made)
 
 
-def _answer(controller: str | None, request: dict[str, Any], words: Path) -> dict[str, Any]:
-    """What the child answers; its standard error goes into the file `words`."""
-    seconds = request["seconds"]
-    with words.open("wb+") as said:
-        try:
-            done = subprocess.run(
-                isolated(_START),
-                input=json.dumps(request).encode() + b"\n",
-                stdout=subprocess.PIPE,
-                stderr=said,
-                timeout=5 * seconds,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            raise InputError(f"{controller}: the controller does not answer within {5 * seconds} s") from None
-        said.seek(-min(said.tell(), _LAST_WORDS), os.SEEK_END)
-        last = said.read().decode("utf-8", "replace").strip().splitlines()[-1:] or ["no reason given"]
-    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        raise InputError(f"{controller}: took more than {seconds} s of processor time")
-    if done.returncode < 0:
-        raise InputError(f"{controller}: crashed with {signal.Signals(-done.returncode).name}")
-    if done.returncode or not done.stdout:
-        raise InputError(f"{controller}: its process failed: {last[0]}")
-    answer: dict[str, Any] = json.loads(done.stdout)
-    return answer
+def _controller(run: Path | None, play: Path | None) -> Controller:
+    if run is not None and play is None:
+        return designed(Law.from_json(load_design(RunFolder.open(run))["law"]))
+    if play is not None and run is None:
+        loaded = load_sequence(play)
+        return played(loaded.t, loaded.u)
+    raise InputError("give either --controller or --play")
 
 
 def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
@@ -288,14 +252,14 @@ class ClosedLoopOptions:
 
 def closed_loop_log(
     where: str,
-    controller: str | None,
+    controller: Path | None,
     play: Path | None,
     output: Path,
     options: ClosedLoopOptions,
     *,
     force: bool = False,
 ) -> tuple[list[Path], dict[str, Any]]:
-    """Run a controller, or play a sequence, on a joint and write the log; what `debist rig closed-loop` does.
+    """Run the controller of a run, or play a sequence, on a joint and write the log; what `debist rig closed-loop` does.
 
     Returns
     -------
@@ -304,23 +268,15 @@ def closed_loop_log(
     summary : dict
         Metrics of every step of the target, from the joint's true motion (SI).
     """
-    if (controller is None) == (play is None):
-        raise InputError("give either --controller or --play")
     if options.form not in LAYOUTS:
         raise InputError(f"--format {options.form}: unknown; choose one of {', '.join(LAYOUTS)}")
     joint = virtual_joint(where)
-    scenario = options.scenario(joint)
-    sequence = None
-    if play is not None:
-        from pipeline.rig.excitation import load_sequence
-
-        loaded = load_sequence(play)
-        sequence = (loaded.t, loaded.u)
+    scenario, acting = options.scenario(joint), _controller(controller, play)
     suffix = LAYOUTS[options.form].suffix
     path = output if output.suffix == suffix else output.with_name(output.name + suffix)
     names = (path.name, path.with_suffix(".toml").name)
     with new_outputs(path.parent, "rig closed-loop", force=force, names=names) as staged:
-        run = run_isolated(joint, scenario, controller, sequence)
+        run = run_loop(joint.parameters, joint.bench, scenario, acting)
         written = write_log(staged / path.name, options.form, run, path.stem)
         files = [rebased(file, staged, path.parent) for file in written]
     places = joint.places()

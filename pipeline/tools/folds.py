@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.child_processes import in_processes
+from pipeline.isolation import in_processes
 from pipeline.errors import DataRefusedError, DebistError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.held_models import identified_models

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.child_processes import in_processes
+from pipeline.isolation import in_processes
 from pipeline.loading.device import Device, device
 from pipeline.loading.trajectories import load_motion, sources, training_trajectories, trajectories
 from pipeline.numerics.arrays import sample_interval
