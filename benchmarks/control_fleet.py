@@ -55,7 +55,7 @@ from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
 from pipeline.rig.parameters import JointParameters
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
-from pipeline.tools.closed_loop import virtual_joint
+from pipeline.tools.closed_loop import designed, virtual_joint
 from pipeline.tools.controlled_run import DATA_SHEET, ControlSettings, control_run
 
 SNAPS, BESIDE, ROBUST, PULSES = 50, 10, 6, 12  # of a joint: snaps, plain ones, of each change, pulses to each side

@@ -12,12 +12,6 @@ _NO_MEMORY = re.compile(
     "[Oo]ut of memory|envelope routines\\] initialization error|"  # the latter OpenSSL of a digest
     "without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
 )
-_NO_PATH = re.compile(r"os\.PathLike.*, not (Posix|Windows)Path")
-"""What CPython says of a path when memory ends while it looks up that it is one."""
-_NO_DICT = "This object has no __dict__"
-"""What CPython says where it could not make the dictionary of an object that has one."""
-_PANIC = "PyObject pointer is null"
-"""What PyO3, in which pydantic is written, says where Python could not make an object; no subclass of `Exception`."""
 _IN_HDF5 = re.compile(r"errno = (\d+), error message = ")
 
 
@@ -103,12 +97,6 @@ def memory_failure(error: BaseException | None) -> bool:
         if isinstance(error, MemoryError):
             return True
         if isinstance(error, OSError | SystemError | RuntimeError | ValueError) and _NO_MEMORY.search(str(error)):
-            return True
-        if isinstance(error, TypeError) and _NO_PATH.search(str(error)):
-            return True
-        if isinstance(error, AttributeError) and str(error) == _NO_DICT:
-            return True
-        if type(error).__name__ == "PanicException" and str(error) == _PANIC:
             return True
         error = error.__cause__ or error.__context__
     return False

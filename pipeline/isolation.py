@@ -20,15 +20,17 @@ from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import Any, Self, TypeVar
 
 from pipeline.machine import ONE_THREAD
 
+resource: Any
 try:
     import resource
 except ImportError:  # Windows has no limits of this kind
-    resource = None  # type: ignore[assignment]
+    resource = None
 
+Running = TypeVar("Running", bound="Isolated")
 Item = TypeVar("Item")
 Made = TypeVar("Made")
 Send = Callable[[Any], None]
@@ -47,14 +49,15 @@ _LONGEST_FOLDER = 70
 _LONGEST_MESSAGE, _LONGEST_WORDS = 1 << 28, 1 << 16
 _GRACE = 5.0
 """How long [s] a process may take to end after it was asked to."""
-_starting = threading.RLock()
+_starting, _preloaded = threading.RLock(), list[str]()
 
 
 def preload(modules: Sequence[str]) -> None:
-    """Have the server import these modules; without effect elsewhere, and once the server runs."""
+    """Have the server import these modules too; without effect elsewhere, and once the server runs."""
     context = _context()
+    _preloaded.extend(name for name in modules if name not in _preloaded)
     if context.get_start_method() == "forkserver":
-        context.set_forkserver_preload(list(modules))
+        context.set_forkserver_preload(_preloaded)
 
 
 def limit(memory: int, processor_seconds: int, file_bytes: int) -> None:
@@ -88,7 +91,7 @@ def largest_memory() -> int:
     """Largest resident memory [bytes] of this process so far; 0 where the system does not count it."""
     if resource is None:
         return 0
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+    return int(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss) * (1 if sys.platform == "darwin" else 1024)
 
 
 class Isolated:
@@ -127,7 +130,7 @@ class Isolated:
             self._process.start()
         self.end = time.monotonic() + time_limit
 
-    def __enter__(self) -> "Isolated":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -173,9 +176,9 @@ class Isolated:
         return ""
 
 
-def next_ready(running: Iterable[Isolated]) -> Isolated:
+def next_ready(running: Iterable[Running]) -> Running:
     """The first of some processes that has sent something, has ended, or has to be killed."""
-    by_channel: dict[Any, Isolated] = {each.channel: each for each in running}
+    by_channel: dict[Any, Running] = {each.channel: each for each in running}
     first = min(by_channel.values(), key=lambda each: each.end)
     ready = wait(list(by_channel), first.seconds_left)
     return by_channel[ready[0]] if ready else first
@@ -207,10 +210,13 @@ def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int)
 
 
 def _context() -> Any:
-    """Fork server or new interpreters; a temporary folder of a long name has no room for the server's socket."""
+    """Fork server or new interpreters; a process of the server has no server of its own, and is forked itself."""
     forks = "forkserver" in multiprocessing.get_all_start_methods() and bool(sys.platform == "linux")
-    forks = forks and len(os.fsencode(tempfile.gettempdir())) <= _LONGEST_FOLDER
-    return multiprocessing.get_context("forkserver" if forks else "spawn")
+    if not forks or len(os.fsencode(tempfile.gettempdir())) > _LONGEST_FOLDER:
+        return multiprocessing.get_context("spawn")
+    from multiprocessing.forkserver import get_inherited_fds
+
+    return multiprocessing.get_context("forkserver" if get_inherited_fds() is None else "fork")
 
 
 @contextmanager
@@ -256,7 +262,7 @@ def _work(channel: Connection, here: str | None, words: str, work: Callable[...,
     if here is not None:
         os.chdir(here)
     for number, name, place in ((1, "stdout", os.devnull), (2, "stderr", words)):
-        stream = Path(place).open("w", encoding="utf-8", errors="backslashreplace", buffering=1)
+        stream = Path(place).open("w", encoding="utf-8", errors="backslashreplace", buffering=1)  # noqa: SIM115
         os.dup2(stream.fileno(), number)
         setattr(sys, name, stream)
     work(lambda message: channel.send_bytes(json.dumps(message).encode()), *arguments)

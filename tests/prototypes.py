@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -101,34 +100,24 @@ def content(run: Path) -> dict[str, str]:
     return {name: record.content_hash for name, record in load_manifest(run).artifacts.items()}
 
 
-_KNOWN = dict[str, tuple[Any, bytes]]()
+_READ = dict[str, tuple[Any, bytes]]()
 
 
 @contextmanager
 def logs_read_once() -> Iterator[None]:
-    """Within, equal files are parsed by a guarded child once; later its answer and its samples are given again."""
-    first = guarded._run_child
+    """Within, equal files are parsed in a process once; later its answer and its samples are given again."""
+    first = guarded.read_in_child
 
-    def run_child(request: dict[str, Any], timeout: float) -> Any:
-        content = hashlib.sha256(Path(request["path"]).read_bytes()).hexdigest()
+    def read_in_child(request: dict[str, Any], *rest: Any) -> Any:
+        content, samples = hashlib.sha256(Path(request["path"]).read_bytes()).hexdigest(), Path(request["samples"])
         key = json.dumps([content, request["channels"], request["csv"], request["limits"]])
-        if key not in _KNOWN:
-            done = first(request, timeout)
-            if done.returncode or b'"error"' in done.stdout:  # which names the file
+        if key not in _READ:
+            done = first(request, *rest)
+            if done.answer is None or "error" in done.answer:  # which names the file
                 return done
-            _KNOWN[key] = done, os.pread(request["data_fd"], os.fstat(request["data_fd"]).st_size, 0)
-        else:
-            os.pwrite(request["data_fd"], _KNOWN[key][1], 0)
-        return _KNOWN[key][0]
+            _READ[key] = done, samples.read_bytes()
+        samples.write_bytes(_READ[key][1])
+        return _READ[key][0]
 
-    with patch("pipeline.rig_logs.guarded._run_child", run_child):
+    with patch("pipeline.rig_logs.guarded.read_in_child", read_in_child):
         yield
-
-
-def write_program(folder: Path, text: str) -> str:
-    """Write a program whose work is this text into a folder of modules; its name as workers of a batch take it."""
-    folder.mkdir(exist_ok=True)
-    (folder / "in_its_place.py").write_text(
-        f"class app:\n    @staticmethod\n    def work():\n        exec({text!r}, {{}})\n"
-    )
-    return "in_its_place:app"

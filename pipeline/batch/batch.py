@@ -2,7 +2,6 @@
 
 import difflib
 import math
-import pkgutil
 import time
 import tomllib
 from collections.abc import Sequence
@@ -20,16 +19,6 @@ from pipeline.runs.manifest import MANIFEST
 from pipeline.settings import load_prototype
 
 _FLEET_KEY = "prototypes"
-_HERE = Path(__file__).parent.parent
-_PACKAGES = (
-    "numerics", "solvers", "generated", "signals", "joint", "runs", "scoring", "identification", "models",
-    "device_facts", "loading", "checks", "stages",
-)  # fmt: skip
-_LIBRARIES = (
-    "pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate",
-    "pipeline.commands.outcome", "pipeline.reporting.log_figures",
-)  # fmt: skip
-"""Packages of `pipeline` that a run uses, and what they import within functions."""
 
 
 class BatchObserver(Protocol):
@@ -133,7 +122,7 @@ def run_batch(
     elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
     """
     make_folder(output)
-    preload([program.__module__, *_imports_of_a_run()])
+    preload([program.__module__, "pipeline.batch.preloaded"])
     waiting, outcomes, running = list(named), list[Outcome](), list[Worker]()
     options = () if report else ("--no-report",)
     first_failed = ""
@@ -163,12 +152,6 @@ def run_batch(
             worker.__exit__()
     write_fleet(output, outcomes)
     return sorted(outcomes, key=lambda outcome: outcome.name)
-
-
-def _imports_of_a_run() -> list[str]:
-    """The modules that a run imports, most of them within functions."""
-    rooms = ((pkgutil.iter_modules([str(_HERE / name)]), name) for name in _PACKAGES)
-    return [*_LIBRARIES, *(f"pipeline.{name}.{module.name}" for modules, name in rooms for module in modules)]
 
 
 def _is_up_to_date(prototype: Path, run: Path, report: bool) -> bool:

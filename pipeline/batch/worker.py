@@ -7,7 +7,6 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from pipeline.isolation import Isolated, Send, death, largest_memory
 
@@ -75,13 +74,14 @@ class Worker(Isolated):
 
     def outcome(self) -> Outcome:
         """Wait for the end."""
-        answer: dict[str, Any] = {}
-        for answer in self:
-            pass
+        messages = list(self)
+        answer = messages[-1] if messages else {}
         code = answer["exit_code"] if answer else self.exit_code()
         reason = reason_of(code, self.words())
         if self.late:
-            reason = f"stopped after the time limit of {self._time_limit:g} s; raise --time-limit, the same command goes on"
+            reason = (
+                f"stopped after the time limit of {self._time_limit:g} s; raise --time-limit, the same command goes on"
+            )
         cost = answer.get("processor_seconds", 0.0), answer.get("memory_bytes", 0)
         return Outcome(self.name, self._prototype, code, reason, time.perf_counter() - self._began, *cost)
 

@@ -1,7 +1,7 @@
 """Controllers for the closed loop: Python callables, and voltages that are played.
 
-A controller ``NAME(q)`` is told the first reading [m] and returns a function ``step(q, target) -> (v_left, v_right)`` in
-m and V. `run_loop` gives it as an address to the compiled loop.
+A controller ``made(q)`` gets the first reading [m] and returns ``step(q, target) -> (v_left, v_right)`` in m and V.
+`run_loop` gives the compiled loop its address.
 """
 
 import ctypes

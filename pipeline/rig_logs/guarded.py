@@ -21,7 +21,7 @@ from pipeline.rig_logs.recording import (
 from pipeline.rig_logs.source import CsvOptions, Limits
 
 _READER_IMPORTS = ("numpy", "pipeline.isolation", "pipeline.rig_logs.child")
-_PATIENCE = 10
+_READER, _PATIENCE = child.read_log, 10
 
 
 def read_recording(
@@ -121,7 +121,7 @@ class Done:
 def read_in_child(request: dict[str, Any], time_limit: float, progress: Callable[[float], None] | None = None) -> Done:
     """Have a request answered by `pipeline.rig_logs.child.read_log` in a process of its own."""
     preload(_READER_IMPORTS)
-    with Isolated(child.read_log, request, time_limit=time_limit) as reader:
+    with Isolated(_READER, request, time_limit=time_limit) as reader:
         for message in reader:
             if isinstance(message, dict) and isinstance(message.get("answer"), dict):
                 return Done(message["answer"])

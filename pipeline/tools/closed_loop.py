@@ -259,7 +259,7 @@ def closed_loop_log(
     *,
     force: bool = False,
 ) -> tuple[list[Path], dict[str, Any]]:
-    """Run the controller of a run, or play a sequence, on a joint and write the log; what `debist rig closed-loop` does.
+    """Run the controller of a run, or play a sequence, on a joint and write the log, as `debist rig closed-loop`.
 
     Returns
     -------

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.isolation import in_processes
 from pipeline.errors import DataRefusedError, DebistError, InputError
+from pipeline.isolation import in_processes
 from pipeline.loading.device import device
 from pipeline.loading.held_models import identified_models
 from pipeline.loading.parameter_sets import parameter_set, parameter_values

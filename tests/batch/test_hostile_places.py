@@ -2,22 +2,22 @@
 
 import os
 import signal
-from io import BytesIO
+import time
 from pathlib import Path
 
 import pytest
 
+from cli import debist
 from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
 from pipeline.batch.fleet import FLEET_CSV, write_fleet_tables
-from pipeline.batch.worker import Outcome, make_outcome, run_worker
+from pipeline.batch.worker import Outcome, Worker, reason_of
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.plain_files import read_plain
-from pipeline.process_copies import End
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.settings import load_prototype
 from pipeline.stages.run import run_prototype
-from tests.prototypes import Silent, write_program
+from tests.prototypes import Silent
 
 CHANNELS = """
 [channels]
@@ -74,7 +74,7 @@ def test_settings_that_no_parser_survives_fail_alone(tmp_path):
     named = named_prototypes(list(dict.fromkeys(found)))
     assert {name for name, _ in named} >= set(said) - {"zero"}  # a link is resolved
     outcomes = run_batch(
-        [pair for pair in named if pair[0] == "brackets"], tmp_path / "runs", 1, Quiet(), program="cli:app"
+        [pair for pair in named if pair[0] == "brackets"], tmp_path / "runs", 1, Quiet(), program=debist
     )
     assert [(o.exit_code, "nested too deeply" in o.reason) for o in outcomes] == [(2, True)]
     assert "nested too deeply" in (tmp_path / "runs/fleet.csv").read_text()
@@ -116,18 +116,20 @@ def test_what_is_larger_than_it_may_be_is_not_read_on(tmp_path):
     assert read_plain(tmp_path / "some", 10) == b"x" * 10
 
 
-def test_a_worker_is_stopped_after_its_time_limit_and_says_so(tmp_path, monkeypatch):
-    monkeypatch.syspath_prepend(tmp_path)
-    program = write_program(tmp_path, "import time; time.sleep(50)")
-    outcome = run_worker(program, "P", Path("P.toml"), tmp_path, time_limit=0.3)
-    assert outcome.exit_code == -signal.SIGKILL and outcome.seconds < 20.0
+def _sleeping(arguments):
+    time.sleep(100)
+
+
+def test_a_worker_is_stopped_after_its_time_limit_and_says_so(tmp_path):
+    with Worker(_sleeping, "P", Path("P.toml"), tmp_path, time_limit=0.3) as worker:
+        outcome = worker.outcome()
+    assert outcome.exit_code == -signal.SIGKILL and outcome.seconds < 50.0
     assert outcome.reason == "stopped after the time limit of 0.3 s; raise --time-limit, the same command goes on"
 
 
 def test_the_reason_names_every_mistake():
-    said = BytesIO(b"debist: early\ndebist: P.toml: 2 mistakes\n  unknown key 'a'\n  'b' is missing\n")
-    outcome = make_outcome("P", Path("P.toml"), 0.0, End(2, 0.1, 1), said, None)
-    assert outcome.reason == "P.toml: 2 mistakes: unknown key 'a'; 'b' is missing"
+    words = "debist: early\ndebist: P.toml: 2 mistakes\n  unknown key 'a'\n  'b' is missing\n"
+    assert reason_of(2, words) == "P.toml: 2 mistakes: unknown key 'a'; 'b' is missing"
 
 
 @pytest.mark.parametrize(

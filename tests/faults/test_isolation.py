@@ -1,4 +1,4 @@
-"""Children run no file of the current folder and end with their parent; one that dies has not yet damned a file."""
+"""Processes of their own run no file of the current folder and no main module, and end with their parent."""
 
 import os
 import signal
@@ -9,107 +9,162 @@ from pathlib import Path
 
 import pytest
 
-import cli
-import pipeline
-from pipeline.batch.worker import Workers, run_worker
-from pipeline.child_processes import import_path, isolated
-from pipeline.errors import InputError
-from pipeline.process_copies import CAN_COPY
-from pipeline.rig_logs import guarded, read_recording
+from pipeline import isolation
+from pipeline.batch.worker import Worker
+from pipeline.isolation import Isolated, death, in_processes
+from tests.prototypes import SMALL_CSV
 
-PLANTED = ("cli", "typer", "numpy", "json", "pipeline", "multiprocessing", "sitecustomize")
-POOL = """
-import os, sys, time
-from pipeline.child_processes import process_pool
-if __name__ == "__main__":
-    with process_pool(2) as pool:
-        print(*sorted(set(pool.map(lambda_pid, range(8)))), flush=True)
-        list(pool.map(time.sleep, [120, 120]))
-"""
+PLANTED = ("cli", "typer", "numpy", "struct", "json", "pipeline", "multiprocessing", "pyarrow", "sitecustomize")
+SPAWN = "import socket; del socket.CMSG_LEN\n"  # without it, descriptors cannot be handed on, so nothing is forked
+METHODS = pytest.mark.parametrize("method", ["", SPAWN], ids=["fork server", "spawn"])
+
+
+def greets(send, name):
+    send({"hello": name, "here": str(Path.cwd()), "main": hasattr(sys.modules["__main__"], "SCRIPT")})
+
+
+def crashes(send):
+    os.kill(os.getpid(), signal.SIGSEGV)
+
+
+def fails(send):
+    raise RuntimeError("boom")
+
+
+def sleeps(send, *_):
+    send(os.getpid())
+    time.sleep(120)
+
+
+def pid_of(_):
+    time.sleep(0.1)
+    return os.getpid()
 
 
 @pytest.fixture
 def planted(tmp_path, monkeypatch):
-    """A current folder full of modules that leave a file behind when they are run."""
+    """A current folder full of modules that leave a file behind when they are run, with a log."""
+    folder = tmp_path / "planted"
+    folder.mkdir()
     for name in PLANTED:
-        (tmp_path / f"{name}.py").write_text(
-            f"open({str(tmp_path / 'ran')!r}, 'a').write({name!r})\nraise SystemExit(9)\n"
-        )
+        (folder / f"{name}.py").write_text(f"open({str(folder / 'ran')!r}, 'a').write({name!r})\nraise SystemExit(9)\n")
+    (folder / "log.csv").write_text(SMALL_CSV)
+    monkeypatch.chdir(folder)
+    return folder
+
+
+def _run(script: str, *arguments: str, **options) -> "subprocess.CompletedProcess[str]":
+    command = [sys.executable, "-P", "-c", script, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300, **options)
+
+
+@METHODS
+def test_a_reader_runs_nothing_of_the_current_folder(planted, method):
+    ended = _run(method + "from cli import app; app()", "inspect", "log.csv")
+    assert ended.returncode == 0, ended.stderr
+    assert not (planted / "ran").exists()
+
+
+@METHODS
+def test_a_worker_runs_nothing_of_the_current_folder(planted, method):
+    (planted / "P.toml").write_text("name = 1")
+    ended = _run(method + "from cli import app; app()", "batch", "P.toml", "-o", "runs")
+    assert ended.returncode == 6 and "P.toml" in ended.stderr, ended.stderr
+    assert not (planted / "ran").exists()
+
+
+@METHODS
+def test_a_program_whose_path_begins_with_the_current_folder_hands_it_to_no_process(planted, method):
+    script = "import sys\nfrom pathlib import Path\nfrom pipeline.rig_logs import read_recording\n"
+    script += "import multiprocessing.connection, tempfile\nsys.path.insert(0, '')\n"
+    ended = _run(method + script + "print(read_recording(Path('log.csv')).listed)")
+    assert ended.stdout == "('time', 'q', 'u')\n", ended.stderr
+    assert not (planted / "ran").exists()
+
+
+@METHODS
+def test_a_script_needs_no_guard(tmp_path, method):
+    (tmp_path / "log.csv").write_text(SMALL_CSV)
+    (tmp_path / "script.py").write_text(
+        f"{method}import debist\nfrom pathlib import Path\nfrom pipeline.rig_logs import read_recording\n"
+        "print('script')\nprint(read_recording(Path('log.csv')).listed)\n"
+    )
+    command = [sys.executable, "script.py"]
+    ended = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, check=False, timeout=300)
+    assert ended.stdout == "script\n('time', 'q', 'u')\n", ended.stderr
+
+
+def test_messages_come_from_the_current_folder_and_another_main_module(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.syspath_prepend("")
-    return tmp_path
+    monkeypatch.setattr(sys.modules["__main__"], "SCRIPT", True, raising=False)
+    with Isolated(greets, "you") as process:
+        assert list(process) == [{"hello": "you", "here": str(tmp_path.resolve()), "main": False}]
+        assert (process.exit_code(), process.words(), process.late) == (0, "", False)
 
 
-def test_a_worker_runs_nothing_of_the_current_folder(planted):
-    outcome = run_worker("cli:app", "P", Path("missing.toml"), planted / "runs")
-    assert (outcome.exit_code, (planted / "ran").exists()) == (2, False), outcome.reason
-    assert "missing.toml: no such file" in outcome.reason
+def test_a_death_has_the_name_of_its_signal_and_a_failure_its_words():
+    with Isolated(crashes) as process:
+        assert list(process) == [] and death(process.exit_code()) == "SIGSEGV"
+    with Isolated(fails) as process:
+        assert list(process) == [] and process.exit_code() == 1 and "RuntimeError: boom" in process.words()
+    assert "memory" in death(-signal.SIGKILL) and "memory" not in death(-signal.SIGABRT) + death(1)
+    assert death(0xC0000005) == "exit code 0xc0000005"
 
 
-@pytest.mark.skipif(not CAN_COPY, reason="processes cannot be copied here")
-@pytest.mark.parametrize("warm", [False, pytest.param(True, marks=pytest.mark.long)])
-def test_a_copied_worker_runs_nothing_of_the_current_folder(planted, warm):
-    with Workers("cli:app", warm) as workers:
-        outcomes = [workers.run("P", Path("missing.toml"), planted / "runs") for _ in range(2)]
-        assert workers._copies is not None and not workers._copies.ended
-    assert not (planted / "ran").exists()
-    for outcome in outcomes:
-        assert outcome.exit_code == 2 and "missing.toml: no such file" in outcome.reason
+def test_a_time_limit_ends_a_process():
+    began = time.monotonic()
+    with Isolated(sleeps, time_limit=1.0) as process:
+        assert len(list(process)) <= 1 and process.exit_code() == -signal.SIGKILL and process.late
+    assert time.monotonic() - began < 60.0
 
 
-def test_a_reader_runs_nothing_of_the_current_folder(planted):
-    (planted / "log.csv").write_text("t,q\n" + "".join(f"{i / 100},{i % 7}\n" for i in range(100)))
-    assert read_recording(Path("log.csv")).listed == ("t", "q")
-    assert not (planted / "ran").exists()
+def test_whoever_leaves_ends_the_process():
+    with Isolated(sleeps) as process:
+        pid = next(iter(process))
+    assert not _runs(pid)
 
 
-def test_the_import_path_leads_to_this_debist_wherever_it_lies(planted):
-    command = isolated("import cli, pipeline; print(cli.__file__, pipeline.__file__)")
-    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
-    assert told == [cli.__file__, pipeline.__file__]
-    assert str(planted) not in import_path()
-
-
-def test_the_processes_of_a_pool_end_with_a_killed_parent(tmp_path):
-    """As those of `debist study -j`; they would go on for hours, and hold the run's lock."""
-    (tmp_path / "pool.py").write_text("import os\ndef lambda_pid(_):\n    return os.getpid()\n" + POOL)
-    parent = subprocess.Popen([sys.executable, str(tmp_path / "pool.py")], stdout=subprocess.PIPE, text=True)
-    assert parent.stdout is not None
-    children = [int(pid) for pid in parent.stdout.readline().split()]
-    parent.kill()
-    parent.wait()
-    parent.stdout.close()
-    deadline = time.monotonic() + 20.0
-    while any(_runs(pid) for pid in children) and time.monotonic() < deadline:
+@METHODS
+def test_a_process_ends_with_its_killed_parent(method):
+    script = f"{method}from pipeline.isolation import Isolated\nfrom tests.faults.test_isolation import sleeps\n"
+    script += "print(next(iter(Isolated(sleeps))), flush=True)\nimport time; time.sleep(120)\n"
+    command = [sys.executable, "-c", script]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as parent:
+        assert parent.stdout is not None
+        pid = int(parent.stdout.readline())
+        parent.kill()
+    deadline = time.monotonic() + 30.0
+    while _runs(pid) and time.monotonic() < deadline:
         time.sleep(0.05)
-    assert children and not [pid for pid in children if _runs(pid)]
+    assert not _runs(pid)
+
+
+def test_a_worker_that_is_left_ends(tmp_path):
+    with Worker(_sleeping, "x", Path("x.toml"), tmp_path) as worker:
+        pid = worker._process.pid
+    assert pid is not None and not _runs(pid)
+
+
+def _sleeping(command: list[str]) -> None:
+    time.sleep(120)
+
+
+def test_results_of_several_processes_come_in_order():
+    assert list(in_processes(abs, [-3, 2, -1], 2)) == [3, 2, 1]
+    assert os.getpid() not in set(in_processes(pid_of, range(4), 2))
+
+
+def test_a_temporary_folder_of_a_long_name_takes_new_interpreters(tmp_path, monkeypatch):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / ("x" * 90)))
+    (tmp_path / ("x" * 90)).mkdir()
+    assert isolation._context().get_start_method() == "spawn"
+    with Isolated(greets, "you") as process:
+        assert len(list(process)) == 1
 
 
 def _runs(pid: int) -> bool:
     try:
+        os.kill(pid, 0)
         return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except OSError:
         return False
-
-
-@pytest.mark.parametrize("deaths", [1, 2])
-def test_a_reader_that_dies_reads_again_before_the_file_is_blamed(tmp_path, monkeypatch, deaths):
-    """The first child writes some samples and dies of SIGABRT, as a library's thread may make it at its end."""
-    path = tmp_path / "log.csv"
-    path.write_text("t,q\n" + "".join(f"{i / 100},{i % 7}\n" for i in range(100)))
-    whole, run_child, started = guarded.read_recording(path), guarded._run_child, []
-
-    def dying(request, timeout):
-        started.append(1)
-        if len(started) > deaths:
-            return run_child(request, timeout)
-        os.write(request["data_fd"], b"\x01" * 24)
-        return subprocess.CompletedProcess([], -signal.SIGABRT, b"", b"")
-
-    monkeypatch.setattr(guarded, "_run_child", dying)
-    if deaths == 1:
-        again = read_recording(path)
-        assert [list(c.samples) for c in again.channels] == [list(c.samples) for c in whole.channels]
-    else:
-        with pytest.raises(InputError, match="died of SIGABRT, and again at a second reading"):
-            read_recording(path)

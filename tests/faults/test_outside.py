@@ -4,7 +4,9 @@ import errno
 import json
 import os
 import shutil
+import signal
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -12,7 +14,6 @@ from typer.testing import CliRunner
 
 import debist as library
 from cli import app
-from pipeline.child_processes import isolated
 from pipeline.commands import boundary
 from pipeline.errors import InputError
 from pipeline.kernel_cache import check_private
@@ -20,7 +21,7 @@ from pipeline.machine import ONE_THREAD
 from pipeline.settings import parse_prototype
 from tests.faults.test_names import _document
 
-DEBIST = isolated("from cli import app; app()")
+DEBIST = [sys.executable, "-P", "-c", "from cli import app; app()"]
 
 
 def debist(*arguments: object, **options):
@@ -45,6 +46,65 @@ def test_what_is_denied_is_named(tmp_path, monkeypatch, may_read, said):
     monkeypatch.setattr("os.access", lambda *_: may_read)
     told = boundary._told(PermissionError(errno.EACCES, "denied", str(tmp_path)))
     assert told is not None and f"{tmp_path}: {said}: Permission denied" in told
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+def test_messages_that_cannot_be_written_fail_no_command(bench):
+    bench.start("intact")
+    with Path("/dev/full").open("w") as full:
+        command = [*DEBIST, "run", str(bench.prototype), "-o", str(bench.run), "--no-report"]
+        assert subprocess.run(command, stdout=subprocess.DEVNULL, stderr=full, check=False).returncode == 0
+
+
+@pytest.mark.skipif(os.name == "nt", reason="the shell's redirections")
+@pytest.mark.parametrize(("closed", "code"), [(">&-", 0), ("2>&-", 0), ("<&-", 0), (">&-", 4)])
+def test_streams_that_are_closed_change_no_exit_code(bench, closed, code):
+    bench.start("intact")
+    (bench.run / "manifest.json").write_text("{}") if code else None
+    ended = subprocess.run(
+        ["sh", "-c", f'"$@" {closed}', "sh", *DEBIST, "verify", str(bench.run)], capture_output=True, check=False
+    )
+    assert ended.returncode == code, ended.stderr
+
+
+def test_a_parent_that_ignores_the_end_of_processes_changes_nothing(bench):
+    log = bench.prototype.with_name("train.csv")
+    script = f'trap "" CHLD; exec "$@" inspect {log}'
+    ended = subprocess.run(["sh", "-c", script, "sh", *DEBIST], capture_output=True, check=False)
+    assert ended.returncode == 0, ended.stderr
+
+
+@pytest.mark.parametrize("command", ["run", "batch"])
+def test_a_current_folder_that_was_deleted_is_a_line(bench, tmp_path, command):
+    (tmp_path / "gone").mkdir()
+    script = f'cd {tmp_path}/gone && rmdir {tmp_path}/gone && exec "$@" -q'
+    arguments = [command, str(bench.prototype), "-o", str(tmp_path / "new")]
+    ended = subprocess.run(["sh", "-c", script, "sh", *DEBIST, *arguments], capture_output=True, text=True, check=False)
+    assert ended.returncode in (0, 2) and "Traceback" not in ended.stderr, ended.stderr
+
+
+@pytest.mark.parametrize(
+    ("number", "line"), [(signal.SIGINT, "debist: interrupted"), (signal.SIGTERM, "debist: ended by SIGTERM")]
+)
+def test_a_signal_to_end_is_a_line(number, line):
+    program = (
+        "import os, signal, pipeline.stages.run; signal.signal(signal.SIGINT, signal.default_int_handler); "
+        f"pipeline.stages.run.run_status = lambda *_, **__: os.kill(os.getpid(), {number:d}); "
+        "from cli import app; app()"
+    )
+    ended = subprocess.run([*DEBIST[:-1], program, "status", "."], capture_output=True, text=True, check=False)
+    assert ended.returncode == 128 + number
+    assert ended.stderr.startswith(line) and len(ended.stderr.splitlines()) == 1, ended.stderr
+
+
+def test_memory_that_ends_is_a_line():
+    program = (
+        "import pipeline.stages.run\ndef fail(*_, **__): bytes(1 << 62)\n"
+        "pipeline.stages.run.run_status = fail\nfrom cli import app; app()"
+    )
+    ended = subprocess.run([*DEBIST[:-1], program, "status", "."], capture_output=True, text=True, check=False)
+    assert ended.returncode == 2 and ended.stderr.startswith("debist: not enough memory; "), ended.stderr
+    assert len(ended.stderr.splitlines()) == 1
 
 
 def test_a_folder_whose_name_is_not_utf_8_is_a_line(bench, tmp_path):
@@ -92,7 +152,12 @@ def test_logs_that_some_disks_take_for_one_are_refused():
 
 def _told(program: str, **environment: str) -> str:
     done = subprocess.run(
-        isolated(program), capture_output=True, text=True, check=False, env=os.environ | environment, timeout=60
+        [sys.executable, "-P", "-c", program],
+        capture_output=True,
+        text=True,
+        check=False,
+        env=os.environ | environment,
+        timeout=60,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout

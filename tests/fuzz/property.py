@@ -1,6 +1,7 @@
 """What must hold of every damaged log: data or one line, in bounded time, and nothing wrong that a checksum covers."""
 
 import resource
+import time
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -15,13 +16,13 @@ from tests.fuzz.edits import Edit, apply
 from tests.fuzz.seeds import Seed
 
 LIMITS = Limits()
-SLOWEST = 10.0
-"""Most processor time [s] of one read, half of what ends the reader of a small log; other work does not count."""
+SLOWEST = 60.0
+"""Most wall time [s] of one read, where only processor time ends the reader of a small log, after 20 s."""
 
 
 @dataclass
 class Tally:
-    """How the damaged logs of one format went: counts by outcome, and the most processor time that one took [s]."""
+    """How the damaged logs of one format went: counts by outcome, and the most wall time that one took [s]."""
 
     outcomes: Counter[str] = field(default_factory=Counter)
     slowest: float = 0.0
@@ -37,7 +38,7 @@ class Target:
 
     def check(self, edits: Sequence[Edit]) -> None:
         """Damage the seed, read it, judge."""
-        began = processor_time()
+        began = time.monotonic()
         try:
             found = self._read(apply(self.seed.data, edits))
         except InputError as error:
@@ -48,7 +49,7 @@ class Target:
             )
         else:
             outcome = "as it was" if _same(self._intact, found) else "differs"
-        took = processor_time() - began
+        took = time.monotonic() - began
         self.tally.slowest = max(self.tally.slowest, took)
         self.tally.outcomes[outcome] += 1
         assert took < SLOWEST, f"the read took {took:.1f} s"

@@ -1,54 +1,48 @@
 """What stands in for the reader of logs in tests: readers that die, hang, babble or lie."""
 
-import json
 import os
+import resource
 import signal
-import sys
 import time
 from pathlib import Path
 
 
-def dies() -> None:
+def dies(send, request) -> None:
     os.kill(os.getpid(), signal.SIGSEGV)
 
 
-def raises() -> None:
+def raises(send, request) -> None:
     raise RuntimeError("boom")
 
 
-def babbles() -> None:
-    print("no json")
+def babbles(send, request) -> None:
+    send("no answer")
+    send({"answer": "none"})
 
 
-def never_ends() -> None:
-    import resource
-
-    sys.stdin.readline()
+def never_ends(send, request) -> None:
     resource.setrlimit(resource.RLIMIT_CPU, (1, 2))
     while True:
         pass
 
 
-def promises_samples_that_are_not_there() -> None:
-    channel = {"name": "q", "unit": "", "dtype": "", "time": None, "samples": [[0, 1000000]]}
-    print(json.dumps({"format": "", "notes": [], "listed": [], "channels": [channel]}))
-
-
-def sleeps() -> None:
-    """After it has written its number into the file that standard input names."""
-    Path(sys.stdin.read()).write_text(str(os.getpid()))
+def sleeps(send, request) -> None:
     time.sleep(60)
 
 
-def tells_of_itself() -> None:
-    """What it finds, before it soils what a next one could find."""
-    facts = {
-        "parent": os.getppid(), "environment": sorted(os.environ), "here": str(Path.cwd()), "given": sys.stdin.read(),
-        "open": sorted(int(entry.name) for entry in Path("/proc/self/fd").iterdir()),
-        "touched": "touched" in sys.modules,
-        "badness": Path("/proc/self/oom_score_adj").read_text(),
-    }  # fmt: skip
-    sys.modules["touched"] = sys
-    os.environ["SOILED"] = str(Path.cwd())
-    os.chdir("/")
-    print(json.dumps(facts))
+def dies_once(send, request) -> None:
+    """It writes some samples and dies, as a thread of a library may make it; a second time it reads."""
+    from pipeline.rig_logs.child import read_log
+
+    samples = Path(request["samples"])
+    if samples.exists():
+        read_log(send, request)
+    else:
+        samples.write_bytes(b"\x01" * 24)
+        os.abort()
+
+
+def promises_samples_that_are_not_there(send, request) -> None:
+    channel = {"name": "q", "unit": "", "dtype": "", "time": None, "samples": [[0, 1000000]]}
+    Path(request["samples"]).touch()
+    send({"answer": {"format": "", "notes": [], "listed": [], "rates": {}, "channels": [channel]}})

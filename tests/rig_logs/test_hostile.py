@@ -1,6 +1,8 @@
 """Damaged, truncated and hostile logs: one line that names the file, nothing opened outside it, no bomb expanded."""
 
 import os
+import subprocess
+import sys
 import zlib
 from pathlib import Path
 
@@ -13,9 +15,8 @@ from pipeline.errors import InputError
 from pipeline.rig_logs import Limits, read_recording
 from pipeline.rig_logs.matlab5 import open_matlab5
 from pipeline.rig_logs.source import UnreadableLogError
+from tests.rig_logs import broken_readers
 from tests.rig_logs.small_logs import load, open_here, save_plain_mat
-
-BROKEN = "tests.rig_logs.broken_readers"
 
 
 def _refused(path: Path, match: str, **options) -> None:
@@ -66,23 +67,46 @@ def test_missing_channel_lists_what_is_there(logs):
 
 
 def test_death_of_the_reader_is_an_error(logs, monkeypatch):
-    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:dies")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", broken_readers.dies)
     _refused(logs["mat"], "died of SIGSEGV, and again at a second reading; the file is damaged")
-    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:raises")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", broken_readers.raises)
     _refused(logs["mat"], "failed \\(RuntimeError: boom\\)")
-    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:babbles")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", broken_readers.babbles)
     _refused(logs["mat"], "failed")
+
+
+def test_a_log_is_read_again_before_it_is_blamed(logs, monkeypatch):
+    whole = read_recording(logs["csv"])
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", broken_readers.dies_once)
+    again = read_recording(logs["csv"])
+    assert [list(c.samples) for c in again.channels] == [list(c.samples) for c in whole.channels]
+
+
+def test_a_hung_reader_ends_at_its_limit(logs, monkeypatch):
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", broken_readers.sleeps)
+    monkeypatch.setattr("pipeline.rig_logs.guarded._PATIENCE", 0.01)
+    _refused(logs["mat"], "reading it does not end; damaged, or on a stalled file system")
+
+
+def test_too_few_descriptors_are_no_damage(logs, tmp_path):
+    resource = pytest.importorskip("resource")
+    (tmp_path / "log.csv").write_bytes(logs["csv"].read_bytes())
+    ended = subprocess.run(
+        [sys.executable, "-P", "-c", "from cli import app; app()", "inspect", str(tmp_path / "log.csv")],
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (24, 24)), capture_output=True, text=True,
+    )  # fmt: skip
+    assert "damaged" not in ended.stderr and "Traceback" not in ended.stderr
 
 
 def test_limits_hold(logs, monkeypatch):
     _refused(logs["csv"], "needs more than 40 MB|cannot|failed|died", limits=Limits(memory_bytes=40 << 20))
     _refused(logs["mat"], "declares 0.*beyond the limit", limits=Limits(data_bytes=1000, small_bytes=0))
-    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:never_ends")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", broken_readers.never_ends)
     _refused(logs["mat"], "was ended after")
 
 
 def test_answers_of_a_corrupted_child_are_not_believed(logs, monkeypatch):
-    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", f"{BROKEN}:promises_samples_that_are_not_there")
+    monkeypatch.setattr("pipeline.rig_logs.guarded._READER", broken_readers.promises_samples_that_are_not_there)
     _refused(logs["mat"], "samples that are not there")
 
 

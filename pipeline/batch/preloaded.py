@@ -1,0 +1,27 @@
+"""What the processes of a batch share where they are forked: all that a run imports, and the kernels of every run."""
+
+import importlib
+import pkgutil
+from pathlib import Path
+
+import numpy as np
+
+from pipeline.signals.differentiate import differentiate
+
+_ROOMS = (
+    "numerics", "solvers", "generated", "signals", "joint", "runs", "rig_logs", "scoring", "identification", "models",
+    "device_facts", "loading", "checks", "stages",
+)  # fmt: skip
+_WITHIN_FUNCTIONS = (
+    "pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate", "multiprocessing.popen_fork",
+    "pipeline.commands.outcome", "pipeline.reporting.log_figures",
+)  # fmt: skip
+"""Packages of `pipeline` that a run uses, and what they import within functions."""
+
+for room in _ROOMS:
+    for module in pkgutil.iter_modules([str(Path(__file__).parents[1] / room)], f"pipeline.{room}."):
+        importlib.import_module(module.name)
+for name in _WITHIN_FUNCTIONS:
+    importlib.import_module(name)
+samples = np.sin(0.1 * np.arange(40.0)) + 0.01 * (np.arange(40) % 3)
+differentiate(samples, 0.001)
