@@ -190,7 +190,7 @@ def death(exit_code: int) -> str:
         return f"exit code {exit_code if exit_code < 1 << 16 else hex(exit_code)}"  # Windows counts in hex
     known = -exit_code in set(signal.Signals)
     name = signal.Signals(-exit_code).name if known else f"signal {-exit_code}"
-    return f"{name}, which the system sends where memory runs out" if name == "SIGKILL" else name
+    return f"{name} (by another program, or by the system where memory runs out)" if name == "SIGKILL" else name
 
 
 def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int) -> Iterator[Made]:

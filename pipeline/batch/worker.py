@@ -104,7 +104,7 @@ def reason_of(exit_code: int, stderr: str) -> str:
     if exit_code == 0:
         return ""
     if exit_code < 0:
-        return f"{death(exit_code)} ended the work; what is written is whole, and the same command goes on"
+        return f"ended by {death(exit_code)}; what is written is whole, and the same command goes on"
     lines = [line for line in stderr.splitlines() if line.strip()]
     said = [number for number, line in enumerate(lines) if line.startswith("debist: ")]
     if not said:

@@ -60,8 +60,8 @@ class Program(typer.Typer):
         for number, name in enumerate(("stdin", "stdout", "stderr")):
             if getattr(sys, name) is None:  # closed, so that a file would be opened in its place
                 setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_RDWR), "r" if number == 0 else "w"))
-        if not sys.stderr.isatty():
-            sys.stderr = io.TextIOWrapper(_Unfailing(2, "w", closefd=False), "utf-8", write_through=True)
+            elif name == "stderr" and not sys.stderr.isatty():
+                sys.stderr = io.TextIOWrapper(_Unfailing(2, "w", closefd=False), "utf-8", write_through=True)
         for stop, usual in ((signal.SIGINT, signal.default_int_handler), (signal.SIGTERM, signal.SIG_DFL)):
             if signal.getsignal(stop) is usual:
                 signal.signal(stop, _interrupt)

@@ -154,12 +154,11 @@ def designed(law: Law) -> Controller:
 
 
 def _controller(run: Path | None, play: Path | None) -> Controller:
-    if run is not None and play is None:
+    if run is not None:
         return designed(Law.from_json(load_design(RunFolder.open(run))["law"]))
-    if play is not None and run is None:
-        loaded = load_sequence(play)
-        return played(loaded.t, loaded.u)
-    raise InputError("give either --controller or --play")
+    assert play is not None  # noqa: S101
+    loaded = load_sequence(play)
+    return played(loaded.t, loaded.u)
 
 
 def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
@@ -268,15 +267,17 @@ def closed_loop_log(
     summary : dict
         Metrics of every step of the target, from the joint's true motion (SI).
     """
+    if (controller is None) == (play is None):
+        raise InputError("give either --controller or --play")
     if options.form not in LAYOUTS:
         raise InputError(f"--format {options.form}: unknown; choose one of {', '.join(LAYOUTS)}")
     joint = virtual_joint(where)
-    scenario, acting = options.scenario(joint), _controller(controller, play)
+    scenario = options.scenario(joint)
     suffix = LAYOUTS[options.form].suffix
     path = output if output.suffix == suffix else output.with_name(output.name + suffix)
     names = (path.name, path.with_suffix(".toml").name)
     with new_outputs(path.parent, "rig closed-loop", force=force, names=names) as staged:
-        run = run_loop(joint.parameters, joint.bench, scenario, acting)
+        run = run_loop(joint.parameters, joint.bench, scenario, _controller(controller, play))
         written = write_log(staged / path.name, options.form, run, path.stem)
         files = [rebased(file, staged, path.parent) for file in written]
     places = joint.places()

@@ -85,8 +85,8 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
         (
             "b",
             -9,
-            "SIGKILL, which the system sends where memory runs out, ended the work; what is written is whole, and the "
-            "same command goes on",
+            "ended by SIGKILL (by another program, or by the system where memory runs out); what is written is whole, "
+            "and the same command goes on",
         ),
     ]
     before = (tmp_path / "two/a/manifest.json").stat().st_mtime_ns  # a rerun does only what is missing
@@ -186,7 +186,7 @@ def _soiling(arguments: list[str]) -> None:
     os.environ["SOILED"], sys.modules["soiled"] = "1", sys
     os.chdir("/")
     print("noise on standard output")
-    sys.exit(f"debist: {before} {os.getcwd() == '/'}")
+    sys.exit(f"debist: {before} {Path.cwd() == Path('/')}")
 
 
 def test_no_prototype_meets_what_another_left(tmp_path: Path) -> None:

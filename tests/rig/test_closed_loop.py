@@ -1,8 +1,6 @@
 """A controller against a virtual joint: what it is told, what it may do, what it cannot break."""
 
 import json
-import os
-import shutil
 from dataclasses import asdict, replace
 from pathlib import Path
 
@@ -14,7 +12,7 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.numerics.lag import first_order_lag
 from pipeline.rig.bench import Bench
-from pipeline.rig.controllers import c_controller, load_controller, played, python_controller
+from pipeline.rig.controllers import played, python_controller
 from pipeline.rig.joint import potential, rest, saddle, simulate, tip_displacement, wells
 from pipeline.rig.loop import Scenario, bench_from_json, run_loop
 from pipeline.rig.parameters import as_json, from_json, nominal
@@ -22,20 +20,6 @@ from pipeline.rig.random_joint import random_joint
 from pipeline.rig_logs import read_recording
 
 STILL = Scenario(np.zeros(1), np.zeros(1), 0.4)
-needs_compiler = pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler")
-
-LONG, LATE = pytest.mark.long, "took more than|does not answer"  # which comes first, the load decides
-PUSH = """
-#define _GNU_SOURCE
-#include <signal.h>
-#include <stddef.h>
-#include <stdio.h>
-size_t debist_controller_size(void) { return sizeof(double); }
-void debist_controller_init(void *state, double q) { *(double *)state = q; }
-double debist_controller_period(void) { return 1e-3; }
-void debist_controller_step(void *state, double q, double target, double v[2])
-{ (void)q; v[0] = 1e5 * (*(double *)state + target); v[1] = 1.0 / 0.0 - 1.0 / 0.0; }
-"""
 
 
 @pytest.mark.parametrize("charging", [0.0, 8e-3])
@@ -103,58 +87,16 @@ def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_f
     assert as_json(from_json(json.loads(json.dumps(as_json(p))))) == as_json(p)
 
 
-@needs_compiler
-def test_a_c_controller_is_compiled_called_and_held_within_limits(tmp_path: Path) -> None:
-    source = tmp_path / "push.c"
-    source.write_text(PUSH, encoding="utf-8")
-    run = run_loop(nominal(), Bench(), replace(STILL, target=np.array([16e-3])), c_controller(source))
-    np.testing.assert_allclose(run.command1, 1e5 * (run.q[0] + 16e-3))
-    assert set(run.command2) == {0.0}
+def test_the_failure_of_a_controller_in_python_is_told() -> None:
+    with pytest.raises(InputError, match="the controller failed: ZeroDivisionError"):
+        run_loop(nominal(), Bench(), STILL, python_controller(lambda _q: lambda _q, _target: (1 / 0, 0.0)))
 
 
-@needs_compiler
-@pytest.mark.parametrize(
-    ("old", "new", "said"),
-    [
-        ("#include <stdio.h>", "#inklude", "refuses it"),
-        ("debist_controller_period", "period", "lacks a function"),
-        ("1e-3", "2e-3", "period is 0.002 s"),
-        ("(void)q;", "*(volatile int *)1 = 2;", "crashed with SIG"),
-        ("(void)q;", "for (;;) { state = &q; }", LATE),
-        pytest.param("(void)q;", "signal(SIGXCPU, SIG_IGN); for (;;) { state = &q; }", LATE, marks=LONG),
-        pytest.param("(void)q;", 'for (;;) { puts("again and again"); }', LATE, marks=LONG),
-        ("#include <signal.h>", '#include "/dev/zero"', "refuses it: .*(out of|exhausted|memory|terminated)"),
-    ],
-)
-def test_a_broken_controller_is_one_line(old: str, new: str, said: str, tmp_path: Path, monkeypatch) -> None:  # type: ignore[no-untyped-def]
-    from pipeline.tools import closed_loop
-
-    monkeypatch.setattr(closed_loop, "LEAST_SECONDS", 3)
-    monkeypatch.setattr(closed_loop, "SECONDS_PER_SECOND", 0)
-    source = tmp_path / "broken.c"
-    source.write_text(PUSH.replace(old, new), encoding="utf-8")
-    with pytest.raises(InputError, match=said) as caught:
-        closed_loop.run_isolated(closed_loop.virtual_joint("nominal"), STILL, str(source))
-    assert "\n" not in str(caught.value)
-
-
-@needs_compiler
-def test_a_source_that_waits_for_ever_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pipeline.rig.controllers._COMPILE_SECONDS", 1)
-    os.mkfifo(tmp_path / "fifo")
-    (tmp_path / "waits.c").write_text('#include "fifo"\n', encoding="utf-8")
-    with pytest.raises(InputError, match=r"waits\.c: .* has not compiled it in 1 s"):
-        c_controller(tmp_path / "waits.c")
-
-
-def test_python_controllers_are_found_and_their_failures_told(tmp_path: Path) -> None:
-    file = tmp_path / "mine.py"
-    file.write_text("def fails(q):\n    return lambda q, target: 1 / 0\n", encoding="utf-8")
-    with pytest.raises(InputError, match="ZeroDivisionError"):
-        run_loop(nominal(), Bench(), STILL, load_controller(f"{file}:fails"))
-    for wrong in (f"{file}:other", "no_such_module:x", "nothing"):
-        with pytest.raises(InputError, match="--controller"):
-            load_controller(wrong)
+@pytest.fixture
+def still(tmp_path: Path) -> Path:
+    """Voltages that do nothing, to play."""
+    (tmp_path / "still.csv").write_text("time [s],v1 [V],v2 [V]\n0,0,0\n1,0,0\n", encoding="utf-8")
+    return tmp_path / "still.csv"
 
 
 def test_the_command_writes_a_log_that_can_be_read_with_the_reference_in_it(tmp_path: Path) -> None:
@@ -171,12 +113,11 @@ def test_the_command_writes_a_log_that_can_be_read_with_the_reference_in_it(tmp_
     assert Path(told["files"][1]).read_text(encoding="utf-8").count("run.mat") == 1
 
 
-def test_the_error_of_a_moving_reference_and_of_steps_that_do_not_settle_is_printed(tmp_path: Path) -> None:
-    (tmp_path / "still.py").write_text("def still(q):\n    return lambda q, target: (0.0, 0.0)\n")
+def test_errors_of_a_moving_reference_and_of_steps_that_do_not_settle_are_printed(tmp_path: Path, still: Path) -> None:
     t = np.arange(0.0, 1.0, 0.01)
     rows = [f"{at},{1e-3 * np.sin(6.0 * at)}" for at in t]
     (tmp_path / "sine.csv").write_text("\n".join(["time [s],target [m]", *rows]))
-    loop = ["rig", "closed-loop", "nominal", "-c", f"{tmp_path / 'still.py'}:still", "--duration", "1s"]
+    loop = ["rig", "closed-loop", "nominal", "--play", str(still), "--duration", "1s"]
     moving = CliRunner().invoke(app, [*loop, "--target", str(tmp_path / "sine.csv"), "-o", str(tmp_path / "a")])
     steps = CliRunner().invoke(app, [*loop, "--target", "0.1s:right", "-o", str(tmp_path / "b")])
     assert "moving reference: RMS error 11." in moving.output, moving.output  # the joint stays in its well
@@ -187,11 +128,11 @@ def test_the_error_of_a_moving_reference_and_of_steps_that_do_not_settle_is_prin
     ("options", "said"),
     [
         ([], "either --controller or --play"),
-        (["--controller", "x.c", "--target", "3"], "no unit"),
-        (["--controller", "x.c", "--push", "1s:2N"], "joined by colons"),
-        (["--controller", "x.c", "--format", "xls"], "unknown"),
-        (["--controller", "missing.c"], "no such file"),
-        (["--controller", "x.c", "--target", "0s:left,1s:60mm"], "make sense"),
+        (["--play", "x.csv", "--target", "3"], "no unit"),
+        (["--play", "x.csv", "--push", "1s:2N"], "joined by colons"),
+        (["--play", "x.csv", "--format", "xls"], "unknown"),
+        (["--controller", "missing"], "missing"),
+        (["--play", "x.csv", "--target", "0s:left,1s:60mm"], "make sense"),
     ],
 )
 def test_bad_options_are_one_line(options: list[str], said: str) -> None:
@@ -215,14 +156,13 @@ def test_bad_options_are_one_line(options: list[str], said: str) -> None:
     ],
 )
 def test_a_mistyped_joint_and_values_without_meaning_are_refused(
-    joint: str, option: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    joint: str, option: str, said: str, tmp_path: Path, still: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Also in a folder that holds a joint of its own, which is not the one that was named."""
     (tmp_path / "truth").mkdir()
     (tmp_path / "truth" / "truth.json").write_text("{}", encoding="utf-8")
-    (tmp_path / "idle.py").write_text("def idle(q, target):\n    return 0.0, 0.0\n", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    asked = ["rig", "closed-loop", joint, "-c", "idle.py:idle", option, "-o", str(tmp_path / "out")]
+    asked = ["rig", "closed-loop", joint, "--play", str(still), option, "-o", str(tmp_path / "out")]
     ended = CliRunner().invoke(app, asked)
     assert ended.exit_code == 2
     assert said in ended.stderr
@@ -231,11 +171,9 @@ def test_a_mistyped_joint_and_values_without_meaning_are_refused(
 @pytest.mark.parametrize(
     "options", [["--push", "7s:50mN:20ms"], ["--lost", "5s:50ms"], ["--target", "0s:left,5s:right"]]
 )
-def test_an_event_after_the_end_is_told(tmp_path: Path, options: list[str]) -> None:
-    source = tmp_path / "still.py"
-    source.write_text("def make(first):\n    return lambda q, target: (0.0, 0.0)\n")
+def test_an_event_after_the_end_is_told(tmp_path: Path, still: Path, options: list[str]) -> None:
     target = [] if "--target" in options else ["--target", "left"]
-    arguments = ["rig", "closed-loop", "nominal", "-c", str(source), "-o", str(tmp_path / "log"), *target, *options]
+    arguments = ["rig", "closed-loop", "nominal", "--play", str(still), "-o", str(tmp_path / "log"), *target, *options]
     result = CliRunner().invoke(app, arguments)
     assert result.exit_code == 2
     assert "the run is over; raise --duration" in result.stderr

@@ -112,8 +112,8 @@ def test_a_list_that_somebody_spoilt_counts_for_nothing(tmp_path):
         (["rig", "fleet", "1", "-o", "{}/..", "--format", "mat"], "train.mat"),
         (["rig", "excite", "-o", "{}/train.csv", "--duration", "8 s"], "train.csv"),
         (["rig", "excite", "-o", "{}/train.csv", "--duration", "8 s"], "train.json"),
-        (["rig", "closed-loop", "nominal", "--controller", "none.c", "-o", "{}/train"], "train.mat"),
-        (["rig", "closed-loop", "nominal", "--controller", "none.c", "-o", "{}/train"], "train.toml"),
+        (["rig", "closed-loop", "nominal", "--play", "none.csv", "-o", "{}/train"], "train.mat"),
+        (["rig", "closed-loop", "nominal", "--play", "none.csv", "-o", "{}/train"], "train.toml"),
         (["demo", "-o", "{}/../X"], "train.mat"),
     ],
 )
