@@ -10,13 +10,9 @@ in which everything is up to date, is measured too.
 
 import argparse
 import json
-import os
-import resource
 import shutil
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +22,7 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from benchmarks.measure import adopt_orphans, cost
 from tests.double_well import DoubleWell
 
 TOML = """name = "{name}"
@@ -60,27 +57,15 @@ def write_fleet(folder: Path, count: int) -> None:
 
 def batch(folder: Path, output: str, jobs: int) -> dict[str, Any]:
     """Wall time, processor times of workers and of the whole command, and the largest memory of a process."""
-    began, before = time.perf_counter(), _processor_time()
-    command = [sys.executable, "-c", "from cli import app; app()", "batch", "prototypes", "-o", output]
-    done = subprocess.run(
-        [*command, "--jobs", str(jobs), "--no-report", "--json"],
-        cwd=folder,
-        stdout=subprocess.PIPE,
-        check=True,
-        env=os.environ | {"OMP_NUM_THREADS": "1"},
-    )
-    prototypes = json.loads(done.stdout)["prototypes"]
+    command = [sys.executable, "-c", "from cli import app; app()", "batch", str(folder / "prototypes")]
+    made = cost([*command, "-o", str(folder / output), "--jobs", str(jobs), "--no-report", "--json"])
+    prototypes = json.loads(made.stdout)["prototypes"]
     return {
-        "wall": time.perf_counter() - began,
-        "whole": _processor_time() - before,
+        "wall": made.wall,
+        "whole": made.processor,
         "workers": sum(prototype["processor_seconds"] for prototype in prototypes),
         "memory": max(prototype["memory_bytes"] for prototype in prototypes),
     }
-
-
-def _processor_time() -> float:
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
 
 
 def main() -> None:
@@ -89,6 +74,7 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, nargs="+", default=[1, 2], help="the first is what efficiency refers to")
     parser.add_argument("--folder", type=Path, help="where fleets and runs go for the time of the benchmark")
     options = parser.parse_args()
+    adopt_orphans()
     print(
         "prototypes jobs  wall [s]  efficiency  processor time [s] per prototype: run  batch itself  rerun  memory [MB]"
     )

@@ -74,18 +74,13 @@ def _type(annotation: typing.Any) -> str:
     return (inline | {"str": "text", "float": "number", "int": "integer", "bool": "boolean"})[annotation.__name__]
 
 
-_DEATH = """
-A command does its work in a child process, whose parent waits. If a signal ends the child, the parent says which in
-one line and ends with 128 + its number, as shells do: 137 (SIGKILL, as the kernel sends it where memory runs out),
-134, 139, 135 (SIGABRT, SIGSEGV, SIGBUS, by which libraries end that were refused memory, or are at fault). What is
-written is whole. The parent hands on SIGTERM, SIGHUP, SIGQUIT, SIGINT, SIGTSTP and SIGCONT, and ends by the first
-three itself if the child does; a killed parent takes its child along. Where processes cannot be copied (Windows) the
-command is one process."""
+_SIGNALS = """
+Ctrl-C and SIGTERM end a command with one line; what is written is whole."""
 
 
 def _commands_page() -> str:
     lines = ["# Commands", "", "What `--help` says; written by `python -m tests.test_reference`.", "", app.info.epilog]
-    lines.append(_DEATH)
+    lines.append(_SIGNALS)
     for path in _walk(get_command(app), []):
         shown = CliRunner().invoke(app, [*path, "--help"], env={"COLUMNS": "100", "TERMINAL_WIDTH": "100"}).output
         lines += ["", f"## debist {' '.join(path)}", "", "```text", shown.strip(), "```"]
