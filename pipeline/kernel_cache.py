@@ -77,7 +77,7 @@ def check_private(folder: Path) -> None:
     InputError
         It, or a folder on the way to it, belongs to somebody else or is open to everybody.
     """
-    if sys.platform == "win32":
+    if not hasattr(os, "geteuid"):
         return
     whole = folder.absolute()
     for place in (whole, *whole.parents):
