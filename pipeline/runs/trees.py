@@ -41,15 +41,8 @@ def write_tree(
     The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. What it was
     refused memory for while it closes a dataset it tells nobody, so the bytes are read back first, which takes as long.
     """
-    digest = tree_hash(tree)
-    try:
-        content = _laid_out(tree, columns)
-        whole = tree_hash(parse_tree(content, target)) == digest
-    except (OSError, RuntimeError, ValueError, KeyError, CorruptArtifactError) as error:
-        if isinstance(error, ValueError | KeyError) and "Unable to synchronously" not in str(error):
-            raise
-        raise MemoryError from error  # HDF5 has words of its own for that, and in memory nothing else fails
-    if not whole:
+    digest, content = tree_hash(tree), _laid_out(tree, columns)
+    if tree_hash(parse_tree(content, target)) != digest:
         raise MemoryError
     write_bytes(target, content, within=within)
     return digest
@@ -59,7 +52,8 @@ def _laid_out(tree: Mapping[str, Any], columns: Columns | None) -> bytes:
     """The bytes of the file."""
     import h5py
 
-    with h5py.File("tree", "w", driver="core", backing_store=False, libver="v110") as file:
+    content = BytesIO()  # HDF5's own image of a file is damaged in versions before 2.0
+    with h5py.File(content, "w", libver="v110") as file:
         for path, value in flatten(tree):
             array = np.asarray(value)
             if array.dtype.kind in "US":
@@ -70,9 +64,7 @@ def _laid_out(tree: Mapping[str, Any], columns: Columns | None) -> bytes:
                 made = file.create_dataset(path, data=array)
             if columns is not None:
                 made.attrs["unit"], made.attrs["meaning"] = columns(path)
-        file.flush()
-        content: bytes = file.id.get_file_image()
-    return content
+    return content.getvalue()
 
 
 def read_tree(path: Path, group: str = "/") -> Tree:
