@@ -11,23 +11,25 @@ ROLE_WORDS = {"train": "training", "validation": "validation"}
 FILL_IN = "FILL IN"
 """Stands in a first settings file where the user has to choose; no channel and no unit is called so."""
 SAFE = re.compile(r"[A-Za-z0-9._-]{1,64}")
-_WRITABLE = re.compile(r"[\w.(\[{-](?:[\w .,()\[\]{}+&#@%°'~!-]{0,62}[\w.)\]}+%°'~!-])?")
+_WRITABLE = re.compile(r"[\w.(\[{-](?:[\w .,()\[\]{}+&#@%°'~!-]*[\w.)\]}+%°'~!-])?")
+_LONGEST, _LONGEST_LOG = 64, 250
 _RESERVED = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})
 _SPELT = {"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss", "æ": "ae", "ø": "o", "µ": "u"}
 
 
-def check_name(name: str) -> str:
+def check_name(name: str, longest: int = _LONGEST) -> str:
     """Return `name` if people and systems can work with it: letters of any script, digits, blanks, brackets and such.
 
     Raises
     ------
     ValueError
-        It is empty or longer than 64, holds what leaves a folder, a line, a table or a shell, or is reserved.
+        It is empty or longer than `longest`, holds what leaves a folder, a line, a table or a shell, or is reserved.
     """
-    if not _WRITABLE.fullmatch(name) or name.endswith("."):  # Windows leaves a dot at the end out
+    # Windows leaves a dot at the end out
+    if not _WRITABLE.fullmatch(name) or name.endswith(".") or len(name) > longest:
         raise ValueError(
-            f"{name!r} is no usable name: 1 to 64 letters, digits, blanks, dots, hyphens, underscores or brackets, "
-            "without blanks at its ends or a dot at its end; rename it"
+            f"{name!r} is no usable name: 1 to {longest} letters, digits, blanks, dots, hyphens, underscores or "
+            "brackets, without blanks at its ends or a dot at its end; rename it"
         )
     if name.split(".")[0].strip().lower() in _RESERVED:
         raise ValueError(f"{name!r} is a reserved device name on some systems; rename it")
@@ -37,15 +39,16 @@ def check_name(name: str) -> str:
 def slug(name: str) -> str:
     """The name of its folder: itself where it is safe, else spelt in ASCII (``Prüfling 1`` → ``Pruefling-1``).
 
-    What has no spelling (another script) gets a name from its hash, always the same one.
+    What has no spelling (another script) gets a name from its hash, always the same one; a name of more than 64 letters
+    keeps its first ones, and a hash tells it from others that begin alike.
     """
     if SAFE.fullmatch(name):
         return name
     spelt = "".join(map(_spelt, unicodedata.normalize("NFC", name)))
-    short = re.sub(r"-{2,}", "-", spelt).strip("-.")[:64]
+    short, digest = re.sub(r"-{2,}", "-", spelt).strip("-."), hashlib.sha256(name.encode()).hexdigest()[:8]
     if not re.search(r"[A-Za-z0-9]", short) or short.split(".")[0].lower() in _RESERVED:
-        return f"name-{hashlib.sha256(name.encode()).hexdigest()[:8]}"
-    return short
+        return f"name-{digest}"
+    return short if len(short) <= _LONGEST else f"{short[: _LONGEST - 9]}-{digest}"
 
 
 def _spelt(letter: str) -> str:
@@ -64,6 +67,11 @@ def _spelt(letter: str) -> str:
 def true_name(log: str) -> str:
     """A log as people know it: the file's name without its ending."""
     return Path(log.replace("\\", "/")).stem
+
+
+def check_log_name(log: str) -> str:
+    """Return a log's true name if it is one that `check_name` takes; it may be as long as a file's name may be."""
+    return check_name(true_name(log), _LONGEST_LOG)
 
 
 def log_title(role: str, name: str) -> str:

@@ -15,7 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError, fiel
 
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.model_list import AUTO, BASIS_FUNCTIONS, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
-from pipeline.names import FILL_IN, check_name, log_name, slug, true_name
+from pipeline.names import FILL_IN, check_log_name, check_name, log_name, slug
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
 from pipeline.settings_errors import mistakes
 
@@ -332,7 +332,7 @@ class Prototype(_Settings):
             logs = getattr(self.logs, role)
             filed = [log_name(log) for log in logs]
             for log, name in zip(logs, filed, strict=True):
-                check_name(true_name(log))
+                check_log_name(log)
                 if [other.casefold() for other in filed].count(name.casefold()) > 1:
                     raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
         twice = set(self.logs.train) & set(self.logs.validation)
