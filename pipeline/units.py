@@ -123,6 +123,14 @@ POWERS = {
 }
 """Powers of kg, m, s and V in units of the joint's quantities; pint knows them too, a test compares."""
 
+SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "day": 86_400.0}
+"""Seconds per unit of time, by pint's names."""
+_TIME_WORDS = {
+    "s": "sec secs second seconds sekunde sekunden", "ms": "msec millisecond milliseconds", "ns": "nanosecond nanoseconds",
+    "us": "µs μs usec microsecond microseconds", "min": "mins minute minutes", "h": "hr hour hours", "day": "d days",
+}  # fmt: skip
+_TIME_NAMES = {word: unit for unit, words in _TIME_WORDS.items() for word in (unit, *words.split())}
+
 _LONGEST = 60
 # One name, and a whole power of one digit: all that a unit needs, and nothing for which pint would count without end.
 _FACTOR = r"(?:1|%|°[CF]?|[^\W\d_][^\W\d]*)(?:(?:\*\*|\^)[+-]?[1-9]|[⁺⁻]?[¹²³⁴-⁹])?"
@@ -144,6 +152,11 @@ def _registry() -> Any:
     import pint
 
     return pint.UnitRegistry()
+
+
+def time_unit(text: str) -> str:
+    """Pint's name of a unit of time as logs write it, such as ``[ms]`` or ``seconds since 1970-01-01``; "" for others."""
+    return _TIME_NAMES.get(text.strip().partition(" since ")[0].strip("[]() ").casefold(), "")
 
 
 def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:

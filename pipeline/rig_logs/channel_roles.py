@@ -8,15 +8,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from pipeline.units import SECONDS, time_unit
+
 Role = Literal["time", "q", "v1", "v2"]
 
-TIME_UNITS = {"s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "ns": 1e-9, "min": 60.0}
-"""Seconds per unit of a time column."""
 _DISPLACEMENT_UNITS = ("m", "mm", "cm", "um", "µm", "μm", "nm", "deg", "°", "rad", "mrad")
 _INPUT_UNITS = ("V", "kV", "mV", "A", "mA", "%", "pct", "N")
 _PINT_NAMES = {
-    "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um", "sec": "s", "μs": "us",
-    "second": "s", "seconds": "s", "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
+    "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um", "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
 }  # fmt: skip
 _SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z])\w*|\d*)([(\[]:,\d+[)\]])?$"
 """The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""
@@ -68,12 +67,12 @@ def suggested_unit(name: str, unit: str) -> str:
     if not bare:
         match = _NAME_SUFFIX.search(name)
         bare = _spelt(match["unit"]) if match else ""
-    return _PINT_NAMES.get(bare.lower(), bare)
+    return time_unit(bare) or _PINT_NAMES.get(bare.lower(), bare)
 
 
 def _spelt(unit: str) -> str:
     """A unit that stands at the end of a name, in its right letters (KV is kV); "" where it is none."""
-    known = (*TIME_UNITS, *_DISPLACEMENT_UNITS, *_INPUT_UNITS)
+    known = (*SECONDS, *_DISPLACEMENT_UNITS, *_INPUT_UNITS)
     if unit in known:
         return unit
     return next((one for one in known if one.lower() == unit.lower() and (len(one) > 1 or one.isupper())), "")
@@ -103,8 +102,8 @@ def suggest(
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
     called = [name for name in names if any(map(_WORDS["time"].search, (name, re.split(r"[./]", name)[-1])))]
-    times = tuple(name for name in called if units[name] in ("", *TIME_UNITS))
-    times = times or tuple(name for name in names if units[name] in TIME_UNITS)
+    times = tuple(name for name in called if units[name] in ("", *SECONDS))
+    times = times or tuple(name for name in names if units[name] in SECONDS)
     times = times or (tuple(name for name in rising if not units[name]) if len(rising) == 1 else ())
     times = tuple(name for name in times if sizes[name] == max(map(sizes.__getitem__, times)))
     rest = [name for name in names if name not in times and not _WANTED.search(name)]

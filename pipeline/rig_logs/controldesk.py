@@ -12,12 +12,14 @@ from pipeline.rig_logs.mat_values import (
     MatChannel,
     MatStruct,
     MatValue,
+    Reader,
     bare,
     is_struct,
     scalar_of,
     text_of,
 )
 from pipeline.rig_logs.source import Entry, UnreadableLogError, unique_names
+from pipeline.units import SECONDS, time_unit
 
 
 def is_recorder(value: MatValue) -> bool:
@@ -38,6 +40,8 @@ def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
     if not is_struct(channels):
         raise UnreadableLogError("the ControlDesk struct has no channels Y")
     arrays = {i: data for i in range(channels.count) if isinstance(data := channels.get(i, "Data"), MatArray)}
+    others = [text_of(channels.get(i, "Name")) or f"Y({i + 1})" for i in range(channels.count) if i not in arrays]
+    notes += [f"no real numbers, and left out: {', '.join(others)}"] if others else []
     rows = list(arrays)
     names = [bare(text_of(channels.get(i, "Name"))) or f"Y({i + 1})" for i in rows]
     paths = [bare(text_of(channels.get(i, "Path"))) for i in rows]
@@ -68,14 +72,24 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
             raster = text_of(axes.get(i, "Raster")) or str(i + 1)
             names.append(text_of(axes.get(i, "Name")) or ("time" if axes.count == 1 else f"time ({raster})"))
         for i, name in enumerate(unique_names(names)):
-            data = axes.get(i, "Data")
-            if isinstance(data, MatArray) and data.size:
-                unit = text_of(axes.get(i, "Unit")).strip()
-                channels.append(MatChannel(Entry(name, unit or "s", data.dtype, data.size), data.read, data.step))
-                found.append((name, data.size))
-            else:
+            data, unit = axes.get(i, "Data"), text_of(axes.get(i, "Unit")).strip() or "s"
+            if not isinstance(data, MatArray) or not data.size:
                 found.append((name, 0))
+                continue
+            factor = SECONDS.get(time_unit(unit))
+            if factor is None:
+                notes.append(f"the axis {name!r} is in {unit} and no time: its channels need a [channels] time")
+                channels.append(MatChannel(Entry(name, unit, data.dtype, data.size), data.read, data.step))
+            else:
+                notes += [] if factor == 1.0 else [f"the time axis {name!r} counts in {unit} and is read in s"]
+                read = _scaled(data.read, factor)
+                channels.append(MatChannel(Entry(name, "s", data.dtype, data.size), read, data.step))
+            found.append((name, 0 if factor is None else data.size))
     return (found, channels) if channels else _time_from_capture(record, notes)
+
+
+def _scaled(read: Reader, factor: float) -> Reader:
+    return read if factor == 1.0 else lambda first, last: read(first, last) * factor
 
 
 def _time_from_capture(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[MatChannel]]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.names import FILL_IN, check_name, slug, true_name
-from pipeline.rig_logs.channel_roles import TIME_UNITS, Role, Suggestion, suggested_unit
+from pipeline.rig_logs.channel_roles import Role, Suggestion, suggested_unit
 from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspection
 from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
 from pipeline.rig_logs.recording import as_other_logs
@@ -17,7 +17,7 @@ from pipeline.signals.bandwidth import LEAST_PER_PERIOD, advised_interval
 from pipeline.signals.quality_gates import COARSEST_STEP, UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from pipeline.signals.timebase import seldom
-from pipeline.units import DISPLACEMENT, to_si
+from pipeline.units import DISPLACEMENT, SECONDS, to_si
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _MOST_LISTED, _MOST_NAMED = 100, 5
@@ -166,7 +166,7 @@ def _ingest_lines(log: Inspection) -> list[str]:
     if time is not None and not time.candidates:
         return ["", "[ingest]", *_rate_lines(log)]
     channel = None if time is None else next((one for one in log.channels if one.name == time.only), None)
-    if channel is not None and suggested_unit(channel.name, channel.unit) not in TIME_UNITS:
+    if channel is not None and suggested_unit(channel.name, channel.unit) not in SECONDS:
         return []
     lines = _interval_lines(log, min((base.step for base in log.time_bases), default=np.nan))
     return ["", "[ingest]", *lines] if lines else []

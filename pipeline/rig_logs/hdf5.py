@@ -13,14 +13,17 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.hdf5_attributes import Packing, described, packing_of, perhaps_packed, unit_of, why_unread
 from pipeline.rig_logs.source import (
     MOST_COLUMNS,
     PART,
+    Counted,
     CsvOptions,
     Entry,
     Limits,
     Source,
     UnreadableLogError,
+    left_out,
     not_listed,
     note_on_rate,
     ranges,
@@ -31,6 +34,7 @@ _MOST_OBJECTS = 100_000
 _DEEPEST = 16
 _LARGEST_RATIO = 2000.0
 _SMALL_BYTES = 1 << 20
+_NUMBERS = "fiub"
 
 
 def open_hdf5(path: Path) -> Any:
@@ -133,9 +137,6 @@ def _first_sentence(error: OSError) -> str:
     return str(error).split("(", 1)[-1].rstrip(")") or str(error)
 
 
-_UNIT_ATTRIBUTES = ("unit", "units", "Unit", "Units", "UNIT")
-
-
 class Hdf5Source:
     """A plain HDF5 file; it declares no time base, the settings name the time channel."""
 
@@ -145,11 +146,12 @@ class Hdf5Source:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
         self.rates: dict[str, float] = {}
-        self._places: dict[str, tuple[Any, int | str | None]] = {}
+        self._places: dict[str, tuple[Any, int | str | None, Packing | None]] = {}
         self._entries: list[Entry] = []
+        self._counted = Counted()
         self._file = open_hdf5(path)
         others = {name: dataset.shape for name, dataset in walk(self._file) if not self._list(name, dataset)}
-        self.notes += not_listed(others)
+        self.notes += [*left_out(self.texts), *not_listed(others)]
 
     def entries(self) -> list[Entry]:
         """Every vector of real numbers."""
@@ -158,31 +160,36 @@ class Hdf5Source:
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels, in slices along the stored chunks."""
         for name in names:
-            dataset, column = self._places[name]
+            dataset, column, packing = self._places[name]
             axis = 0 if isinstance(column, str) else int(np.argmax(dataset.shape))
             for first, last in ranges(dataset.shape[axis], rows_at_a_time(dataset, axis)):
                 if column is None:
-                    yield name, flat(dataset, first, last)
+                    part = flat(dataset, first, last)
                 elif isinstance(column, str):
-                    yield name, np.asarray(dataset.fields(column)[first:last])
+                    part = np.asarray(dataset.fields(column)[first:last])
                 else:
                     part = dataset[first:last, column] if axis == 0 else dataset[column, first:last]
-                    yield name, np.asarray(part)
+                yield name, self._counted(name, part) if packing is None else packing.unpack(np.asarray(part))
+        self.notes += self._counted.notes()
 
     def _list(self, name: str, dataset: Any) -> bool:
         """List its channels, or the sample rate that it states; False for numbers that are neither."""
-        unit = _unit(dataset)
         shape: tuple[int, ...] = dataset.shape or ()
-        if dataset.dtype.names and len(shape) == 1:  # a table of named columns
+        if dataset.size and dataset.size > 1 and (why := why_unread(dataset)):
+            self.texts[name] = why
+        elif dataset.dtype.names and len(shape) == 1:  # a table of named columns
             for field in dataset.dtype.names:
-                if dataset.dtype[field].kind in "fiu" and not dataset.dtype[field].shape:
-                    self._add(f"{name}.{field}", "", dataset.dtype[field], shape[0], dataset, field)
-        elif dataset.dtype.kind in "fiu" and dataset.size and dataset.size == max(shape, default=0) > 1:
-            self._add(name, unit, dataset.dtype, dataset.size, dataset, None)
-        elif dataset.dtype.kind in "fiu" and len(shape) == 2 and 1 < min(shape) <= MOST_COLUMNS:
+                kind = dataset.dtype[field]
+                if kind.kind in _NUMBERS and not kind.shape:
+                    self._add(f"{name}.{field}", kind, shape[0], dataset, field)
+                else:
+                    self.texts[f"{name}.{field}"] = f"{kind}"
+        elif dataset.dtype.kind in _NUMBERS and dataset.size and dataset.size == max(shape, default=0) > 1:
+            self._add(name, dataset.dtype, dataset.size, dataset, None)
+        elif dataset.dtype.kind in _NUMBERS and len(shape) == 2 and 1 < min(shape) <= MOST_COLUMNS:
             for j in range(min(shape)):
                 place = f"[:,{j}]" if shape[1] <= shape[0] else f"[{j},:]"
-                self._add(name + place, unit, dataset.dtype, max(shape), dataset, j)
+                self._add(name + place, dataset.dtype, max(shape), dataset, j)
         else:
             return self._note_rate(name, dataset)
         return True
@@ -198,21 +205,25 @@ class Hdf5Source:
                 self.notes.append(note_on_rate(name, number, rate))
         return bool(dataset.size == 1)
 
-    def _add(
-        self, name: str, unit: str, dtype: np.dtype[Any], count: int, dataset: Any, column: int | str | None
-    ) -> None:
-        self._places[name] = (dataset, column)
+    def _add(self, name: str, dtype: np.dtype[Any], count: int, dataset: Any, column: int | str | None) -> None:
+        """List a channel, unless its attributes cannot be applied; what they say is noted."""
+        table = isinstance(column, str)  # its attributes are of all of its columns
+        try:
+            packing = None if isinstance(column, str) else packing_of(dataset, column)
+        except UnreadableLogError as error:
+            self.texts[name] = f"{error}"
+            return
+        unit, since = ("", "") if table else unit_of(dataset)
+        own = name if table else dataset.name.lstrip("/")
+        perhaps = ", ".join(filter(None, [perhaps_packed(dataset), described(dataset) if table else ""]))
+        said = {
+            f"time of {own!r} counts from {since}": since,
+            f"{own!r} is unpacked by its attributes: {described(dataset)}": packing,
+            f"{own!r} has {perhaps}, not applied here: see scale and offset in [channels]": perhaps,
+        }
+        self.notes += [note for note, applies in said.items() if applies and note not in self.notes]
+        self._places[name] = (dataset, column, packing)
         self._entries.append(Entry(name, unit, dtype.name, int(count)))
-
-
-def _unit(dataset: Any) -> str:
-    for attribute in _UNIT_ATTRIBUTES:
-        value = dataset.attrs.get(attribute)
-        if isinstance(value, bytes):
-            return value.decode("utf-8", "replace")
-        if isinstance(value, str):
-            return value
-    return ""
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:

@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig_logs.channel_roles import TIME_UNITS, Suggestion, is_record, suggest, suggested_unit
+from pipeline.rig_logs.channel_roles import Suggestion, is_record, suggest, suggested_unit
 from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import Channel
@@ -16,6 +16,7 @@ from pipeline.rig_logs.remarks import Clock, Context, remarks_on
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
+from pipeline.units import SECONDS
 
 _UNEVEN, _MOSTLY = 0.5, 0.95
 """Share of a step by which those of a clock may differ, and how many of them do not by more."""
@@ -183,9 +184,9 @@ def _time_column(
         return None, "samples"
     channel = next(c for c in channels if c.name == name)
     unit = suggested_unit(channel.name, channel.unit)
-    stated = f"in {unit}" if unit in TIME_UNITS else "in s, of which the log says nothing"
+    stated = f"in {unit}" if unit in SECONDS else "in s, of which the log says nothing"
     notes.append(f"described as if {name!r} were time {stated}; the settings decide")
-    return channel.samples * TIME_UNITS.get(unit, 1.0), "s" if unit in TIME_UNITS else ""
+    return channel.samples * SECONDS.get(unit, 1.0), "s" if unit in SECONDS else ""
 
 
 def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuality], notes: list[str]) -> int | None:

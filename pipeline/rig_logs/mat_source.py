@@ -9,7 +9,16 @@ from numpy.typing import NDArray
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
 from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatObject, MatValue, is_struct, scalar_of
 from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
-from pipeline.rig_logs.source import MOST_COLUMNS, Entry, not_listed, note_on_rate, ranges, stated_rate
+from pipeline.rig_logs.source import (
+    MOST_COLUMNS,
+    Counted,
+    Entry,
+    left_out,
+    not_listed,
+    note_on_rate,
+    ranges,
+    stated_rate,
+)
 
 _DEEPEST = 8
 _MOST_ELEMENTS = 1000
@@ -20,8 +29,11 @@ _WAYS_OUT = {
     "timetable": _TABLE,
     "iddata": "save its vectors (NAME.u, NAME.y) and its sample time (NAME.Ts)",
     "timeseries": "save its vectors (NAME.Time, NAME.Data)",
+    "complex array": "save its real part, real(NAME)",
+    "sparse array": "save full(NAME)",
+    "cell": "save what it holds as variables of their own, as NAME1 = NAME{1}",
 }
-"""What to do with an object, by its class."""
+"""What to do with what is not read, by its class."""
 
 
 class MatSource:
@@ -46,7 +58,7 @@ class MatSource:
                 self._add(simulink_channels(name, value, self.notes), prefix)
             else:
                 self._add(self._plain(name, value, _DEEPEST))
-        self.notes += not_listed(self._not_listed)
+        self.notes += [*left_out(self.texts), *not_listed(self._not_listed)]
 
     def entries(self) -> list[Entry]:
         """Every numeric channel."""
@@ -54,10 +66,12 @@ class MatSource:
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels."""
+        counted = Counted()
         for name in names:
             channel = self._channels[name]
             for first, last in ranges(channel.entry.count, channel.step):
-                yield name, channel.read(first, last)
+                yield name, counted(name, channel.read(first, last))
+        self.notes += counted.notes()
 
     def _add(self, channels: Sequence[MatChannel], prefix: str = "") -> None:
         for channel in channels:
@@ -71,7 +85,9 @@ class MatSource:
         """Vectors by their name, signals of matrices, fields of structs as name.field or name(k).field."""
         if isinstance(value, MatObject):
             advice = _WAYS_OUT.get(value.kind, "save its vectors as variables of their own").replace("NAME", name)
-            self.notes.append(f"{name} is a MATLAB {value.kind}, which only MATLAB can read: {advice}")
+            self.texts[name] = f"a MATLAB {value.kind}: {advice}"
+        elif isinstance(value, str) and value:
+            self.texts[name] = "text"
         elif isinstance(value, MatArray):
             self._note_rate(name, value)
             if value.is_vector:

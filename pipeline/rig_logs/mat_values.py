@@ -50,7 +50,7 @@ class MatArray:
 
 @dataclass(frozen=True)
 class MatObject:
-    """An object of a MATLAB class (table, timetable, timeseries, iddata, …), whose layout is its class's own matter."""
+    """An object of a MATLAB class (table, timeseries, iddata, …), or another value that is not read, such as a cell."""
 
     kind: str
 
@@ -71,7 +71,7 @@ class MatStruct(Protocol):
 
 
 MatValue = MatArray | MatStruct | MatObject | str | None
-"""None stands for what is no data here: cells, function handles, complex or sparse arrays."""
+"""None stands for what is empty or damaged."""
 
 
 @dataclass(frozen=True)

@@ -43,6 +43,7 @@ _NUMERIC = {
 }
 _STRUCT, _OBJECT, _CHAR, _OPAQUE = 2, 3, 4, 17
 _COMPLEX_FLAG = 0x0800
+_NOT_READ = {1: "cell", 5: "sparse array", 16: "function handle"}
 _DEEPEST = 16
 _MOST_ELEMENTS = 1_000_000
 
@@ -153,16 +154,18 @@ class _Walker:
         kind = word & 0xFF
         if kind == _OPAQUE:
             return self._opaque(flags.next, end)
-        if kind not in _NUMERIC and kind not in (_STRUCT, _OBJECT, _CHAR):
-            return "", None
         shape = _element(self._buffer, flags.next, end, self._order)
         dims = tuple(int(d) for d in self._numbers(shape))
         label = _element(self._buffer, shape.next, end, self._order)
         name = self._label(label)
         if not dims or min(dims) < 0:
             raise UnreadableLogError(TRUNCATED)
+        if kind not in _NUMERIC and kind not in (_STRUCT, _OBJECT, _CHAR):
+            return name, MatObject(_NOT_READ.get(kind, "value of an unknown kind"))
+        if kind in _NUMERIC and word & _COMPLEX_FLAG:
+            return name, MatObject("complex array")
         if kind in _NUMERIC:
-            return name, None if word & _COMPLEX_FLAG else self._array(dims, _NUMERIC[kind], label.next, end)
+            return name, self._array(dims, _NUMERIC[kind], label.next, end)
         if kind == _CHAR:
             return name, self._text(label.next, end)
         if kind == _OBJECT:

@@ -13,6 +13,7 @@ import h5py
 import numpy as np
 
 from pipeline.rig_logs.hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time
+from pipeline.rig_logs.hdf5_attributes import why_unread
 from pipeline.rig_logs.mat_source import MatSource
 from pipeline.rig_logs.mat_values import MatArray, MatObject, MatValue
 from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
@@ -57,15 +58,19 @@ def _value(item: Any) -> MatValue:
     if "MATLAB_object_decode" in item.attrs:
         return MatObject(_class_of(item))
     if isinstance(item, h5py.Group):
-        return _struct(item)
+        return MatObject("sparse array") if "MATLAB_sparse" in item.attrs else _struct(item)
     if not isinstance(item, h5py.Dataset) or item.attrs.get("MATLAB_empty", 0):
         return "" if _class_of(item) == "char" else None
     if _class_of(item) == "char":
         if item.size > _LONGEST_TEXT:
             return None
         return np.asarray(item[()], dtype="<u2").tobytes(order="F").decode("utf-16-le", "replace") if item.size else ""
-    if item.dtype.kind not in "fiu":
-        return None
+    if _class_of(item) == "cell" or _is_references(item):
+        return MatObject("cell")
+    if item.dtype.names == ("real", "imag"):
+        return MatObject("complex array")
+    if item.dtype.kind not in "fiub" or (item.size and why_unread(item)):
+        return MatObject(f"{_class_of(item)} {why_unread(item)}".strip())
     return MatArray(
         tuple(reversed(item.shape)), item.dtype.name, lambda start, stop: flat(item, start, stop), _step(item)
     )

@@ -14,7 +14,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, ranges, unique_names
+from pipeline.rig_logs.source import (
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableLogError,
+    left_out,
+    ranges,
+    unique_names,
+)
+from pipeline.units import SECONDS, time_unit
 
 _FORMULA = "the result of a conversion formula, which is not worked out; export the channel with its physical values"
 
@@ -48,6 +58,8 @@ class MdfSource:
         self.texts: dict[str, str] = {}
         self._places: dict[str, tuple[int, int]] = {}
         self._entries: list[Entry] = []
+        self._timeless: set[int] = set()
+        self._factors: dict[int, float] = {}
         self._list()
 
     def entries(self) -> list[Entry]:
@@ -80,6 +92,7 @@ class MdfSource:
         try:
             if is_master:
                 samples: NDArray[Any] = self._mdf.get_master(group, record_offset=first, record_count=count)
+                samples = samples * self._factors[group] if group in self._factors else samples
                 invalid: NDArray[Any] | None = None
             else:
                 samples, invalid = self._mdf.get(
@@ -110,19 +123,53 @@ class MdfSource:
             for name, (_, group, index, _) in zip(names, listed, strict=True)
             if index == masters_of.get(group)
         }
+        clocks = {
+            name: self._clock(name, group, _unit(channel), _MASTERS.get(getattr(channel, "sync_type", 0), ""))
+            for name, (_, group, _, channel) in zip(names, listed, strict=True)
+            if name == masters.get(group)
+        }
         for name, (_, group, index, channel) in zip(names, listed, strict=True):
             kind = _number_type(channel, self._mdf.version)
-            if kind is None:
+            if kind is None or (text := _texts_in_place(channel, self._mdf.version)):
+                self.texts[name] = text if kind else "no plain numbers"
                 continue
             if any(_has_formula(groups[group].channels[i].conversion) for i in {index, masters_of.get(group, index)}):
                 self.texts[name] = _FORMULA
                 continue
             count = int(self._mdf.groups[group].channel_group.cycles_nr)
-            master = masters.get(group)
-            unit = channel.unit or (getattr(channel.conversion, "unit", "") if channel.conversion else "")
+            master = None if group in self._timeless or name in clocks else masters.get(group)
             self._places[name] = (group, index)
-            self._entries.append(Entry(name, unit or "", kind, count, None if name == master else master))
-        self.notes += [f"{name} is {what}" for name, what in self.texts.items()]
+            self._entries.append(Entry(name, clocks.get(name, _unit(channel)), kind, count, master))
+        self.notes += left_out(self.texts)
+
+    def _clock(self, name: str, group: int, unit: str, kind: str) -> str:
+        """Note what a group's master is if it does not count seconds; the unit in which it is read."""
+        factor = SECONDS.get(time_unit(unit), 1.0)
+        if kind:
+            self._timeless.add(group)
+            self.notes.append(f"{name!r} is {kind} and no time: its channels need a [channels] time")
+        elif factor != 1.0:
+            self._factors[group] = factor
+            self.notes.append(f"{name!r} counts in {unit} and is read in s")
+        return unit if kind else "s"
+
+
+_MASTERS = {2: "an angle", 3: "a distance", 4: "an index"}
+"""What a group of version 4 may run over in place of time."""
+_TEXTS = {"4": (7, 8, 9, 10, 11), "3": (11, 12, 132, 133)}
+"""Conversions to texts and dates."""
+
+
+def _texts_in_place(channel: Any, version: str) -> str:
+    """Why a channel of numbers has no physical value that is one; "" where it has."""
+    conversion = channel.conversion
+    if conversion is None or conversion.conversion_type not in _TEXTS["4" if version >= "4" else "3"]:
+        return ""
+    return "its numbers stand for texts: export it as numbers"
+
+
+def _unit(channel: Any) -> str:
+    return channel.unit or (getattr(channel.conversion, "unit", "") if channel.conversion else "") or ""
 
 
 _KINDS_4 = {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"}

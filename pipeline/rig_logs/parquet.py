@@ -10,7 +10,17 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from pipeline.arrow_columns import doubles
-from pipeline.rig_logs.source import PART, CsvOptions, Entry, Limits, Source, UnreadableLogError
+from pipeline.rig_logs.source import (
+    EXACT,
+    PART,
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableLogError,
+    left_out,
+    unique_names,
+)
 
 _BUFFER = 1 << 20
 
@@ -27,58 +37,66 @@ class ParquetSource:
             )
         except (pa.ArrowInvalid, OSError) as error:
             raise UnreadableLogError(f"Parquet cannot open it: {error}") from error
-        left_out = [f"{field.name!r} ({field.type})" for field in self._file.schema_arrow if not _is_read(field.type)]
-        self.notes = [f"no numbers, and left out: {', '.join(left_out)}"] if left_out else []
-        self.texts: dict[str, str] = {}
+        self._fields = dict(zip(unique_names(self._file.schema_arrow.names), self._file.schema_arrow, strict=True))
+        self.texts = {name: f"{field.type}" for name, field in self._fields.items() if not _is_read(field.type)}
+        self.notes = left_out(self.texts)
 
     def entries(self) -> list[Entry]:
         """Every column of numbers, of time stamps or of durations."""
         rows = self._file.metadata.num_rows
         return [
-            Entry(field.name, _unit(field), str(field.type), rows)
-            for field in self._file.schema_arrow
-            if _is_read(field.type)
+            Entry(name, _unit(field), str(field.type), rows)
+            for name, field in self._fields.items()
+            if name not in self.texts
         ]
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns as numbers, NaN where they are null; time stamps as seconds since the first one."""
         for name in names:
-            kind = self._file.schema_arrow.field(name).type
+            kind = self._fields[name].type
             try:
-                if pa.types.is_timestamp(kind):
-                    yield from self._seconds(name, kind.unit)
-                elif pa.types.is_duration(kind):
-                    for column in self._columns(name):
-                        yield name, doubles(column.cast(pa.int64()).cast(pa.float64())) / _PER_SECOND[kind.unit]
-                else:
-                    for column in self._columns(name):
-                        yield name, doubles(column.cast(pa.float64()))
+                if pa.types.is_timestamp(kind) or pa.types.is_integer(kind):
+                    yield from self._since_first(name, kind)
+                    continue
+                for column in self._columns(name):
+                    ticks = column.cast(pa.int32()) if pa.types.is_time32(kind) else column
+                    numbers = ticks.cast(pa.int64()) if _is_span(kind) else ticks
+                    yield name, doubles(numbers.cast(pa.float64())) / (_PER_SECOND[kind.unit] if _is_span(kind) else 1)
             except (pa.ArrowInvalid, OSError) as error:
                 raise UnreadableLogError(f"column {name!r}: {error}") from error
 
     def _columns(self, name: str) -> Iterator[Any]:
         """A column in chunked arrays; a row group may be as large as the log, so it is not read at once."""
-        for batch in self._file.iter_batches(PART, columns=[name], use_threads=False):
-            yield pa.chunked_array([batch.column(0)])
+        field = self._fields[name]
+        equal = [other for other, each in self._fields.items() if each.name == field.name]
+        for batch in self._file.iter_batches(PART, columns=[field.name], use_threads=False):
+            yield pa.chunked_array([batch.column(equal.index(name))])
 
-    def _seconds(self, name: str, unit: str) -> Iterator[tuple[str, NDArray[Any]]]:
-        """Time stamps since the first one; as differences, since a float64 resolves an epoch to 0.2 µs only."""
-        origin = None
-        for stamps in self._columns(name):
-            if origin is None and len(stamps):
-                origin = stamps[0].value
-                if origin is None:
-                    raise UnreadableLogError(f"column {name!r}: the first time stamp is missing")
-                self.notes.append(f"time of {name!r} counts from {stamps[0]}")
-            ticks = pc.subtract(stamps.cast(pa.int64()), origin).cast(pa.float64())
-            yield name, doubles(ticks) / _PER_SECOND[unit]
+    def _since_first(self, name: str, kind: Any) -> Iterator[tuple[str, NDArray[Any]]]:
+        """Time stamps, and whole numbers too large for float64, as differences from the first one."""
+        stamps, origin = pa.types.is_timestamp(kind), None
+        for column in self._columns(name):
+            ticks = column.cast(pa.int64(), safe=False)
+            if origin is None and len(known := column.drop_null()):
+                origin = known[0].value if stamps else known[0].as_py()
+                if not stamps and abs(origin) <= EXACT:
+                    origin = 0
+                elif stamps or origin:
+                    self.notes.append(f"{'time of ' if stamps else ''}{name!r} counts from {known[0]}")
+            numbers = doubles(pc.subtract(ticks, origin or 0).cast(pa.float64(), safe=False))
+            yield name, numbers / _PER_SECOND[kind.unit] if stamps else numbers
 
 
 _PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}
 
 
 def _is_read(kind: Any) -> bool:
-    return _is_number(kind) or bool(pa.types.is_timestamp(kind) or pa.types.is_duration(kind))
+    return _is_number(kind) or bool(pa.types.is_timestamp(kind)) or _is_span(kind)
+
+
+def _is_span(kind: Any) -> bool:
+    """Whether a column holds durations, or times of day."""
+    return bool(pa.types.is_duration(kind) or pa.types.is_time(kind))
 
 
 def _is_number(kind: Any) -> bool:
@@ -88,7 +106,7 @@ def _is_number(kind: Any) -> bool:
 
 
 def _unit(field: Any) -> str:
-    if pa.types.is_timestamp(field.type) or pa.types.is_duration(field.type):
+    if pa.types.is_timestamp(field.type) or _is_span(field.type):
         return "s"
     metadata = field.metadata or {}
     for key in (b"unit", b"units", b"Unit"):

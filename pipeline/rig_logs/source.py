@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
+import numpy as np
 from numpy.typing import NDArray
 
 MEGABYTE = 1 << 20
@@ -113,6 +114,29 @@ PART = 1 << 17
 MOST_COLUMNS = 1000
 """Columns of a matrix that are channels, or rows of one that is wider than high."""
 _MOST_NAMED = 3
+EXACT = 1 << 53
+"""Up to which float64 holds every whole number."""
+
+
+class Counted(dict[str, int]):
+    """Origins of channels whose whole numbers are too large for float64, such as nanoseconds since 1970."""
+
+    def __call__(self, name: str, samples: NDArray[Any]) -> NDArray[Any]:
+        """A part of a channel, counted from its first sample where that is too large to be held exactly."""
+        if samples.dtype.kind in "iu" and samples.size and (name in self or abs(int(samples[0])) > EXACT):
+            return samples.astype(np.int64) - np.int64(self.setdefault(name, int(samples[0])))
+        return samples
+
+    def notes(self) -> list[str]:
+        """From what the channels count."""
+        return [f"{name!r} counts from {origin}, its first sample" for name, origin in self.items()]
+
+
+def left_out(texts: Mapping[str, str]) -> list[str]:
+    """A note on channels that are no numbers, by what is said of each; none where there are none."""
+    named = [f"{name!r} ({text})" for name, text in list(texts.items())[: 2 * _MOST_NAMED]]
+    more = [f"{len(texts) - len(named)} more like them"] if len(texts) > len(named) else []
+    return [f"no numbers, and left out: {', '.join([*named, *more])}"] if texts else []
 
 
 def not_listed(shapes: Mapping[str, tuple[int, ...]]) -> list[str]:

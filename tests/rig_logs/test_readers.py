@@ -269,7 +269,7 @@ def test_objects_that_only_matlab_reads_are_named(tmp_path):
     for name in ("table.mat", "table73.mat"):
         source = open_here(tmp_path / name)
         assert [entry.name for entry in source.entries()] == ["q"]
-        assert "log is a MATLAB table" in source.notes[0] and "writetable" in source.notes[0]
+        assert "'log' (a MATLAB table" in source.notes[0] and "writetable" in source.notes[0]
 
 
 def test_an_object_of_an_old_class_is_named_and_none_of_its_fields_is_a_channel(tmp_path):
@@ -281,7 +281,7 @@ def test_an_object_of_an_old_class_is_named_and_none_of_its_fields_is_a_channel(
     assert loadmat(path)["data"]["last"][0, 0][0, 0] == 2021.0  # SciPy takes it for an object too
     source = open_here(path)
     assert [entry.name for entry in source.entries()] == ["q"]
-    assert "data is a MATLAB iddata" in source.notes[0] and "save its vectors (data.u, data.y)" in source.notes[0]
+    assert "'data' (a MATLAB iddata" in source.notes[0] and "save its vectors (data.u, data.y)" in source.notes[0]
     path.write_bytes(raw[:128] + data)
     inspection, reason = inspect(path)
     assert inspection.notes == tuple(source.notes) and reason == "the log holds no vector of numbers"
