@@ -15,7 +15,8 @@ Role = Literal["time", "q", "v1", "v2"]
 _DISPLACEMENT_UNITS = ("m", "mm", "cm", "um", "µm", "μm", "nm", "deg", "°", "rad", "mrad")
 _INPUT_UNITS = ("V", "kV", "mV", "A", "mA", "%", "pct", "N")
 _PINT_NAMES = {
-    "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um", "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
+    "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um",
+    "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
 }  # fmt: skip
 _SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z])\w*|\d*)([(\[]:,\d+[)\]])?$"
 """The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""

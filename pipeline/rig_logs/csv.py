@@ -6,6 +6,7 @@ import mmap
 import re
 import tempfile
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -13,18 +14,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_dialect import (
+from pipeline.rig_logs.csv_cells import (
     CLOCK,
     MISSING,
-    SAMPLE_BYTES,
     STAMP,
-    find_dialect,
-    is_whole,
-    last_rows,
+    SWITCH,
+    is_behind,
+    is_stamp,
+    is_value,
     mark_is_open,
     no_number,
     split_row,
 )
+from pipeline.rig_logs.csv_dialect import SAMPLE_BYTES, find_dialect
+from pipeline.rig_logs.csv_tail import is_whole, last_rows
 from pipeline.rig_logs.source import (
     PART,
     CsvOptions,
@@ -32,15 +35,18 @@ from pipeline.rig_logs.source import (
     Limits,
     Source,
     UnreadableLogError,
+    left_out,
+    note_on_rate,
     read_start,
     unique_names,
 )
 
 _BLOCK_BYTES = 1 << 20
-_DAY, _ANY_DAY = 86_400.0, "1970-01-01T"
-_CONVERSION = re.compile(
-    r"In CSV column #(?P<column>\d+): (?:Row #(?P<row>\d+): )?CSV conversion error.*invalid value '(?P<cell>.*)'"
-)
+_LARGEST_HEAD, _FEWEST_LINES = 1 << 24, 20
+_HOUR, _DAY = 3600.0, 86_400.0
+_COUNT = re.compile(r"[+-]?\d{16,19}")
+"""Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
+_MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 
 
 class CsvSource:
@@ -49,44 +55,86 @@ class CsvSource:
     format = "CSV"
 
     def __init__(self, path: Path, options: CsvOptions) -> None:
-        self._path = path
-        start = read_start(path, SAMPLE_BYTES)
-        self._dialect = dialect = find_dialect(start, whole=len(start) < SAMPLE_BYTES, options=options)
-        self._columns = unique_names(list(dialect.header))
-        self._origins: dict[str, int] = {}
-        self.notes = [dialect.describe()]
-        shown = {name: text for name, text in zip(self._columns, dialect.texts, strict=True) if text is not None}
-        self.texts = {name: f"{text.shown}; {text.way_out or 'export it as numbers'}" for name, text in shown.items()}
-        first = dict(zip(self._columns, dialect.first_row, strict=False))
-        self._clocks = {name for name, cell in first.items() if CLOCK.fullmatch(cell)}
-        self._stamped = {name for name, cell in first.items() if STAMP.match(cell)} | self._clocks
+        self._path, self.notes = path, list[str]()
+        size = SAMPLE_BYTES
+        start = read_start(path, size)
+        while len(start) == size < _LARGEST_HEAD and start.count(b"\n") + start.count(b"\r") < _FEWEST_LINES:
+            size *= 4
+            start = read_start(path, size)
+        self._dialect = find_dialect(start, whole=len(start) < size, options=options)
+        self._block = max(_BLOCK_BYTES, 2 * size)
+        self._columns = unique_names(list(self._dialect.header))
+        self._origins: dict[str, float] = {}
         self._last: dict[str, float] = {}
+        self.rates = {name: rate for name, _, rate in self._dialect.rates}
+        # A blank before a quote, which Arrow takes for a part of the cell.
+        pattern = rf"(^|{re.escape(self._dialect.delimiter)}) +\""
+        blanks = re.compile(pattern.encode(), re.MULTILINE).search(start) is not None
+        self._blank_quotes = re.compile(pattern, re.MULTILINE) if blanks else None
+        self._firsts = self._look_ahead(options)
+        self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
+        self._clocks = {name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])}
+        dialect = self._dialect
+        self.notes = [dialect.describe(), *(note_on_rate(*each) for each in dialect.rates), *self.notes]
         self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
-        left_out = [
-            f"{name!r} ({'; '.join(filter(None, [text.shown, text.way_out]))})"
-            for name, text in shown.items()
-            if text.cell
-        ]
-        if left_out:
-            self.notes.append(f"no numbers, and left out: {', '.join(left_out)}")
+        texts = self._left_out()
+        self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
+        self.notes += left_out({name: text for name, text in texts.items() if self._firsts[name]})
         # The number of rows is not declared anywhere.
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
+    def _left_out(self) -> dict[str, str]:
+        """What stands in the columns that are no numbers."""
+        found = {}
+        for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True):
+            if text or not cell or not is_value(cell, self._dialect.decimal):
+                found[name] = text or (repr(cell[:40]) if cell else "empty cells only")
+        return found
+
+    def _look_ahead(self, options: CsvOptions) -> dict[str, str]:
+        """The first cells of the columns; what the sample leaves open is decided by the rows behind it."""
+        firsts = dict(zip(self._columns, self._dialect.firsts, strict=True))
+        numeric = [name for name, holds in zip(self._columns, self._dialect.numeric, strict=True) if holds]
+        marked = [name for name in numeric if not is_stamp(firsts[name])]
+        if not self._dialect.has_marks and self._dialect.delimiter not in ", ":
+            cells = self._first_cells(marked, _MARK)
+            if cells:
+                mark = "," if "," in next(iter(cells.values())) else "."
+                self._dialect = replace(self._dialect, decimal=mark)
+        empty = [name for name in numeric if not firsts[name]]
+        firsts |= self._first_cells(empty, "[0-9A-Za-z]") if empty else {}
+        return firsts
+
+    def _first_cells(self, names: Sequence[str], pattern: str) -> dict[str, str]:
+        """The first cell of each column that matches, from the block of rows on that holds the first of any."""
+        import pyarrow as pa
+        import pyarrow.compute as pc
+
+        found: dict[str, str] = {}
+        try:
+            for batch in self._batches(names, dict.fromkeys(names, pa.string())):
+                for name, column in zip(names, batch.columns, strict=True):
+                    if name not in found:
+                        cells = column.filter(pc.match_substring_regex(column, pattern))
+                        found |= {name: cells[0].as_py().strip()} if len(cells) else {}
+                if found and (pattern == _MARK or len(found) == len(names)):
+                    break
+        except (ValueError, UnicodeDecodeError):  # whoever reads the column is told
+            pass
+        return found
+
     def entries(self) -> list[Entry]:
         """The columns whose first rows are numbers; `count` is an estimate from the first rows."""
-        headings = self._dialect.headings or self._dialect.header
         return [
             Entry(
                 name,
                 "s" if name in self._stamped else unit,
                 "text",
                 self._count,
-                aliases=(heading,) if heading != name else (),
+                aliases=(heading,) if heading not in ("", name) else (),
             )
-            for name, unit, heading, numeric in zip(
-                self._columns, self._dialect.units, headings, self._dialect.numeric, strict=True
-            )
-            if numeric
+            for name, unit, heading in zip(self._columns, self._dialect.units, self._dialect.headings, strict=True)
+            if name not in self.texts
         ]
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
@@ -101,17 +149,31 @@ class CsvSource:
                     self._settle(name)
                 yield name, samples
         except (ValueError, UnicodeDecodeError) as error:  # pyarrow's ArrowInvalid is a ValueError
-            raise UnreadableLogError(f"a row does not fit the table: {self._told(str(error))}") from error
+            told = self._misfit(set(names)) or f"{str(error).removeprefix('CSV parse error: ')}; repair or delete it"
+            raise UnreadableLogError(f"a row does not fit the table: {told}") from error
         if not found:
             raise UnreadableLogError("truncated: it holds no complete row of numbers")
 
-    def _told(self, error: str) -> str:
-        """An error of Arrow in our words."""
-        match = _CONVERSION.search(error)
-        if match is None:
-            return f"{error.removeprefix('CSV parse error: ').replace(_ANY_DAY, '').strip()}; repair or delete that row"
-        cell = no_number(match["cell"], self._columns[int(match["column"])], self._dialect.decimal)
-        return f"row {match['row']}: {cell}" if match["row"] else cell
+    def _misfit(self, names: set[str]) -> str:
+        """The first line, counted from 1, that does not fit the table, and why."""
+        for number, cells in self._cells():
+            width = len(self._columns)
+            if self._dialect.ragged and len(cells) == width + 1 and is_behind(cells[-1], self._dialect.decimal):
+                cells = cells[:width]
+            if len(cells) != width:
+                return f"row {number} has {len(cells)} cells, not {width}: repair or delete that row"
+            for name, cell in zip(self._columns, cells, strict=True):
+                fits = is_value(cell, self._dialect.decimal) and is_stamp(cell) <= (name in self._stamped)
+                if name in names and not fits:
+                    return f"row {number}: {no_number(cell, name, self._dialect.decimal)}"
+        return ""
+
+    def _cells(self) -> Iterator[tuple[int, list[str]]]:
+        """The rows of data that are not empty, with the numbers of their lines, counted from 1."""
+        with self._path.open(encoding=self._dialect.encoding, newline=None) as lines:
+            for number, line in enumerate(lines, 1):
+                if number > self._dialect.first_data_row and line.strip():
+                    yield number, split_row(line.rstrip("\n"), self._dialect.delimiter)
 
     def _settle(self, name: str) -> None:
         """Look at every cell of a column in which the first marks stand after the rows that were seen at first.
@@ -122,76 +184,112 @@ class CsvSource:
             They stand between thousands, most likely.
         """
         self._open.remove(name)
-        column, delimiter = self._columns.index(name), self._dialect.delimiter
-        with self._path.open(encoding=self._dialect.encoding, newline=None) as lines:
-            rows = (split_row(line, delimiter) for line in islice(lines, self._dialect.first_data_row, None))
-            mark_is_open((row[column] for row in rows if len(row) > column), self._dialect.decimal)
+        column = self._columns.index(name)
+        mark_is_open((row[column] for _, row in self._cells() if len(row) > column), self._dialect.decimal)
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa
-        from pyarrow import csv
 
         from pipeline.arrow_columns import doubles
 
-        reader = csv.open_csv(
+        for batch in self._batches(names, {name: self._kind(name) for name in names}):
+            for name, column in zip(names, batch.columns, strict=True):
+                samples = pa.chunked_array([column])
+                if name in self._clocks:
+                    yield name, self._times_of_day(name, samples)
+                elif samples.type == pa.float64():
+                    yield name, doubles(samples)
+                elif samples.type == pa.bool_():
+                    yield name, doubles(samples.cast(pa.float64()))
+                else:
+                    yield name, self._since_first(name, samples)
+
+    def _batches(self, names: Sequence[str], kinds: dict[str, Any]) -> Any:
+        """The rows of some columns in these types of Arrow, block by block."""
+        from pyarrow import csv
+
+        return csv.open_csv(
             self._utf8(self._complete_rows()),
             read_options=csv.ReadOptions(
                 use_threads=False,
-                block_size=_BLOCK_BYTES,
+                block_size=self._block,
                 skip_rows=self._dialect.first_data_row,
                 column_names=self._columns,
             ),
             parse_options=csv.ParseOptions(delimiter=self._dialect.delimiter),
             convert_options=csv.ConvertOptions(
-                column_types={name: self._kind(name) for name in names},
+                column_types=kinds,
                 include_columns=names,
                 decimal_point=self._dialect.decimal,
                 null_values=_NULLS,
                 strings_can_be_null=True,
             ),
         )
-        for batch in reader:
-            for name, column in zip(names, batch.columns, strict=True):
-                samples = pa.chunked_array([column])
-                yield name, self._seconds(name, samples) if name in self._stamped else doubles(samples)
 
     def _kind(self, name: str) -> Any:
-        """Arrow's type of a column: numbers, or time stamps, with a zone where they state one."""
+        """Arrow's type of a column: numbers, switches, or time stamps, with a zone where they state one."""
         import pyarrow as pa
 
-        if name not in self._stamped:
-            return pa.float64()
+        cell = self._firsts[name]
         if name in self._clocks:
             return pa.string()
-        match = STAMP.match(self._dialect.first_row[self._columns.index(name)])
-        return pa.timestamp("ns", "UTC" if match and match["zone"] else None)
+        if name in self._stamped:
+            match = STAMP.match(cell)
+            return pa.timestamp("ns", "UTC" if match and match["zone"] else None)
+        if _COUNT.fullmatch(cell):
+            return pa.int64()
+        return pa.bool_() if cell.lower() in SWITCH else pa.float64()
 
-    def _seconds(self, name: str, stamps: Any) -> NDArray[Any]:
-        """Time stamps since the first one of the column."""
+    def _since_first(self, name: str, stamps: Any) -> NDArray[Any]:
+        """Time stamps [s], or counts too large for float64, since the first one of the column."""
         import pyarrow as pa
         import pyarrow.compute as pc
 
         from pipeline.arrow_columns import doubles
 
-        if name in self._clocks:
-            dated = pc.binary_join_element_wise(_ANY_DAY, pc.replace_substring(stamps, ",", "."), "")
-            stamps = dated.cast(pa.timestamp("ns"))
         ticks = stamps.cast(pa.int64())
-        if name not in self._origins and len(ticks):
-            self._origins[name] = ticks[0].as_py() or 0
-            self.notes.append(f"time of {name!r} counts from {self._dialect.first_row[self._columns.index(name)]}")
-        seconds = doubles(pc.subtract(ticks, self._origins.get(name, 0)).cast(pa.float64())) / 1e9
-        return self._past_midnight(name, seconds) if name in self._clocks else seconds
+        if name not in self._origins and len(seen := ticks.drop_null()):
+            self._origins[name] = seen[0].as_py()
+            what = "time of " if name in self._stamped else ""
+            self.notes.append(f"{what}{name!r} counts from {self._firsts[name]}")
+        since = doubles(pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64()))
+        return since / 1e9 if name in self._stamped else since
 
-    def _past_midnight(self, name: str, seconds: NDArray[Any]) -> NDArray[Any]:
-        """Times of day, on the day of the first one: back by more than half a day is the next day."""
+    def _times_of_day(self, name: str, cells: Any) -> NDArray[Any]:
+        """Times of day, or minutes and seconds, in s since the first one of the column, past midnight or the hour."""
+        import pyarrow as pa
+        import pyarrow.compute as pc
+
+        from pipeline.arrow_columns import doubles
+
+        matched = pc.extract_regex(cells, CLOCK)
+        if matched.null_count > cells.null_count:
+            raise ValueError(f"a time in column {name!r} cannot be read")
+
+        def part(field: str) -> Any:
+            """The numbers of one part, 0 where it is not written."""
+            text = pc.replace_substring_regex(pc.struct_field(matched, field), "[,:]", ".")
+            return doubles(pc.if_else(pc.equal(text, ""), "0", text).cast(pa.float64()))
+
+        half = pc.utf8_lower(pc.struct_field(matched, "half"))
+        hours, written = part("h"), doubles(pc.not_equal(half, "").cast(pa.float64()))
+        hours = np.where(written > 0.0, hours % 12.0 + 12.0 * doubles(pc.equal(half, "p").cast(pa.float64())), hours)
+        seconds = 3600.0 * hours + 60.0 * (part("m") + part("mm")) + part("s") + part("ss")
+        if name not in self._origins and np.any(np.isfinite(seconds)):
+            self._origins[name] = float(seconds[np.isfinite(seconds)][0])
+            self.notes.append(f"time of {name!r} counts from {self._firsts[name]}; its date is not used")
+        turn = _DAY if self._firsts[name].count(":") > 1 else _HOUR
+        return self._onwards(name, seconds - self._origins.get(name, 0.0), turn)
+
+    def _onwards(self, name: str, seconds: NDArray[Any], turn: float) -> NDArray[Any]:
+        """Times within a day (or an hour) from the first one on: back by more than half of it is the next one."""
         known = np.flatnonzero(np.isfinite(seconds))
         if not known.size:
             return seconds
-        steps = np.diff(seconds[known], prepend=self._last.get(name, 0.0) % _DAY)
-        days = np.floor(self._last.get(name, 0.0) / _DAY) + np.cumsum(steps < -_DAY / 2.0)
-        seconds = seconds.copy()
-        seconds[known] += _DAY * days
+        last, seconds = self._last.get(name, 0.0), seconds.copy()
+        steps = np.diff(seconds[known], prepend=last % turn)
+        turns = np.floor(last / turn) + np.cumsum(steps < -turn / 2.0)
+        seconds[known] += turn * turns
         self._last[name] = float(seconds[known[-1]])
         return seconds
 
@@ -204,17 +302,29 @@ class CsvSource:
         """
         import pyarrow as pa
 
-        if _is_ascii_and_more(self._dialect.encoding):  # what is beyond ASCII stands in no number
+        as_it_is = self._blank_quotes is None and not self._dialect.ragged
+        if as_it_is and _is_ascii_and_more(self._dialect.encoding):  # what is beyond ASCII stands in no number
             if length == self._path.stat().st_size:
                 return pa.OSFile(str(self._path))
             with pa.memory_map(str(self._path)) as mapped:
                 return pa.BufferReader(mapped.read_buffer(length))
         head = io.TextIOWrapper(io.BufferedReader(_Head(self._path, length)), self._dialect.encoding, newline="")
         with head, tempfile.NamedTemporaryFile(prefix="debist-") as recoded:
-            while text := head.read(PART):
-                recoded.write(text.encode())
+            while lines := head.readlines(PART):
+                recoded.write("".join(map(self._plain, lines)).encode())
             recoded.flush()
             return pa.OSFile(recoded.name)
+
+    def _plain(self, line: str) -> str:
+        """A line as Arrow reads it: no blank before a quote, no cell beyond the last column."""
+        if self._blank_quotes is not None:
+            line = self._blank_quotes.sub(r'\1"', line)
+        width, delimiter = len(self._columns), self._dialect.delimiter
+        if not self._dialect.ragged or line.count(delimiter) < width:
+            return line
+        cells = split_row(line.rstrip("\r\n"), delimiter)
+        behind = len(cells) == width + 1 and is_behind(cells[-1], self._dialect.decimal)
+        return f"{line[: line.rindex(delimiter)]}\n" if behind else line
 
     def _complete_rows(self) -> int:
         """Bytes of the file without a last row that has no line end, unless that is seen to be whole.
@@ -233,16 +343,20 @@ class CsvSource:
         if not length:
             return len(whole)
         *before, last = [split_row(row, self._dialect.delimiter) for row in rows]
-        if len(last) != len(self._columns):
+        if len(last) < len(self._columns):
             raise UnreadableLogError(
                 f"truncated: it ends within a row ({len(last)} of {len(self._columns)} cells); "
                 "delete that row if the log shall be used up to there"
             )
-        if is_whole(last[-1], [row[-1] for row in before if len(row) == len(last)]):
-            self.notes.append("the last row has no line end; it is kept, its last number has as many digits as others")
+        end = len(self._columns) - 1
+        if is_whole(last[end], [row[end] for row in before if len(row) > end]):
+            self._note("the last row has no line end; it is kept, its last number has as many digits as others")
             return len(whole)
-        self.notes.append("the last row has no line end and may be cut off within a number: left out")
+        self._note("the last row has no line end and may be cut off within a number: left out")
         return len(whole) - length
+
+    def _note(self, note: str) -> None:
+        self.notes += [] if note in self.notes else [note]
 
     def _blanks(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns separated by runs of blanks, which Arrow does not know."""

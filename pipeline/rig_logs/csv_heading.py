@@ -3,10 +3,16 @@
 import re
 from collections.abc import Sequence
 
+from pipeline.errors import InputError
+from pipeline.rig_logs.csv_cells import NUMBER
+from pipeline.rig_logs.source import stated_rate
+from pipeline.units import parse_quantity
+
 _COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(](?P<unit>[^\[\]()]*)[\])]$")
 _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
+_TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _SEPARATORS = re.compile(r"[,;|\t]|\s+")
 _KNOWN = (
     "s sec second seconds ms us µs μs ns min h m mm cm um µm μm nm deg degree degrees ° rad mrad v volt volts kv mv a "
@@ -38,11 +44,14 @@ def cells_of_comment(line: str, cells: Row, width: int) -> Row:
     return others if len(others) == width else cells
 
 
-def heading_rows(above: Sequence[Row], comments: Sequence[bool], width: int) -> tuple[int | None, int | None]:
+def heading_rows(
+    above: Sequence[Row], comments: Sequence[bool], numeric: Sequence[bool]
+) -> tuple[int | None, int | None]:
     """Which of the rows above the data holds the names, and which the units; None where there is none.
 
-    Empty rows may stand between them and the data. A row of one cell more than the data, as for comments, names the
-    first of them.
+    Empty rows may stand between them and the data, and cells without content at the ends of either. The names are in
+    the row that labels the most columns: of several such rows in that with a time, else the first, or the last of
+    comments. A row of one cell more than the data, as for comments, names the first of them; above units of two more.
 
     Parameters
     ----------
@@ -50,31 +59,77 @@ def heading_rows(above: Sequence[Row], comments: Sequence[bool], width: int) -> 
         All rows before the first row of data.
     comments : sequence of bool
         Whether each is marked as a comment: many comments may be there, and the last one is the heading.
-    width : int
-        Cells of a row of data.
+    numeric : sequence of bool
+        Which columns hold numbers.
     """
     block: list[int] = []
+    used = len(numeric) - [*numeric][::-1].index(True)
     for i in range(len(above) - 1, -1, -1):
-        if not any(above[i]):
+        row = _trimmed(above[i])
+        if not row and (not block or len(above[i]) < used):
             if block:
                 break
             continue
-        longer = not block and len(above[i]) == width + 1 and all(above[i][:width])
-        if len(above[i]) != width and not longer:
+        beyond = 1 if not block else 2 if len(block) == 1 and _holds_units(above[block[0]]) else 0
+        longer = len(numeric) < len(row) <= len(numeric) + beyond and all(row[:used])
+        if not (used <= len(row) <= len(numeric) or len(above[i]) == len(numeric) or longer):
             break
         block.insert(0, i)
-    if not block:
-        return None, None
     units = next((i for i in reversed(block[1:]) if _holds_units(above[i])), None)
-    if comments[block[-1]]:
-        return (block[-1] if units is None else block[block.index(units) - 1]), units
-    return block[0], units if units is not None or len(block) < 2 else block[1]
+    labels = {i: _labels(above[i], numeric) for i in block if units is None or i < units}
+    names = [i for i in labels if labels[i] and labels[i] == max(labels.values())]
+    if not names and units is not None:
+        return units - 1, units  # of numbers, as an oscilloscope numbers its channels
+    if not names:
+        return None, None
+    with_time = [i for i in names if any(map(_TIME.match, above[i]))]
+    name = (with_time or names)[-1 if comments[block[-1]] else 0]
+    below = [i for i in block if i > name and any(above[i])]
+    return name, units if units is not None or not below else below[0]
+
+
+def _trimmed(row: Row) -> Row:
+    """A row without the empty cells at its end."""
+    return row[: max((j + 1 for j, cell in enumerate(row) if cell), default=0)]
+
+
+def _labels(row: Row, numeric: Sequence[bool]) -> int:
+    """How many columns of numbers a row labels, 0 where more of its cells are numbers."""
+    cells = [cell for cell, wanted in zip(row, numeric, strict=False) if wanted and cell]
+    numbers = sum(bool(NUMBER.match(cell.replace(",", "."))) for cell in cells)
+    return len(cells) - numbers if 2 * numbers <= len(cells) else 0
 
 
 def _holds_units(row: Row) -> bool:
-    cells = [cell for cell in row if cell]
+    cells = [cell for cell in row if cell and not NUMBER.match(cell)]
     known = [bool(_BRACKETED.match(cell)) or cell.strip("[]() ").lower() in _UNITS for cell in cells]
-    return 2 * sum(known) > len(cells)
+    return 2 * sum(known) > len(cells) > 0
+
+
+def stated_rates(above: Sequence[Row]) -> tuple[tuple[str, float, float], ...]:
+    """Names and numbers, behind or below them, that state a sample rate above the data, and it [Hz]."""
+    rates: dict[str, tuple[str, float, float]] = {}
+    for i, row in enumerate(above):
+        for j, cell in enumerate(row):
+            key, _, own = re.sub(r"[:=]", ":", cell).partition(":")
+            name = _BRACKETED.sub("", key).strip(" #%")
+            if stated_rate(name, 1.0) is None or name in rates:
+                continue
+            below = above[i + 1][j : j + 1] if i + 1 < len(above) else ()
+            numbers = map(_number, (own, *row[j + 1 : j + 2], *below))
+            stated = [(name, number, rate) for number in numbers if (rate := stated_rate(name, number))]
+            if stated:
+                rates[name] = stated[0]
+    return tuple(rates.values())
+
+
+def _number(text: str) -> float:
+    """A number, in Hz or s where it has a unit; 0 for anything else."""
+    bare = text.strip().replace(",", ".")
+    try:
+        return float(bare) if NUMBER.match(bare) else parse_quantity(bare, ("Hz", "s"), "")
+    except InputError:
+        return 0.0
 
 
 def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[str, ...], tuple[str, ...]]:

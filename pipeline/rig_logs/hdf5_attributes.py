@@ -13,9 +13,19 @@ from pipeline.units import time_unit
 
 _UNIT_ATTRIBUTES = ("unit", "units", "Unit", "Units", "UNIT")
 _PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "valid_min", "valid_max", "valid_range")
-_PERHAPS = re.compile(r"scale|scaling|gain|slope|factor|offset|intercept|multiplier|sensitivity|calib\w*", re.IGNORECASE)
+_PERHAPS = re.compile(
+    r"scale|scaling|gain|slope|factor|offset|intercept|multiplier|sensitivity|calib\w*", re.IGNORECASE
+)
 """Attributes of no convention by which a number might have to be converted."""
-_FILTERS = {307: "bzip2", 32001: "blosc", 32004: "lz4", 32008: "bitshuffle", 32013: "zfp", 32015: "zstd", 32026: "blosc2"}
+_FILTERS = {
+    307: "bzip2",
+    32001: "blosc",
+    32004: "lz4",
+    32008: "bitshuffle",
+    32013: "zfp",
+    32015: "zstd",
+    32026: "blosc2",
+}
 _KINDS = {"c": "complex: save its real part", "O": "text or lists", "S": "text", "U": "text", "V": "no numbers"}
 
 
@@ -85,13 +95,17 @@ def packing_of(dataset: Any, column: int | None = None) -> Packing | None:
     unsigned = str(_text(dataset.attrs.get("_Unsigned", ""))).casefold() == "true"
     if not given and not unsigned:
         return None
-    factor, offset = (_scalar(given.get(name, [empty]), name, column) for name, empty in zip(_PACKING, (1.0, 0.0)))
+    factor, offset = (
+        _scalar(given.get(name, [empty]), name, column) for name, empty in zip(_PACKING[:2], (1.0, 0.0), strict=True)
+    )
     limits: list[tuple[NDArray[Any], float, float]] = []
     for of_values in (False, True):
         own = {n: v for n, v in given.items() if (dataset.dtype.kind in "iu" and v.dtype.kind == "f") == of_values}
         missing = np.concatenate([np.empty(0), *(own[n] for n in ("_FillValue", "missing_value") if n in own)])
         span = own.get("valid_range", np.array([-np.inf, np.inf]))
-        low, high = (own[n][0] if n in own else end for n, end in zip(("valid_min", "valid_max"), span[:2]))
+        low, high = (
+            own[n][0] if n in own else end for n, end in zip(("valid_min", "valid_max"), span[:2], strict=True)
+        )
         if dataset.dtype.kind == "f":
             missing = missing.astype(dataset.dtype)
         limits.append((missing, float(low), float(high)))
@@ -100,7 +114,9 @@ def packing_of(dataset: Any, column: int | None = None) -> Packing | None:
 
 def described(dataset: Any) -> str:
     """The attributes by which a dataset is unpacked."""
-    return ", ".join(f"{name} = {_text(dataset.attrs[name])}" for name in (*_PACKING, "_Unsigned") if name in dataset.attrs)
+    return ", ".join(
+        f"{name} = {_text(dataset.attrs[name])}" for name in (*_PACKING, "_Unsigned") if name in dataset.attrs
+    )
 
 
 def perhaps_packed(dataset: Any) -> str:

@@ -155,8 +155,8 @@ def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
     return ((first, min(first + step, count)) for first in range(0, count, step))
 
 
-_RATE = re.compile(r"(?i)(.*[./])?(f_?s|sampl(e|ing)_?(rate|freq(uency)?))")
-_STEP = re.compile(r"(?i)(.*[./])?(t_?s|dt|sampl(e|ing)_?(time|interval|period))")
+_RATE = re.compile(r"(?i)(.*[./])?(f_?s|sampl(e|ing)[_ ]?(rate|freq(uency)?))")
+_STEP = re.compile(r"(?i)(.*[./])?(t_?s|dt|delta_x|(x[_ ]?)?increment|sampl(e|ing)[_ ]?(time|interval|period))")
 """Names of single numbers that say how often a log was sampled."""
 
 

@@ -77,7 +77,7 @@ def test_quoted_cells_protect_the_delimiter(tmp_path):
     np.testing.assert_array_equal(read_here(path)["q"], [1.5, 2.5])
 
 
-@pytest.mark.parametrize(("row", "complaint"), [("2,x", "'x'"), ("2", "Expected 2 columns, got 1"), ("2,3,4", "got 3")])
+@pytest.mark.parametrize(("row", "complaint"), [("2,x", "'x'"), ("2", "has 1 cells, not 2"), ("2,3,4", "has 3 cells, not 2")])
 @pytest.mark.parametrize("position", [0, 1, 30, 20_000])
 def test_a_row_that_does_not_fit_is_an_error_wherever_it_stands(tmp_path, row, complaint, position):
     rows = [f"{i},{2 * i}" for i in range(20_100)]
@@ -86,6 +86,7 @@ def test_a_row_that_does_not_fit_is_an_error_wherever_it_stands(tmp_path, row, c
     path.write_text("t,q\n" + "\n".join(rows) + "\n")
     with pytest.raises(UnreadableLogError, match="does not fit the table") as error:
         read_here(path)
+    assert f"row {position + 3}" in str(error.value)
     assert complaint in str(error.value)
 
 
@@ -143,10 +144,10 @@ def test_a_character_that_ends_a_line_elsewhere_stands_in_a_cell(tmp_path, encod
     np.testing.assert_allclose(t, 0.01 * np.arange(299), atol=1e-12)
 
 
-def test_a_log_cut_off_before_its_first_whole_row_holds_nothing(tmp_path):
+def test_a_log_cut_off_before_its_first_whole_row_holds_no_table(tmp_path):
     text = "# Prüfstand; Laser\r\n# 2000 Hz\r\nZeit;Weg q;U1;U2\r\n[s];[µm];[V];[V]\r\n0,00023;"
     (tmp_path / "cut.csv").write_bytes(text.encode("latin-1"))
-    with pytest.raises(UnreadableLogError, match="no complete row"):
+    with pytest.raises(UnreadableLogError, match="no table of numbers"):
         read_here(tmp_path / "cut.csv")
 
 

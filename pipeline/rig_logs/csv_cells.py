@@ -1,0 +1,98 @@
+"""What a cell of a CSV file is: a number, a time stamp, a switch, or missing; and marks that leave it open."""
+
+import csv
+import re
+from collections.abc import Iterable
+
+from pipeline.rig_logs.source import UnreadableLogError
+
+_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
+_GROUPED = re.compile(r"[-+]?\d{1,3}(?:[.,'’ ]\d{3})+(?:[.,]\d+)?")
+_PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
+_FEW_CELLS = 3
+NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$")
+MISSING = frozenset(
+    {"", "nan", "-nan", "nan(ind)", "-nan(ind)", "na", "n/a", "null", "none", "-", "--", "---", "."}
+    | {"#n/a", "#nv", "#value!", "#wert!", "#div/0!", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind"}
+    | {"inf", "+inf", "-inf", "infinity", "-infinity"}
+)
+SWITCH = frozenset({"true", "false"})
+STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-]\d\d:?\d\d)?")
+"""Date and time of day by ISO 8601."""
+CLOCK = (
+    r"^(?:\d{1,4}[./-]\d{1,2}[./-]\d{1,4}[T ,]+)?(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9})?)"
+    r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))(?: ?(?P<half>[AaPp])[Mm])?$"
+)
+"""Time of day, whatever date stands before it, or minutes and seconds with a fraction."""
+_CLOCK = re.compile(CLOCK)
+
+
+def is_stamp(cell: str) -> bool:
+    """Whether a cell is a time of day, with or without a date."""
+    return bool(STAMP.fullmatch(cell) or _CLOCK.match(cell))
+
+
+def is_value(cell: str, decimal: str, delimiter: str = "") -> bool:
+    """Whether a cell is a number, a switch, missing, or a time stamp, which columns between blanks cannot be."""
+    if cell.lower() in MISSING or cell.lower() in SWITCH or (delimiter != " " and is_stamp(cell)):
+        return True
+    return bool(NUMBER.match(cell if decimal == "." else cell.replace(".", "x").replace(",", ".")))
+
+
+def is_behind(cell: str, decimal: str) -> bool:
+    """Whether a cell beyond the last column may be left out: it is empty, or a comment."""
+    return not cell or not is_value(cell, decimal)
+
+
+def split_row(line: str, delimiter: str) -> list[str]:
+    """Cells of a line; quotes around a cell protect delimiters in it."""
+    if delimiter == " ":
+        return line.split()
+    if '"' not in line:
+        return [cell.strip() for cell in line.split(delimiter)]
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])]
+
+
+def mark_is_open(cells: Iterable[str], decimal: str) -> bool:
+    """Whether the cells of a column leave open if its mark stands before decimals or between thousands.
+
+    It may be between thousands where every one has three digits behind it, none a zero alone before it, and whole
+    numbers below a thousand stand beside them. The first other cell settles it.
+
+    Raises
+    ------
+    UnreadableLogError
+        There are several of both, so that it most likely is.
+    """
+    marked, plain = [], []
+    for cell in cells:
+        if cell.lower() in MISSING:
+            continue
+        if _PLAIN_WHOLE.fullmatch(cell):
+            plain.append(cell)
+        elif decimal in cell and _THOUSANDS.fullmatch(cell):
+            marked.append(cell)
+        else:
+            return False
+        del marked[_FEW_CELLS:], plain[_FEW_CELLS:]
+    if min(len(marked), len(plain)) >= _FEW_CELLS:
+        raise UnreadableLogError(
+            f"{marked[0]!r} stands beside {plain[0]!r}: does {decimal!r} separate thousands? Export without "
+            f"such separators; if it is the decimal mark, set [ingest.csv] decimal = {decimal!r}"
+        )
+    return True
+
+
+def marks_between_thousands(cell: str) -> str:
+    """What to say of a cell in which marks stand between thousands; nothing of any other one."""
+    return "marks between thousands: export it without them" if _GROUPED.fullmatch(cell) else ""
+
+
+def no_number(cell: str, column: str, decimal: str) -> str:
+    """What to say of a cell that is no number."""
+    if marks := marks_between_thousands(cell):
+        return f"{cell!r} in column {column!r} has {marks}"
+    return (
+        f"{cell!r} in column {column!r} is no number with the decimal mark {decimal!r}: repair or delete that row, or "
+        "leave the cell empty for a missing value"
+    )
