@@ -39,8 +39,8 @@ class _Settings(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
 
 
-class Channel(_Settings):
-    """One channel of the raw log."""
+class Column(_Settings):
+    """One column of the raw log."""
 
     channel: str = Field(min_length=1, max_length=1000)
     """Name of the channel in the log."""
@@ -50,9 +50,9 @@ class Channel(_Settings):
     """Unit per number of the log, for a log in volts of its data acquisition: value = scale · number + offset."""
     offset: Number = 0.0
     """What is added after that, in the channel's unit."""
-    on_change: bool = False
-    """Whether the log has a sample only when it changed, which holds until the next one (event-based recording); of
-    an input only."""
+    missing: tuple[Number, ...] | None = None
+    """Numbers of the log that stand for no value, such as [-9999]. Left out, numbers of 1e20 and more are taken for
+    such, and usual codes (-9999, 65535, …) that lie further from the rest than that is wide; [] keeps all."""
 
     @field_validator("channel")
     @classmethod
@@ -67,6 +67,19 @@ class Channel(_Settings):
         if value == 0.0:
             raise ValueError("must not be 0: the channel would be constant")
         return value
+
+
+class Channel(Column):
+    """One channel of the raw log."""
+
+    part: Literal["all", "positive", "negative"] = "all"
+    """Which part of a signed monitor of both membranes is this input: its "positive" values, or its "negative" ones
+    without their sign; of an input only."""
+    on_change: bool = False
+    """Whether the log has a sample only when it changed, which holds until the next one (event-based recording); of
+    an input only."""
+    time: Column | None = None
+    """The channel's own time, where a table has several: its column and unit; `[channels] time` by default."""
 
 
 class Quantity(_Settings):
@@ -90,7 +103,7 @@ class Logs(_Settings):
 class Channels(_Settings):
     """Where the signals are in the logs."""
 
-    time: Channel | None = None
+    time: Column | None = None
     """Time; left out where the format carries its own time base."""
     q: Channel
     """Displacement of the joint: a length or an angle, or the voltage that stands for it in a circuit."""
@@ -104,16 +117,23 @@ class Channels(_Settings):
 
     @model_validator(mode="after")
     def _each_its_own(self) -> "Channels":
-        named: dict[str, str] = {}
+        named: dict[tuple[str, str], str] = {}
         for key in ("time", "q", "qdot", "v1", "v2"):
-            channel = getattr(self, key)
-            if channel is not None and named.setdefault(channel.channel, key) not in (key, "v1"):
-                raise ValueError(f"{key} and {named[channel.channel]} are the same channel {channel.channel!r}")
-        for key in ("time", "q", "qdot"):
-            if getattr(self, key) is not None and getattr(self, key).on_change:
-                raise ValueError(f"{key} cannot be recorded on change only: between two samples it moves")
+            column = getattr(self, key)
+            if column is None:
+                continue
+            part = getattr(column, "part", "all")
+            other = named.setdefault((column.channel, part), key)
+            if other not in (key, "v1"):
+                raise ValueError(f"{key} and {other} are the same channel {column.channel!r}")
+            if key in ("q", "qdot") and (part != "all" or column.on_change):
+                why = "is no signed input" if part != "all" else "cannot be recorded on change only"
+                raise ValueError(f"{key} {why}: between two samples it moves")
         if self.v2 == self.v1:
-            raise ValueError(f"v1 and v2 are the same channel {self.v1.channel!r}; leave v2 out for a single input")
+            raise ValueError(
+                f"v1 and v2 are the same channel {self.v1.channel!r}; leave v2 out for a single input, or give both "
+                "their `part` of a signed monitor"
+            )
         return self
 
     @property

@@ -126,8 +126,9 @@ POWERS = {
 SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "day": 86_400.0}
 """Seconds per unit of time, by pint's names."""
 _TIME_WORDS = {
-    "s": "sec secs second seconds sekunde sekunden", "ms": "msec millisecond milliseconds", "ns": "nanosecond nanoseconds",
-    "us": "µs μs usec microsecond microseconds", "min": "mins minute minutes", "h": "hr hour hours", "day": "d days",
+    "s": "sec secs second seconds sekunde sekunden", "ms": "msec millisecond milliseconds",
+    "ns": "nanosecond nanoseconds", "us": "µs μs usec microsecond microseconds",
+    "min": "mins minute minutes", "h": "hr hour hours", "day": "d days",
 }  # fmt: skip
 _TIME_NAMES = {word: unit for unit, words in _TIME_WORDS.items() for word in (unit, *words.split())}
 
@@ -155,7 +156,7 @@ def _registry() -> Any:
 
 
 def time_unit(text: str) -> str:
-    """Pint's name of a unit of time as logs write it, such as ``[ms]`` or ``seconds since 1970-01-01``; "" for others."""
+    """Pint's name of a unit of time as logs write it, as ``[ms]`` or ``seconds since 1970-01-01``; "" for others."""
     return _TIME_NAMES.get(text.strip().partition(" since ")[0].strip("[]() ").casefold(), "")
 
 

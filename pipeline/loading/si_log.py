@@ -10,8 +10,9 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.loading.device import Device
 from pipeline.numerics.arrays import FloatArray
-from pipeline.settings import Channel, Prototype
-from pipeline.signals.columns import Signal, chunks, column, equal, held, scaled
+from pipeline.settings import Channel, Column, Prototype
+from pipeline.signals.columns import Signal, chunks, column, equal, held, one_sign, scaled, sparse
+from pipeline.signals.missing_codes import codes_in, masked, said_of
 from pipeline.signals.timebase import nominal_step
 from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 
@@ -33,11 +34,14 @@ class SiLog:
         Voltages [V], or what the inputs measure.
     velocity : Signal or None
         Measured velocity [m/s or rad/s].
+    notes : tuple of str
+        What was masked or interpolated, by the names in a record.
     """
 
     q: Signal
     inputs: tuple[Signal, ...]
     velocity: Signal | None = None
+    notes: tuple[str, ...] = ()
 
     @property
     def beside(self) -> dict[str, Signal]:
@@ -68,8 +72,9 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
     from pipeline.rig_logs import CsvOptions, read_recording
 
     channels = prototype.channels
-    used = (channels.time, channels.q, *channels.inputs, channels.qdot)
-    wanted = [channel.channel for channel in used if channel is not None]
+    signals = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
+    used = (channels.time, *signals, *(signal.time for signal in signals))
+    wanted = [each.channel for each in used if each is not None]
     csv = CsvOptions(**prototype.ingest.csv.model_dump())
     return _si_log(read_recording(path, channels=wanted, csv=csv, progress=progress), prototype, plant)
 
@@ -77,13 +82,13 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
 def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLog:
     channels = prototype.channels
     signals = [(channels.q, plant.displacement), *zip(channels.inputs, plant.inputs, strict=True)]
+    names = ["q", *(f"v{i}" for i in range(1, len(signals)))]
     if channels.qdot is not None and plant.velocity is not None:
         signals.append((channels.qdot, plant.velocity))
-    columns = [_si(recording, channel, unit) for channel, unit in signals]
-    if channels.time is not None and plant.time is not None:
-        bases = [_si(recording, channels.time, plant.time)] * len(columns)
-    else:
-        bases = _own_bases(recording, [channel for channel, _ in signals], prototype.ingest.sample_rate)
+        names.append("qdot")
+    notes: list[str] = []
+    columns = [_si(recording, channel, unit, name, notes) for (channel, unit), name in zip(signals, names, strict=True)]
+    bases = _bases(recording, [channel for channel, _ in signals], prototype, notes)
     _check_rate(recording.path, bases[0], prototype.ingest.sample_rate)
     for (channel, _), base, samples in zip(signals, bases, columns, strict=True):
         if base.size != samples.size:
@@ -92,11 +97,21 @@ def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLo
                 f"{base.size}; they are not of one recording, or the log was cut"
             )
     q, *others = (
-        _held(recording.path, channel, bases[0], (base, samples)) if channel.on_change else (base, samples)
-        for (channel, _), base, samples in zip(signals, bases, columns, strict=True)
+        _held(recording.path, channel, bases[0], (base, samples))
+        if channel.on_change
+        else _without_blanks((base, samples), name, notes)
+        for (channel, _), name, base, samples in zip(signals, names, bases, columns, strict=True)
     )
     inputs = len(plant.inputs)
-    return SiLog(q, tuple(others[:inputs]), *others[inputs:])
+    return SiLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
+
+
+def _without_blanks(signal: Signal, name: str, notes: list[str]) -> Signal:
+    """A slow channel of a fast table by its own samples."""
+    own, every = sparse(signal)
+    if every > 1:
+        notes.append(f"{name} has a sample every {every} rows and blanks between: interpolated")
+    return own
 
 
 def _held(path: Path, channel: Channel, time: FloatArray, seen: Signal) -> Signal:
@@ -122,16 +137,41 @@ def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
         )
 
 
-def _si(recording: "Recording", channel: Channel, unit: SiUnit) -> FloatArray:
-    found = recording.channel(channel.channel)
-    factor, offset = unit.factor * channel.scale, unit.factor * channel.offset
-    if channel.scale == 1.0:  # else the log's own unit is that of its data acquisition
-        _check_unit(recording.path, found.name, found.unit, channel.unit, unit)
-    return scaled(found.samples, factor, offset)
+def _si(recording: "Recording", log_column: Column, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
+    """A column in SI units, NaN in place of codes for no value, which are noted under its name in a record."""
+    read = recording.channel(log_column.channel)
+    factor, offset = unit.factor * log_column.scale, unit.factor * log_column.offset
+    if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
+        _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
+    codes = codes_in(read.samples, log_column.missing, of_time=unit.symbol == "s")
+    notes += [f"{name}: {text}" for text in said_of(codes)]
+    samples = scaled(masked(read.samples, codes), factor, offset)
+    part = log_column.part if isinstance(log_column, Channel) else "all"
+    return samples if part == "all" else one_sign(samples, 1.0 if part == "positive" else -1.0)
+
+
+def _bases(
+    recording: "Recording", channels: list[Channel], prototype: Prototype, notes: list[str]
+) -> list[FloatArray]:
+    """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object."""
+    of_all, bases = prototype.channels.time, list[FloatArray]()
+    own = _own_bases(recording, [each for each in channels if not (each.time or of_all)], prototype.ingest.sample_rate)
+    read: dict[Column, FloatArray] = {}
+    for channel in channels:
+        clock = channel.time or of_all
+        if clock is None:
+            bases.append(own.pop(0))
+            continue
+        if clock not in read:
+            unit = to_si(clock.unit, TIME, f"{prototype.name}: time {clock.channel!r}")
+            read[clock] = _si(recording, clock, unit, "time", notes)
+        base = read[clock]
+        bases.append(next((other for other in bases if other is not base and equal(other, base)), base))
+    return bases
 
 
 def _own_bases(recording: "Recording", channels: list[Channel], rate: float | None) -> list[FloatArray]:
-    """The channels' own time bases, or that of a sample rate [Hz]; equal ones become one object."""
+    """The time bases of a log, or that of a sample rate [Hz]; equal ones become one object."""
     bases: list[FloatArray] = []
     counted: dict[str, int] = {}
     for channel in channels:

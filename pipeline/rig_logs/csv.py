@@ -277,7 +277,8 @@ class CsvSource:
         seconds = 3600.0 * hours + 60.0 * (part("m") + part("mm")) + part("s") + part("ss")
         if name not in self._origins and np.any(np.isfinite(seconds)):
             self._origins[name] = float(seconds[np.isfinite(seconds)][0])
-            self.notes.append(f"time of {name!r} counts from {self._firsts[name]}; its date is not used")
+            dated = "" if self._firsts[name][:3].partition(":")[1] else "; its date is not used"
+            self.notes.append(f"time of {name!r} counts from {self._firsts[name]}{dated}")
         turn = _DAY if self._firsts[name].count(":") > 1 else _HOUR
         return self._onwards(name, seconds - self._origins.get(name, 0.0), turn)
 

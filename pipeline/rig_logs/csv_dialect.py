@@ -4,6 +4,7 @@ import codecs
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from pipeline.rig_logs.csv_cells import (
     NUMBER,
@@ -278,7 +279,8 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
 
     The width is the most frequent one. A column holds numbers if most of its cells do, of those that are not empty in
     the second half. Data begin with the first row of two numbers or more in which those columns hold nothing else; of a
-    column that is empty in the second half, every cell from there on must be a number. A later row that does not fit
+    column that is empty in the second half, every cell from there on must be a number. Numbers above a row of texts are
+    part of the preamble. A later row that does not fit
     is no preamble but an error, which the parser reports.
     """
     rows = [split_row(line, delimiter) for line in lines[:_MOST_ROWS]]
@@ -291,7 +293,9 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     later = fitting[len(fitting) // 2 :]
     likely = [_mostly_values([rows[i][j] for i in later], decimal, delimiter) for j in range(width)]
     filled = [_filled(row, likely, decimal, delimiter) if fit else 0 for row, fit in zip(rows, fits, strict=True)]
-    first = next((i for i in fitting if filled[i] >= 2), None)
+    behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
+    only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
+    first = next((i for i in fitting if filled[i] >= 2 and i not in only_text), None)
     if first is None:
         return None
     while first > begin and filled[first - 1]:  # as of a channel that begins later, beside the time

@@ -16,7 +16,7 @@ _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _SEPARATORS = re.compile(r"[,;|\t]|\s+")
 _KNOWN = (
     "s sec second seconds ms us µs μs ns min h m mm cm um µm μm nm deg degree degrees ° rad mrad v volt volts kv mv a "
-    "ampere ma n kn nm n·m mn·m % pct hz khz g kg pa kpa bar mbar k °c rpm 1 - m/s mm/s deg/s rad/s m/s² m/s^2"
+    "ampere ma n kn nm n·m mn·m % pct hz khz g kg pa kpa bar mbar k °c rpm 1 - sequence m/s mm/s deg/s rad/s m/s² m/s^2"
 )
 _UNITS = frozenset(_KNOWN.split())
 """Spellings by which a row of units is known."""
@@ -50,8 +50,9 @@ def heading_rows(
     """Which of the rows above the data holds the names, and which the units; None where there is none.
 
     Empty rows may stand between them and the data, and cells without content at the ends of either. The names are in
-    the row that labels the most columns: of several such rows in that with a time, else the first, or the last of
-    comments. A row of one cell more than the data, as for comments, names the first of them; above units of two more.
+    the row that labels the most columns: of several such rows in that with a time, else the first; the last of
+    comments, or where two cells above units may be a key and its value. A row of one cell more than the data, as for
+    comments, names the first of them; above units of two more.
 
     Parameters
     ----------
@@ -83,7 +84,7 @@ def heading_rows(
     if not names:
         return None, None
     with_time = [i for i in names if any(map(_TIME.match, above[i]))]
-    name = (with_time or names)[-1 if comments[block[-1]] else 0]
+    name = (with_time or names)[-1 if comments[block[-1]] or (units is not None and used == 2) else 0]
     below = [i for i in block if i > name and any(above[i])]
     return name, units if units is not None or not below else below[0]
 

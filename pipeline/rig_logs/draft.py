@@ -237,12 +237,52 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
     if suggestion.only is not None:
         channel = by_name[suggestion.only]
         unit, origin = _unit(channel, role)
+        entry = _entry(role, channel.name, unit)
+        if channel.codes:
+            entry = _with(entry, f"missing = [{', '.join(f'{code:.9g}' for code in channel.codes)}]")
+        if role != "time" and (time := _own_time(channel, log)):
+            entry = _with(entry, f"time = {time}")
         if role in ("v1", "v2") and _seldom(channel, log):
-            entry = _entry(role, channel.name, unit).replace(" }", ", on_change = true }")
-            return [f"{entry}  # suggested; unit {origin}; few samples, far apart: recorded when it changed?"]
-        return [f"{_entry(role, channel.name, unit)}  # suggested; unit {origin}"]
+            return [
+                f"{_with(entry, 'on_change = true')}  # suggested; unit {origin}; few samples, far apart: recorded "
+                "when it changed?"
+            ]
+        return [f"{entry}  # suggested; unit {origin}", *_signed_monitor(entry, channel, log)]
+    if role == "time" and all(_own_time(each, log) for each in log.channels if each.name in _suggested(log)):
+        return [f"# time is left out: each channel has its own, of {', '.join(map(quoted, names))}"]
     found = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {found}"]
+
+
+def _suggested(log: Inspection) -> set[str]:
+    """The channels that are suggested for q and the inputs."""
+    return {each.only for each in log.suggestions if each.role != "time" and each.only is not None}
+
+
+def _with(entry: str, more: str) -> str:
+    """An entry with one more key."""
+    return entry.removesuffix(" }") + f", {more} }}"
+
+
+def _own_time(channel: InspectedChannel, log: Inspection) -> str:
+    """The last time column before a channel, where a table has several; "" where it does not."""
+    times = next((each.candidates for each in log.suggestions if each.role == "time"), ())
+    names = [each.name for each in log.channels]
+    before = [name for name in times if names.index(name) < names.index(channel.name)]
+    if len(times) < 2 or not before or channel.name in times:
+        return ""
+    time = next(each for each in log.channels if each.name == before[-1])
+    return _entry("", time.name, _unit(time, "time")[0]).removeprefix(" = ")
+
+
+def _signed_monitor(entry: str, channel: InspectedChannel, log: Inspection) -> list[str]:
+    """How a single input of both signs is given as those of two membranes; nothing for others."""
+    quality = channel.quality
+    single = all(one.role != "v2" or not one.candidates for one in log.suggestions)
+    if not entry.startswith("v1") or not single or not takes_both_signs(quality.smallest, quality.largest):
+        return []
+    left, right = (_with(entry, f'part = "{part}"') for part in ("positive", "negative"))
+    return [f"# {left}  # a signed monitor of both membranes?", f"# {right.replace('v1', 'v2', 1)}"]
 
 
 def _seldom(channel: InspectedChannel, log: Inspection) -> bool:

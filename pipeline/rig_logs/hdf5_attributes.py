@@ -109,7 +109,7 @@ def packing_of(dataset: Any, column: int | None = None) -> Packing | None:
         if dataset.dtype.kind == "f":
             missing = missing.astype(dataset.dtype)
         limits.append((missing, float(low), float(high)))
-    return Packing(factor, offset, *limits, unsigned)
+    return Packing(factor, offset, limits[0], limits[1], unsigned)
 
 
 def described(dataset: Any) -> str:

@@ -1,7 +1,7 @@
 """What is in a raw log: channels, units, rates, gaps, rails, hum; and which channel might be what."""
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +11,10 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.channel_roles import Suggestion, is_record, suggest, suggested_unit
 from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
 from pipeline.rig_logs.guarded import read_recording
-from pipeline.rig_logs.recording import Channel
+from pipeline.rig_logs.recording import Channel, Recording
 from pipeline.rig_logs.remarks import Clock, Context, remarks_on
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
+from pipeline.signals.missing_codes import codes_in, masked, said_of
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 from pipeline.units import SECONDS
@@ -39,6 +40,8 @@ class InspectedChannel:
         In the numbers of the log, times in s.
     remarks : tuple of str
         What is noteworthy, in words with numbers.
+    codes : tuple of float
+        Numbers that seem to stand for no value; they are left out of `quality`.
     """
 
     name: str
@@ -47,6 +50,7 @@ class InspectedChannel:
     time_base: int | None
     quality: SignalQuality
     remarks: tuple[str, ...]
+    codes: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -103,7 +107,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     """
     if path.suffix.lower() == ".toml":
         raise InputError(f"{path}: is a settings file; `debist check {path}` looks at the logs that it names")
-    recording = read_recording(path, csv=csv)
+    recording, codes = _without_codes(read_recording(path, csv=csv))
     own_time = any(channel.time is not None for channel in recording.channels)
     notes = list(recording.notes)
     rates = {} if own_time else dict(recording.rates) | _constant_rates(recording.channels, notes)
@@ -126,12 +130,31 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     for channel, position, quality, own_clock in examined:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
         context = Context(own_clock, channel.name in inputs, max(alike, default=np.nan))
-        remarks = () if channel.name in bare else remarks_on(quality, context)
-        channels.append(InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks))
+        own = codes.get(channel.name, {})
+        remarks = () if channel.name in bare else (*said_of(own), *remarks_on(quality, context))
+        channels.append(
+            InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks, tuple(own))
+        )
     size = path.stat().st_size
     return Inspection(
         path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes)
     )
+
+
+def _without_codes(recording: Recording) -> tuple[Recording, dict[str, dict[float, int]]]:
+    """A recording with NaN in place of codes for no value, and which channel has how many of which."""
+    codes = {channel.name: codes_in(channel.samples) for channel in recording.channels}
+    bases = {id(channel.time): channel.time for channel in recording.channels if channel.time is not None}
+    times = {key: masked(base, codes_in(base, of_time=True)) for key, base in bases.items()}
+    channels = [
+        replace(
+            channel,
+            samples=masked(channel.samples, codes[channel.name]),
+            time=None if channel.time is None else times[id(channel.time)],
+        )
+        for channel in recording.channels
+    ]
+    return replace(recording, channels=tuple(channels)), {name: counts for name, counts in codes.items() if counts}
 
 
 def _constant_rates(channels: Sequence[Channel], notes: list[str]) -> dict[str, float]:

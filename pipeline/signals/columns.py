@@ -13,6 +13,8 @@ CHUNK = 1 << 17
 """Rows at a time."""
 _LONG = 1 << 22
 """Bytes from which on a column is not held in memory."""
+_EVENLY, _MOSTLY = 0.5, 0.9
+"""Share by which the blanks between the samples of a slow channel may differ, and how many of them do not by more."""
 
 Entry = TypeVar("Entry", bound=np.generic)
 Signal = tuple[FloatArray, FloatArray]
@@ -50,6 +52,11 @@ def scaled(samples: FloatArray, factor: float, offset: float) -> FloatArray:
     return samples if (factor, offset) == (1.0, 0.0) else column(samples.size, parts, np.float64)
 
 
+def one_sign(samples: FloatArray, sign: float) -> FloatArray:
+    """The positive part of a column, or with `sign` −1 the negative one without its sign; 0 elsewhere."""
+    return column(samples.size, (np.maximum(sign * samples[rows], 0.0) for rows in chunks(samples.size)), np.float64)
+
+
 def held(time: FloatArray, stamps: FloatArray, samples: FloatArray) -> FloatArray:
     """What was recorded when it changed, at other stamps: its last finite sample, NaN before the first, shape (N,).
 
@@ -81,6 +88,18 @@ def select(samples: FloatArray, taken: BoolArray) -> FloatArray:
     if count == samples.size:
         return samples
     return column(count, (samples[rows][taken[rows]] for rows in chunks(samples.size)), np.float64)
+
+
+def sparse(signal: Signal) -> tuple[Signal, int]:
+    """A column without its blanks where it has a sample every few rows, and how many rows those are; 1 for others."""
+    taken = finite(signal[1])
+    if taken.all():
+        return signal, 1
+    spacing = np.diff(np.flatnonzero(taken))
+    usual = int(np.median(spacing)) if spacing.size else 1
+    if usual < 2 or np.mean(np.abs(spacing - usual) <= _EVENLY * usual) < _MOSTLY:
+        return signal, 1
+    return (select(signal[0], taken), select(signal[1], taken)), usual
 
 
 def equal(one: FloatArray, other: FloatArray) -> bool:

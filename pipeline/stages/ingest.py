@@ -24,14 +24,17 @@ from pipeline.signals.inputs import LONGEST_BRIDGE, UNKNOWN
 if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
     from pipeline.signals.signal_quality import SignalQuality
+    from pipeline.signals.stretches import TimeRows
     from pipeline.signals.timebase import TimeQuality
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
-ALGORITHM = "10"
+ALGORITHM = "11"
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
+_MUCH_DISCARDED = 0.03
+"""Share of the rows that may be left out where time steps back, before another remedy is named."""
 
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
@@ -108,7 +111,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     try:
         raw_step = nominal_step(signals.q[0])
         kept = _trusted(signals, settings, raw_step)
-        warnings = _warnings(signals, prototype, kept.quality)
+        warnings = [*signals.notes, *_warnings(signals, prototype, kept.quality)]
         usable = survey(
             (signals.q[0], kept.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal
         )
@@ -120,7 +123,12 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     clock = examine(signals.q[0])
     lacking, findings = _lacking(signals, settings.sample_interval)
     unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
-    warnings += [*lacking, *_gaps(clock, unknown), *rate_remarks(clock, quality, settings.sample_interval)]
+    warnings += [
+        *_discarded(usable.rows),
+        *lacking,
+        *_gaps(clock, unknown),
+        *rate_remarks(clock, quality, settings.sample_interval),
+    ]
     few, coarse = _few_samples(signals, settings.sample_interval)
     findings += [*rate_findings(clock, quality, settings.sample_interval), *coarse]
     ends = _cut_off(usable, clock)
@@ -202,6 +210,20 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
             if alone > interval:
                 said.append(f"{name} {how.format(f'{alone:.4g} s')}: what q shows there is left out")
     return said, missing_findings(beside)
+
+
+def _discarded(rows: "TimeRows") -> list[str]:
+    """What to say of rows that are left out where time steps back."""
+    if not rows.turns.size:
+        return []
+    from pipeline.rig_logs.remarks import counted, stamped
+
+    share, places = rows.backward / rows.time.size, counted(int(rows.turns.size), "place")
+    much = "; give the parts as logs of their own, or repair the clock" if share > _MUCH_DISCARDED else ""
+    return [
+        f"time steps back at {places}, first after {stamped(float(rows.turns[0]))} s: {rows.backward} of "
+        f"{rows.time.size} rows ({100.0 * share:.2g} %) are left out ([ingest] time_reversal){much}"
+    ]
 
 
 def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
