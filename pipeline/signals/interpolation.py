@@ -7,7 +7,7 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray
 
 _PIECE = 1 << 15
-_STEEPEST = 2.0
+_STEEPEST = 1.5
 
 
 def interpolated(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> Iterator[FloatArray]:
@@ -48,8 +48,8 @@ def _slopes(time: FloatArray, samples: FloatArray) -> FloatArray:
     """Slopes of three-point parabolas, none so steep that it leads far out of its neighbours over the longer step.
 
     Of two stamps that nearly coincide, the noise between them is a slope without a bound. A slope d overshoots over a
-    step h by 4/27 of d h at most, so at twice the changes beside it by less than a third of these; on even steps the
-    limit is never reached.
+    step h by 4/27 of d h at most, so at 1.5 times the changes beside it by less than a quarter of these; on even steps
+    the limit is never reached.
     """
     steps, changes = np.diff(time), np.abs(np.diff(samples))
     longer, beside = np.maximum(steps[1:], steps[:-1]), changes[1:] + changes[:-1]

@@ -77,7 +77,9 @@ def test_quoted_cells_protect_the_delimiter(tmp_path):
     np.testing.assert_array_equal(read_here(path)["q"], [1.5, 2.5])
 
 
-@pytest.mark.parametrize(("row", "complaint"), [("2,x", "'x'"), ("2", "has 1 cells, not 2"), ("2,3,4", "has 3 cells, not 2")])
+@pytest.mark.parametrize(
+    ("row", "complaint"), [("2,x", "'x'"), ("2", "has 1 cells, not 2"), ("2,3,4", "has 3 cells, not 2")]
+)
 @pytest.mark.parametrize("position", [0, 1, 30, 20_000])
 def test_a_row_that_does_not_fit_is_an_error_wherever_it_stands(tmp_path, row, complaint, position):
     rows = [f"{i},{2 * i}" for i in range(20_100)]

@@ -285,7 +285,10 @@ def test_an_object_of_an_old_class_is_named_and_none_of_its_fields_is_a_channel(
     path.write_bytes(raw[:128] + data)
     inspection, reason = inspect(path)
     assert inspection.notes == tuple(source.notes) and reason == "the log holds no vector of numbers"
-    with pytest.raises(InputError, match=r"object.mat: the log holds no vector of numbers: no numbers, and left out: .data. \(a MATLAB iddata"):
+    with pytest.raises(
+        InputError,
+        match=r"object.mat: the log holds no vector of numbers: no numbers, and left out: .data. \(a MATLAB iddata",
+    ):
         toml_draft([inspection])
 
 

@@ -208,3 +208,24 @@ def test_runs_of_uneven_points_may_be_corrected_together(monkeypatch) -> None:
     monkeypatch.setattr("pipeline.signals.resampling._joined", lambda runs, apart: runs)
     alone = decimate(time, [column], grid, 1e-3)
     np.testing.assert_allclose(together, alone, rtol=0.0, atol=1e-13)
+
+
+@pytest.mark.parametrize("apart", [4e-5, 1e-6, 1e-9])
+def test_stamps_that_nearly_coincide_do_not_throw_q_out_of_its_range(apart):
+    rng, t = np.random.default_rng(0), T * np.arange(400)
+    q = np.sin(3.0 * t) + rng.normal(0.0, 1e-3, t.size)
+    close = np.insert(t, 200, t[200] - apart)
+    samples = np.insert(q, 200, q[200] + 5e-3)
+    between = interpolate(close, samples, uniform_grid(0.0, t[-1], T / 7.0), smooth=True)
+    beside = np.interp(uniform_grid(0.0, t[-1], T / 7.0), t, q)
+    assert np.abs(between - beside).max() < 0.6 * np.abs(np.diff(q)).max()
+
+
+def test_the_bound_leaves_even_steps_and_slow_changes_of_the_step_alone():
+    from scipy.interpolate import CubicHermiteSpline
+
+    rng = np.random.default_rng(1)
+    for t in (T * np.arange(400), np.cumsum(T * rng.uniform(0.8, 1.2, 400))):
+        q, grid = np.sin(3.0 * t), uniform_grid(t[0], t[-1], T / 7.0)
+        free = CubicHermiteSpline(t, q, np.gradient(q, t, edge_order=2))(grid)
+        np.testing.assert_allclose(interpolate(t, q, grid, smooth=True), free, atol=1e-6)

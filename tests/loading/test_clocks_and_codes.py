@@ -1,0 +1,83 @@
+"""A channel may have its own time, a part of a signed monitor, blanks between samples, and codes for no value."""
+
+import numpy as np
+import pandas as pd
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from pipeline.runs.run_folder import RunFolder
+
+RUNNER = CliRunner()
+T = 0.001 * np.arange(8000)
+V = np.where(T % 1.0 < 0.4, 2800.0, 0.0) - np.where((T % 1.0 > 0.5) & (T % 1.0 < 0.8), 1400.0, 0.0)
+Q = 5.0 * np.sin(2.0 * np.pi * T)
+TIME = 'time = { channel = "t", unit = "s" }\n'
+
+
+def ingested(folder, columns, channels, more=""):
+    pd.DataFrame(columns).to_csv(folder / "log.csv", index=False)
+    text = f'name = "d"\n[logs]\ntrain = ["log.csv"]\n[channels]\n{channels}\n[plant]\ninputs = "linear"\n{more}'
+    (folder / "d.toml").write_text(text, encoding="utf-8")
+    result = RUNNER.invoke(app, ["ingest", str(folder / "d.toml"), "-o", str(folder / "run")])
+    if result.exit_code:
+        return " ".join(result.output.split()), None
+    run = RunFolder.open(folder / "run")
+    return run.record("train/log/record.parquet").notes["warnings"], run.read_table("train/log/record.parquet")
+
+
+def test_voltages_keep_the_time_that_stands_beside_them(tmp_path):
+    own = 'v1 = { channel = "v", unit = "V", time = { channel = "t_v", unit = "ms" } }'
+    columns = {"t": T, "q": Q, "t_v": 1e3 * (T + 0.012), "v": V}
+    _, record = ingested(tmp_path, columns, TIME + 'q = { channel = "q", unit = "mm" }\n' + own)
+    wanted = np.interp(record["t"], T + 0.012, V)
+    far = np.abs(np.gradient(np.interp(record["t"], T + 0.012, V))) == 0.0
+    np.testing.assert_allclose(record["v1"][far], wanted[far], atol=1e-6)
+
+
+def test_times_of_a_table_without_a_common_one(tmp_path):
+    both = [f'{k} = {{ channel = "{k[0]}", unit = "{u}", time = {{ channel = "t_{k[0]}", unit = "s" }} }}'
+            for k, u in (("q", "mm"), ("v1", "V"))]  # fmt: skip
+    _, record = ingested(tmp_path, {"t_q": T, "q": Q, "t_v": T + 0.5, "v": V}, "\n".join(both))
+    assert record["t"][0] == pytest.approx(0.5)
+
+
+def test_a_signed_monitor_of_both_membranes(tmp_path):
+    halves = "\n".join(
+        f'{key} = {{ channel = "v", unit = "V", part = "{part}" }}'
+        for key, part in (("v1", "positive"), ("v2", "negative"))
+    )
+    _, record = ingested(tmp_path, {"t": T, "q": Q, "v": V}, TIME + 'q = { channel = "q", unit = "mm" }\n' + halves)
+    inside = np.abs(np.gradient(V)) == 0.0
+    rows = np.rint(record["t"] / 0.001).astype(int)
+    np.testing.assert_allclose(record["v1"][inside[rows]], np.maximum(V, 0.0)[rows][inside[rows]], atol=1e-6)
+    np.testing.assert_allclose(record["v2"][inside[rows]], np.maximum(-V, 0.0)[rows][inside[rows]], atol=1e-6)
+
+
+def test_a_slow_input_with_blanks_between_is_interpolated(tmp_path):
+    slow = np.where(np.arange(T.size) % 10 == 0, 1000.0 * np.sin(T), np.nan)
+    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    warnings, record = ingested(tmp_path, {"t": T, "q": Q, "v": slow}, channels)
+    assert any("v1 has a sample every 10 rows" in warning for warning in warnings)
+    np.testing.assert_allclose(record["v1"], 1000.0 * np.sin(record["t"]), atol=0.1)
+
+
+@pytest.mark.parametrize(
+    ("code", "declared"), [(-9999.0, ""), (1.7976931348623157e308, ""), (-1.0, ", missing = [-1]")]
+)
+def test_codes_in_an_input_are_masked_and_told(tmp_path, code, declared):
+    spoilt = np.abs(V)
+    spoilt[3000:3004] = code
+    channels = TIME + f'q = {{ channel = "q", unit = "mm" }}\nv1 = {{ channel = "v", unit = "V"{declared} }}'
+    warnings, record = ingested(tmp_path, {"t": T, "q": Q, "v": spoilt}, channels)
+    assert any(f"v1: 4 samples of {code:.6g} stand for no value" in warning for warning in warnings)
+    assert record["v1"].min() > -50.0 and record["v1"].max() < 3000.0
+
+
+def test_rows_that_are_left_out_where_time_steps_back_are_counted(tmp_path):
+    restarted = np.concatenate((T[:3000], T[:5000]))
+    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    more = '[ingest]\ntime_reversal = "split"\n'
+    warnings, _ = ingested(tmp_path, {"t": restarted, "q": Q, "v": np.abs(V)}, channels, more)
+    (told,) = [warning for warning in warnings if "steps back" in warning]
+    assert "3000 of 8000 rows (38 %) are left out" in told and "logs of their own" in told

@@ -1,0 +1,166 @@
+"""CSV layouts of oscilloscopes, LabVIEW and spreadsheets: names, units and samples are those that were written."""
+
+import numpy as np
+import pytest
+
+from pipeline.rig_logs.source import UnreadableLogError
+from tests.rig_logs.small_logs import load, open_here
+
+N = 700
+TIME = 0.002 * np.arange(N)
+Q = np.round(9.0 * np.sin(7.0 * TIME), 4)
+V = np.where(TIME < 0.5, 0.0, 3000.0)
+LVM = "LabVIEW Measurement\t\nX_Columns\tOne\n***End_of_Header***\t\n\t\nChannels\t2\t\t\nDelta_X\t0.002\t0.002\t\n"
+LVM += "***End_of_Header***\t\t\t\nX_Value\tq\tv\tComment\n"
+OLD_TEKTRONIX = ["Record Length,7e+02,", "Sample Interval,2e-03,", "Source,CH1,", "Vertical Units,V,", "Pt Fmt,Y,"]
+
+
+def _rows(form, *columns):
+    return "".join(form.format(*row) + "\n" for row in zip(*columns, strict=True))
+
+
+def _plain(delimiter=",", end=""):
+    return _rows(delimiter.join(["{:.3f}", "{:.4f}", "{:.1f}"]) + end, TIME, Q, V)
+
+
+LAYOUTS = {
+    "rigol, one channel": (
+        "X,CH1,Start,Increment,\nSequence,Volt,-6e-06,2e-03\n" + _rows("{},{:.4f},", range(N), Q),
+        {"CH1": Q},
+    ),
+    "rigol, two channels": (
+        "X,CH1,CH2,Start,Increment,\nSequence,VOLT,VOLT,-3e-03,2e-03\n" + _rows("{},{:.4f},{},,", range(N), Q, V),
+        {"CH1": Q, "CH2": V},
+    ),
+    "tektronix, old": (
+        "".join(f"{OLD_TEKTRONIX[i] if i < 5 else ',,'},{TIME[i]:.3f},{Q[i]:.4f},\n" for i in range(N)),
+        {"column 4": TIME, "column 5": Q},
+    ),
+    "tektronix, new": (
+        "Model,MDO3014\n\nSample Interval,2e-03,,\nVertical Units,V,V\n,,\nLabel,,\nTIME,CH1,CH2\n" + _plain(),
+        {"TIME": TIME, "CH1": Q, "CH2": V},
+    ),
+    "keysight": ("x-axis,1,2\nsecond,Volt,Volt\n" + _plain(), {"x-axis": TIME, "1": Q, "2": V}),
+    "siglent": (
+        "Record Length,Analog:700,\nSource,CH1\nSecond,Volt\n" + _rows("{:.3f},{:.4f}", TIME, Q),
+        {"Source": TIME, "CH1": Q},
+    ),
+    "labview, a comment in the first row": (
+        LVM + _plain("\t").replace("\n", "\tstart\n", 1),
+        {"X_Value": TIME, "q": Q, "v": V},
+    ),
+    "labview, a comment in every row": (LVM + _plain("\t", "\tok"), {"X_Value": TIME, "q": Q, "v": V}),
+    "labview, a comment behind what is seen at first": (
+        LVM + _plain("\t").removesuffix("\n") + "\tend\n",
+        {"X_Value": TIME, "q": Q, "v": V},
+    ),
+    "labview, without time": (LVM + _rows("\t{:.4f}\t{:.1f}", Q, V), {"q": Q, "v": V}),
+    "spreadsheet, a title above the names": (
+        "Messung 17;;\nt;q;v\ns;mm;V\n" + _plain(";").replace(".", ","),
+        {"t": TIME, "q": Q, "v": V},
+    ),
+    "spreadsheet, an empty row and a date": (
+        "Rig A,,\n2024-04-23 12:00:00,,\nrate,500,\n,,\nt,q,v\n,,\n" + _plain(),
+        {"t": TIME, "q": Q, "v": V},
+    ),
+    "keys and values above two columns": (
+        "Rig,A\nOperator,B\nt,q\ns,mm\n" + _rows("{:.3f},{:.4f}", TIME, Q),
+        {"t": TIME, "q": Q},
+    ),
+    "quoted decimal commas": (
+        '"t","q","v"\n' + _rows('"{:.3f}","{:.4f}","{:.1f}"', TIME, Q, V).replace(".", ","),
+        {"t": TIME, "q": Q, "v": V},
+    ),
+    "blanks before quotes": (
+        '"t [s]", "q [mm]", "v"\n' + _rows('"{:.3f}", "{:.4f}", "{:.1f}"', TIME, Q, V),
+        {"t": TIME, "q": Q, "v": V},
+    ),
+    "a delimiter at the end of rows of data only": ("t,q,v\n" + _plain(end=","), {"t": TIME, "q": Q, "v": V}),
+    "a switch": ("t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, V > 0), {"t": TIME, "q": Q, "v": V > 0}),
+    "nanoseconds since 1970": (
+        "t,q\n" + _rows("{},{:.4f}", 1_700_000_000_123_456_789 + np.arange(N) * 2_000_001, Q),
+        {"t": np.arange(N) * 2_000_001.0, "q": Q},
+    ),
+    "minutes and seconds, past the hour": (
+        "t,q\n" + _rows("{:02.0f}:{:06.3f},{:.4f}", np.where(TIME < 1.0, 59, 0), (59 + TIME) % 60, Q),
+        {"t": TIME, "q": Q},
+    ),
+    "german date": (
+        "t;q\n" + _rows("31.01.2024 23:59:{:06.3f};{:.4f}", 10 + TIME, Q).replace(".", ",").replace("1,01,2", "1.01.2"),
+        {"t": TIME, "q": Q},
+    ),
+    "us date": (
+        "t,q\n" + _rows("1/31/2024 {}:59:{:06.3f} PM,{:.4f}", [12] * N, 10 + TIME, Q),
+        {"t": TIME, "q": Q},
+    ),
+    "a channel that begins behind what is seen at first": (
+        "t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, ["" if i < 500 else "7.5" for i in range(N)]),
+        {"t": TIME, "q": Q, "v": np.where(np.arange(N) < 500, np.nan, 7.5)},
+    ),
+    "lines that end in two returns": (
+        ("t,q,v\n" + _plain()).replace("\n", "\r\r\n"),
+        {"t": TIME, "q": Q, "v": V},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_names_and_samples_are_those_that_were_written(tmp_path, name):
+    text, expected = LAYOUTS[name]
+    path = tmp_path / "log.csv"
+    path.write_bytes(text.encode())
+    source = open_here(path)
+    found = {entry.name: load(source, entry.name) for entry in source.entries()}
+    assert set(expected) <= set(found)
+    assert {"Start", "Increment", "Comment"}.isdisjoint(found)
+    for channel, samples in expected.items():
+        np.testing.assert_allclose(found[channel], samples, atol=1e-9)
+
+
+@pytest.mark.parametrize("delimiter", [";", "\t"])
+@pytest.mark.parametrize("decimal", [".", ","])
+@pytest.mark.parametrize("idle", [390, 600])
+def test_a_decimal_mark_behind_whole_numbers_is_seen(tmp_path, delimiter, decimal, idle):
+    q = np.where(np.arange(N) < idle, 0.0, Q)
+    rows = [
+        f"{2 * i}{delimiter}{'0' if i < idle else f'{q[i]:.4f}'.replace('.', decimal)}{delimiter}{V[i]:.0f}"
+        for i in range(N)
+    ]
+    (tmp_path / "log.csv").write_text("\n".join([delimiter.join("tqv"), *rows]) + "\n")
+    source = open_here(tmp_path / "log.csv")
+    np.testing.assert_allclose(load(source, "q"), q, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("above", "rate"),
+    [
+        ("Sampling Rate: 2 kHz\n\nq,v", 2000.0),
+        ("Sample Interval,0.5 ms\n\nq,v", 2000.0),
+        ("X,q,v,Start,Increment\nSequence,mm,V,0,5e-4", 2000.0),
+    ],
+)
+def test_a_rate_above_the_data_is_told(tmp_path, above, rate):
+    columns = (range(N), Q, V) if above.startswith("X") else (Q, V)
+    (tmp_path / "log.csv").write_text(above + "\n" + _rows(",".join(["{}"] * len(columns)), *columns))
+    assert list(open_here(tmp_path / "log.csv").rates.values()) == pytest.approx([rate])
+
+
+def test_a_row_of_numbers_is_no_heading(tmp_path):
+    (tmp_path / "log.csv").write_text("0.0,x,1.0\n" + _plain())
+    with pytest.raises(UnreadableLogError, match=r"row 0 .*'x' is no number.* repair or delete that row"):
+        open_here(tmp_path / "log.csv")
+
+
+def test_the_line_of_a_damaged_cell_is_counted_with_the_empty_ones(tmp_path):
+    rows = _plain().splitlines()
+    rows[499] = rows[499].replace(".", "x", 1)
+    (tmp_path / "log.csv").write_text("\n\n".join(["t,q,v", *rows]) + "\n")
+    source = open_here(tmp_path / "log.csv")
+    with pytest.raises(UnreadableLogError, match="row 1001: '0x998' in column 't'"):
+        load(source, "t")
+
+
+def test_a_heading_longer_than_what_is_read_at_first(tmp_path):
+    names = ["t", "q", *(f"Model_Root_subsystem_{k:05d}_a_signal_name" for k in range(1600))]
+    (tmp_path / "log.csv").write_text(",".join(names) + "\n" + _rows("{:.3f},{:.4f}" + ",0" * 1600, TIME[:50], Q[:50]))
+    np.testing.assert_allclose(load(open_here(tmp_path / "log.csv"), "q"), Q[:50])

@@ -1,0 +1,154 @@
+"""What formats define beside the samples is applied and named; what cannot be read leaves the other channels."""
+
+import h5py
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from scipy.io import savemat
+
+from tests.rig_logs.small_logs import TIME, Q, V, load, open_here, write_matlab73
+
+RAW = np.round((Q - 5.0) / 0.001).astype("i2")
+
+
+def _hdf5(path, attributes, raw=RAW):
+    with h5py.File(path, "w") as file:
+        file["v"] = V
+        file.create_dataset("q", data=raw).attrs.update(attributes)
+    source = open_here(path)
+    return source, load(source, "q")
+
+
+@pytest.mark.parametrize(
+    ("attributes", "expected"),
+    [
+        ({"scale_factor": 0.001, "add_offset": 5.0}, RAW * 0.001 + 5.0),
+        ({"scale_factor": np.array([0.5])}, RAW * 0.5),
+        ({"add_offset": b"2"}, RAW + 2.0),
+        ({"_FillValue": RAW[7]}, np.where(RAW[7] == RAW, np.nan, RAW)),
+        ({"missing_value": RAW[[3, 9]], "scale_factor": 2.0}, np.where(np.isin(RAW, RAW[[3, 9]]), np.nan, 2.0 * RAW)),
+        ({"valid_range": np.array([-9000, 2000], "i2")}, np.where((RAW < -9000) | (RAW > 2000), np.nan, RAW)),
+        ({"valid_max": 0.0, "scale_factor": 0.1, "add_offset": 99.0}, np.where(RAW > -990, np.nan, RAW * 0.1 + 99.0)),
+        ({"_Unsigned": "true"}, RAW.view("u2")),
+    ],
+)
+def test_packed_numbers_are_unpacked_and_the_attributes_named(tmp_path, attributes, expected):
+    source, q = _hdf5(tmp_path / "log.h5", attributes)
+    np.testing.assert_allclose(q, expected, rtol=1e-12)
+    assert all(name in source.notes[0] for name in attributes)
+
+
+def test_columns_may_have_factors_of_their_own(tmp_path):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file.create_dataset("m", data=np.stack([RAW, RAW], axis=1)).attrs["scale_factor"] = [2.0, 3.0]
+    source = open_here(tmp_path / "log.h5")
+    np.testing.assert_allclose(load(source, "m[:,1]"), 3.0 * RAW)
+
+
+def test_attributes_that_cannot_be_applied_leave_the_channel_out_and_others_are_named(tmp_path):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file["v"] = V
+        file.create_dataset("q", data=RAW).attrs["scale_factor"] = "see manual"
+        file.create_dataset("p", data=RAW).attrs["gain"] = 0.5
+    source = open_here(tmp_path / "log.h5")
+    assert [entry.name for entry in source.entries()] == ["p", "v"]
+    assert "gain = 0.5, not applied" in source.notes[0]
+    assert "'q' (scale_factor = see manual is no number)" in source.notes[1]
+
+
+def test_the_unit_of_time_since_a_date(tmp_path):
+    with h5py.File(tmp_path / "log.nc", "w") as file:
+        file.create_dataset("time", data=1e3 * TIME).attrs["units"] = "milliseconds since 2024-01-31 12:00:00"
+        file["q"] = Q
+    source = open_here(tmp_path / "log.nc")
+    assert {entry.name: entry.unit for entry in source.entries()}["time"] == "ms"
+    assert source.notes == ["time of 'time' counts from 2024-01-31 12:00:00"]
+
+
+def test_types_of_hdf5(tmp_path):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file["switch"], file["z"], file["words"] = V > 0, Q + 1j, ["on", "off"]
+        file["ticks"] = 1_700_000_000_123_456_789 + np.arange(400) * 1_000_001
+        damaged = file.create_dataset("q", (400,), "f8", chunks=(400,), compression=32001, allow_unknown_filter=True)
+        damaged.id.write_direct_chunk((0,), b"x" * 99)
+    source = open_here(tmp_path / "log.h5")
+    np.testing.assert_array_equal(load(source, "switch"), V > 0)
+    np.testing.assert_array_equal(load(source, "ticks"), np.arange(400) * 1_000_001)
+    assert "complex" in source.texts["z"] and "blosc" in source.texts["q"] and "words" in source.notes[0]
+
+
+def test_what_is_no_array_of_numbers_in_mat_files_is_named(tmp_path):
+    cell = np.empty(2, dtype=object)
+    cell[:] = [Q, V]
+    savemat(tmp_path / "log.mat", {"data": cell, "z": Q + 1j, "q": Q, "remark": "a text"})
+    source = open_here(tmp_path / "log.mat")
+    assert [entry.name for entry in source.entries()] == ["q"]
+    assert "data1 = data{1}" in source.texts["data"] and "real(z)" in source.texts["z"]
+    assert all(name in source.notes[0] for name in ("data", "z", "remark"))
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("ms", 1e3), ("s", 1.0), ("", 1.0), ("Sekunden", 1.0), ("µs", 1e6)])
+@pytest.mark.parametrize("version", ["5", "7.3"])
+def test_the_unit_of_a_time_axis_of_controldesk(tmp_path, unit, factor, version):
+    axis = {"Name": "", "Type": 4.0, "Data": TIME * factor, "Unit": unit, "Raster": "HostService"}
+    channel = {**axis, "Path": "Model", "XIndex": 1.0, "Name": "q", "Data": Q, "Unit": "mm"}
+    if version == "7.3":
+        write_matlab73(tmp_path / "log.mat", [axis], [channel])
+    else:
+        fields = {name: np.array([[channel[name]]], dtype=object) for name in channel}
+        record = np.zeros((1, 1), dtype=[(name, object) for name in fields])
+        record[0, 0] = tuple(channel.values())
+        savemat(tmp_path / "log.mat", {"rec": {"X": axis, "Y": record, "Description": ""}})
+    source = open_here(tmp_path / "log.mat")
+    time = next(entry.time for entry in source.entries() if entry.name == "q")
+    np.testing.assert_allclose(load(source, time), TIME)
+
+
+def test_an_axis_that_is_no_time_is_none(tmp_path):
+    axis = {"Name": "", "Type": 4.0, "Data": TIME, "Unit": "deg", "Raster": "HostService"}
+    write_matlab73(tmp_path / "log.mat", [axis], [{**axis, "Path": "", "XIndex": 1.0, "Name": "q", "Data": Q}])
+    source = open_here(tmp_path / "log.mat")
+    assert [entry.time for entry in source.entries()] == [None, None]
+    assert "in deg and no time" in source.notes[0]
+
+
+@pytest.mark.parametrize(("kind", "word"), [(2, "angle"), (3, "distance"), (4, "index")])
+def test_a_master_of_mdf_that_is_no_time(tmp_path, kind, word):
+    from asammdf import MDF, Signal
+
+    with MDF(version="4.10") as mdf:
+        mdf.append([Signal(Q, TIME, name="q", master_metadata=("x", kind)), Signal(V, TIME, name="v")])
+        mdf.save(tmp_path / "log.mf4", overwrite=True)
+    source = open_here(tmp_path / "log.mf4")
+    assert {entry.time for entry in source.entries()} == {None}
+    assert f"an {word}".replace("an d", "a d") in source.notes[0]
+
+
+@pytest.mark.parametrize("version", ["3.30", "4.10"])
+def test_a_channel_of_states_in_mdf_leaves_the_others(tmp_path, version):
+    from asammdf import MDF, Signal
+
+    states = {"val_0": 0, "text_0": b"OFF", "val_1": 1, "text_1": b"ON", "default": b"?"}
+    with MDF(version=version) as mdf:
+        mdf.append([Signal(Q, TIME, name="q"), Signal((V > 0).astype("u1"), TIME, name="state", conversion=states)])
+        mdf.save(tmp_path / "log.mdf", overwrite=True)
+    source = open_here(next(tmp_path.glob("log.m*")))
+    names = [entry.name for entry in source.entries()]
+    assert "q" in names and "state" not in names
+    assert "'state' (its numbers stand for texts" in source.notes[0]
+    np.testing.assert_allclose(load(source, "q"), Q)
+
+
+def test_types_of_parquet(tmp_path):
+    ticks = 1_700_000_000_123_456_789 + np.arange(400) * 1_000_001
+    stamps = pa.array([None, *ticks[1:].tolist()], pa.timestamp("ns"))
+    columns = [ticks, Q, V, stamps, pa.array(ticks % 86_400_000_000_000, pa.time64("ns")), ["x"] * 400]
+    names = ["t", "q", "q", "stamp", "clock", "word"]
+    pq.write_table(pa.Table.from_arrays([pa.array(column) for column in columns], names=names), tmp_path / "a.parquet")
+    source = open_here(tmp_path / "a.parquet")
+    np.testing.assert_array_equal(load(source, "t"), np.arange(400) * 1_000_001)
+    np.testing.assert_array_equal(load(source, "q (2)"), V)
+    np.testing.assert_allclose(load(source, "stamp")[1:], np.arange(399) * 1.000001e-3)
+    np.testing.assert_allclose(np.diff(load(source, "clock")), 1.000001e-3, rtol=1e-6)
+    assert np.isnan(load(source, "stamp")[0]) and source.texts == {"word": "string"}
