@@ -81,7 +81,7 @@ MISTAKES = {
     "a folder as log": (RUN, {"P.toml": TOML.replace("log.csv", "..")}, 2, ["P.toml"]),
     "empty log": (RUN, {"log.csv": ""}, 2, ["log.csv", "the file is empty"]),
     "no log at all": (RUN, {"log.csv": b"\x00\x01\x02" * 500}, 2, ["log.csv", "no text and no format that is known"]),
-    "a workbook": (RUN, {"log.csv": b"PK\x03\x04" + b"\0" * 200}, 2, ["log.csv", "a workbook?", "export it as CSV"]),
+    "a workbook": (RUN, {"log.csv": b"PK\x03\x04" + b"\0" * 200}, 2, ["log.csv", "truncated or damaged", "export it as CSV"]),
     "a spoilt row": (RUN, {"log.csv": CSV + "x;y;z\n"}, 2, ["log.csv", "a row does not fit the table"]),
     "no such channel": (
         RUN,
@@ -193,7 +193,12 @@ MISTAKES = {
     "a log for the settings": (["run", "log.csv"], {}, 2, ["log.csv: no settings file", "`debist init log.csv`"]),
     "a binary log for the settings": (["run", "log.mat"], {"log.mat": b"\xff" * 9}, 2, ["`debist init log.mat`"]),
     "settings for a run": (["status", "P.toml"], {}, 2, ["runs/P: no run here"]),
-    "a column without a number": (RUN, {"log.csv": NO_Q}, 3, ["log.csv: q holds no finite sample"]),
+    "a column without a number": (
+        RUN,
+        {"log.csv": NO_Q},
+        2,
+        ["channel 'q' holds no plain numbers, but empty cells only; no sensor"],
+    ),
     "thousands": (
         RUN,
         {"log.csv": "time;q;u\n" + "".join(f"{i / 100:.2f};{i % 7};{1 + i % 3}.000,0\n" for i in range(400))},
@@ -202,9 +207,9 @@ MISTAKES = {
     ),
     "dates": (
         RUN,
-        {"log.csv": "time;q;u\n" + "".join(f"2024-01-01 12:{i // 60}:{i % 60};{i % 7};1\n" for i in range(400))},
+        {"log.csv": "time;q;u\n" + "".join(f"1. Jan 2024 12h{i};{i % 7};1\n" for i in range(400))},
         2,
-        ["channel 'time' holds no plain numbers, but '2024-01-01 12:0:0'"],
+        ["channel 'time' holds no plain numbers, but '1. Jan 2024 12h0'"],
     ),
     "commas between and within numbers": (RUN, {"log.csv": COMMAS}, 2, ["3 names stand above rows of 6 cells"]),
     "channels of unlike lengths": (

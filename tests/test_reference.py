@@ -28,7 +28,7 @@ def _settings_page() -> str:
         lines += ["", f"## {heading or 'Top level'}", "", (model.__doc__ or "").strip(), ""]
         lines += _table(model)
         if model is Channels:
-            lines += ["", f"What stands in {_type(Channel)}:", "", *_table(Channel)]
+            lines += ["", f"What stands in {_type(Channel)}; a time takes the first five keys:", "", *_table(Channel)]
     return "\n".join(lines) + "\n"
 
 
@@ -56,7 +56,7 @@ def _sections(model: type[BaseModel], path: str) -> list[tuple[str, type[BaseMod
 
 
 def _is_section(annotation: typing.Any) -> bool:
-    inline = {"Channel", "Quantity"}
+    inline = {"Channel", "Column", "Quantity"}
     return isinstance(annotation, type) and issubclass(annotation, BaseModel) and annotation.__name__ not in inline
 
 
@@ -70,7 +70,7 @@ def _type(annotation: typing.Any) -> str:
         return f"list of {_type(typing.get_args(annotation)[0])}"
     if origin is typing.Annotated:
         return _type(typing.get_args(annotation)[0])
-    inline = {"Channel": "`{ channel, unit }`", "Quantity": "`{ value, unit }`"}
+    inline = {**dict.fromkeys(("Channel", "Column"), "`{ channel, unit }`"), "Quantity": "`{ value, unit }`"}
     return (inline | {"str": "text", "float": "number", "int": "integer", "bool": "boolean"})[annotation.__name__]
 
 

@@ -174,11 +174,7 @@ class _Spool:
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _KNOWN_BUT_NOT_READ = {
-    b"TDSm": "a TDMS file; export it as MDF4, MAT or CSV",
-    b"PK\x03\x04": "a zip archive (a workbook? an npz?); export it as CSV or unpack it",
-    b"\x93NUMPY": "a NumPy array; save the log as CSV or MAT, or give its arrays to `debist.identify` in Python",
     b"{": "JSON; export the log as CSV",
-    b"\x1f\x8b": "gzip-compressed; unpack it first",
     b"version https://git-lfs": "a pointer of Git LFS; fetch the log itself by `git lfs pull`",
     **dict.fromkeys((b"<!DOCTYPE html", b"<!doctype html", b"<html"), "a web page; download the log itself"),
 }
@@ -208,6 +204,10 @@ FORMATS = (
     Format("Parquet", "parquet", lambda start: start.startswith(b"PAR1")),
     Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB 7.3")),
     Format("HDF5", "hdf5", lambda start: _is_hdf5(start)),
+    Format("TDMS", "tdms", lambda start: start.startswith(b"TDSm")),
+    Format("NPY", "numpy_arrays", lambda start: start.startswith(b"\x93NUMPY")),
+    Format("workbook", "workbook", lambda start: start.startswith(b"\xd0\xcf\x11\xe0")),
+    Format("compressed", "archives", lambda start: start.startswith((b"PK\x03\x04", b"\x1f\x8b", b"BZh"))),
     Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""

@@ -1,10 +1,7 @@
 """CSV logs: Arrow's reader under the dialect that was found or configured."""
 
-import codecs
-import io
 import mmap
 import re
-import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import islice
@@ -15,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.csv_cells import (
-    CLOCK,
     MISSING,
     STAMP,
     SWITCH,
@@ -26,8 +22,10 @@ from pipeline.rig_logs.csv_cells import (
     no_number,
     split_row,
 )
+from pipeline.rig_logs.csv_clock import Clock
 from pipeline.rig_logs.csv_dialect import SAMPLE_BYTES, find_dialect
 from pipeline.rig_logs.csv_tail import is_whole, last_rows
+from pipeline.rig_logs.csv_text import as_utf8, text_of
 from pipeline.rig_logs.source import (
     PART,
     CsvOptions,
@@ -43,7 +41,6 @@ from pipeline.rig_logs.source import (
 
 _BLOCK_BYTES = 1 << 20
 _LARGEST_HEAD, _FEWEST_LINES = 1 << 24, 20
-_HOUR, _DAY = 3600.0, 86_400.0
 _COUNT = re.compile(r"[+-]?\d{16,19}")
 """Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
 _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
@@ -65,7 +62,6 @@ class CsvSource:
         self._block = max(_BLOCK_BYTES, 2 * size)
         self._columns = unique_names(list(self._dialect.header))
         self._origins: dict[str, float] = {}
-        self._last: dict[str, float] = {}
         self.rates = {name: rate for name, _, rate in self._dialect.rates}
         # A blank before a quote, which Arrow takes for a part of the cell.
         pattern = rf"(^|{re.escape(self._dialect.delimiter)}) +\""
@@ -73,7 +69,8 @@ class CsvSource:
         self._blank_quotes = re.compile(pattern, re.MULTILINE) if blanks else None
         self._firsts = self._look_ahead(options)
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
-        self._clocks = {name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])}
+        local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
+        self._clocks = {name: Clock(self._firsts[name]) for name in local}
         dialect = self._dialect
         self.notes = [dialect.describe(), *(note_on_rate(*each) for each in dialect.rates), *self.notes]
         self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
@@ -88,7 +85,7 @@ class CsvSource:
         found = {}
         for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True):
             if text or not cell or not is_value(cell, self._dialect.decimal):
-                found[name] = text or (repr(cell[:40]) if cell else "empty cells only")
+                found[name] = text or (repr(cell[:40]) if cell else "empty cells only; no sensor, or another channel?")
         return found
 
     def _look_ahead(self, options: CsvOptions) -> dict[str, str]:
@@ -140,6 +137,8 @@ class CsvSource:
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Several columns, block of rows by block of rows."""
         found = False
+        for name in self._clocks.keys() & set(names):
+            self._note(f"time of {name!r} {self._clocks[name].note}")
         try:
             for name, samples in (
                 self._blanks(names) if self._dialect.delimiter == " " else self._delimited(list(names))
@@ -196,7 +195,7 @@ class CsvSource:
             for name, column in zip(names, batch.columns, strict=True):
                 samples = pa.chunked_array([column])
                 if name in self._clocks:
-                    yield name, self._times_of_day(name, samples)
+                    yield name, self._clocks[name].seconds(samples)
                 elif samples.type == pa.float64():
                     yield name, doubles(samples)
                 elif samples.type == pa.bool_():
@@ -209,7 +208,12 @@ class CsvSource:
         from pyarrow import csv
 
         return csv.open_csv(
-            self._utf8(self._complete_rows()),
+            as_utf8(
+                self._path,
+                self._complete_rows(),
+                self._dialect.encoding,
+                self._plain if self._blank_quotes is not None or self._dialect.ragged else None,
+            ),
             read_options=csv.ReadOptions(
                 use_threads=False,
                 block_size=self._block,
@@ -254,67 +258,6 @@ class CsvSource:
             self.notes.append(f"{what}{name!r} counts from {self._firsts[name]}")
         since = doubles(pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64()))
         return since / 1e9 if name in self._stamped else since
-
-    def _times_of_day(self, name: str, cells: Any) -> NDArray[Any]:
-        """Times of day, or minutes and seconds, in s since the first one of the column, past midnight or the hour."""
-        import pyarrow as pa
-        import pyarrow.compute as pc
-
-        from pipeline.arrow_columns import doubles
-
-        matched = pc.extract_regex(cells, CLOCK)
-        if matched.null_count > cells.null_count:
-            raise ValueError(f"a time in column {name!r} cannot be read")
-
-        def part(field: str) -> Any:
-            """The numbers of one part, 0 where it is not written."""
-            text = pc.replace_substring_regex(pc.struct_field(matched, field), "[,:]", ".")
-            return doubles(pc.if_else(pc.equal(text, ""), "0", text).cast(pa.float64()))
-
-        half = pc.utf8_lower(pc.struct_field(matched, "half"))
-        hours, written = part("h"), doubles(pc.not_equal(half, "").cast(pa.float64()))
-        hours = np.where(written > 0.0, hours % 12.0 + 12.0 * doubles(pc.equal(half, "p").cast(pa.float64())), hours)
-        seconds = 3600.0 * hours + 60.0 * (part("m") + part("mm")) + part("s") + part("ss")
-        if name not in self._origins and np.any(np.isfinite(seconds)):
-            self._origins[name] = float(seconds[np.isfinite(seconds)][0])
-            dated = "" if self._firsts[name][:3].partition(":")[1] else "; its date is not used"
-            self.notes.append(f"time of {name!r} counts from {self._firsts[name]}{dated}")
-        turn = _DAY if self._firsts[name].count(":") > 1 else _HOUR
-        return self._onwards(name, seconds - self._origins.get(name, 0.0), turn)
-
-    def _onwards(self, name: str, seconds: NDArray[Any], turn: float) -> NDArray[Any]:
-        """Times within a day (or an hour) from the first one on: back by more than half of it is the next one."""
-        known = np.flatnonzero(np.isfinite(seconds))
-        if not known.size:
-            return seconds
-        last, seconds = self._last.get(name, 0.0), seconds.copy()
-        steps = np.diff(seconds[known], prepend=last % turn)
-        turns = np.floor(last / turn) + np.cumsum(steps < -turn / 2.0)
-        seconds[known] += turn * turns
-        self._last[name] = float(seconds[known[-1]])
-        return seconds
-
-    def _utf8(self, length: int) -> Any:
-        """The first `length` bytes as UTF-8 in a file of Arrow's own; where that is less than all, in a mapped buffer.
-
-        Arrow's threads read ahead. Were they to hold memory of Python's, as they would of a Python file or of a codec,
-        one of them could abort the interpreter while it is taken down. A file is read block by block, whereas pages of
-        a mapped one stay in memory.
-        """
-        import pyarrow as pa
-
-        as_it_is = self._blank_quotes is None and not self._dialect.ragged
-        if as_it_is and _is_ascii_and_more(self._dialect.encoding):  # what is beyond ASCII stands in no number
-            if length == self._path.stat().st_size:
-                return pa.OSFile(str(self._path))
-            with pa.memory_map(str(self._path)) as mapped:
-                return pa.BufferReader(mapped.read_buffer(length))
-        head = io.TextIOWrapper(io.BufferedReader(_Head(self._path, length)), self._dialect.encoding, newline="")
-        with head, tempfile.NamedTemporaryFile(prefix="debist-") as recoded:
-            while lines := head.readlines(PART):
-                recoded.write("".join(map(self._plain, lines)).encode())
-            recoded.flush()
-            return pa.OSFile(recoded.name)
 
     def _plain(self, line: str) -> str:
         """A line as Arrow reads it: no blank before a quote, no cell beyond the last column."""
@@ -363,9 +306,7 @@ class CsvSource:
         """Columns separated by runs of blanks, which Arrow does not know."""
         indices = [self._columns.index(name) for name in names]
         lines = islice(
-            io.TextIOWrapper(
-                io.BufferedReader(_Head(self._path, self._complete_rows())), encoding=self._dialect.encoding
-            ),
+            text_of(self._path, self._complete_rows(), self._dialect.encoding),
             self._dialect.first_data_row,
             None,
         )
@@ -373,39 +314,6 @@ class CsvSource:
             if any(map(str.strip, some)):
                 table = np.loadtxt(some, usecols=indices, ndmin=2, comments=None)
                 yield from ((name, table[:, j]) for j, name in enumerate(names))
-
-
-class _Head(io.RawIOBase):
-    """The first bytes of a file, to be read in order."""
-
-    def __init__(self, path: Path, size: int) -> None:
-        self._file = path.open("rb")
-        self._left = size
-
-    def readable(self) -> bool:
-        """It is."""
-        return True
-
-    def readinto(self, buffer: Any, /) -> int:
-        """Read what fits."""
-        count = self._file.readinto(memoryview(buffer)[: self._left])
-        self._left -= count
-        return count
-
-    def close(self) -> None:
-        """Close the file."""
-        self._file.close()
-        super().close()
-
-
-def _is_ascii_and_more(encoding: str) -> bool:
-    """Whether every ASCII character is its own single byte, which means nothing else anywhere."""
-    name = codecs.lookup(encoding).name
-    if name in ("utf-8", "utf-8-sig", "ascii"):
-        return True
-    every = bytes(range(256))
-    decoded = every.decode(encoding, "replace")
-    return len(decoded) == len(every) and decoded[:128].encode() == every[:128]
 
 
 def _spellings(text: str) -> set[str]:

@@ -1,0 +1,73 @@
+"""One log in a compressed file: gzip, bzip2 or zip; a zip may also be a workbook or NumPy's archive of arrays."""
+
+import bz2
+import gzip
+import tempfile
+import zipfile
+import zlib
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from numpy.typing import NDArray
+
+from pipeline.rig_logs.source import PART, CsvOptions, Entry, Limits, Source, UnreadableLogError, read_start
+
+
+class UnpackedSource:
+    """A log that lies unpacked in a temporary file as long as this exists."""
+
+    def __init__(self, path: Path, packed: BinaryIO, csv: CsvOptions, limits: Limits) -> None:
+        from pipeline.rig_logs.child import open_source
+
+        self._file = tempfile.NamedTemporaryFile(prefix="debist-")  # noqa: SIM115
+        left = limits.largest(path.stat().st_size)
+        try:
+            while part := packed.read(PART):
+                left -= len(part)
+                if left < 0:
+                    raise UnreadableLogError("it unpacks to far more than it holds; refused")
+                self._file.write(part)
+        except (OSError, EOFError, zlib.error, zipfile.BadZipFile, RuntimeError) as error:
+            raise UnreadableLogError(f"truncated or damaged ({error})") from error
+        self._file.flush()
+        self._log = open_source(Path(self._file.name), csv, limits)
+        self.format = f"{self._log.format}, compressed"
+        self.notes, self.texts = self._log.notes, self._log.texts
+        self.rates: dict[str, float] = getattr(self._log, "rates", {})
+
+    def entries(self) -> list[Entry]:
+        """The channels of the log."""
+        return self._log.entries()
+
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of the log."""
+        return self._log.parts(names)
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.child` opens it."""
+    start = read_start(path, 4)
+    if not start.startswith(b"PK"):
+        with gzip.open(path) if start.startswith(b"\x1f\x8b") else bz2.open(path) as packed:
+            return UnpackedSource(path, packed, csv, limits)  # type: ignore[arg-type]
+    try:
+        archive = zipfile.ZipFile(path)
+    except zipfile.BadZipFile as error:
+        raise UnreadableLogError(f"truncated or damaged ({error})") from error
+    with archive:
+        names = [name for name in archive.namelist() if not name.endswith("/") and not name.startswith("__MACOSX")]
+        if sum(each.file_size for each in archive.infolist()) > limits.largest(path.stat().st_size):
+            raise UnreadableLogError("it unpacks to far more than it holds; refused")
+        if "[Content_Types].xml" in names or "mimetype" in names:
+            from pipeline.rig_logs import workbook
+
+            return workbook.open_log(path, csv, limits)
+        if names and all(name.endswith(".npy") for name in names):
+            from pipeline.rig_logs import numpy_arrays
+
+            return numpy_arrays.open_log(path, csv, limits)
+        if len(names) != 1:
+            raise UnreadableLogError(f"an archive of {len(names)} files, not of one log; unpack it")
+        with archive.open(names[0]) as member:
+            return UnpackedSource(path, member, csv, limits)  # type: ignore[arg-type]

@@ -1,0 +1,68 @@
+"""Times of day in a column of CSV, as seconds from the first one on."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.rig_logs.csv_cells import CLOCK
+
+_HOUR, _DAY = 3600.0, 86_400.0
+
+
+class Clock:
+    """A column of times of day, or of minutes and seconds, read part by part.
+
+    Parameters
+    ----------
+    first : str
+        The first cell that is not empty.
+    """
+
+    def __init__(self, first: str) -> None:
+        self._turn = _DAY if first.count(":") > 1 else _HOUR
+        self._origin, self._last = np.nan, 0.0
+        dated = "" if first[:3].partition(":")[1] else "; its date is not used"
+        self.note = f"counts from {first}{dated}"
+
+    def seconds(self, cells: Any) -> NDArray[Any]:
+        """The seconds of a part of the column since its first cell, NaN where a cell is empty.
+
+        Raises
+        ------
+        ValueError
+            A cell is no time.
+        """
+        import pyarrow as pa
+        import pyarrow.compute as pc
+
+        from pipeline.arrow_columns import doubles
+
+        matched = pc.extract_regex(cells, CLOCK)
+        if matched.null_count > cells.null_count:
+            raise ValueError("a time cannot be read")
+
+        def part(field: str) -> Any:
+            """The numbers of one part, 0 where it is not written."""
+            text = pc.replace_substring_regex(pc.struct_field(matched, field), "[,:]", ".")
+            return doubles(pc.if_else(pc.equal(text, ""), "0", text).cast(pa.float64()))
+
+        half = pc.utf8_lower(pc.struct_field(matched, "half"))
+        of_twelve, after_noon = (
+            doubles(flags.cast(pa.float64())) for flags in (pc.not_equal(half, ""), pc.equal(half, "p"))
+        )
+        hours = np.where(of_twelve > 0.0, part("h") % 12.0 + 12.0 * after_noon, part("h"))
+        return self._onwards(3600.0 * hours + 60.0 * (part("m") + part("mm")) + part("s") + part("ss"))
+
+    def _onwards(self, times: NDArray[Any]) -> NDArray[Any]:
+        """Times within a day (or an hour) from the first one on: back by more than half of it is the next one."""
+        known = np.flatnonzero(np.isfinite(times))
+        if not known.size:
+            return times
+        self._origin = float(times[known[0]]) if np.isnan(self._origin) else self._origin
+        seconds = times - self._origin
+        steps = np.diff(seconds[known], prepend=self._last % self._turn)
+        turns = np.floor(self._last / self._turn) + np.cumsum(steps < -self._turn / 2.0)
+        seconds[known] += self._turn * turns
+        self._last = float(seconds[known[-1]])
+        return seconds

@@ -1,0 +1,93 @@
+"""Arrays of NumPy, alone (NPY) or in an archive (NPZ): vectors by name, columns of matrices as name[:,j]."""
+
+import zipfile
+import zlib
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.rig_logs.source import (
+    MOST_COLUMNS,
+    Counted,
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableLogError,
+    left_out,
+    not_listed,
+    note_on_rate,
+    ranges,
+    stated_rate,
+)
+
+
+class NumpySource:
+    """NPY or NPZ; pickled objects in it are never loaded."""
+
+    def __init__(self, path: Path) -> None:
+        self.notes: list[str] = []
+        self.texts: dict[str, str] = {}
+        self.rates: dict[str, float] = {}
+        self._vectors: dict[str, NDArray[Any]] = {}
+        self._not_listed: dict[str, tuple[int, ...]] = {}
+        try:
+            loaded = np.load(path, allow_pickle=False, mmap_mode="r")
+            single = isinstance(loaded, np.ndarray)
+            self.format = "NPY" if single else "NPZ"
+            for name in ["array"] if single else loaded.files:
+                self._list(name, loaded if single else self._member(loaded, name))
+        except (ValueError, EOFError, OSError, KeyError, zlib.error, zipfile.BadZipFile) as error:
+            raise UnreadableLogError(f"NumPy cannot open it: {error}") from error
+        self.notes += [*left_out(self.texts), *not_listed(self._not_listed)]
+
+    def _member(self, archive: Any, name: str) -> NDArray[Any]:
+        """An array of the archive; of objects an empty one, which is named."""
+        try:
+            return np.asarray(archive[name])
+        except ValueError as error:
+            if "allow_pickle" not in str(error):
+                raise
+            self.texts[name] = "Python objects"
+            return np.empty(0)
+
+    def _list(self, name: str, array: NDArray[Any]) -> None:
+        if array.dtype.names and array.ndim == 1:
+            for field in array.dtype.names:
+                self._list(f"{name}.{field}", array[field])
+        elif array.size > 1 and array.dtype.kind not in "fiub":
+            self.texts[name] = "complex: save its real part" if array.dtype.kind == "c" else f"{array.dtype}"
+        elif array.size > 1 and array.size == max(array.shape):
+            self._vectors[name] = array.reshape(-1)
+        elif array.ndim == 2 and 1 < min(array.shape) <= MOST_COLUMNS:
+            tall = array.shape[1] <= array.shape[0]
+            columns = array.T if tall else array
+            for j, column in enumerate(columns):
+                self._vectors[f"{name}[:,{j}]" if tall else f"{name}[{j},:]"] = column
+        elif array.size > 1:
+            self._not_listed[name] = array.shape
+        elif array.size and array.dtype.kind in "fiu":
+            number = float(array.reshape(-1)[0])
+            if (rate := stated_rate(name, number)) is not None:
+                self.rates[name] = rate
+                self.notes.append(note_on_rate(name, number, rate))
+
+    def entries(self) -> list[Entry]:
+        """Every vector of real numbers."""
+        return [Entry(name, "", vector.dtype.name, vector.size) for name, vector in self._vectors.items()]
+
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of some channels."""
+        counted = Counted()
+        for name in names:
+            for first, last in ranges(self._vectors[name].size):
+                yield name, counted(name, np.asarray(self._vectors[name][first:last]))
+        self.notes += counted.notes()
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.child` opens it."""
+    return NumpySource(path)

@@ -1,0 +1,94 @@
+"""TDMS logs of LabVIEW through npTDMS: channels in their scaled units, with the time of their waveform."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.rig_logs.source import (
+    Counted,
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableLogError,
+    left_out,
+    ranges,
+    unique_names,
+)
+
+_UNITS = ("unit_string", "NI_UnitDescription", "Unit", "unit")
+
+
+class TdmsSource:
+    """A TDMS file; a channel with `wf_increment` has a time base, others need a time channel."""
+
+    format = "TDMS"
+
+    def __init__(self, path: Path) -> None:
+        try:
+            from nptdms import TdmsFile
+        except ImportError:
+            raise UnreadableLogError(
+                'this is a TDMS file; `pip install "debist[tdms]"` reads it, or export it as MDF4, MAT or CSV'
+            ) from None
+        try:
+            self._file = TdmsFile.open(path)
+            channels = [channel for group in self._file.groups() for channel in group.channels()]
+        except Exception as error:  # npTDMS lets errors of many kinds through on damaged files
+            raise UnreadableLogError(f"npTDMS cannot open it: {type(error).__name__}: {error}") from error
+        if self._file.file_status.incomplete_final_segment:
+            raise UnreadableLogError("truncated: its last segment is incomplete")
+        names = [channel.name for channel in channels]
+        named = [n if names.count(n) == 1 else f"{c.group_name}/{n}" for n, c in zip(names, channels, strict=True)]
+        self._channels = dict(zip(unique_names(named), channels, strict=True))
+        self.texts = {name: _kind(each) for name, each in self._channels.items() if _kind(each) and len(each)}
+        self.notes = left_out(self.texts)
+        self._times: dict[tuple[float, float, int], str] = {}
+        self._entries = [self._entry(name, each) for name, each in self._channels.items() if not _kind(each)]
+
+    def _entry(self, name: str, channel: Any) -> Entry:
+        """A channel, with the time of its waveform where it has one."""
+        unit = next((str(channel.properties[key]) for key in _UNITS if channel.properties.get(key)), "")
+        kind = "s" if channel.dtype.kind == "M" else unit
+        step = float(channel.properties.get("wf_increment", 0.0))
+        if not step > 0.0:
+            return Entry(name, kind, channel.dtype.name, len(channel))
+        key = step, float(channel.properties.get("wf_start_offset", 0.0)), len(channel)
+        time = self._times.setdefault(key, f"time of {name}")
+        return Entry(name, kind, channel.dtype.name, len(channel), time)
+
+    def entries(self) -> list[Entry]:
+        """Every channel of numbers or time stamps, and the times of waveforms."""
+        times = [Entry(name, "s", "float64", count) for (_, _, count), name in self._times.items()]
+        return [*times, *self._entries]
+
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of some channels; time stamps count from the first."""
+        waveforms = {name: key for key, name in self._times.items()}
+        counted = Counted()
+        for name in names:
+            if name in waveforms:
+                step, offset, count = waveforms[name]
+                for first, last in ranges(count):
+                    yield name, offset + step * np.arange(first, last)
+                continue
+            channel = self._channels[name]
+            origin = channel[0] if len(channel) and channel.dtype.kind == "M" else None
+            for first, last in ranges(len(channel)):
+                part = np.asarray(channel[first:last])
+                stamped = origin is not None
+                yield name, (part - origin) / np.timedelta64(1, "s") if stamped else counted(name, part)
+        self.notes += counted.notes()
+
+
+def _kind(channel: Any) -> str:
+    """What a channel holds that is no number; "" for numbers and time stamps."""
+    return "" if channel.dtype is not None and channel.dtype.kind in "fiubM" else "text or complex"
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.child` opens it."""
+    return TdmsSource(path)

@@ -1,0 +1,63 @@
+"""Workbooks of Excel and LibreOffice through calamine: the sheet of the most rows, read as the CSV that it would be."""
+
+import csv
+import tempfile
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from datetime import datetime, time, timedelta
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import NDArray
+
+from pipeline.rig_logs.csv import CsvSource
+from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError
+
+
+class WorkbookSource:
+    """A sheet as a table of text in a temporary file, which lasts as long as this exists."""
+
+    def __init__(self, path: Path, options: CsvOptions) -> None:
+        try:
+            import python_calamine
+        except ImportError:
+            raise UnreadableLogError(
+                'this is a workbook; `pip install "debist[excel]"` reads it, or export the sheet as CSV'
+            ) from None
+        try:
+            book = python_calamine.CalamineWorkbook.from_path(str(path))
+            sheets = [book.get_sheet_by_name(name) for name in book.sheet_names]
+            sheet = max(sheets, key=lambda each: each.total_height)
+            rows = sheet.to_python(skip_empty_area=False)
+        except (python_calamine.CalamineError, ValueError, OSError) as error:
+            raise UnreadableLogError(f"the workbook cannot be opened: {error}") from error
+        self._file = tempfile.NamedTemporaryFile("w", prefix="debist-", newline="", encoding="utf-8")  # noqa: SIM115
+        csv.writer(self._file, lineterminator="\n").writerows([_text(cell) for cell in row] for row in rows)
+        self._file.flush()
+        self._table = CsvSource(Path(self._file.name), replace(options, encoding="utf-8", delimiter=",", decimal="."))
+        self.format = "workbook"
+        self.notes, self.texts, self.rates = self._table.notes, self._table.texts, self._table.rates
+        if len(sheets) > 1:
+            self.notes.insert(0, f"{len(sheets)} sheets; the one of the most rows is read, {sheet.name!r}")
+
+    def entries(self) -> list[Entry]:
+        """The columns of numbers."""
+        return self._table.entries()
+
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of some columns."""
+        return self._table.parts(names)
+
+
+def _text(cell: Any) -> str:
+    """A cell as CSV has it: numbers with all digits, times by ISO 8601, durations in s."""
+    if isinstance(cell, timedelta):
+        return repr(cell.total_seconds())
+    if isinstance(cell, datetime):
+        return cell.isoformat(sep=" ")
+    return cell.isoformat() if isinstance(cell, time) else f"{cell}"
+
+
+def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
+    """The log as `pipeline.rig_logs.child` opens it."""
+    return WorkbookSource(path, csv)

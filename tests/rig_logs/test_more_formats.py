@@ -1,0 +1,131 @@
+"""Compressed logs, NumPy's arrays, TDMS and workbooks; and what is said where a library is not installed."""
+
+import bz2
+import gzip
+import sys
+import zipfile
+
+import numpy as np
+import pytest
+
+from pipeline.errors import InputError
+from pipeline.rig_logs import read_recording
+from pipeline.rig_logs.source import Limits, UnreadableLogError
+from tests.rig_logs.small_logs import TIME, Q, V, load, open_here
+
+
+def _csv():
+    return "t [s],q [mm],v [V]\n" + "".join(f"{t:.3f},{q:.9f},{v}\n" for t, q, v in zip(TIME, Q, V, strict=True))
+
+
+def _workbook(path, rows):
+    """A sheet as spreadsheets write it, its texts inline."""
+    cells = (
+        "".join(
+            f'<c t="inlineStr"><is><t>{cell}</t></is></c>' if isinstance(cell, str) else f"<c><v>{cell!r}</v></c>"
+            for cell in row
+        )
+        for row in rows
+    )
+    main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+    office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    package = "http://schemas.openxmlformats.org/package/2006"
+    sheets = "".join(f"<row>{row}</row>" for row in cells)
+    files = {
+        "[Content_Types].xml": f'<Types xmlns="{package}/content-types"></Types>',
+        "_rels/.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="a" Target="xl/workbook.xml" '
+        f'Type="{office}/officeDocument"/></Relationships>',
+        "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{office}"><sheets><sheet name="Log" sheetId="1" '
+        'r:id="b"/></sheets></workbook>',
+        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="b" '
+        f'Target="worksheets/sheet1.xml" Type="{office}/worksheet"/></Relationships>',
+        "xl/worksheets/sheet1.xml": f'<worksheet xmlns="{main}"><sheetData>{sheets}</sheetData></worksheet>',
+    }
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, text in files.items():
+            archive.writestr(name, text)
+
+
+def _write(path, kind):
+    if kind == "gz":
+        path.write_bytes(gzip.compress(_csv().encode()))
+    elif kind == "bz2":
+        path.write_bytes(bz2.compress(_csv().encode()))
+    elif kind == "zip":
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("folder/log.csv", _csv())
+    elif kind == "npz":
+        with path.open("wb") as file:
+            np.savez_compressed(file, t=TIME, q=Q, v=V[:, None], fs=1000.0, objects=np.array([{}]))
+    elif kind == "npy":
+        np.save(path, np.rec.fromarrays([TIME, Q, V], names="t,q,v"))
+    elif kind == "tdms":
+        nptdms = pytest.importorskip("nptdms")
+        properties = {"wf_increment": 0.001, "wf_start_offset": 0.0, "unit_string": "mm"}
+        with nptdms.TdmsWriter(path) as writer:
+            writer.write_segment(
+                [nptdms.ChannelObject("rig", name, data, properties) for name, data in (("q", Q), ("v", V))]
+            )
+    else:
+        pytest.importorskip("python_calamine")
+        _workbook(path, [["Rig 7", "", ""], ["t [s]", "q [mm]", "v"], *np.stack([TIME, Q, V], axis=1).tolist()])
+
+
+KINDS = ["gz", "bz2", "zip", "npz", "npy", "tdms", "xlsx"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_samples_are_those_that_were_written(tmp_path, kind):
+    path = tmp_path / f"log.{kind}"
+    _write(path, kind)
+    recording = read_recording(path)
+    channels = {channel.name.removeprefix("array."): channel for channel in recording.channels}
+    np.testing.assert_allclose(channels["q"].samples, Q, atol=1e-8)
+    np.testing.assert_allclose(channels["v"].samples, V, atol=1e-8)
+    times = channels["q"].time if kind == "tdms" else channels["t"].samples
+    np.testing.assert_allclose(times, TIME, atol=1e-12)
+    assert channels["q"].unit == ("" if kind.startswith("np") else "mm")
+    if kind == "npz":
+        assert recording.rates == {"fs": 1000.0} and "'objects' (Python objects)" in " ".join(recording.notes)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_truncated_file_is_refused_with_one_line(tmp_path, kind):
+    path = tmp_path / f"log.{kind}"
+    _write(path, kind)
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 3])
+    with pytest.raises(InputError, match=f"log.{kind}: "):
+        read_recording(path)
+
+
+def test_a_small_file_that_unpacks_to_much_is_refused(tmp_path):
+    (tmp_path / "log.csv.gz").write_bytes(gzip.compress(b"0,0\n" * 500_000))
+    with pytest.raises(UnreadableLogError, match="far more than it holds"):
+        open_here(tmp_path / "log.csv.gz", limits=Limits(small_bytes=1 << 20))
+
+
+def test_an_archive_of_several_files_is_no_log(tmp_path):
+    with zipfile.ZipFile(tmp_path / "logs.zip", "w") as archive:
+        archive.writestr("a.csv", _csv())
+        archive.writestr("b.csv", _csv())
+    with pytest.raises(UnreadableLogError, match="an archive of 2 files"):
+        open_here(tmp_path / "logs.zip")
+
+
+@pytest.mark.parametrize(
+    ("module", "extra", "kind"), [("nptdms", "tdms", "tdms"), ("python_calamine", "excel", "xlsx")]
+)
+def test_without_its_library_a_format_names_the_extra(tmp_path, monkeypatch, module, extra, kind):
+    _write(tmp_path / f"log.{kind}", kind)
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(UnreadableLogError, match=rf"debist\[{extra}\]"):
+        open_here(tmp_path / f"log.{kind}")
+
+
+def test_a_matrix_and_large_counts_of_numpy(tmp_path):
+    ticks = 1_700_000_000_123_456_789 + np.arange(400) * 1_000_001
+    np.savez(tmp_path / "log.npz", m=np.stack([Q, V], axis=1), ticks=ticks, z=Q * 1j)
+    source = open_here(tmp_path / "log.npz")
+    np.testing.assert_array_equal(load(source, "m[:,1]"), V)
+    np.testing.assert_array_equal(load(source, "ticks"), np.arange(400) * 1_000_001)
+    assert "complex" in source.texts["z"]
