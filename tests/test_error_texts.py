@@ -81,7 +81,7 @@ MISTAKES = {
     "a folder as log": (RUN, {"P.toml": TOML.replace("log.csv", "..")}, 2, ["P.toml"]),
     "empty log": (RUN, {"log.csv": ""}, 2, ["log.csv", "the file is empty"]),
     "no log at all": (RUN, {"log.csv": b"\x00\x01\x02" * 500}, 2, ["log.csv", "no text and no format that is known"]),
-    "a workbook": (RUN, {"log.csv": b"PK\x03\x04" + b"\0" * 200}, 2, ["log.csv", "truncated or damaged", "export it as CSV"]),
+    "a workbook": (RUN, {"log.csv": b"PK\x03\x04" + b"\0" * 200}, 2, ["log.csv", "truncated or damaged"]),
     "a spoilt row": (RUN, {"log.csv": CSV + "x;y;z\n"}, 2, ["log.csv", "a row does not fit the table"]),
     "no such channel": (
         RUN,

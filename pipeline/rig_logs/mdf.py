@@ -105,6 +105,8 @@ class MdfSource:
                 )
         except Exception as error:
             raise UnreadableLogError(f"channel {name!r}: {type(error).__name__}: {error}") from error
+        if samples.dtype.kind in "SUO" and _is_partly_text(self._mdf.groups[group].channels[index].conversion):
+            samples = np.full(len(samples), np.nan)  # no number among these
         if samples.ndim != 1 or samples.dtype.kind not in "fiub":
             raise UnreadableLogError(f"channel {name!r} holds no plain numbers ({samples.dtype})")
         if invalid is not None and np.any(invalid):
@@ -165,7 +167,13 @@ def _texts_in_place(channel: Any, version: str) -> str:
     conversion = channel.conversion
     if conversion is None or conversion.conversion_type not in _TEXTS["4" if version >= "4" else "3"]:
         return ""
-    return "its numbers stand for texts: export it as numbers"
+    return "" if _is_partly_text(conversion) else "its numbers stand for texts: export it as numbers"
+
+
+def _is_partly_text(conversion: Any) -> bool:
+    """Whether some numbers stand for texts, such as "invalid", and the others have a conversion to numbers."""
+    default = (getattr(conversion, "referenced_blocks", None) or {}).get("default_addr")
+    return getattr(default, "conversion_type", _TEXTS["4"][0]) not in _TEXTS["4"]
 
 
 def _unit(channel: Any) -> str:

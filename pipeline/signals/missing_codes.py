@@ -53,7 +53,8 @@ def codes_in(samples: FloatArray, declared: Sequence[float] | None = None, *, of
             huge += int(np.count_nonzero(beyond))
             largest = max(largest, part[beyond].max(), key=abs)
             part = part[~beyond]
-        for code in (c for c in counts if part.size and part.min() <= c + _CLOSE * abs(c) and c <= part.max()):
+        least, most = part.min(initial=np.inf), part.max(initial=-np.inf)
+        for code in (c for c in counts if least <= c + _CLOSE * abs(c) and c - _CLOSE * abs(c) <= most):
             at_code = _is_any(part, (code,))
             if at_code.any():
                 counts[code] += int(np.count_nonzero(at_code))

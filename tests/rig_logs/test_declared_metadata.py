@@ -140,6 +140,21 @@ def test_a_channel_of_states_in_mdf_leaves_the_others(tmp_path, version):
     np.testing.assert_allclose(load(source, "q"), Q)
 
 
+@pytest.mark.parametrize("keys", [{"val_0": 65535}, {"lower_0": 65530, "upper_0": 65535}])
+@pytest.mark.parametrize("invalid", [slice(7, 9), slice(0, 400)])
+def test_numbers_of_mdf_of_which_some_stand_for_a_text(tmp_path, keys, invalid):
+    from asammdf import MDF, Signal
+
+    raw = np.arange(400, dtype="u2")
+    raw[invalid] = 65535
+    conversion = {**keys, "text_0": b"invalid", "default_addr": {"a": 0.1, "b": 2.0}}
+    with MDF(version="4.10") as mdf:
+        mdf.append([Signal(raw, TIME, name="q", conversion=conversion)])
+        mdf.save(tmp_path / "log.mf4", overwrite=True)
+    expected = np.where(raw == 65535, np.nan, 0.1 * raw + 2.0)
+    np.testing.assert_allclose(load(open_here(tmp_path / "log.mf4"), "q"), expected)
+
+
 def test_types_of_parquet(tmp_path):
     ticks = 1_700_000_000_123_456_789 + np.arange(400) * 1_000_001
     stamps = pa.array([None, *ticks[1:].tolist()], pa.timestamp("ns"))
