@@ -99,7 +99,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     above, comments = _above(table, lines)
     if header_row is None:
         header_row, units_row = heading_rows(above, comments, table.numeric)
-    elif header_row >= table.first or not 0 <= width - len(above[header_row]) <= table.numeric[::-1].index(True):
+    elif header_row >= table.first or not -1 <= width - len(above[header_row]) <= table.numeric[::-1].index(True):
         raise UnreadableLogError(f"row {header_row} is no header: it must have the {width} cells of the rows below it")
     else:
         units_row = header_row + 1 if header_row + 1 < table.first else None

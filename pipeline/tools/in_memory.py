@@ -21,6 +21,7 @@ from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.signals.inputs import voltages
+from pipeline.signals.missing_codes import codes_in, masked, said_of
 from pipeline.stages.check import declared, log_signals
 from pipeline.stages.differentiate import derivatives
 from pipeline.stages.identify import identified
@@ -108,8 +109,11 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     from pipeline.signals.uniform_record import Resampling
 
     stamps = np.ascontiguousarray(signals.t)
-    columns = tuple((stamps, np.ascontiguousarray(column)) for column in signals.v.T)
-    log = SiLog((stamps, np.ascontiguousarray(signals.q)), columns)
+    given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
+    codes = {name: codes_in(column) for name, column in given.items()}
+    q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
+    notes = tuple(f"{name}: {said}" for name, counts in codes.items() for said in said_of(counts))
+    log = SiLog(q, tuple(inputs), notes=notes)
     seen = examined(log, prototype, where)
     ingest = prototype.ingest
     fine, coarse = (
@@ -119,8 +123,8 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     source = fine if prototype.differentiate.rate == "record" else coarse
     unit = ALPHA_UNIT[device(prototype).displacement.symbol][1]
     qdot, qddot, _ = derivatives(source, coarse["t"], prototype, unit)
-    masked = coarse["segment"] < 0
-    rates = {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
+    left_out = coarse["segment"] < 0
+    rates = {"qdot": np.where(left_out, np.nan, qdot), "qddot": np.where(left_out, np.nan, qddot)}
     notes = {**seen.notes, "raw_step": seen.raw_step}
     said = tuple(f"{where}: {text}" for text in seen.notes["warnings"])
     return Cleaned(motion({**coarse, **rates}, fine, prototype, notes), log_signals(where, fine, notes), said)
