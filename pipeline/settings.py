@@ -39,7 +39,7 @@ class _Settings(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
 
 
-class Column(_Settings):
+class LogColumn(_Settings):
     """One column of the raw log."""
 
     channel: str = Field(min_length=1, max_length=1000)
@@ -69,7 +69,7 @@ class Column(_Settings):
         return value
 
 
-class Channel(Column):
+class Channel(LogColumn):
     """One channel of the raw log."""
 
     part: Literal["all", "positive", "negative"] = "all"
@@ -78,7 +78,7 @@ class Channel(Column):
     on_change: bool = False
     """Whether the log has a sample only when it changed, which holds until the next one (event-based recording); of
     an input only."""
-    time: Column | None = None
+    time: LogColumn | None = None
     """The channel's own time, where a table has several: its column and unit; `[channels] time` by default."""
 
 
@@ -103,7 +103,7 @@ class Logs(_Settings):
 class Channels(_Settings):
     """Where the signals are in the logs."""
 
-    time: Column | None = None
+    time: LogColumn | None = None
     """Time; left out where the format carries its own time base."""
     q: Channel
     """Displacement of the joint: a length or an angle, or the voltage that stands for it in a circuit."""

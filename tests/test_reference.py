@@ -56,7 +56,7 @@ def _sections(model: type[BaseModel], path: str) -> list[tuple[str, type[BaseMod
 
 
 def _is_section(annotation: typing.Any) -> bool:
-    inline = {"Channel", "Column", "Quantity"}
+    inline = {"Channel", "LogColumn", "Quantity"}
     return isinstance(annotation, type) and issubclass(annotation, BaseModel) and annotation.__name__ not in inline
 
 
@@ -70,7 +70,7 @@ def _type(annotation: typing.Any) -> str:
         return f"list of {_type(typing.get_args(annotation)[0])}"
     if origin is typing.Annotated:
         return _type(typing.get_args(annotation)[0])
-    inline = {**dict.fromkeys(("Channel", "Column"), "`{ channel, unit }`"), "Quantity": "`{ value, unit }`"}
+    inline = {**dict.fromkeys(("Channel", "LogColumn"), "`{ channel, unit }`"), "Quantity": "`{ value, unit }`"}
     return (inline | {"str": "text", "float": "number", "int": "integer", "bool": "boolean"})[annotation.__name__]
 
 

@@ -8,7 +8,7 @@ from pipeline.errors import InputError
 from pipeline.models.file_columns import column_of
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.schemas import Schema, resolve
-from pipeline.settings import Column, Prototype, Quantity
+from pipeline.settings import LogColumn, Prototype, Quantity
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
 
 if TYPE_CHECKING:
@@ -99,7 +99,7 @@ def device(prototype: Prototype) -> Device:
     """
     channels, mass = prototype.channels, prototype.plant.mass
 
-    def unit(key: str, stated: Column | Quantity, *allowed: str) -> SiUnit:
+    def unit(key: str, stated: LogColumn | Quantity, *allowed: str) -> SiUnit:
         """The unit that is stated under a key, of what is allowed there."""
         return to_si(stated.unit, allowed, f"{prototype.name}: {key}.unit")
 

@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.loading.device import Device
 from pipeline.numerics.arrays import FloatArray
-from pipeline.settings import Channel, Column, Prototype
+from pipeline.settings import Channel, LogColumn, Prototype
 from pipeline.signals.columns import Signal, chunks, column, equal, held, one_sign, scaled, sparse
 from pipeline.signals.missing_codes import codes_in, masked, said_of
 from pipeline.signals.timebase import nominal_step
@@ -137,7 +137,7 @@ def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
         )
 
 
-def _si(recording: "Recording", log_column: Column, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
+def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
     """A column in SI units, NaN in place of codes for no value, which are noted under its name in a record."""
     read = recording.channel(log_column.channel)
     factor, offset = unit.factor * log_column.scale, unit.factor * log_column.offset
@@ -156,7 +156,7 @@ def _bases(
     """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object."""
     of_all, bases = prototype.channels.time, list[FloatArray]()
     own = _own_bases(recording, [each for each in channels if not (each.time or of_all)], prototype.ingest.sample_rate)
-    read: dict[Column, FloatArray] = {}
+    read: dict[LogColumn, FloatArray] = {}
     for channel in channels:
         clock = channel.time or of_all
         if clock is None:

@@ -112,8 +112,8 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
-    notes = tuple(f"{name}: {said}" for name, counts in codes.items() for said in said_of(counts))
-    log = SiLog(q, tuple(inputs), notes=notes)
+    of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in said_of(counts))
+    log = SiLog(q, tuple(inputs), notes=of_codes)
     seen = examined(log, prototype, where)
     ingest = prototype.ingest
     fine, coarse = (
