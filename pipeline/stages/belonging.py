@@ -53,6 +53,7 @@ def _wrong_units(document: dict[str, Any]) -> Iterator[str]:
     channels = _table(document, "channels")
     known = [key for key in channels if key in Channels.model_fields]
     stated = [(f"channels.{key}", _table(channels, key), _ALLOWED.get(key, INPUT)) for key in known]
+    stated += [(f"{key}.time", _table(table, "time"), _ALLOWED["time"]) for key, table, _ in stated]
     for key, table, allowed in [
         *stated,
         ("plant.mass", _table(_table(document, "plant"), "mass"), tuple(MASS.values())),

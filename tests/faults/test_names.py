@@ -56,7 +56,9 @@ def test_a_prototype_is_not_named_so(name):
         parse_prototype(_document(name=name), "P.toml")
 
 
-@pytest.mark.parametrize("name", [name for name in HOSTILE if name and "/" not in name and "\\" not in name], ids=ascii)
+@pytest.mark.parametrize(
+    "name", [name for name in HOSTILE if name and len(name) != 65 and not {*"/\\"} & {*name}], ids=ascii
+)
 def test_a_log_is_not_named_so(name):
     """A folder in front of the log's name is allowed; the run files it by the name alone."""
     with pytest.raises(InputError, match=r"is no usable name|is a reserved device name"):
