@@ -150,9 +150,7 @@ def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, 
     return samples if part == "all" else one_sign(samples, 1.0 if part == "positive" else -1.0)
 
 
-def _bases(
-    recording: "Recording", channels: list[Channel], prototype: Prototype, notes: list[str]
-) -> list[FloatArray]:
+def _bases(recording: "Recording", channels: list[Channel], prototype: Prototype, notes: list[str]) -> list[FloatArray]:
     """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object."""
     of_all, bases = prototype.channels.time, list[FloatArray]()
     own = _own_bases(recording, [each for each in channels if not (each.time or of_all)], prototype.ingest.sample_rate)

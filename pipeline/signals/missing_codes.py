@@ -25,7 +25,9 @@ def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:
     return column(samples.size, parts, np.float64)
 
 
-def codes_in(samples: FloatArray, declared: Sequence[float] | None = None, *, of_time: bool = False) -> dict[float, int]:
+def codes_in(
+    samples: FloatArray, declared: Sequence[float] | None = None, *, of_time: bool = False
+) -> dict[float, int]:
     """The codes for no value in a column, and how many samples each has.
 
     Parameters
