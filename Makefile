@@ -1,6 +1,7 @@
 # Needs Python >= 3.11 with venv, and make. Everything is installed into .venv from the hashed lock files.
 PYTHON ?= python3
-VENV   := .venv
+VENV   ?= .venv
+RUN    ?= runs/demo
 BIN    := $(VENV)/bin
 PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
@@ -9,15 +10,20 @@ FLEET  := .venv-workflow
 # Children that start in the hundreds would compile every module anew
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-long coverage fuzz faults audit check bench bench-all docs dist workflow test-workflow lock clean
+.PHONY: demo test quick test-long coverage fuzz faults audit check bench bench-all docs dist workflow test-workflow lock clean
 
 demo: $(VENV)/.run-ready
 	$(BIN)/debist warmup
-	$(BIN)/debist demo -o runs/demo
+	$(BIN)/debist demo -o $(RUN)
 
 # The tests of a file share its fixtures, so they stay in one process
 test: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile
+
+# What may differ between versions of Python and of libraries, in a minute or two
+quick: $(VENV)/.dev-ready
+	$(BIN)/python -m pytest tests/numerics tests/codegen tests/joint tests/runs tests/rig_logs/test_readers.py \
+	    tests/test_compiled.py tests/test_isolation.py tests/test_debist.py tests/test_cli.py
 
 test-long: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile -m "long or not long"
