@@ -217,7 +217,9 @@ def misfit(name: str, table: Mapping[str, np.ndarray[Any, Any]]) -> str | None:
     """What a table that was read from the artifact `name` holds or lacks otherwise than its schema; None if nothing."""
     schema = next((schema for pattern, schema in _OF_FILES if fnmatchcase(name, pattern)), None)
     if schema is None:
-        return next((f"{column} does not hold numbers" for column, x in table.items() if x.dtype.kind != "f"), None)
+        return next(
+            (f"{column} does not hold numbers" for column, x in table.items() if x.dtype.kind not in "biuf"), None
+        )
     columns = {column.name: column for column in schema.columns}
     if unknown := sorted(table.keys() - columns.keys()):
         return f"holds a column {unknown[0]!r} that no {schema.kind} has"

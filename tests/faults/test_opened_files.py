@@ -85,8 +85,11 @@ def test_no_command_opens_what_it_was_not_told(made: Path, arguments: tuple[str,
 
 def test_what_a_command_was_told_is_all_that_it_opens(made: Path) -> None:
     """Named files below the current folder are seen by the watch, and only those."""
-    (made / "train.csv").write_bytes((made.parent / "train.csv").read_bytes())
+    names = {"small.toml", *(path.name for path in made.parent.glob("*.csv"))}
+    for name in names:
+        (made / name).write_bytes((made.parent / name).read_bytes())
     try:
-        assert opened(made, "inspect", "train.csv") == {"train.csv"}
+        assert opened(made, "run", "small.toml", "-o", "../other", "--dry-run") == names
     finally:
-        (made / "train.csv").unlink()
+        for name in names:
+            (made / name).unlink()
