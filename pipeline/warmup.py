@@ -75,7 +75,7 @@ def _without_parameter_set() -> None:
 
     v = np.zeros((3, 2))
     lagged_rbf_run(v, True, 0.01, 1, (0.0, 0.0), np.zeros(2), np.zeros((2, 4)), 1.0, 1.0, (-1.0, 1.0))
-    still = PolynomialDynamics(np.zeros((1, 8), dtype=np.int64), np.zeros((2, 1)), np.ones(8), 0.0, True, -1.0, 1.0)
+    still = PolynomialDynamics(np.zeros((1, 7), dtype=np.int64), np.zeros((2, 1)), np.ones(7), (), True, -1.0, 1.0)
     free_run(still, v, 0.01, 0.0, 0.0)
     structure = NarxStructure(inputs=2, increments=1, input_lags=1, degree=1)
     equation = NarxEquation(structure, np.zeros((1, 4), dtype=np.int64), np.zeros(1), np.ones(4), 0.01, True, -1.0, 1.0)

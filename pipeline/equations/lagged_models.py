@@ -18,25 +18,25 @@ def lagged_rates(q: Any, q_dot: Any, z: Any, curves: Any, push: Any, lag: Any) -
     return ca.vertcat(push - curves[0] * q - curves[1] * z, lag_rate(q_dot, z, lag))
 
 
-def polynomial_variables(q: Any, q_dot: Any, z: Any, scales: Any) -> Expression:
-    """q, q̇ and z over their scales, and tanh(q̇/w): factors of monomials; w is the last of the scales.
+def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
+    """Q and q̇ over their scales, and tanh(q̇/w): factors of monomials; w is the last of the scales.
 
     Models of a turning arm have sin q and cos q beside them.
     """
-    return ca.vertcat(q / scales[0], q_dot / scales[1], z / scales[2], ca.tanh(q_dot / scales[3]))
+    return ca.vertcat(q / scales[0], q_dot / scales[1], ca.tanh(q_dot / scales[2]))
 
 
 def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     """Inputs and outputs of each law."""
     q, q_dot, z, push, lag = (ca.SX.sym(name) for name in ("q", "q_dot", "z", "push", "lag"))
-    curves, scales = ca.SX.sym("curves", 2), ca.SX.sym("scales", 4)
+    curves, scales = ca.SX.sym("curves", 2), ca.SX.sym("scales", 3)
     rates = lagged_rates(q, q_dot, z, curves, push, lag)
     state = {"q": q, "q_dot": q_dot, "z": z}
     return {
         "LAGGED_RATES": (state | {"curves": curves, "push": push, "lag": lag}, {"rates": rates}),
         "POLYNOMIAL_VARIABLES": (
-            state | {"scales": scales},
-            {"variables": polynomial_variables(q, q_dot, z, scales)},
+            {"q": q, "q_dot": q_dot, "scales": scales},
+            {"variables": polynomial_variables(q, q_dot, scales)},
         ),
         "LAG": ({"value": q_dot, "lagged": z, "lag": lag}, {"rate": lag_rate(q_dot, z, lag)}),
     }

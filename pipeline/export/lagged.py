@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.baselines.polynomial_dynamics import FIRST_INPUT, steps_between_samples
+from pipeline.baselines.polynomial_dynamics import FIRST_INPUT, QDOT, steps_between_samples
 from pipeline.codegen.graph import Graph, apply, function, trace
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.basis_functions import GRAPHS
@@ -32,10 +32,10 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
     squared, bend = model.inputs == "squared", 0.5 / model.width**2
     constants = {"basis": model.basis, "centres": model.centres, "weights": weights.T, "bend": bend}
     return Realisation(
-        functions=_functions(rates, np.ones(model.input_count), squared, low, high),
+        functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),
         constants=constants | {"lag": model.lag, "low": low, "high": high, "squared": int(squared)},
         inputs=model.input_count,
-        states=_states(unit, "velocity that the friction feels"),
+        states=(*_states(unit), Variable("lagged_velocity", f"{unit}/s", "velocity that the friction feels", 0.1)),
         hysteresis_states=(),
         base=1,
         step=interval / steps_per_sample(interval, model.lag),
@@ -48,12 +48,11 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
 def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> Realisation:
     """A polynomial model at the sample interval [s] of its run; `unit` is that of q."""
     d = model.dynamics
-    inputs, lagged = d.scales.size - FIRST_INPUT, d.lag_time > 0.0
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
         """Factors, then their monomials."""
-        factors = [*apply(POLYNOMIAL_VARIABLES, *x, *(float(scale) for scale in d.scales[:4]))]
-        factors += [function("sin", x[0]), function("cos", x[0]), *u]
+        factors = [*apply(POLYNOMIAL_VARIABLES, *x[:2], *(float(scale) for scale in d.scales[:3]))]
+        factors += [function("sin", x[0]), function("cos", x[0]), *u, *x[2:]]
         found: Values = [0.0, 0.0]
         for powers, coefficients in zip(d.exponents, d.coefficients.T, strict=True):
             chosen = [value for value, power in zip(factors, powers, strict=True) for _ in range(power)]
@@ -62,15 +61,26 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
                 for factor in chosen if term else ():
                     term = term * factor
                 found[i] = found[i] + term
-        return {"dx": [*found, apply(LAG, x[1], x[2], d.lag_time)[0] if lagged else 0.0]}
+        followed = zip(d.lags, x[2:], strict=True)
+        return {"dx": [*found, *(apply(LAG, factors[lag.source], state, lag.time)[0] for lag, state in followed)]}
+
+    def start(qdot0: Values, u: Values) -> Values:
+        """Lag states begin at what they follow."""
+        return [
+            qdot0[0] / float(d.scales[QDOT]) if lag.source == QDOT else u[lag.source - FIRST_INPUT] for lag in d.lags
+        ]
 
     table = {"exponents": d.exponents, "coefficients": d.coefficients, "scales": d.scales}
+    lags = {"lag": np.array([lag.time for lag in d.lags]), "lag_source": np.array([lag.source for lag in d.lags])}
     bounds = {"low": d.low, "high": d.high, "squared": int(d.squared)}
     return Realisation(
-        functions=_functions(rates, d.scales[FIRST_INPUT:], d.squared, d.low, d.high),
-        constants=table | {"lag": d.lag_time, "lagged": int(lagged)} | bounds,
-        inputs=inputs,
-        states=_states(unit, "velocity that a friction term feels; constant where there is none"),
+        functions=_functions(rates, start, d.scales[FIRST_INPUT:], d.squared, d.low, d.high, 2 + len(d.lags)),
+        constants=table | lags | bounds,
+        inputs=d.inputs,
+        states=(
+            *_states(unit),
+            *(Variable(f"lag_{k + 1}", "1", "scaled velocity or input, lagged") for k in range(len(d.lags))),
+        ),
         hysteresis_states=(),
         base=1,
         step=interval / steps_between_samples(d, interval),
@@ -80,33 +90,35 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
     )
 
 
-def _functions(rates: Any, scales: Any, squared: bool, low: float, high: float) -> dict[str, Graph]:
+def _functions(
+    rates: Any, start: Any, scales: Any, squared: bool, low: float, high: float, states: int
+) -> dict[str, Graph]:
     """How such a model moves: inputs are the voltages, or their squares, over `scales` (K,)."""
     over = [float(1.0 / scale) for scale in scales]
 
     def within(x: Values) -> dict[str, Values]:
-        """Q within its bounds, and the velocities finite."""
+        """Q within its bounds, and the velocity finite."""
         inside = function("and", function("le", low, x[0]), function("le", x[0], high))
-        return {"ok": [function("and", inside, function("and", *(function("finite", value) for value in x[1:3])))]}
+        return {"ok": [function("and", inside, function("finite", x[1]))]}
 
     def drive(v: Values) -> dict[str, Values]:
         """Inputs of the equations."""
         return {"u": [(x * x if squared else x) * y for x, y in zip(v, over, strict=True)]}
 
+    def begun(q0: Values, qdot0: Values, u: Values) -> dict[str, Values]:
+        """The states at the start."""
+        return {"x": [*q0, *qdot0, *start(qdot0, u)], "z": []}
+
     return {
         "drive": trace(drive, v=len(over)),
-        "start": trace(lambda q0, qdot0, u: {"x": [*q0, *qdot0, *qdot0], "z": []}, q0=1, qdot0=1, u=1),
-        "begin": trace(lambda x, z, h: {"base": [0.0]}, x=3, z=1, h=1),
-        "rates": trace(rates, x=3, z=1, base=1, u=len(over)),
-        "finish": trace(lambda base, x, z: {"x": x, "z": z}, base=1, x=3, z=1),
-        "read": trace(lambda x, dx: {"y": [x[0], x[1], dx[1]]}, x=3, dx=3),
-        "within": trace(within, x=3),
+        "start": trace(begun, q0=1, qdot0=1, u=len(over)),
+        "begin": trace(lambda x, z, h: {"base": [0.0]}, x=states, z=1, h=1),
+        "rates": trace(rates, x=states, z=1, base=1, u=len(over)),
+        "finish": trace(lambda base, x, z: {"x": x, "z": z}, base=1, x=states, z=1),
+        "read": trace(lambda x, dx: {"y": [x[0], x[1], dx[1]]}, x=states, dx=states),
+        "within": trace(within, x=states),
     }
 
 
-def _states(unit: str, meaning: str) -> tuple[Variable, ...]:
-    return (
-        Variable("displacement", unit, "displacement", 0.01),
-        Variable("velocity", f"{unit}/s", "its velocity", 0.1),
-        Variable("lagged_velocity", f"{unit}/s", meaning, 0.1),
-    )
+def _states(unit: str) -> tuple[Variable, Variable]:
+    return Variable("displacement", unit, "displacement", 0.01), Variable("velocity", f"{unit}/s", "its velocity", 0.1)

@@ -175,12 +175,11 @@ input push 0; input curves 0; input q 0; mul 1 2; sub 0 3; input curves 1; input
 )
 
 POLYNOMIAL_VARIABLES = Graph(
-    {'q': 1, 'q_dot': 1, 'z': 1, 'scales': 4},
-    {'variables': 4},
+    {'q': 1, 'q_dot': 1, 'scales': 3},
+    {'variables': 3},
     """
-input q 0; input scales 0; constant 1.0; div 2 1; mul 0 3; input q_dot 0; input scales 1; div 2 6; mul 5 7; input z
-0; input scales 2; div 2 10; mul 9 11; input scales 3; div 2 13; mul 5 14; tanh 15; store variables 0 4; store
-variables 1 8; store variables 2 12; store variables 3 16
+input q 0; input scales 0; constant 1.0; div 2 1; mul 0 3; input q_dot 0; input scales 1; div 2 6; mul 5 7; input
+scales 2; div 2 9; mul 5 10; tanh 11; store variables 0 4; store variables 1 8; store variables 2 12
     """,
 )
 

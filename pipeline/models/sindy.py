@@ -1,7 +1,7 @@
 """SINDy behind the model interface: a sparse polynomial equation, printed with units, simulated by our integrator."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -10,21 +10,20 @@ from pydantic import BeforeValidator
 from pipeline.baselines.polynomial_dynamics import (
     FIRST_INPUT,
     FRICTION,
-    LAG,
     QDOT,
+    Lag,
     PolynomialDynamics,
     Q,
     free_run,
-    lag_state,
     monomials,
     scaled_variables,
 )
+from pipeline.errors import CorruptArtifactError
 from pipeline.identification.rbf import InputLaw
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.file_schema import (
     MOST_INPUTS,
     Exponents,
-    LagIfAny,
     ModelFile,
     Positive,
     PositiveRow,
@@ -33,7 +32,8 @@ from pipeline.models.file_schema import (
     Table,
 )
 from pipeline.models.kind import Kind
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
+from pipeline.scoring.cross_validation import mean_over_folds
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.free_run import run_status
 from pipeline.units import DISPLACEMENT, INPUT
@@ -48,13 +48,21 @@ def _units(values: Any) -> Units:
     return length, voltage
 
 
+MOST_LAGS = 9
+
+
 class _File(ModelFile):
-    sizes: ClassVar[Sizes] = {"P": (1, 500), "X": (FIRST_INPUT + 1, FIRST_INPUT + MOST_INPUTS)}
+    sizes: ClassVar[Sizes] = {
+        "P": (1, 500),
+        "X": (FIRST_INPUT + 1, FIRST_INPUT + MOST_INPUTS + MOST_LAGS),
+        "L": (0, MOST_LAGS),
+    }
     name: Literal["sindy", "sindy-default"]
     exponents: Exponents
     coefficients: Annotated[FloatArray, Table("2 P")]
     scales: PositiveRow
-    lag_s: LagIfAny
+    lag_s: Annotated[FloatArray, Table("L", 1e-9, 1e9)]
+    lag_source: Annotated[IntArray, Table("L", QDOT, FIRST_INPUT + MOST_INPUTS, whole=True)]
     mass_kg: Positive
     inputs: Literal["squared", "linear"]
     bounds: Span
@@ -81,7 +89,6 @@ class SindyModel:
 
     dynamics: PolynomialDynamics
     name: str = "sindy"
-    fine_voltages = False
     mass: float = 1.0
     diagnostics: dict[str, Any] = field(default_factory=dict)
     units: Units = ("m", "V")
@@ -89,29 +96,34 @@ class SindyModel:
     @property
     def input_count(self) -> int:
         """Number of voltages that it takes."""
-        return self.dynamics.scales.size - FIRST_INPUT
+        return self.dynamics.inputs
+
+    @property
+    def fine_voltages(self) -> bool:
+        """Whether it takes the voltages between the samples: pysindy as it comes does not."""
+        return self.name == "sindy"
 
     @checked
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
-        """Free run; see `pipeline.models.base.DynamicModel.simulate`. The lag state starts at z(0) = q̇(0)."""
+        """Free run; see `pipeline.models.base.DynamicModel.simulate`. Lag states start at what they follow."""
         path, reached = free_run(self.dynamics, v, sample_interval(t), q0, qdot0)
         status, diverged_at = run_status(t, reached)
         return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
 
     @checked
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows, the lag state filtered from their velocity; see `models.base.predictor`."""
-        z = lag_state(speed, sample_interval(t), self.dynamics.lag_time)
-        last, dt = len(seen) - 1, sample_interval(t)
-        path, _ = free_run(self.dynamics, v[last:], dt, float(seen[-1]), float(speed[-1]), float(z[-1]))
+        """Prediction after measured rows, lag states filtered from their signals; see `models.base.predictor`."""
+        last, dt, lags = len(seen) - 1, sample_interval(t), len(self.dynamics.lags)
+        followed = scaled_variables(self.dynamics, _at_samples(v[: last + 1]), seen, speed, dt)
+        z = followed[-1, followed.shape[1] - lags :]
+        path, _ = free_run(self.dynamics, v[last:], dt, float(seen[-1]), float(speed[-1]), z)
         return path[:, 0]
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """Acceleration [m/s²] along a measured gap-free path, the lag state filtered from the measured velocity."""
+        """Acceleration [m/s²] along a measured gap-free path, lag states filtered from the measured signals."""
         d = self.dynamics
-        z = lag_state(qdot, sample_interval(t), d.lag_time)
-        library = monomials(d.exponents, scaled_variables(d.scales, d.squared, v, q, qdot, z))
+        library = monomials(d.exponents, scaled_variables(d, _at_samples(v), q, qdot, sample_interval(t)))
         acceleration: FloatArray = library @ d.coefficients[1]
         return acceleration
 
@@ -121,52 +133,63 @@ class SindyModel:
         Returns
         -------
         dict
-            ``F`` restoring force [N] at rest without voltage, ``d`` damping [N s/m] of slow motion (z = q̇ → 0) and,
+            ``F`` restoring force [N] at rest without voltage, ``d`` damping [N s/m] of slow motion and,
             for squared inputs, ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33); for linear inputs ``g1``, ``g2`` [N/V].
             Per unit mass where `mass` is 1 because it is unknown.
         """
-        d = self.dynamics
-        rest = np.zeros_like(q)
-        x = scaled_variables(d.scales, d.squared, np.zeros((q.size, d.scales.size - FIRST_INPUT)), q, rest, rest)
-        slopes = [self._derivative(x, variable) for variable in (QDOT, LAG, FRICTION)]
-        curves = {"F": -self.mass * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass * sum(slopes)}
-        for k in range(d.scales.size - FIRST_INPUT):
-            g = self.mass * self._derivative(x, FIRST_INPUT + k)
+        d, rest = self.dynamics, np.zeros_like(q)
+        x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, rest, 1.0)
+        x = np.column_stack([x, np.zeros((q.size, len(d.lags)))])
+        damping = self._slope(x, QDOT) + self._slope(x, FRICTION)
+        curves = {"F": -self.mass * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass * damping}
+        for k in range(d.inputs):
+            g = self.mass * self._slope(x, FIRST_INPUT + k)
             curves |= {f"dC{k + 1}_dq": 2.0 * g} if d.squared else {f"g{k + 1}": g}
         return curves
 
-    def _derivative(self, x: FloatArray, variable: int) -> FloatArray:
-        """∂q̈/∂(variable) where that variable is zero: its terms of first power, per unit of the variable."""
+    def _slope(self, x: FloatArray, variable: int) -> FloatArray:
+        """∂q̈/∂(variable) at rest, where all lags have followed it: its terms of first power, per unit of it."""
         d = self.dynamics
-        linear = d.exponents[:, variable] == 1
-        reduced = d.exponents[linear].copy()
-        reduced[:, variable] = 0
-        value: FloatArray = monomials(reduced, x) @ d.coefficients[1, linear] / d.scales[variable]
-        return value
+        followers = [d.scales.size + k for k, lag in enumerate(d.lags) if lag.source == variable]
+        slope = np.zeros(len(x))
+        for column in (variable, *followers):
+            linear = d.exponents[:, column] == 1
+            reduced = d.exponents[linear].copy()
+            reduced[:, column] = 0
+            slope += monomials(reduced, x) @ d.coefficients[1, linear] / d.scales[variable]
+        return slope
 
     def equations(self) -> list[str]:
         """The equations as text, one term per part, coefficients in SI with their units."""
         d, length = self.dynamics, self.units[0]
         lines = [f"q̇ [{length}/s] = {self._sum(0)}", f"q̈ [{length}/s²] = {self._sum(1)}"]
-        if d.lag_time > 0.0:
-            lines.append(f"ż = (q̇ − z) / ({d.lag_time:.4g} s)")
+        symbols = self._symbols()
+        for k, lag in enumerate(d.lags):
+            z, followed = symbols[d.scales.size + k], symbols[lag.source]
+            square = "²" if d.squared and lag.source >= FIRST_INPUT else ""
+            lines.append(f"d{z}/dt = ({followed}{square} − {z}) / ({lag.time:.4g} s)")
         if np.any(d.exponents[:, FRICTION]):
             lines.append(f"w = {d.scales[FRICTION]:.4g} {length}/s")
         return lines
 
-    def _sum(self, row: int) -> str:
+    def _symbols(self) -> list[str]:
         d = self.dynamics
-        inputs = d.scales.size - FIRST_INPUT
-        symbols = ["q", "q̇", "z", "tanh(q̇/w)", "sin q", "cos q", *(f"v{k + 1}" for k in range(inputs))]
-        orders = np.array([1] * FIRST_INPUT + [2 if d.squared else 1] * inputs)
+        voltages = [f"v{k + 1}" for k in range(d.inputs)]
+        return ["q", "q̇", "tanh(q̇/w)", "sin q", "cos q", *voltages, *(f"z{k + 1}" for k in range(len(d.lags)))]
+
+    def _sum(self, row: int) -> str:
+        d, symbols = self.dynamics, self._symbols()
+        sources = np.array([*range(d.scales.size), *(lag.source for lag in d.lags)])
+        scales = np.where(sources == FRICTION, 1.0, d.scales[sources])
+        orders = np.ones(sources.size, dtype=np.int64)
+        orders[FIRST_INPUT : d.scales.size] = 2 if d.squared else 1
         parts = []
         for powers, scaled in zip(d.exponents, d.coefficients[row], strict=True):
             if scaled == 0.0:
                 continue
-            scales = np.where(np.arange(powers.size) == FRICTION, 1.0, d.scales)
             value = scaled / float(np.prod(scales**powers))
             factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers * orders, strict=True) if n]
-            unit = _unit(powers, row, self.units, d.squared)
+            unit = _unit(np.bincount(sources, powers, d.scales.size).astype(int), row, self.units, d.squared)
             number = f"{value:+.4g}{unit}" if unit or value != 1.0 else ""
             parts.append("·".join([number, *factors]).strip("·"))
         return " ".join(parts) if parts else "0"
@@ -182,8 +205,9 @@ class SindyModel:
             "name": self.name,
             "exponents": d.exponents,
             "coefficients": d.coefficients,
-            "scales": d.scales,
-            "lag_s": d.lag_time,
+            "scales": d.scales[[*range(d.scales.size), *(lag.source for lag in d.lags)]],
+            "lag_s": np.array([lag.time for lag in d.lags], dtype=np.float64),
+            "lag_source": np.array([lag.source for lag in d.lags], dtype=np.int64),
             "mass_kg": self.mass,
             "inputs": "squared" if d.squared else "linear",
             "bounds": np.array([d.low, d.high]),
@@ -201,16 +225,26 @@ class SindyModel:
             An entry is missing, of another kind or shape, or beyond its range.
         """
         file = _File.read(tree, "sindy", "compare")
+        times, sources = file.lag_s.tolist(), file.lag_source.tolist()
+        scales = file.scales[: file.scales.size - len(times)]
+        if scales.size <= FIRST_INPUT or not {QDOT, *range(FIRST_INPUT, scales.size)}.issuperset(sources):
+            raise CorruptArtifactError("lag_source of the model sindy does not fit; run `debist compare` again")
         dynamics = PolynomialDynamics(
-            file.exponents, file.coefficients, file.scales, file.lag_s, file.inputs == "squared", *file.bounds.tolist()
-        )
+            file.exponents, file.coefficients, scales,
+            tuple(Lag(source, time) for source, time in zip(sources, times, strict=True)),
+            file.inputs == "squared", *file.bounds.tolist(),
+        )  # fmt: skip
         return cls(dynamics, file.name, file.mass_kg, file.diagnostics, file.units)
+
+
+def _at_samples(v: FloatArray) -> FloatArray:
+    return v if v.ndim == 2 else v[:, 0]
 
 
 def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
     """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
-    metres = 1 - int(powers[Q] + powers[QDOT] + powers[LAG])
-    seconds = -1 - row + int(powers[QDOT] + powers[LAG])
+    metres = 1 - int(powers[Q] + powers[QDOT])
+    seconds = -1 - row + int(powers[QDOT])
     volts = -int(powers[FIRST_INPUT:].sum()) * (2 if squared else 1)
     named = ((units[0], metres), ("s", seconds), (units[1], volts))
     parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
@@ -230,7 +264,7 @@ def identify_sindy(
     Parameters
     ----------
     trajectories : sequence of Trajectory
-        Gap-free stretches of the training logs.
+        Gap-free stretches of the training logs, voltages as finely as they are known.
     inputs : {"squared", "linear"}
         Whether v² or v enters the equation.
     mass : float
@@ -248,6 +282,8 @@ def identify_sindy(
     from pipeline.baselines.sindy import fit_sindy
 
     fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", most=most)
+    errors = fit.errors[fit.candidate]
+    mean, band = mean_over_folds(errors)
     return SindyModel(
         fit.dynamics,
         "sindy",
@@ -256,12 +292,13 @@ def identify_sindy(
             "library": str(fit.candidate.library),
             "library_terms": fit.library_terms,
             "terms_kept": _terms(fit.dynamics),
-            "filter_time_s": fit.candidate.filter_time,
-            "optimizer": fit.candidate.optimizer,
+            "test_function_half_width_s": fit.half_width,
+            "optimizer": "STLSQ",
             "threshold_of_rms_acceleration": fit.candidate.threshold,
-            "inner_validation_nrmse": float(fit.fold_errors.mean()),
-            "inner_validation_nrmse_of_folds": fit.fold_errors,
-            "candidates_tried": fit.candidates_tried,
+            "inner_validation_nrmse": mean,
+            "inner_validation_nrmse_interval": np.array([mean, mean] if band is None else [band.low, band.high]),
+            "inner_validation_nrmse_of_folds": errors,
+            "candidates_tried": len(fit.errors),
             "search_status": fit.search_status,
             "rank": fit.rank,
             "condition": fit.condition_number,
@@ -300,7 +337,11 @@ def _terms(dynamics: PolynomialDynamics) -> int:
 
 SINDY = Kind(
     lambda data: identify_sindy(
-        data.stretches, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
+        [stretch for record in data.records for stretch in record.stretches()],
+        inputs=data.inputs,
+        mass=data.mass,
+        units=data.units,
+        most=data.compare.candidates,
     ),
     SindyModel.from_tree,
     "pipeline.export.lagged:realise_polynomial",

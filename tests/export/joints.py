@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.baselines.polynomial_dynamics import PolynomialDynamics
+from pipeline.baselines.polynomial_dynamics import FIRST_INPUT, QDOT, Lag, PolynomialDynamics
 from pipeline.export.c99 import c_sources
 from pipeline.export.subject import Subject, Validity, realise
 from pipeline.identification.input_path import drive_at_nodes
@@ -145,22 +145,23 @@ def paper() -> RbfPaperModel:
 
 
 def sindy() -> SindyModel:
-    """q̈ of a cubic double well with lagged friction, a tanh and two inputs."""
+    """q̈ of a cubic double well with lagged friction, a tanh and two inputs, one of them lagged."""
     rows = [
-        [0, 1, 0, 0, 0, 0, 0, 0],
-        [1, 0, 0, 0, 0, 0, 0, 0],
-        [3, 0, 0, 0, 0, 0, 0, 0],
-        [0, 0, 1, 0, 0, 0, 0, 0],
-        [0, 0, 0, 1, 0, 0, 0, 0],
-        [0, 0, 0, 0, 0, 0, 1, 0],
-        [1, 0, 0, 0, 0, 0, 0, 1],
-        [0, 0, 0, 0, 0, 0, 0, 1],
+        [0, 1, 0, 0, 0, 0, 0, 0, 0],
+        [1, 0, 0, 0, 0, 0, 0, 0, 0],
+        [3, 0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 0, 0, 1, 0],
+        [0, 0, 1, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 1, 0, 0, 0],
+        [1, 0, 0, 0, 0, 0, 1, 0, 0],
+        [0, 0, 0, 0, 0, 0, 0, 0, 1],
     ]
     coefficients = np.zeros((2, len(rows)))
     coefficients[0, 0] = 0.3
     coefficients[1, 1:] = 1.2, -4.0, -1.0, -0.2, 1.5, 0.3, -1.4
-    scales = np.array([0.022, 0.3, 0.3, 0.03, 1.0, 1.0, 9e6, 9e6])
-    dynamics = PolynomialDynamics(np.array(rows), coefficients, scales, 0.02, True, -0.1, 0.1)
+    scales = np.array([0.022, 0.3, 0.03, 1.0, 1.0, 9e6, 9e6])
+    lags = (Lag(QDOT, 0.02), Lag(FIRST_INPUT + 1, 0.05))
+    dynamics = PolynomialDynamics(np.array(rows), coefficients, scales, lags, True, -0.1, 0.1)
     return SindyModel(dynamics)
 
 
