@@ -23,6 +23,7 @@ from pipeline.baselines.polynomial_dynamics import (
 from pipeline.baselines.weak_form import admitted, seeded, weak_rows
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.least_squares import triangular_factor
 from pipeline.numerics.metrics import rms
 from pipeline.scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error, held_out_blocks
 from pipeline.signals.trajectory import Trajectory, operating_range
@@ -362,7 +363,7 @@ def _scaled(rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArra
     """
     norms, length = np.linalg.norm(rows, axis=0), float(np.linalg.norm(target)) or 1.0
     norms[norms == 0.0] = 1.0
-    factor = np.linalg.qr(np.column_stack([rows / norms, target / length]), mode="r")
+    factor, _ = triangular_factor([np.column_stack([rows / norms, target / length])])
     return factor[:, :-1], factor[:, -1], norms, length
 
 

@@ -50,7 +50,7 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
     d = model.dynamics
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
-        """Factors, then their monomials."""
+        """Factors, then monomials."""
         factors = [*apply(POLYNOMIAL_VARIABLES, *x[:2], *(float(scale) for scale in d.scales[:3]))]
         factors += [function("sin", x[0]), function("cos", x[0]), *u, *x[2:]]
         found: Values = [0.0, 0.0]

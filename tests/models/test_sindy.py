@@ -66,7 +66,7 @@ def test_the_planted_equation_is_recovered(model: SindyModel) -> None:
 
 
 def test_a_new_record_is_predicted_freely(model: SindyModel) -> None:
-    new = motion(seed=5)
+    new = motion(400, seed=5)
     run = model.simulate(new.t, new.v, float(new.q[0]), float(new.qdot[0]))
     assert run.status == "ok"
     assert nrmse(new.q, run.q) < 1e-2
@@ -196,7 +196,8 @@ def test_a_lag_state_is_found_and_printed() -> None:
     assert error is not None and error < 2e-2
     assert any("/dt = (q̇ − z" in line for line in model.equations())
     again = SindyModel.from_tree(model.to_tree())
-    np.testing.assert_array_equal(again.predict(t, v, data.q[:200], data.qdot[:200]), model.predict(t, v, data.q[:200], data.qdot[:200]))  # fmt: skip
+    seen = (t, v, data.q[:200], data.qdot[:200])
+    np.testing.assert_array_equal(again.predict(*seen), model.predict(*seen))
 
 
 def test_fine_voltages_act_between_the_samples() -> None:
