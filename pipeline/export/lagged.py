@@ -51,8 +51,8 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
         """Factors, then monomials."""
-        factors = [*apply(POLYNOMIAL_VARIABLES, *x[:2], *(float(scale) for scale in d.scales[:3]))]
-        factors += [function("sin", x[0]), function("cos", x[0]), *u, *x[2:]]
+        moving = apply(POLYNOMIAL_VARIABLES, *x[:2], *(float(scale) for scale in d.scales[:3]))
+        factors = [*moving, function("sin", x[0]), function("cos", x[0]), *u, *x[2:]]
         found: Values = [0.0, 0.0]
         for powers, coefficients in zip(d.exponents, d.coefficients.T, strict=True):
             chosen = [value for value, power in zip(factors, powers, strict=True) for _ in range(power)]
@@ -61,8 +61,7 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
                 for factor in chosen if term else ():
                     term = term * factor
                 found[i] = found[i] + term
-        followed = zip(d.lags, x[2:], strict=True)
-        return {"dx": [*found, *(apply(LAG, factors[lag.source], state, lag.time)[0] for lag, state in followed)]}
+        return {"dx": found + [apply(LAG, factors[g.source], z, g.time)[0] for g, z in zip(d.lags, x[2:], strict=True)]}
 
     def start(qdot0: Values, u: Values) -> Values:
         """Lag states begin at what they follow."""
@@ -70,12 +69,12 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
             qdot0[0] / float(d.scales[QDOT]) if lag.source == QDOT else u[lag.source - FIRST_INPUT] for lag in d.lags
         ]
 
-    table = {"exponents": d.exponents, "coefficients": d.coefficients, "scales": d.scales}
-    lags = {"lag": np.array([lag.time for lag in d.lags]), "lag_source": np.array([lag.source for lag in d.lags])}
+    table: dict[str, Any] = {"exponents": d.exponents, "coefficients": d.coefficients, "scales": d.scales}
+    table |= {"lag": np.array([lag.time for lag in d.lags]), "lag_source": np.array([lag.source for lag in d.lags])}
     bounds = {"low": d.low, "high": d.high, "squared": int(d.squared)}
     return Realisation(
         functions=_functions(rates, start, d.scales[FIRST_INPUT:], d.squared, d.low, d.high, 2 + len(d.lags)),
-        constants=table | lags | bounds,
+        constants=table | bounds,
         inputs=d.inputs,
         states=(
             *_states(unit),
