@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import model_validator
 
-from pipeline.baselines.narx import NarxEquation, NarxStructure, accelerations, narx_run
+from pipeline.baselines.narx import NarxEquation, NarxStructure, fit_narx, narx_run
 from pipeline.errors import InputError
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.file_schema import MOST_INPUTS, Exponents, ModelFile, Positive, PositiveRow, Sizes, Span, Table
@@ -91,7 +91,9 @@ class NarxModel:
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] of the one-step prediction along a gap-free path; `qdot` is not used."""
         self._check(t)
-        return accelerations(self.equation, v, q)
+        theta, _, first = self.equation.regression(q, v)
+        change = theta @ self.equation.coefficients / self.equation.interval**2
+        return np.pad(change, (first, 1), mode="edge")  # rows whose lags reach beyond the record repeat their neighbour
 
     def _check(self, t: FloatArray) -> None:
         interval = sample_interval(t)
@@ -115,9 +117,9 @@ class NarxModel:
 
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary of arrays, numbers and texts."""
-        e, s = self.equation, self.equation.structure
+        e = self.equation
         return {
-            "structure": np.array([s.degree, s.increments, s.input_lags, s.inputs], dtype=np.int64),
+            "structure": np.array(e.structure, dtype=np.int64),
             "exponents": e.exponents,
             "coefficients": e.coefficients,
             "scales": e.scales,
@@ -145,12 +147,9 @@ class NarxModel:
 
 
 def identify_narx(
-    trajectories: Sequence[Trajectory],
-    *,
-    inputs: Literal["squared", "linear"] = "squared",
-    most: int | None = None,
+    trajectories: Sequence[Trajectory], *, inputs: Literal["squared", "linear"] = "squared", most: int | None = None
 ) -> NarxModel:
-    """Polynomial NARX chosen on the training data: see `pipeline.baselines.narx_fit.fit_narx`.
+    """Polynomial NARX chosen on the training data: see `pipeline.baselines.narx.fit_narx`.
 
     Parameters
     ----------
@@ -164,21 +163,9 @@ def identify_narx(
     Raises
     ------
     InputError
-        No data, a constant displacement, or differing sample intervals or inputs.
+        No data, a constant displacement, differing sample intervals or inputs, or stretches that are too short.
     """
-    from pipeline.baselines.narx_fit import fit_narx
-
-    fit = fit_narx(trajectories, squared=inputs == "squared", most=most)
-    return NarxModel(
-        fit.equation,
-        {
-            "library_terms": fit.library_terms,
-            "inner_validation_nrmse": float(fit.fold_errors.mean()),
-            "inner_validation_nrmse_of_folds": fit.fold_errors,
-            "candidates_tried": fit.candidates_tried,
-            "search_status": fit.search_status,
-        },
-    )
+    return NarxModel(*fit_narx(trajectories, squared=inputs == "squared", most=most))
 
 
 NARX = Kind(

@@ -316,11 +316,11 @@ def identify_default_sindy(
     units: Units = ("m", "V"),
     log_units: tuple[float, float] = (1e-3, 1e3),
 ) -> SindyModel:
-    """SINDy as pysindy ships it: `pipeline.baselines.sindy.fit_default_sindy`; parameters as above.
+    """SINDy as pysindy ships it: `pipeline.baselines.sindy_default.fit_default_sindy`; parameters as above.
 
     `log_units`: those of the log for q and the inputs, in SI.
     """
-    from pipeline.baselines.sindy import fit_default_sindy
+    from pipeline.baselines.sindy_default import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
     notes = {
