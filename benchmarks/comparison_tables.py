@@ -95,7 +95,7 @@ def equations(run: RunFolder) -> Iterator[str]:
     notes = run.record(layout.baseline("sindy")).notes
     yield f"\nThe equation of `sindy`: {notes['terms_kept']} of {notes['library_terms']} terms of\n"
     yield f"{notes['library']}, by {notes['optimizer']} with threshold {notes['threshold_of_rms_acceleration']:g}, "
-    yield f"weak form with a Gaussian of {1e3 * notes['filter_time_s']:g} ms;\nthe choice of "
+    yield f"test functions of half width {1e3 * notes['test_function_half_width_s']:.0f} ms;\nthe choice of "
     yield f"{notes['candidates_tried']} candidates.\n\n```text\n"
     for equation in notes["equations"]:
         yield from wrapped(terms(equation))
