@@ -141,6 +141,7 @@ def designed(law: Law) -> Controller:
     s, v = np.zeros(CONTROLLER_STATE), np.zeros(2)
 
     def made(q: float) -> Any:
+        """The controller at a first reading."""
         begin_control(q, law, s)
 
         def step(q: float, target: float) -> tuple[float, float]:

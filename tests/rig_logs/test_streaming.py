@@ -87,13 +87,6 @@ def test_samples_are_those_of_the_log(log: Path) -> None:
     assert shares == sorted(shares) and 0.0 < shares[0] < 1.0 and shares[-1] > 0.9
 
 
-def test_a_progress_bar_without_memory_stops_no_reading(log: Path) -> None:
-    def ended(share: float) -> None:
-        raise MemoryError
-
-    np.testing.assert_array_equal(read_recording(log, channels=["q"], progress=ended).channel("q").samples, Q)
-
-
 def test_samples_beyond_the_limit_are_refused_while_they_come(tmp_path: Path) -> None:
     """A text declares no number of rows; short rows below a long head are more than was estimated."""
     path = tmp_path / "log.csv"
