@@ -142,6 +142,10 @@ class Channels(_Settings):
         return (self.v1,) if self.v2 is None else (self.v1, self.v2)
 
 
+FILM_THICKNESS, FIELD_LIMIT = 50.0, 60.0
+"""Of the paper's joint [µm, V/µm]: 3 kV on an undeformed film of 50 µm."""
+
+
 class Plant(_Settings):
     """What is known of the device."""
 
@@ -157,6 +161,14 @@ class Plant(_Settings):
     curves: str | None = None
     """CSV file of characteristic curves measured on a test stand, which `rbf` keeps while it learns
     the friction: columns "q [mm]" and any of "F [N]", "dC1_dq [nF/m]", "dC2_dq [nF/m]"; needs mass."""
+    film_thickness: Quantity = Quantity(value=FILM_THICKNESS, unit="µm")
+    """Thickness of the undeformed film between the electrodes of the joint."""
+    field_limit: Quantity = Quantity(value=FIELD_LIMIT, unit="V/µm")
+    """Largest field in the undeformed film: `check` marks a log above it, control and excitation keep within it."""
+
+
+FILM = {"film_thickness", "field_limit"}
+"""Settings of the plant that bound voltages and change no fit."""
 
 
 class Csv(_Settings):
@@ -236,16 +248,18 @@ class Differentiate(_Settings):
 class Identify(_Settings):
     """From kinematics to models."""
 
-    models: tuple[str, ...] = Field(default=(AUTO, "rbf-paper"), min_length=1)
+    models: tuple[str, ...] = Field(default=(AUTO, "rbf", "rbf-paper"), min_length=1)
     """Models to identify; the first is the headline. "auto": "hybrid" or "rbf", whichever predicts held-out training
-    data better. "hybrid": the joint's equations with data-driven corrections. "rbf": the physics-informed RBF network
-    from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
+    data better. "hybrid": the joint's equations, with data-driven corrections where these help. "rbf": the
+    physics-informed RBF network from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
     basis_functions: Whole = Field(default=CENTRES, ge=2, le=200)
     """Basis functions M of each curve of `rbf-paper`."""
     basis: str = "gaussian"
     """Which radial basis function `rbf-paper` has; CONTRIBUTING.md says how to add one."""
     smoothing: Number = Field(default=SMOOTHING, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
+    corrections: Literal["auto", "none", "always"] = "auto"
+    """RBF corrections of `hybrid`; "auto": where the equations leave an error and held-out data speak for them."""
     friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
     """Friction of `rbf`, beside the damping d(q). "viscous": none; "coulomb": one stop operator; "lag": one relaxing
     element; "lags": two hidden shapes and a slow relaxing element; "maxwell-slip": three stop operators; "lag+slip",
@@ -381,11 +395,17 @@ class Prototype(_Settings):
     @model_validator(mode="after")
     def _read(self) -> "Prototype":
         """Nothing is set that nothing reads; the paper's M and σ_n also decide gates and studies."""
-        of_rbf = [*(key for key, field in Identify.model_fields.items() if field.default == AUTO), "time_limit"]
+        of_rbf = [key for key, field in Identify.model_fields.items() if field.default == AUTO and key != "corrections"]
+        of_rbf.append("time_limit")
         set_here = [f"identify.{key}" for key in of_rbf if getattr(self.identify, key) != _default(Identify, key)]
         set_here += ["plant.curves"] if self.plant.curves is not None else []
         if set_here and not {AUTO, "rbf"} & set(self.identify.models):
             raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')
+        if self.identify.corrections != AUTO and not {AUTO, "hybrid"} & set(self.identify.models):
+            raise ValueError('identify.corrections: is for "hybrid", which identify.models does not name')
+        film = [key for key in sorted(FILM) if getattr(self.plant, key) != _default(Plant, key)]
+        if film and not self.may_be_a_joint:
+            raise ValueError(f"plant.{film[0]}: is for the joint's two squared voltages; leave it out for this device")
         if self.channels.qdot is not None and self.differentiate.alpha != AUTO:
             raise ValueError(
                 "differentiate.alpha: is for the displacement; a measured velocity (channels.qdot) is smoothed by its "

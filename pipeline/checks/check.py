@@ -11,7 +11,7 @@ from pipeline.checks.misfit import misfit
 from pipeline.checks.rows import CheckRow, State
 from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
-from pipeline.settings import CheckGate
+from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, CheckGate
 from pipeline.si_prefix import quantity, scale, short, significant
 from pipeline.signals.bandwidth import advised_interval
 from pipeline.signals.noise import below_resolution, is_idle, noise_level
@@ -49,6 +49,8 @@ class Declared:
         Moving mass [kg], if stated.
     sample_interval : float
         Of the identification [s].
+    film_thickness, field_limit : float
+        Thickness of the undeformed film of a joint [m], and the largest field in it [V/m].
     """
 
     squared: bool
@@ -56,6 +58,8 @@ class Declared:
     inputs: tuple[str, ...]
     mass: float | None
     sample_interval: float
+    film_thickness: float = 1e-6 * FILM_THICKNESS
+    field_limit: float = 1e6 * FIELD_LIMIT
 
     @property
     def joint(self) -> bool:
@@ -87,7 +91,7 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
     rows += [*_correlated_rows(fact, declared), *_law_rows(fact, declared)]
     if declared.joint:
-        rows += [*_rest_level_rows(fact, declared), *_scale_rows(fact, declared), *_side_rows(fact)]
+        rows += [_field_row(fact, declared), *_rest_level_rows(fact, declared), *_scale_rows(fact, declared), *_side_rows(fact)]
     return rows
 
 
@@ -330,6 +334,20 @@ def _correlated_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     )
     found, limit = f"correlation {correlation:.4f}", f"< {limits.MOST_CORRELATED:g}"
     return [CheckRow(fact.signals.name, "v2 beside v1", found, limit, "note", None, advice)]
+
+
+def _field_row(fact: LogFacts, declared: Declared) -> CheckRow:
+    """The largest field in the undeformed film, at the larger voltage."""
+    field, limit = float(fact.peaks.max()) / declared.film_thickness, declared.field_limit
+    above, film = field > limits.MOST_OF_FIELD * limit, quantity(declared.film_thickness, "m")
+    limit_shown = f"{significant(1e-6 * limit)} (+{100.0 * (limits.MOST_OF_FIELD - 1.0):.0f} %)"
+    advice = (
+        f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
+    )
+    return CheckRow(
+        fact.signals.name, "largest field", f"{significant(1e-6 * field)} V/µm", f"≤ {limit_shown} V/µm",
+        "note" if above else "ok", None, advice if above else "",
+    )  # fmt: skip
 
 
 def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:

@@ -59,6 +59,9 @@ MOST_SIDES, NOTED_SIDES = 10.0, 2.5
 """Factor between the couplings of the two sides that stops, and that is shown. Membranes are cut from one film: 0.65 to
 1.4 in 66 logs of 15 joints. The square of a wrong probe ratio is in it, 4 for twice the voltage."""
 
+MOST_OF_FIELD = 1.02
+"""Share of the field limit from which on a log is above it: noise and probes make 1.01 of a command of 1."""
+
 REST_LEVEL, OFF_SHARE = 0.02, 0.005
 """Share of an input's largest magnitude above which its lowest level is shown, and of the samples that are lower."""
 REST_SHARE = 0.1

@@ -129,7 +129,10 @@ def excite(
     duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s",
     rest: Annotated[str, typer.Option(help="Rest before the first burst, with its unit.")] = "1 s",
     max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV",
-    max_field: Annotated[str, typer.Option(help="Largest field in the undeformed film, with its unit.")] = "60 V/um",
+    max_field: Annotated[
+        str | None,
+        typer.Option(help="Largest field in the undeformed film, with its unit [default: the run's, or 60 V/um]."),
+    ] = None,
     rate: Annotated[str, typer.Option(help="Rate of the written samples, with its unit.")] = "1 kHz",
     kinds: Annotated[
         str, typer.Option(help="Bursts to use: any of pulse,both,chirp,steps,multisine; comma-separated.")
@@ -163,7 +166,8 @@ def excite(
         basis_functions=basis_functions,
     )
     limits = Limits(
-        parse_quantity(max_voltage, ("V",), "--max-voltage"), parse_quantity(max_field, ("V/m",), "--max-field")
+        parse_quantity(max_voltage, ("V",), "--max-voltage"),
+        None if max_field is None else parse_quantity(max_field, ("V/m",), "--max-field"),
     )
     source = Source(parameters, run, model, joints, seed)
     with progress_report("designing", quiet=quiet) as report:

@@ -31,11 +31,14 @@ class Converters:
         Standard deviation of their logarithms.
     probe : float
         Standard deviation of the voltages that act over those commanded, relative.
+    highest : float
+        Largest voltage [V] that they may give.
     """
 
     lags: tuple[float, float]
     spread: float
     probe: float = PROBE
+    highest: float = np.inf
 
 
 @dataclass(frozen=True)
@@ -55,7 +58,7 @@ class Ensemble:
     gains : FloatArray, shape (B,)
         Voltages that act over those commanded.
     highest : float
-        Largest trained voltage [V].
+        Largest voltage [V]: trained, and what the converters may give.
     steps : int
         Runge-Kutta steps in `INTERVAL`.
     wall, lead : float
@@ -142,11 +145,17 @@ def ensemble_of(model: HybridModel, draws: int, converters: Converters) -> Ensem
     rng = np.random.default_rng(_SEED)
     thetas = np.concatenate([model.theta[None], model.draws(draws)]) if draws else model.theta[None]
     lags = np.array(converters.lags) * np.exp(converters.spread * _spread(rng, draws, 2))
-    return ensemble_at(model, thetas, lags, 1.0 + converters.probe * _spread(rng, draws, 1)[:, 0])
+    gains = 1.0 + converters.probe * _spread(rng, draws, 1)[:, 0]
+    return ensemble_at(model, thetas, lags, gains, converters.highest)
 
 
-def ensemble_at(model: HybridModel, thetas: FloatArray, lags: FloatArray, gains: FloatArray) -> Ensemble:
-    """An identified joint with the parameters `thetas` (B, P), and lags (B, 2) [s] and gains (B,) of its converters."""
+def ensemble_at(
+    model: HybridModel, thetas: FloatArray, lags: FloatArray, gains: FloatArray, highest: float = np.inf
+) -> Ensemble:
+    """An identified joint with the parameters `thetas` (B, P), and its converters' lags (B, 2) [s] and gains (B,).
+
+    The converters give `highest` [V] at most.
+    """
     condensed = model.joint
     seen = [condensed.instruments(theta) for theta in thetas]
     return Ensemble(
@@ -158,7 +167,7 @@ def ensemble_at(model: HybridModel, thetas: FloatArray, lags: FloatArray, gains:
         charging=np.array([one.charging for one in seen]),
         lags=lags,
         gains=gains,
-        highest=condensed.largest_voltage,
+        highest=min(condensed.largest_voltage, highest),
         steps=condensed.substeps(model.theta, INTERVAL),
         wall=condensed.q_stop,
         lead=condensed.lead,

@@ -76,14 +76,14 @@ def lowest_voltage(
     Returns
     -------
     LowestVoltage or None
-        None where the largest trained voltage does not switch the model.
+        None where the largest voltage, trained and allowed, does not switch the model.
 
     Notes
     -----
     Cost: 5500 runs of 1.7 to 2.1 s, 0.9 s.
     """
     lags = np.array([converters.lags])
-    estimate = ensemble_at(model, model.theta[None], lags, np.ones(1))
+    estimate = ensemble_at(model, model.theta[None], lags, np.ones(1), converters.highest)
     first = _first(estimate, wells, to, duration)
     if first is None:
         return None

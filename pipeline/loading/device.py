@@ -4,11 +4,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+import numpy as np
+
 from pipeline.errors import InputError
 from pipeline.models.file_columns import column_of
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.schemas import Schema, resolve
-from pipeline.settings import LogColumn, Prototype, Quantity
+from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, LogColumn, Prototype, Quantity
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
 
 if TYPE_CHECKING:
@@ -45,6 +47,8 @@ class Device:
         Moving mass [kg] or inertia [kg·m²], if the settings state it.
     velocity : SiUnit or None
         To m/s or rad/s; None where the velocity was not measured.
+    film_thickness, field_limit : float
+        Thickness of the undeformed film [m], and the largest field in it [V/m].
     """
 
     time: SiUnit | None
@@ -53,6 +57,13 @@ class Device:
     action: Literal["squared", "linear"]
     known_mass: float | None
     velocity: SiUnit | None = None
+    film_thickness: float = 1e-6 * FILM_THICKNESS
+    field_limit: float = 1e6 * FIELD_LIMIT
+
+    @property
+    def voltage_limit(self) -> float:
+        """Largest voltage [V] that the film of a joint stands; infinite for another device."""
+        return self.field_limit * self.film_thickness if self.joint else np.inf
 
     @property
     def mass(self) -> float:
@@ -97,7 +108,7 @@ def device(prototype: Prototype) -> Device:
         A unit is unknown or measures something else, an acceleration would act by its square, or a parameter set is for
         a joint and q is no length; the text names the key.
     """
-    channels, mass = prototype.channels, prototype.plant.mass
+    channels, plant, mass = prototype.channels, prototype.plant, prototype.plant.mass
 
     def unit(key: str, stated: LogColumn | Quantity, *allowed: str) -> SiUnit:
         """The unit that is stated under a key, of what is allowed there."""
@@ -121,4 +132,6 @@ def device(prototype: Prototype) -> Device:
         action=prototype.plant.inputs,
         known_mass=mass.value * unit("plant.mass", mass, MASS[displacement.symbol]).factor if mass else None,
         velocity=unit("channels.qdot", channels.qdot, VELOCITY[displacement.symbol]) if channels.qdot else None,
+        film_thickness=plant.film_thickness.value * unit("plant.film_thickness", plant.film_thickness, "m").factor,
+        field_limit=plant.field_limit.value * unit("plant.field_limit", plant.field_limit, "V/m").factor,
     )

@@ -66,8 +66,8 @@ class Choice:
         95 % interval of how much higher the error of the other candidate is there (paired moving-block bootstrap).
     interval : Interval or None
         95 % interval of the error of the equations there.
-    equations : StoredModel or None
-        The hybrid joint that was fitted but not chosen: a controller is designed on it.
+    other : StoredModel or None
+        The candidate that was fitted to all of the logs but not chosen; on a hybrid joint a controller is designed.
     """
 
     model: StoredModel
@@ -75,7 +75,7 @@ class Choice:
     held_out: dict[str, float]
     excess: Interval | None = None
     interval: Interval | None = None
-    equations: StoredModel | None = None
+    other: StoredModel | None = None
 
     def to_json(self) -> dict[str, Any]:
         """What is recorded of the choice.
@@ -156,7 +156,7 @@ def _compared(
     if _rms(_errors(best, training.records, held_out=False)) > POORER * _rms(
         _errors(model, training.records, held_out=False)
     ):
-        return Choice(model, "rbf of all training data follows them less well", held_out, excess, interval)
+        return Choice(model, "rbf of all training data follows them less well", held_out, excess, interval, best)
     excess = None if excess is None else Interval(-excess.high, -excess.low, excess.level)
     return Choice(best, "surely smaller error on held-out training data", held_out, excess, interval, model)
 

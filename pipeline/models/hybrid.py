@@ -224,6 +224,7 @@ class HybridModel:
             },
             "inputs": "squared",
             "parameters": len(self.theta),
+            "physical_parameters": len(condensed_parameters.DEVIATIONS),
             "deviations": facts,
             **self.diagnostics,
         }

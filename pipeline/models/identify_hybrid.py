@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -77,6 +77,7 @@ def identify_hybrid(
     parameters: JointParameters,
     *,
     similarity: Similarity = SAME,
+    corrections: Literal["auto", "none", "always"] = "auto",
     keep: Keep = make_anew,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
@@ -93,6 +94,8 @@ def identify_hybrid(
         The parameter set: the prior mean.
     similarity : Similarity
         The device in units of the set's joint.
+    corrections : {"auto", "none", "always"}
+        Whether corrections are fitted, and kept: as above, or never, or whatever they do on the rest of the logs.
     keep : callable
         Keeps each level that is finished.
 
@@ -118,9 +121,10 @@ def identify_hybrid(
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     search = _Search(tuple(similarity.set_record(record) for record in records), keep).within(MOST_SAMPLES)
-    levels, fits = _first_fits(search, parameters)
+    levels, fits = _first_fits(search, parameters, corrections)
     held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
-    helpful = WITH_RBF in held and held[WITH_RBF][0] < HARMFUL_RATIO * held[ALONE][0]
+    harmful_ratio = np.inf if corrections == "always" else HARMFUL_RATIO
+    helpful = WITH_RBF in held and held[WITH_RBF][0] < harmful_ratio * held[ALONE][0]
     for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
         joint, before = fits[name]
         final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
@@ -149,7 +153,9 @@ Fitted = tuple[CondensedJoint, HomotopyFit]
 """A structure and its fit."""
 
 
-def _first_fits(search: "_Search", parameters: JointParameters) -> tuple[tuple[Level, ...], dict[str, Fitted]]:
+def _first_fits(
+    search: "_Search", parameters: JointParameters, corrections: str
+) -> tuple[tuple[Level, ...], dict[str, Fitted]]:
     """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted."""
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
@@ -159,7 +165,7 @@ def _first_fits(search: "_Search", parameters: JointParameters) -> tuple[tuple[L
     if not alone.levels:
         raise DataRefusedError(_FOLLOWS_NOT)
     fits = {ALONE: (plain, alone)}
-    if not search.follows(alone, UNCORRECTED_ERROR):
+    if corrections == "always" or (corrections == "auto" and not search.follows(alone, UNCORRECTED_ERROR)):
         joint = replace(plain, centres=BASIS_FUNCTIONS)
         start = _extended(joint, first.theta)
         fits[WITH_RBF] = joint, search.early.fit(joint, start, CORRECTED, last=EARLY_STEPS)
@@ -306,17 +312,19 @@ def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity)
 
 
 def _fit(training: Training) -> HybridModel:
-    mass = training.known_mass
+    mass, corrections, keep = training.known_mass, training.identify.corrections, training.keep
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
-        return identify_hybrid(training.records, training.parameters, similarity=own, keep=training.keep)
+        return identify_hybrid(
+            training.records, training.parameters, similarity=own, corrections=corrections, keep=keep
+        )
 
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     units = similar_joint(training.records, NOMINAL, mass)
     if isinstance(units, NoJoint):
         raise DataRefusedError(units.reason)
-    return identify_hybrid(training.records, NOMINAL, similarity=units, keep=training.keep)
+    return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections, keep=keep)
 
 
 HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")

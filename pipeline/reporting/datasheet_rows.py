@@ -37,9 +37,10 @@ NOT_USED = " (a model not to be used)"
 WIDE = 2.0
 """Ratio of the ends of an interval beyond which it is written by its ends."""
 _WHAT = {
-    ("hybrid", True): "hybrid is the analytical joint with the calibrated quantities below and RBF corrections of "
-    "{count} basis functions each.",
-    ("hybrid", False): "hybrid is the analytical joint with the calibrated quantities below; no basis function acts.",
+    ("hybrid", True): "hybrid is the analytical joint with {physical} fitted physical parameters (the calibrated "
+    "quantities below) and RBF corrections of {count} basis functions each.",
+    ("hybrid", False): "hybrid is the analytical joint with {physical} fitted physical parameters (the calibrated "
+    "quantities below); 0 basis functions act.",
     ("rbf", True): "rbf is identified from data alone, with {count} basis functions in each curve.",
     ("rbf-paper", True): "rbf-paper is the published recipe, with {count} basis functions in each curve.",
 }
@@ -144,7 +145,8 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
     count = known.get("basis_functions")
     if count is None:
         return ""
-    sentences = [_WHAT.get((sheet.headline, bool(count)), "").format(count=count)]
+    physical = known.get("physical_parameters", 0)
+    sentences = [_WHAT.get((sheet.headline, bool(count)), "").format(count=count, physical=physical)]
     choice = data.choice or {}
     if choice.get("chosen") == sheet.headline and data.why_chosen:
         sentences.append(f"Why this model: {data.why_chosen}.")

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pipeline.reporting.tables import BEST, HEADINGS, TIED, ScoreRow
+from pipeline.reporting.tables import BEST, HEADINGS, RBFS_EXPLANATION, TIED, ScoreRow, basis_functions
 from pipeline.scoring.cross_validation import NRMSE_COLUMNS
 
 _SHARES = {"well_agreement": "well", "switch_accuracy": "pulses"}
@@ -30,13 +30,14 @@ class Headline:
         """What its columns mean; that of errors is a line of its own."""
         errors = "NRMSE in % of the measured range, free run from the first sample, worst log."
         shares = " ".join(text for name, text in _SHARES_SAID.items() if name in self.heading)
-        return f"{errors}\n{shares}" if shares else errors
+        acting = RBFS_EXPLANATION if "RBFs" in self.heading else ""
+        return "\n".join(line for line in (errors, shares, acting) if line)
 
 
 def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     """The worst validation log of each model; the worst training log where there is no validation log.
 
-    Shares of wells and pulses are left out where no model has any.
+    Shares of wells and pulses, and counts of basis functions, are left out where no model has any.
 
     Parameters
     ----------
@@ -47,6 +48,7 @@ def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     judged = [row for row in scores if row["role"] == role]
     shares = [share for share in _SHARES if any(r.get(share) is not None for r in judged if r["signal"] == "q")]
     signals = tuple(signal for signal in HEADINGS if any(row["signal"] == signal for row in judged))
+    acting = ["RBFs"] * any(row.get("basis_functions") is not None for row in judged)
     rows = []
     for model in dict.fromkeys(str(row["model"]) for row in judged):
         own = [row for row in judged if row["model"] == model]
@@ -54,11 +56,13 @@ def headline_table(scores: Sequence[ScoreRow]) -> Headline:
         of_q = [row for row in own if row["signal"] == "q"]
         if any(row["status"] != "ok" for row in of_q):
             errors[0] = "diverged"
-        rows.append((model, *errors, *(_least([row.get(share) for row in of_q]) for share in shares)))
+        least = (_least([row.get(share) for row in of_q]) for share in shares)
+        rows.append((model, *errors, *least, *(basis_functions(of_q[0]) for _ in acting)))
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
     word = "validation" if role == "validation" else "training"
-    heading = ("model", *(f"{HEADINGS[signal]} [%]" for signal in signals), *(_SHARES[share] for share in shares))
+    errors_of = (f"{HEADINGS[signal]} [%]" for signal in signals)
+    heading = ("model", *errors_of, *(_SHARES[share] for share in shares), *acting)
     return Headline(f"free runs on the {word} {named}", heading, tuple(rows))
 
 

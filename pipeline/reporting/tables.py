@@ -37,11 +37,14 @@ _HORIZONS = (
     "before"
 )
 _WELLS, _SWITCHES, _OUTSIDE, _AMBIGUOUS = "wells", "switches", "outside", "ambiguous [pulses]"
+_RBFS = "RBFs [per curve]"
+RBFS_EXPLANATION = "RBFs: basis functions that act in each curve; hybrid with 0 is the joint's fitted equations alone."
 _TIMES = ("rise [ms]", "settling [ms]")
 _COLUMNS = {
     (_WELLS,): "Wells: share of samples in the measured well.",
     (_SWITCHES,): "Switches: share of pulses after which both rest in the same well, interval by Bayesian bootstrap of "
     "the pulses.",
+    (_RBFS,): RBFS_EXPLANATION,
     _TIMES: f"Rise (10–90 %) and settling time (±{100.0 * SETTLED:.0f} %): median error over the switches that the "
     f"model follows, interval by bootstrap of the switches (none with fewer than {FEWEST}).",
     (_OUTSIDE,): "Outside: share of samples in states (q, q̇) that no training sample was near.",
@@ -58,7 +61,7 @@ def _said(of: str, extras: Collection[str]) -> str:
     return " ".join([of, *(text for names, text in _COLUMNS.items() if not set(names).isdisjoint(extras))])
 
 
-EXPLANATION = _said(_ERRORS, (_WELLS, _SWITCHES))
+EXPLANATION = _said(_ERRORS, (_WELLS, _SWITCHES, _RBFS))
 BEHAVIOUR_EXPLANATION = _said(f"{_HORIZONS}, and of the free run.", (*_TIMES, _OUTSIDE, _AMBIGUOUS))
 
 
@@ -141,10 +144,11 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
         for model, by_signal in models.items():
             cells = [_cell(by_signal.get(s), model, front[s]) for s in signals]
             cells += [_share(by_signal["q"], key) for key in ("well_agreement", "switch_accuracy")]
+            cells.append(Cell(basis_functions(by_signal["q"])))
             if times is not None:
                 cells += [Cell(_seconds(times.get(model, {}).get(key))) for key in ("fit_s", "simulate_s")]
             rows.append(Row(role, log, model, tuple(cells)))
-    extras = (_WELLS, _SWITCHES) + (("fit [s]", "run [s]") if times is not None else ())
+    extras = (_WELLS, _SWITCHES, _RBFS) + (("fit [s]", "run [s]") if times is not None else ())
     return NrmseTable(signals, extras, tuple(rows)).without_empty()
 
 
@@ -203,6 +207,12 @@ def _quantity(record: ScoreRow, key: str, factor: float, unit: str = "", digits:
 
 def _share(record: ScoreRow, key: str) -> Cell:
     return _quantity(record, key, 100.0, digits=1)
+
+
+def basis_functions(record: ScoreRow) -> str:
+    """How many basis functions act in each curve of a model; a dash for one that has none by its nature."""
+    count = record.get("basis_functions")
+    return "–" if count is None else str(count)
 
 
 def _ambiguous(record: ScoreRow) -> Cell:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
     from pipeline.checks.weak_form import LogSignals
 
-ALGORITHM = "13"
+ALGORITHM = "14"
 
 
 def tasks(prototype: Prototype) -> list[Task]:
@@ -38,6 +38,8 @@ def tasks(prototype: Prototype) -> list[Task]:
                 "mass": plant.known_mass,
                 "inputs": plant.action,
                 "sample_interval": prototype.ingest.sample_interval,
+                "film_thickness": plant.film_thickness,
+                "field_limit": plant.field_limit,
                 **accepted_settings(prototype.quality, get_args(CheckGate)),
             },
             inputs=tuple(layout.record(role, log) for role, log, _ in layout.logs(prototype)),
@@ -108,6 +110,8 @@ def declared(prototype: Prototype) -> "Declared":
         inputs=tuple(unit.symbol for unit in plant.inputs),
         mass=plant.known_mass,
         sample_interval=prototype.ingest.sample_interval,
+        film_thickness=plant.film_thickness,
+        field_limit=plant.field_limit,
     )
 
 

@@ -13,7 +13,7 @@ from pipeline.models.kind import kind
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.settings import Prototype
+from pipeline.settings import FILM, Prototype
 from pipeline.stages import validate
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def _fit(prototype: Prototype, parameters: "JointParameters | None", name: str) 
     settings = {
         "model": name,
         "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
-        "plant": prototype.plant.model_dump(mode="json"),
+        "plant": prototype.plant.model_dump(mode="json", exclude=FILM),
         "parameters": parameter_values(parameters) if _needs_parameters(name) else None,
     }
     return Task(

@@ -10,6 +10,7 @@ import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
 from pipeline.device_facts.model_quality import not_converged
+from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.parameter_sets import parameter_values
@@ -22,7 +23,7 @@ from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, TrainingGate
+from pipeline.settings import FILM, Prototype, TrainingGate
 from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from pipeline.models.kind import StoredModel, Training
     from pipeline.signals.quality_gates import Finding
 
-ALGORITHM = "40"
+ALGORITHM = "41"
 SEARCH_CUT = (
     "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
     "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"
@@ -42,7 +43,7 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
     """One task for all identified models: they share `model.h5`."""
     settings = {
         "identify": prototype.identify.model_dump(mode="json"),
-        "plant": prototype.plant.model_dump(mode="json"),
+        "plant": prototype.plant.model_dump(mode="json", exclude=FILM),
         "parameters": parameter_values(parameters),
         **accepted_settings(prototype.quality, get_args(TrainingGate)),
     }
@@ -96,7 +97,7 @@ def identified(
     """Models of kinematics tables by name, the headline first, and notes on how they came about.
 
     Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
-    named in the note `IDENTIFIED`.
+    named in the note `IDENTIFIED`. An `rbf` beside "auto" that the training logs refuse is left out, with a warning.
 
     Raises
     ------
@@ -108,7 +109,7 @@ def identified(
     # What even a network needs not is no fault of the data.
     needless = set(_stands_in({"rbf"})[0]) - set(prototype.quality.accept)
     accepted = [text for finding, text in zip(findings, told, strict=True) if finding.gate not in needless]
-    notes: dict[str, Any] = {"warnings": told, "accepted": accepted}
+    notes: dict[str, Any] = {"warnings": list(told), "accepted": accepted}
     models: dict[str, StoredModel] = {}
     beside: dict[str, StoredModel] = {}
     whole = training(data, prototype, parameters, known, on_progress)
@@ -119,22 +120,25 @@ def identified(
         if wanted == AUTO:
             choice = _choose(given, data, prototype)
             model, notes[CHOICE] = choice.model, choice.to_json()
-            if choice.equations is not None:
-                notes[EQUATIONS] = choice.equations.name
-                beside[choice.equations.name] = choice.equations
+            if choice.other is not None:
+                beside[choice.other.name] = choice.other
         else:
-            model = kind(wanted).fit(given)
+            asked = beside.get(wanted) or _asked(wanted, given, data, prototype, notes["warnings"])
+            if asked is None:
+                continue
+            model = asked
         models[model.name], facts = model, model.describe()
         if facts.get("converged") is False:
-            notes["warnings"] = [*notes["warnings"], "; ".join(not_converged(model.name))]
+            notes["warnings"].append("; ".join(not_converged(model.name)))
         if facts.get("search_complete") is False:
-            notes["warnings"] = [
-                *notes["warnings"],
-                SEARCH_CUT.format(model=model.name, tried=len(facts["candidates"])),
-            ]
-        notes[model.name] = {**facts, TIMES: {"fit_s": time.process_time() - began}}
+            notes["warnings"].append(SEARCH_CUT.format(model=model.name, tried=len(facts["candidates"])))
+        seconds = None if wanted in beside else time.process_time() - began
+        notes[model.name] = {**facts, TIMES: {"fit_s": seconds}}
         notes.setdefault(IDENTIFIED, []).append(model.name)
-    return {**models, **beside, **models}, notes
+    if "hybrid" in beside:
+        notes[EQUATIONS] = "hybrid"
+        models.setdefault("hybrid", beside["hybrid"])
+    return models, notes
 
 
 def _wanted(prototype: Prototype) -> set[str]:
@@ -150,17 +154,31 @@ def _stands_in(models: Collection[str]) -> tuple[tuple[str, ...], str]:
     return tuple(gates), " or ".join(what for name, what in known.items() if name in models)
 
 
+def _asked(
+    wanted: str, given: "Training", data: list[Table], prototype: Prototype, warnings: list[str]
+) -> "StoredModel | None":
+    """A model that the settings name; no `rbf` beside "auto" where the logs refuse one, which `warnings` then state."""
+    if wanted != "rbf" or AUTO not in prototype.identify.models:
+        return kind(wanted).fit(given)
+    try:
+        return _network(given, data, prototype)
+    except DataRefusedError as refused:
+        warnings.append(f"rbf is not among the models: {refused}")
+        return None
+
+
 def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choice":
     from pipeline.models.choose import Choice, choose
 
-    def rbf(part: "Training") -> "StoredModel":
-        """The data-driven model; what the joint's equations would know the data must show."""
-        judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
-        return kind("rbf").fit(part)
-
     if given.known_curves is not None:
-        return Choice(rbf(given), "only rbf keeps the measured curves of plant.curves", {})
-    return choose(given, kind("hybrid").fit, rbf)
+        return Choice(_network(given, data, prototype), "only rbf keeps the measured curves of plant.curves", {})
+    return choose(given, kind("hybrid").fit, lambda part: _network(part, data, prototype))
+
+
+def _network(given: "Training", data: list[Table], prototype: Prototype) -> "StoredModel":
+    """The data-driven model; what the joint's equations would know the data must show."""
+    judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
+    return kind("rbf").fit(given)
 
 
 def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":

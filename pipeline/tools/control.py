@@ -40,7 +40,8 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
             ],
         }
 
-    return kept_document(root, "map", {"lag": settings.lag, "draws": DRAWS}, observer, work)
+    chosen = {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit}
+    return kept_document(root, "map", chosen, observer, work)
 
 
 def _one_map(model: "HybridModel", converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:

@@ -36,8 +36,6 @@ whereas a beam's length trades with its other parameters."""
 _DRAWN_WELLS = 22.4e-3
 """Distance [m] of the wells of the set `nominal`."""
 _ROUNDED = 1.01
-MOST = 3000.0
-"""Largest voltage [V] where the user names none."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +45,7 @@ class ControlSettings:
     Attributes
     ----------
     max_voltage : float or None
-        Largest voltage [V]; the largest trained one if left out, 3 kV at most.
+        Largest voltage [V]; `ControlRun.limit` if left out.
     lag : float or None
         Time constant of the converters [s]; that of the voltage steps in the training logs if left out.
     """
@@ -71,23 +69,41 @@ class ControlRun:
         """The artifact that holds the model, and the hash of its content."""
         return {self.artifact: self.run.record(self.artifact).content_hash}
 
+    @property
+    def limit(self) -> float:
+        """Largest voltage [V] that was trained and that the film stands."""
+        return float(min(self.model.joint.largest_voltage, device(self.prototype).voltage_limit))
+
     def highest(self, settings: ControlSettings) -> float:
         """Largest voltage [V].
 
         Raises
         ------
         InputError
-            It lies outside the trained range.
+            It lies outside the trained range, or above what the film stands.
         """
-        trained = self.model.joint.largest_voltage
-        wanted = min(trained, MOST) if settings.max_voltage is None else settings.max_voltage
-        if wanted <= 0.0 or not self.within_trained(wanted):
-            raise InputError(f"--max-voltage {wanted:g} V: outside the trained range, 0 to {trained:.0f} V")
-        return float(min(wanted, trained))
+        wanted = self.limit if settings.max_voltage is None else settings.max_voltage
+        if wanted <= 0.0:
+            raise InputError(f"--max-voltage {wanted:g} V: give a voltage above 0")
+        self.check_voltages("--max-voltage", wanted)
+        return min(wanted, self.limit)
 
-    def within_trained(self, *voltages: float) -> bool:
-        """Whether all voltages [V] lie in the trained range, by one in a hundred at most above it: users round."""
-        return all(0.0 <= v <= _ROUNDED * self.model.joint.largest_voltage for v in voltages)
+    def check_voltages(self, option: str, *voltages: float) -> None:
+        """Refuse voltages [V] that were not trained or that the film does not stand; 1 % above passes, as users round.
+
+        Raises
+        ------
+        InputError
+            Names `option` and the limit that is passed.
+        """
+        worst, trained = max(voltages, key=abs), self.model.joint.largest_voltage
+        if min(voltages) < 0.0 or worst > _ROUNDED * trained:
+            raise InputError(f"{option} {worst:g} V: outside the trained range, 0 to {trained:.0f} V")
+        if worst > _ROUNDED * self.limit:
+            raise InputError(
+                f"{option} {worst:g} V: above the {self.limit:.0f} V that the film stands; they are film_thickness "
+                "times field_limit in [plant]"
+            )
 
     @property
     def records(self) -> tuple[str, ...]:
@@ -104,16 +120,17 @@ class ControlRun:
         from pipeline.device_facts.converters import converter_lag
 
         if settings.lag is not None:
-            return Converters((settings.lag, settings.lag), GIVEN), "given"
+            return Converters((settings.lag, settings.lag), GIVEN, highest=self.limit), "given"
         tables = [self.run.read_table(name) for name in self.records]
         left, right = (converter_lag([(table["t"], table[v]) for table in tables]) for v in ("v1", "v2"))
         told = [each for each in (left, right) if each is not None]
         if not told:
-            return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET), "assumed"
+            return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET, highest=self.limit), "assumed"
         one, other = left or told[0], right or told[0]
         spread = max(_LEAST_SPREAD, *(each.scatter for each in told))
         counts = " and ".join(str(each.steps if each else 0) for each in (left, right))
-        return Converters((one.lag, other.lag), spread), f"from {counts} voltage steps of the training logs"
+        made = Converters((one.lag, other.lag), spread, highest=self.limit)
+        return made, f"from {counts} voltage steps of the training logs"
 
 
 def control_run(root: Path) -> ControlRun:

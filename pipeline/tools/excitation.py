@@ -12,9 +12,12 @@ from pipeline.joint.equilibria import equilibria
 from pipeline.joint.parameters import JointParameters
 from pipeline.joint.reduced_order import simulate_reduced
 from pipeline.joint.reduction import reduce_joint
+from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.outputs import check_places, new_outputs, rebased
+from pipeline.runs.run_folder import RunFolder
+from pipeline.settings import FIELD_LIMIT
 from pipeline.tools.excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
 
 _COMMAND = "rig excite"
@@ -23,14 +26,13 @@ RATES = (100.0, 100e3)  # Hz, of the sequence that is written
 
 @dataclass(frozen=True)
 class Limits:
-    """What must not be exceeded: voltage of a converter [V], field in an undeformed film [V/m]."""
+    """What must not be exceeded: voltage of a converter [V], field in an undeformed film [V/m].
+
+    Without a field that of the run's settings holds, or the paper's.
+    """
 
     voltage: float = 3e3
-    field: float = 60e6
-
-    def largest(self, parameters: JointParameters) -> float:
-        """The largest voltage [V] that keeps both limits on both membranes."""
-        return min(self.voltage, self.field * min(parameters.left.d0, parameters.right.d0))
+    field: float | None = None
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class Source:
     Attributes
     ----------
     parameters : str
-        Parameter set; of a run it is only used for the thickness of the film.
+        Parameter set.
     run : Path or None
         A run whose model takes the place of the parameter set.
     model : str
@@ -90,7 +92,8 @@ def excite(
         raise InputError(f"--rate {rate:g} Hz: a sequence is written at {RATES[0]:g} to {RATES[1]:g} Hz")
     check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=force)
     parameters = joint_parameters(source.parameters)
-    wanted = replace(wanted, voltage=limits.largest(parameters))
+    film, field = _film(source, parameters)
+    wanted = replace(wanted, voltage=min(limits.voltage, film * (limits.field or field)))
     rng = np.random.default_rng(source.seed)
     design = design_excitation(_simulators(source, parameters, rng), rng, wanted, report=report)
     t = np.arange(round(wanted.duration * rate)) / rate
@@ -98,11 +101,19 @@ def excite(
         "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model or 'headline'})",
         "seed": source.seed,
         "rate_hz": rate,
-        "largest_field_v_per_m": wanted.voltage / min(parameters.left.d0, parameters.right.d0),
+        "largest_field_v_per_m": wanted.voltage / film,
     }
     with new_outputs(output.parent, _COMMAND, force=force) as staged:
         files = save_sequence(staged / output.name, Sequence(t, command(design.bursts, t)), about)
     return design, tuple(rebased(file, staged, output.parent) for file in files)
+
+
+def _film(source: Source, parameters: JointParameters) -> tuple[float, float]:
+    """Thickness of the undeformed film [m] and its largest field [V/m]: of the run's settings, or of the drawing."""
+    if source.run is not None:
+        plant = device(RunFolder.open(source.run).prototype)
+        return plant.film_thickness, plant.field_limit
+    return min(parameters.left.d0, parameters.right.d0), 1e6 * FIELD_LIMIT
 
 
 def description(design: Design) -> dict[str, Any]:
@@ -142,8 +153,6 @@ def _simulators(source: Source, parameters: JointParameters, rng: np.random.Gene
 def _of_run(root: Path, name: str | None) -> Simulator:
     """The motion of a run's model from where one of its logs starts, at rest."""
     from pipeline.loading.run_models import subject
-    from pipeline.runs.run_folder import RunFolder
-
     run = RunFolder.open(root)
     prototype = run.prototype
     if not prototype.may_be_a_joint:

@@ -23,7 +23,7 @@ from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.scoring.cross_validation import NRMSE_COLUMNS
 from pipeline.scoring.wells import wells_of
-from pipeline.settings import Prototype
+from pipeline.settings import FILM, Prototype
 from pipeline.stages import compare, identify
 from pipeline.tools.study import StudyResult, study_result
 
@@ -119,7 +119,7 @@ def _task(prototype: Prototype, parameters: "JointParameters | None", split: Fol
             "algorithm": compare.ALGORITHM,
             **prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         },
-        "plant": prototype.plant.model_dump(mode="json"),
+        "plant": prototype.plant.model_dump(mode="json", exclude=FILM),
         "parameters": parameter_values(parameters),
     }
     return Task(

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.errors import InputError
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer
@@ -34,14 +33,14 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
             "measured": _measured_ringing(found),
         }
 
-    _check_range(control_run(root), voltages)
+    control_run(root).check_voltages("--v1, --v2", *voltages)
     return kept_document(root, "linear", {"voltages": list(voltages)}, observer, work)
 
 
 def linear_models(root: Path, voltages: tuple[float, float]) -> "list[LinearModel]":
     """Equilibria and linear models of a run's joint under constant voltages [V]."""
     found = control_run(root)
-    _check_range(found, voltages)
+    found.check_voltages("v1, v2", *voltages)
     return _linear_models(found, voltages)
 
 
@@ -50,12 +49,6 @@ def _linear_models(found: ControlRun, voltages: tuple[float, float]) -> "list[Li
     from pipeline.control.plant import plant_of
 
     return equilibria(plant_of(found.model), np.array(voltages, dtype=np.float64))
-
-
-def _check_range(found: ControlRun, voltages: tuple[float, float]) -> None:
-    if not found.within_trained(*voltages):
-        v_max = found.model.joint.largest_voltage
-        raise InputError(f"v1, v2: outside the trained range, 0 to {v_max:.0f} V")
 
 
 def bode(model: "LinearModel") -> dict[str, list[float]]:
