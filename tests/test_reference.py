@@ -44,6 +44,8 @@ def _table(model: type[BaseModel]) -> list[str]:
 
 def _toml(default: typing.Any) -> str:
     """A value as a settings file says it; JSON and TOML write those that there are alike."""
+    if isinstance(default, Quantity):
+        return f'`{{ value = {default.value:g}, unit = "{default.unit}" }}`'
     return "–" if default is None else f"`{json.dumps(default)}`"
 
 

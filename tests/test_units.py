@@ -49,7 +49,7 @@ def test_plain_units_are_what_pint_makes_of_them(monkeypatch: pytest.MonkeyPatch
     known = dict(PLAIN)
     monkeypatch.setattr("pipeline.units.PLAIN", {})
     for unit, (factor, symbol) in known.items():
-        found = to_si(unit, (*DISPLACEMENT, *INPUT, *TIME, *MASS.values()), "here")
+        found = to_si(unit, (*DISPLACEMENT, *INPUT, *TIME, *MASS.values(), "V/m"), "here")
         assert (found.factor, found.symbol) == (factor, symbol)
 
 

@@ -91,7 +91,8 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
     rows += [*_correlated_rows(fact, declared), *_law_rows(fact, declared)]
     if declared.joint:
-        rows += [_field_row(fact, declared), *_rest_level_rows(fact, declared), *_scale_rows(fact, declared), *_side_rows(fact)]
+        rows += [_field_row(fact, declared), *_rest_level_rows(fact, declared)]
+        rows += [*_scale_rows(fact, declared), *_side_rows(fact)]
     return rows
 
 
@@ -341,9 +342,7 @@ def _field_row(fact: LogFacts, declared: Declared) -> CheckRow:
     field, limit = float(fact.peaks.max()) / declared.film_thickness, declared.field_limit
     above, film = field > limits.MOST_OF_FIELD * limit, quantity(declared.film_thickness, "m")
     limit_shown = f"{significant(1e-6 * limit)} (+{100.0 * (limits.MOST_OF_FIELD - 1.0):.0f} %)"
-    advice = (
-        f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
-    )
+    advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
     return CheckRow(
         fact.signals.name, "largest field", f"{significant(1e-6 * field)} V/µm", f"≤ {limit_shown} V/µm",
         "note" if above else "ok", None, advice if above else "",

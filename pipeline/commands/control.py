@@ -23,7 +23,7 @@ Lag = Annotated[
     typer.Option(help="Time constant of both converters, with its unit [default: from voltage steps of the logs]."),
 ]
 Most = Annotated[
-    str | None, typer.Option("--max-voltage", help="Largest voltage, with its unit [default: trained, within field_limit].")
+    str | None, typer.Option("--max-voltage", help="Largest voltage, with its unit [default: as trained and allowed].")
 ]
 
 

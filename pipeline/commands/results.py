@@ -178,7 +178,9 @@ Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a t
 
 @study.command()
 def alpha(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Over- and under-smoothing against alpha (figure 11c), in SI units; writes studies/alpha.parquet and .svg.
+    """Over- and under-smoothing against alpha (figure 11c); alpha as the settings take it, the rest in SI units.
+
+    Writes studies/alpha.parquet (all in SI units) and .svg.
 
     Example: debist study alpha runs/P1
     """

@@ -22,6 +22,7 @@ from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.schemas import StudyName
 from pipeline.settings import Prototype, Role
+from pipeline.units import ALPHA_UNIT
 
 
 def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:
@@ -45,7 +46,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         log_checks=_log_checks(run),
         choice=run.record(layout.MODELS).notes.get(CHOICE),
         rails_kept=prototype.ingest.rails == "keep",
-        studies=tuple(_study(run, name, plant) for name in studies),
+        studies=tuple(read_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
     )
 
@@ -79,9 +80,15 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
     return (*told, *run.record(layout.MODELS).notes.get("accepted", ()))
 
 
-def _study(run: RunFolder, name: StudyName, plant: Device) -> Study:
+def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
+    """A study in SI units, but for the regularisation parameter, which is in the unit that the settings take."""
+    columns = run.read_table(layout.study(name))
     units = {column.name: column.unit for column in plant.schema(schemas.STUDIES[name]).columns}
-    return Study(name, run.read_table(layout.study(name)), units)
+    if name == "alpha":
+        symbol, factor = ALPHA_UNIT[plant.displacement.symbol]
+        order = run.record(layout.study(name)).notes["order"]
+        columns["alpha"], units["alpha"] = columns["alpha"] / factor, f"{symbol}·s^{order}"
+    return Study(name, columns, units)
 
 
 def _models(

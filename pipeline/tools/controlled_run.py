@@ -96,14 +96,15 @@ class ControlRun:
         InputError
             Names `option` and the limit that is passed.
         """
-        worst, trained = max(voltages, key=abs), self.model.joint.largest_voltage
-        if min(voltages) < 0.0 or worst > _ROUNDED * trained:
-            raise InputError(f"{option} {worst:g} V: outside the trained range, 0 to {trained:.0f} V")
-        if worst > _ROUNDED * self.limit:
-            raise InputError(
-                f"{option} {worst:g} V: above the {self.limit:.0f} V that the film stands; they are film_thickness "
-                "times field_limit in [plant]"
-            )
+        trained = self.model.joint.largest_voltage
+        for volts in voltages:
+            if not 0.0 <= volts <= _ROUNDED * trained:
+                raise InputError(f"{option} {volts:g} V: outside the trained range, 0 to {trained:.0f} V")
+            if volts > _ROUNDED * self.limit:
+                raise InputError(
+                    f"{option} {volts:g} V: above the {self.limit:.0f} V that the film stands, field_limit times "
+                    "film_thickness in [plant]"
+                )
 
     @property
     def records(self) -> tuple[str, ...]:

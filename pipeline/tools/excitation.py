@@ -34,6 +34,10 @@ class Limits:
     voltage: float = 3e3
     field: float | None = None
 
+    def largest(self, thickness: float, field: float) -> float:
+        """The largest voltage [V] on a film of a thickness [m] that stands a field [V/m], if none is given here."""
+        return min(self.voltage, thickness * (self.field or field))
+
 
 @dataclass(frozen=True)
 class Source:
@@ -92,8 +96,8 @@ def excite(
         raise InputError(f"--rate {rate:g} Hz: a sequence is written at {RATES[0]:g} to {RATES[1]:g} Hz")
     check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=force)
     parameters = joint_parameters(source.parameters)
-    film, field = _film(source, parameters)
-    wanted = replace(wanted, voltage=min(limits.voltage, film * (limits.field or field)))
+    thickness, field = film(source, parameters)
+    wanted = replace(wanted, voltage=limits.largest(thickness, field))
     rng = np.random.default_rng(source.seed)
     design = design_excitation(_simulators(source, parameters, rng), rng, wanted, report=report)
     t = np.arange(round(wanted.duration * rate)) / rate
@@ -101,14 +105,14 @@ def excite(
         "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model or 'headline'})",
         "seed": source.seed,
         "rate_hz": rate,
-        "largest_field_v_per_m": wanted.voltage / film,
+        "largest_field_v_per_m": wanted.voltage / thickness,
     }
     with new_outputs(output.parent, _COMMAND, force=force) as staged:
         files = save_sequence(staged / output.name, Sequence(t, command(design.bursts, t)), about)
     return design, tuple(rebased(file, staged, output.parent) for file in files)
 
 
-def _film(source: Source, parameters: JointParameters) -> tuple[float, float]:
+def film(source: Source, parameters: JointParameters) -> tuple[float, float]:
     """Thickness of the undeformed film [m] and its largest field [V/m]: of the run's settings, or of the drawing."""
     if source.run is not None:
         plant = device(RunFolder.open(source.run).prototype)
@@ -153,6 +157,7 @@ def _simulators(source: Source, parameters: JointParameters, rng: np.random.Gene
 def _of_run(root: Path, name: str | None) -> Simulator:
     """The motion of a run's model from where one of its logs starts, at rest."""
     from pipeline.loading.run_models import subject
+
     run = RunFolder.open(root)
     prototype = run.prototype
     if not prototype.may_be_a_joint:

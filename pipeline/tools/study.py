@@ -10,6 +10,7 @@ import numpy as np
 
 from pipeline.isolation import in_processes
 from pipeline.loading.device import Device, device
+from pipeline.loading.report_data import read_study
 from pipeline.loading.trajectories import load_motion, sources, training_trajectories, trajectories
 from pipeline.numerics.arrays import sample_interval
 from pipeline.runs import layout, schemas
@@ -77,10 +78,9 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
 
 def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
     """Read a study that was made, and draw it beside its table; `models` decides their colours."""
-    columns = run.read_table(layout.study(name))
-    units = {column.name: column.unit for column in device(prototype).schema(schemas.STUDIES[name]).columns}
-    figure = _draw(run.root, name, columns, units, models)
-    return StudyResult(columns, units, figure, dict(run.record(layout.study(name)).notes))
+    found, notes = read_study(run, name, device(prototype)), dict(run.record(layout.study(name)).notes)
+    columns, units = dict(found.columns), dict(found.units)
+    return StudyResult(columns, units, _draw(run.root, name, columns, units, models), notes)
 
 
 def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:

@@ -54,6 +54,15 @@ def test_honest_logs_of_one_device_pass(pair: list[LogSignals]) -> None:
     assert {row.state for row in rows} == {"ok"}, [row for row in rows if row.state != "ok"]
 
 
+def test_a_field_above_the_limit_is_noted_of_a_joint_alone(pair: list[LogSignals]) -> None:
+    strong = replace(pair[0], v=1.5 * pair[0].v)
+    (row,) = (row for row in check_logs([strong], JOINT) if row.what == "largest field")
+    assert (row.state, row.gate, row.found) == ("note", None, "90.0 V/µm")
+    assert "film_thickness" in row.advice
+    assert [r.state for r in check_logs([strong], replace(JOINT, film_thickness=80e-6)) if r.what == row.what] == ["ok"]
+    assert "largest field" not in {r.what for r in check_logs([strong], replace(JOINT, squared=False))}
+
+
 @pytest.mark.parametrize("rest", [0.0, 5e-6 * (1.0 + 1e-15)])
 def test_a_sensor_that_shows_no_motion_is_named(pair: list[LogSignals], rest: float) -> None:
     q = np.full_like(pair[0].q, rest)

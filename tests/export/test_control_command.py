@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,11 +13,15 @@ from typer.testing import CliRunner
 
 import debist
 from cli import app
+from pipeline.control.ensemble import ensemble_of
+from pipeline.control.lowest_voltage import lowest_voltage
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
+from pipeline.tools.controlled_run import ControlSettings, control_run
+from tests.export.conftest import hybrid
 
 
 def call(*arguments: object, code: int = 0) -> str:
@@ -112,6 +117,19 @@ def test_what_cannot_be_is_one_line(planted_run: Path, arguments: tuple[str, ...
     told = call(command, planted_run, "-q", *options, code=2)
     assert said in told
     assert told.count("\n") == 1
+
+
+def test_no_voltage_of_control_is_above_what_the_film_stands(planted_run: Path, tmp_path: Path) -> None:
+    shutil.copytree(planted_run, tmp_path / "run")
+    settings = RunFolder.open(planted_run).manifest.prototype
+    settings["plant"]["film_thickness"] = {"value": 40.0, "unit": "µm"}
+    root = RunFolder.create(tmp_path / "run", settings, tmp_path / "P.toml").root
+    assert json.loads(call("design", root, "--json", "-q"))["largest_voltage_V"] == pytest.approx(2400.0)
+    for command in (("design", "--max-voltage", "2.9kV"), ("linearise", "--v2", "2.9kV")):
+        assert "above the 2400 V that the film stands" in call(command[0], root, "-q", *command[1:], code=2)
+    limited = control_run(root).converters(ControlSettings(lag=3e-3))[0]
+    assert ensemble_of(hybrid(), 0, limited).highest == pytest.approx(2400.0)
+    assert lowest_voltage(hybrid(), replace(limited, highest=300.0), (-0.011, 0.0, 0.011), "right", 0.5) is None
 
 
 def test_a_folder_without_a_run_is_one_line(tmp_path: Path) -> None:

@@ -25,7 +25,7 @@ def _commit(folder: RunFolder, name: str, notes: dict[str, object]) -> None:
 
 
 def test_the_settings_stand_until_there_is_a_model(run: tuple[RunFolder, Prototype]) -> None:
-    assert identified_models(*run) == ("auto", "rbf-paper")
+    assert identified_models(*run) == ("auto", "rbf", "rbf-paper")
     with pytest.raises(InputError, match="holds no model yet; `debist identify"):
         model_artifact(*run, None)
 

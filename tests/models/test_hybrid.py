@@ -89,6 +89,18 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
 
 
+@pytest.mark.parametrize(("corrections", "follows", "centres"), [("none", False, 0), ("always", True, BASIS_FUNCTIONS)])
+def test_corrections_are_fitted_as_asked_whatever_the_logs_say(
+    corrections: Any, follows: bool, centres: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(identify_hybrid_module._Search, "follows", lambda *_: follows)
+    monkeypatch.setattr(identify_hybrid_module._Search, "anew", lambda search, plain: (plain, search.fit(
+        plain, plain.start(), (0.0,), last=1)))  # fmt: skip
+    model = identify_hybrid([log(joint(PLANTED), 1, 4.0)], NOMINAL, corrections=corrections)
+    assert model.joint.centres == centres == model.describe()["basis_functions"]
+    assert model.describe()["physical_parameters"] == DEVIATIONS
+
+
 def test_electrodes_that_charge_in_20_ms_are_seen() -> None:
     slow = joint({"log charging time": 2.0})
     truth = slow.joint.instruments(slow.theta).charging
@@ -275,7 +287,7 @@ def test_a_hybrid_joint_that_follows_its_logs_is_taken() -> None:
     truth = joint({})
     choice = choose(given(log(truth, 1)), lambda _: truth, never)
     assert choice.model is truth
-    assert choice.equations is None
+    assert choice.other is None
     assert choice.to_json()["chosen"] == "hybrid"
 
 
@@ -289,7 +301,7 @@ def test_what_predicts_the_unseen_rest_better_is_taken() -> None:
 
     choice = choose(training, lambda _: wrong, alone)
     assert choice.model is truth
-    assert choice.equations is wrong
+    assert choice.other is wrong
     assert choice.held_out["rbf"] < 0.001 < 0.01 < choice.held_out["hybrid"]
     assert choice.to_json()["ablation"]["rbf_alone"] == choice.held_out["rbf"]
     length = len(training.records[0].t)
@@ -370,7 +382,7 @@ def test_a_network_of_all_data_that_follows_them_less_well_does_not_replace_the_
     equations = replace(truth, early=joint(WRONG))
     choice = choose(training, lambda _: equations, alone)
     assert choice.model is equations
-    assert choice.equations is None and "less well" in choice.reason
+    assert choice.other is not None and choice.other is not equations and "less well" in choice.reason
     assert limits == [QUICK_TIME, JUDGED_TIME, Identify().time_limit - QUICK_TIME - JUDGED_TIME]
 
 

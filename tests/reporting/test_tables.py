@@ -91,7 +91,15 @@ def test_columns_of_wells_and_their_sentences_go_where_no_row_has_any() -> None:
     assert nrmse_table(rows).extras == ()
     assert headline_table(rows).heading == ("model", "q [%]")
     assert headline_table([rows[0], record("sindy", 0.02)]).heading == ("model", "q [%]", "well", "pulses")
-    assert nrmse_table([rows[0], record("sindy", 0.02)]).explanation == EXPLANATION
+    assert nrmse_table([rows[0], record("sindy", 0.02, basis_functions=3)]).explanation == EXPLANATION
+
+
+def test_how_many_basis_functions_act_stands_beside_the_errors() -> None:
+    rows = [record("hybrid", 0.01, basis_functions=0), record("rbf", 0.02, basis_functions=12), record("sindy", 0.03)]
+    short, long = headline_table(rows), nrmse_table(rows)
+    assert [row[-1] for row in short.rows] == ["0", "12", "–"] == [row.cells[-1].text for row in long.rows]
+    assert short.heading[-1] == "RBFs" and long.extras[-1] == "RBFs [per curve]"
+    assert "equations alone" in short.explanation and "equations alone" in long.explanation
 
 
 @pytest.mark.parametrize("form", ["latex", "markdown"])

@@ -201,6 +201,8 @@ def test_a_study_is_a_table_and_a_figure(copy: tuple[Path, Path], study: str, mo
     columns = {name: np.array(values) for name, values in json.loads(result.stdout)["columns"].items()}
     assert (copy[1] / "studies" / f"{study}.svg").read_text().startswith("<?xml")
     if study == "alpha":  # more regularisation: further from the record, and smoother
+        assert json.loads(result.stdout)["units"]["alpha"] == "mm·s^3"  # as the settings take it
+        np.testing.assert_allclose(columns["alpha"], stage.ALPHAS)
         assert np.all(np.diff(columns["misfit"]) > 0.0)
         assert np.all(np.diff(columns["roughness"]) < 0.0)
     elif study == "basis":  # more functions of one width over distance fit the training data better

@@ -1,6 +1,7 @@
 """`debist paper`: the recipe as printed, on the example logs, and every figure and table under its number."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from pipeline.commands.console import Progress
 from pipeline.joint.parameters import NOMINAL
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.joint_figures import COLOURED
-from pipeline.reporting.paper_page import table_1
+from pipeline.reporting.paper_page import table_1, table_2, table_2_row
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Compare, Prototype, parse_prototype
@@ -57,6 +58,16 @@ def test_the_recipe_meets_the_printed_errors_on_a_training_log(shared_folder: Pa
         if model == "rbf-paper"
     }
     assert {name: pytest.approx(value, abs=0.4) for name, value in PRINTED.items()} == errors
+
+
+def test_printed_errors_stand_beside_training_rows_alone() -> None:
+    """The paper prints errors of its training log."""
+    scores = [
+        {"role": role, "log": "a", "model": "rbf-paper", "signal": "q", "nrmse": nrmse}
+        for role, nrmse in (("validation", None), ("train", 0.03))
+    ]
+    rows = table_2(SimpleNamespace(scores=scores))
+    assert [table_2_row(row)["cells"][0] for row in rows] == [("3.00", "2.1"), ("diverged", "")]
 
 
 def test_table_1_names_every_value_as_printed_and_as_used() -> None:
