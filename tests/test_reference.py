@@ -12,7 +12,7 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.settings import Channel, Channels, Prototype
+from pipeline.settings import Channel, Channels, Prototype, Quantity
 
 DOCS = Path(__file__).resolve().parents[1] / "docs" / "reference"
 

@@ -40,8 +40,9 @@ class LagSearch:
 
     Attributes
     ----------
-    history : FloatArray, shape (iterations + 1, 2)
-        T_z [s] and cost of every accepted step; costs fall from row to row.
+    history : FloatArray, shape (iterations + 1, 4)
+        T_z [s], cost, rank and condition number (of what the rank counts) of every accepted step; costs fall from row
+        to row.
     """
 
     time_constant: float
@@ -115,8 +116,8 @@ class _NormalEquations:
         for j in range(self.curves):
             self.gram[j, :, LAG, :] = self.gram[LAG, :, j, :].T
 
-    def solve(self) -> tuple[FloatArray, float]:
-        """Weights (curves, M) by column-scaled pseudo-inverse, and the cost."""
+    def solve(self) -> tuple[FloatArray, tuple[float, int, float]]:
+        """Weights (curves, M) by column-scaled pseudo-inverse; and the cost, rank and condition number."""
         p = self.curves * self.m
         gram = self.gram.reshape(p, p)
         norms = np.sqrt(np.diag(gram))
@@ -126,7 +127,8 @@ class _NormalEquations:
         coordinates = vectors[:, kept].T @ (self.right.ravel() / scale)
         weights = vectors[:, kept] @ (coordinates / values[kept]) / scale
         cost = 0.5 * (self.energy - float(coordinates @ (coordinates / values[kept]))) / self.samples
-        return weights.reshape(self.curves, self.m), cost
+        condition = float(np.sqrt(values[-1] / values[kept][0]))
+        return weights.reshape(self.curves, self.m), (cost, int(kept.sum()), condition)
 
     def gradient(self, weights: FloatArray, time_constant: float) -> float:
         """D cost / d ln T_z at fixed weights, which is the total derivative where the weights are optimal."""
@@ -166,17 +168,17 @@ def search_lag(
     equations = _NormalEquations(stretches)
     low, high = np.log(bounds[0]), np.log(bounds[1])
 
-    def evaluate(x: float) -> tuple[FloatArray, float]:
+    def evaluate(x: float) -> tuple[FloatArray, tuple[float, int, float]]:
         equations.update(float(np.exp(x)))
         return equations.solve()
 
     x = float(np.clip(np.log(start), low, high))
-    weights, cost = evaluate(x)
+    weights, (cost, *conditioning) = evaluate(x)
     slope = equations.gradient(weights, float(np.exp(x)))
-    history, evaluations, step, converged = [(float(np.exp(x)), cost)], 1, 0.5, False
+    history, evaluations, step, converged = [(float(np.exp(x)), cost, *conditioning)], 1, 0.5, False
     while len(history) <= MOST_STEPS and not converged:
         trial = float(np.clip(x - np.sign(slope) * step, low, high))
-        trial_weights, trial_cost = evaluate(trial)
+        trial_weights, (trial_cost, *conditioning) = evaluate(trial)
         evaluations += 1
         if trial_cost < cost:
             trial_slope = equations.gradient(trial_weights, float(np.exp(trial)))
@@ -184,7 +186,7 @@ def search_lag(
             converged = cost - trial_cost <= FLAT * cost
             step = min(abs(trial_slope / bend), 1.5) if bend > 0.0 else min(2.0 * step, 1.5)
             x, cost, slope = trial, trial_cost, trial_slope
-            history.append((float(np.exp(x)), cost))
+            history.append((float(np.exp(x)), cost, *conditioning))
         else:
             step *= 0.3
             converged = step < 1e-4 or trial == x

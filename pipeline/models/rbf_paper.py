@@ -87,7 +87,8 @@ class RbfPaperModel:
     spread : FloatArray, shape ((2 + K)·M, rank)
         Factor S of the weights' covariance S Sᵀ, in their units.
     diagnostics : dict
-        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged, visits per centre.
+        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged, lag_search
+        (T_z, cost, rank and condition number of each accepted step), visits per centre.
     """
 
     centres: FloatArray
@@ -325,6 +326,7 @@ def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
         "samples": fit.samples,
         "lag_iterations": search.iterations,
         "lag_converged": search.converged,
+        "lag_search": dict(zip(("lag_s", "cost", "rank", "condition"), search.history.T.copy(), strict=True)),
     }
 
 

@@ -32,6 +32,16 @@ def basis_figure(centres: FloatArray, width: float, weights: FloatArray) -> Figu
     return Figure("basis", "Basis functions", "", "q", "m", panels, columns=2)
 
 
+def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
+    """Rank and condition number at each accepted step of the search for T_z (§ 4.2)."""
+    lag, panels = search["lag_s"], []
+    for title, key in (("rank", "rank"), ("condition number", "condition")):
+        path = Line("accepted steps", "measured", lag, search[key], "solid")
+        taken = Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring")
+        panels.append(Panel(title, "1", (path,), points=(taken,)))
+    return Figure("lag-search", "Search for T_z", "", "T_z", "s", tuple(panels), columns=2, x_log=True)
+
+
 def signals_figure(log: LogData) -> Figure:
     """Figure 11a: voltages, position, velocity and acceleration of a log."""
     table, t = log.kinematics, log.kinematics["t"]

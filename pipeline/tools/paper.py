@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.figure import Figure
     from pipeline.signals.differentiate import AlphaStudy
 
-ALGORITHM = "2"
+ALGORITHM = "3"
 RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6, reweighted=False, rate="signals")
 """§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
 SAMPLE_INTERVAL = 0.01
@@ -48,6 +48,7 @@ FIGURES = {
     "fig-06": "Fig. 6: modes of the beam, and the static path",
     "fig-07": "Fig. 7: full-order against reduced model",
     "fig-08": "Fig. 8b: basis functions",
+    "lag-search": "§ 4.2: rank and condition number along the search for T_z",
     "fig-11a": "Fig. 11a: excitation and measured motion",
     "fig-11b": "Fig. 11b: number and width of the basis functions",
     "fig-11c": "Fig. 11c: regularisation parameter",
@@ -195,7 +196,7 @@ def joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
 
 
 def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "dict[str, Figure]":
-    """Figures 8 and 11 to 15: the recipe on the logs."""
+    """Figures 8 and 11 to 15, and the search for T_z: the recipe on the logs."""
     from pipeline.device_facts.run_data import wells_of_run
     from pipeline.models.rbf_paper import RbfPaperModel
     from pipeline.reporting import recipe_figures as draw
@@ -216,6 +217,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "d
     shown = {name: data.models[name] for name in DRAWN if name in data.models}
     figures = {
         "fig-08": draw.basis_figure(network.centres, network.width, network.weights[0]),
+        "lag-search": draw.lag_figure(network.diagnostics["lag_search"]),
         "fig-11a": draw.signals_figure(training),
         "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, study[1]),
         "fig-11c": draw.alpha_figure(*_alpha_study(training.kinematics), float(RECIPE.alpha)),

@@ -91,6 +91,10 @@ def test_two_halves_of_a_log_identify_as_the_whole_but_for_the_restarted_lag(log
 def test_the_lag_is_a_minimum_of_the_cost(log):
     model = identify_rbf_paper([log], mass=MASS)
     assert model.diagnostics["lag_converged"]
+    search = model.diagnostics["lag_search"]
+    assert search["lag_s"][-1] == model.lag and np.all(np.diff(search["cost"]) < 0.0)
+    assert search["rank"][-1] == model.diagnostics["rank"]
+    assert search["condition"][-1] == pytest.approx(model.diagnostics["condition"], rel=1e-3)
 
     def residual(lag):
         from pipeline.identification.rbf import basis_values, curve_signals, regressor
