@@ -38,7 +38,7 @@ _HORIZONS = (
 )
 _WELLS, _SWITCHES, _OUTSIDE, _AMBIGUOUS = "wells", "switches", "outside", "ambiguous [pulses]"
 _RBFS = "RBFs [per curve]"
-RBFS_EXPLANATION = "RBFs: basis functions that act in each curve; hybrid with 0 is the joint's fitted equations alone."
+RBFS_EXPLANATION = "RBFs: basis functions that act; hybrid with 0 is its fitted equations alone."
 _TIMES = ("rise [ms]", "settling [ms]")
 _COLUMNS = {
     (_WELLS,): "Wells: share of samples in the measured well.",
