@@ -15,10 +15,10 @@ from pydantic import (
     ConfigDict,
     Field,
     GetCoreSchemaHandler,
+    PlainValidator,
     ValidationError,
     model_validator,
 )
-from pydantic_core import CoreSchema, core_schema
 
 from pipeline.errors import CorruptArtifactError
 from pipeline.joint.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
@@ -56,8 +56,8 @@ class Table:
     most: float = LARGEST
     whole: bool = False
 
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        return core_schema.no_info_plain_validator_function(self._checked)
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> Any:
+        return PlainValidator(self._checked).__get_pydantic_core_schema__(source, handler)
 
     def _checked(self, value: Any) -> Any:
         """The array with contiguous rows, as float64 or int64."""
