@@ -82,6 +82,17 @@ def _without_parameter_set() -> None:
     narx_run(equation, v, 0.0, 0.0)
 
 
+def _network() -> None:
+    from pipeline.identification.viscoelastic_joint import Coefficients, basis, no_sensitivities, observed_run, slid
+
+    x, u, one = np.zeros(2), np.zeros((3, 2)), np.ones(1)
+    joint = Coefficients(np.zeros((5, 5)), one, one, one, np.zeros(2), one, 1.0, -1.0, 1.0, np.zeros(2), 0.0, np.zeros(0))
+    wrt = no_sensitivities()
+    observed_run(u, np.zeros((0, 3, 2)), x, x, 0.0, (0.0, 0.0), 0.01, 1, joint, wrt, np.zeros(2), False)
+    basis(x, joint)
+    slid(x, 1.0)
+
+
 def _analytical() -> None:
     from pipeline.joint.equilibria import tip_values
     from pipeline.joint.full_order import rest_state, simulate
@@ -148,5 +159,5 @@ def _control() -> None:
     closed_on_model(law, condensed_joint_law(plant, (0.003, 0.003)), -0.01, np.zeros(2))
 
 
-GROUPS = ((_hybrid, _control), (_analytical, _without_parameter_set, _measured, _rig))
+GROUPS = ((_hybrid, _control), (_analytical, _without_parameter_set, _network, _measured, _rig))
 """What is compiled in one process each, by about the same time; kernels that share others stand together."""

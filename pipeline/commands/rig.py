@@ -1,14 +1,22 @@
 """`debist rig`: raw logs of simulated prototypes with their truth beside them, and voltage sequences for a real rig."""
 
 import shlex
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Quiet, emit_json, emit_text, progress_report, working
+from pipeline.commands.options import with_options
+
+if TYPE_CHECKING:
+    from pipeline.rig.fleet import Experiment
+    from pipeline.tools.closed_loop import ClosedLoopOptions
+    from pipeline.tools.excitation import Limits, Source
+    from pipeline.tools.excitation_design import Requirements
 
 app = group("The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.")
 
@@ -16,42 +24,70 @@ Folder = Annotated[
     Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write into; made if missing.")
 ]
 Seed = Annotated[int, typer.Option(help="Draws everything that is random.", min=0)]
-Kind = Annotated[
-    str, typer.Option(help="same, foreign (physics as in the analytical model, or other), nominal, table1.")
-]
 Format = Annotated[str, typer.Option("--format", help="mat, mat73, mf4, csv, csv-de, parquet.")]
 Rate = Annotated[float, typer.Option(help="Samples per second [Hz], a multiple of 2000.")]
-Duration = Annotated[float, typer.Option(help="Length of each log [s].")]
-Faults = Annotated[str, typer.Option(help="Any of gaps,dropouts,saturation,nan,repeats; comma-separated.")]
-Charging = Annotated[
-    str, typer.Option("--charging-time", help="Time constant of each membrane behind its electrodes, with its unit.")
-]
-Train = Annotated[int, typer.Option(help="Number of training logs.", min=1, max=99)]
-Validation = Annotated[int, typer.Option(help="Number of validation logs.", min=0, max=99)]
 
 
-@app.command()
-def simulate(
-    output: Folder = Path("virtual"),
-    seed: Seed = 1,
-    kind: Kind = "same",
-    form: Format = "mat",
-    rate: Rate = 30_000.0,
-    duration: Duration = 37.5,
-    train: Train = 1,
-    validation: Validation = 1,
+@dataclass(frozen=True)
+class SimulatedLogs:
+    """What the logs of a simulated prototype are like."""
+
+    kind: Annotated[
+        str, typer.Option(help="same, foreign (physics as in the analytical model, or other), nominal, table1.")
+    ] = "same"
+    form: Format = "mat"
+    rate: Rate = 30_000.0
+    duration: Annotated[float, typer.Option(help="Length of each log [s].")] = 37.5
+    faults: Annotated[str, typer.Option(help="Any of gaps,dropouts,saturation,nan,repeats; comma-separated.")] = ""
+    charging: Annotated[
+        str,
+        typer.Option("--charging-time", help="Time constant of each membrane behind its electrodes, with its unit."),
+    ] = "0 s"
+
+    def experiment(self, **more: Any) -> "Experiment":
+        """The experiment on the virtual rig."""
+        from pipeline.rig.faults import parse_faults
+        from pipeline.rig.fleet import Experiment
+
+        return Experiment(
+            self.kind, self.form, self.rate, self.duration, faults=parse_faults(self.faults),
+            charging=_parsed(self.charging, "s", "--charging-time"), **more,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class FleetLogs(SimulatedLogs):
+    """What the logs of many simulated prototypes are like: smaller files."""
+
+    form: Format = "parquet"
+    rate: Rate = 10_000.0
+
+
+@dataclass(frozen=True)
+class LogRoles:
+    """How many logs a prototype has, and which voltages drive it in them."""
+
+    train: Annotated[int, typer.Option(help="Number of training logs.", min=1, max=99)] = 1
+    validation: Annotated[int, typer.Option(help="Number of validation logs.", min=0, max=99)] = 1
     excitation: Annotated[
         str | None,
         typer.Option(
             help="pulses, chirps, both, steps, multisine, mixed, training, validation [default: as the role]."
         ),
-    ] = None,
-    faults: Faults = "",
+    ] = None
     play: Annotated[
         Path | None,
         typer.Option("--play", metavar="FILE", help="Voltages (CSV or MAT, in V) for the training logs."),
-    ] = None,
-    charging: Charging = "0 s",
+    ] = None
+
+
+@app.command()
+@with_options
+def simulate(
+    logs: SimulatedLogs,
+    roles: LogRoles,
+    output: Folder = Path("virtual"),
+    seed: Seed = 1,
     force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -61,17 +97,17 @@ def simulate(
     Displacements in mm or µm and voltages in kV or V, as the format's rig names them; truth in SI units.
     Example: debist rig simulate -o virtual --format csv-de --rate 2000 --faults gaps,nan
     """
-    from pipeline.rig.faults import parse_faults
-    from pipeline.rig.fleet import Experiment, simulate_prototype
-    from pipeline.units import parse_quantity
+    from pipeline.rig.fleet import simulate_prototype
 
-    sequence = None if play is None else str(play)
-    electrodes = parse_quantity(charging, ("s",), "--charging-time")
-    experiment = Experiment(
-        kind, form, rate, duration, train, validation, excitation, parse_faults(faults), sequence, electrodes
+    experiment = logs.experiment(
+        training_logs=roles.train,
+        validation_logs=roles.validation,
+        excitation=roles.excitation,
+        play=None if roles.play is None else str(roles.play),
     )
-    with working(f"simulating {train + validation} logs of {duration:g} s at {rate:g} Hz", quiet=quiet):
-        prototype = simulate_prototype(output, f"{kind}-{seed}", experiment, seed=seed, force=force)
+    count = roles.train + roles.validation
+    with working(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
+        prototype = simulate_prototype(output, f"{logs.kind}-{seed}", experiment, seed=seed, force=force)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
     else:
@@ -79,16 +115,12 @@ def simulate(
 
 
 @app.command()
+@with_options
 def fleet(
+    logs: FleetLogs,
     count: Annotated[int, typer.Argument(help="Number of prototypes.", min=1, max=10_000)] = 10,
     output: Folder = Path("fleet"),
     seed: Seed = 1,
-    kind: Kind = "same",
-    form: Format = "parquet",
-    rate: Rate = 10_000.0,
-    duration: Duration = 37.5,
-    faults: Faults = "",
-    charging: Charging = "0 s",
     force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -97,14 +129,10 @@ def fleet(
 
     Rate in Hz, duration in s. Example: debist rig fleet 24 -o fleet --seed 7
     """
-    from pipeline.rig.faults import parse_faults
-    from pipeline.rig.fleet import Experiment, simulate_fleet
-    from pipeline.units import parse_quantity
+    from pipeline.rig.fleet import simulate_fleet
 
-    electrodes = parse_quantity(charging, ("s",), "--charging-time")
-    experiment = Experiment(kind, form, rate, duration, faults=parse_faults(faults), charging=electrodes)
     prototypes = []
-    for prototype in simulate_fleet(output, count, experiment, seed=seed, force=force):
+    for prototype in simulate_fleet(output, count, logs.experiment(), seed=seed, force=force):
         prototypes.append(prototype)
         if not quiet:
             typer.echo(f"{prototype}", err=True)
@@ -114,35 +142,83 @@ def fleet(
         typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {shlex.quote(str(output))} -o runs")
 
 
-@app.command()
-def excite(
-    output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="FILE", help="Sequence to write: .csv or .mat.")
-    ] = Path("excitation.csv"),
+@dataclass(frozen=True)
+class SimulatedWith:
+    """What the motions under a designed sequence are simulated with."""
+
     parameters: Annotated[
         str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
-    ] = "nominal",
+    ] = "nominal"
     run: Annotated[
         Path | None, typer.Option("--run", metavar="RUN", help="Simulate with the model of this run instead.")
-    ] = None,
-    model: Annotated[str | None, typer.Option(help="Which model of the run [default: the headline].")] = None,
-    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s",
-    rest: Annotated[str, typer.Option(help="Rest before the first burst, with its unit.")] = "1 s",
-    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV",
+    ] = None
+    model: Annotated[str | None, typer.Option(help="Which model of the run [default: the headline].")] = None
+    joints: Annotated[
+        int, typer.Option(help="Joints with workshop tolerances to design for at once.", min=1, max=20)
+    ] = 4
+    seed: Seed = 1
+
+    def source(self) -> "Source":
+        """The same for the design."""
+        from pipeline.tools.excitation import Source
+
+        return Source(self.parameters, self.run, self.model, self.joints, self.seed)
+
+
+@dataclass(frozen=True)
+class SequenceLimits:
+    """What a designed sequence must not exceed."""
+
+    max_voltage: Annotated[str, typer.Option(help="Largest voltage of a converter, with its unit.")] = "3 kV"
     max_field: Annotated[
         str | None,
         typer.Option(help="Largest field in the undeformed film, with its unit [default: the run's, or 60 V/um]."),
-    ] = None,
-    rate: Annotated[str, typer.Option(help="Rate of the written samples, with its unit.")] = "1 kHz",
+    ] = None
+
+    def limits(self) -> "Limits":
+        """The same in SI units."""
+        from pipeline.tools.excitation import Limits
+
+        field = None if self.max_field is None else _parsed(self.max_field, "V/m", "--max-field")
+        return Limits(_parsed(self.max_voltage, "V", "--max-voltage"), field)
+
+
+@dataclass(frozen=True)
+class SequenceForm:
+    """What a designed sequence is made of."""
+
+    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "37.5 s"
+    rest: Annotated[str, typer.Option(help="Rest before the first burst, with its unit.")] = "1 s"
+    rate: Annotated[str, typer.Option(help="Rate of the written samples, with its unit.")] = "1 kHz"
     kinds: Annotated[
         str, typer.Option(help="Bursts to use: any of pulse,both,chirp,steps,multisine; comma-separated.")
-    ] = "pulse,both,chirp,steps,multisine",
-    basis_functions: Annotated[int, typer.Option(help="Basis functions of each curve.", min=2, max=50)] = 10,
-    joints: Annotated[
-        int, typer.Option(help="Joints with workshop tolerances to design for at once.", min=1, max=20)
-    ] = 4,
-    candidates: Annotated[int, typer.Option(help="Bursts tried for each place.", min=1, max=1000)] = 24,
-    seed: Seed = 1,
+    ] = "pulse,both,chirp,steps,multisine"
+    basis_functions: Annotated[int, typer.Option(help="Basis functions of each curve.", min=2, max=50)] = 10
+    candidates: Annotated[int, typer.Option(help="Bursts tried for each place.", min=1, max=1000)] = 24
+
+    def requirements(self) -> "Requirements":
+        """The same in SI units."""
+        from pipeline.rig.faults import listed
+        from pipeline.tools.excitation_design import Requirements
+
+        return Requirements(
+            duration=_parsed(self.duration, "s", "--duration"),
+            rest=_parsed(self.rest, "s", "--rest"),
+            kinds=listed(self.kinds),
+            candidates=self.candidates,
+            basis_functions=self.basis_functions,
+        )
+
+
+@app.command()
+@with_options
+def excite(
+    joint: SimulatedWith,
+    limits: SequenceLimits,
+    form: SequenceForm,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="FILE", help="Sequence to write: .csv or .mat.")
+    ] = Path("excitation.csv"),
     force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -153,40 +229,56 @@ def excite(
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
     from pipeline.commands.excitation import emit_design
-    from pipeline.rig.faults import listed
-    from pipeline.tools.excitation import Limits, Source, description, excite
-    from pipeline.tools.excitation_design import Requirements
-    from pipeline.units import parse_quantity
+    from pipeline.tools.excitation import description, excite
 
-    wanted = Requirements(
-        duration=parse_quantity(duration, ("s",), "--duration"),
-        rest=parse_quantity(rest, ("s",), "--rest"),
-        kinds=listed(kinds),
-        candidates=candidates,
-        basis_functions=basis_functions,
-    )
-    limits = Limits(
-        parse_quantity(max_voltage, ("V",), "--max-voltage"),
-        None if max_field is None else parse_quantity(max_field, ("V/m",), "--max-field"),
-    )
-    source = Source(parameters, run, model, joints, seed)
+    requirements, rate = form.requirements(), _parsed(form.rate, "Hz", "--rate")
     with progress_report("designing", quiet=quiet) as report:
-        told = None if report is None else partial(report, "designing")
         design, files = excite(
-            output, source, wanted, limits, parse_quantity(rate, ("Hz",), "--rate"), report=told, force=force
-        )
+            output, joint.source(), requirements, limits.limits(), rate,
+            report=None if report is None else partial(report, "designing"), force=force,
+        )  # fmt: skip
     if as_json:
         emit_json({"files": files, **description(design)})
     else:
         emit_design(design, files)
 
 
+@dataclass(frozen=True)
+class LoopScenario:
+    """What happens in a closed loop."""
+
+    target: Annotated[
+        str,
+        typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file."),
+    ] = "0s:left,0.5s:right,2.5s:left"
+    start: Annotated[
+        str | None, typer.Option("--from", help="Well it rests in: left, right [default: nearest the first target].")
+    ] = None
+    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "5 s"
+    form: Format = "mat"
+    lag: Annotated[str | None, typer.Option(help="Time constant of the converters [default: the joint's].")] = None
+    highest: Annotated[str, typer.Option(help="Largest voltage of the converters.")] = "3 kV"
+    push: Annotated[str, typer.Option(help="Forces on the tip: START:FORCE:LENGTH,… e.g. 2s:50mN:20ms.")] = ""
+    lost: Annotated[str, typer.Option(help="The laser gives no value: START:LENGTH,… e.g. 3s:0.2s.")] = ""
+    barrier: Annotated[float, typer.Option(help="Change of the energy barrier to the end, in percent.")] = 0.0
+    noise: Annotated[float, typer.Option(help="Factor on the laser's noise.", min=0.0)] = 1.0
+    seed: Annotated[int, typer.Option(help="Draws the noise.", min=0)] = 1
+
+    def options(self) -> "ClosedLoopOptions":
+        """The same for the virtual rig."""
+        from pipeline.tools.closed_loop import ClosedLoopOptions
+
+        return ClosedLoopOptions(**vars(self))
+
+
 @app.command("closed-loop")
+@with_options
 def closed_loop(
     joint: Annotated[
         str,
         typer.Argument(metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, same:SEED, foreign:SEED."),
     ],
+    scenario: LoopScenario,
     controller: Annotated[
         Path | None,
         typer.Option("--controller", "-c", metavar="RUN", help="Run whose controller (`debist control design`) acts."),
@@ -194,25 +286,9 @@ def closed_loop(
     play: Annotated[
         Path | None, typer.Option("--play", metavar="FILE", help="Play voltages instead (CSV or MAT, in V).")
     ] = None,
-    target: Annotated[
-        str,
-        typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file."),
-    ] = "0s:left,0.5s:right,2.5s:left",
-    start: Annotated[
-        str | None, typer.Option("--from", help="Well it rests in: left, right [default: nearest the first target].")
-    ] = None,
-    duration: Annotated[str, typer.Option(help="Length with its unit.")] = "5 s",
     output: Annotated[
         Path, typer.Option("-o", "--output", metavar="FILE", help="Raw log to write; its ending follows the format.")
     ] = Path("closed-loop"),
-    form: Annotated[str, typer.Option("--format", help="mat, mat73, mf4, csv, csv-de, parquet.")] = "mat",
-    lag: Annotated[str | None, typer.Option(help="Time constant of the converters [default: the joint's].")] = None,
-    highest: Annotated[str, typer.Option(help="Largest voltage of the converters.")] = "3 kV",
-    push: Annotated[str, typer.Option(help="Forces on the tip: START:FORCE:LENGTH,… e.g. 2s:50mN:20ms.")] = "",
-    lost: Annotated[str, typer.Option(help="The laser gives no value: START:LENGTH,… e.g. 3s:0.2s.")] = "",
-    barrier: Annotated[float, typer.Option(help="Change of the energy barrier to the end, in percent.")] = 0.0,
-    noise: Annotated[float, typer.Option(help="Factor on the laser's noise.", min=0.0)] = 1.0,
-    seed: Annotated[int, typer.Option(help="Draws the noise.", min=0)] = 1,
     force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -223,11 +299,10 @@ def closed_loop(
 
     Example: debist rig closed-loop virtual --controller runs/P1 --target 0s:left,0.5s:right --push 2s:50mN:20ms
     """
-    from pipeline.tools.closed_loop import ClosedLoopOptions, closed_loop_log
+    from pipeline.tools.closed_loop import closed_loop_log
 
-    options = ClosedLoopOptions(target, duration, form, lag, highest, push, lost, barrier, noise, seed, start)
-    with working(f"simulating {duration} at 1 kHz", quiet=quiet):
-        files, summary = closed_loop_log(joint, controller, play, output, options, force=force)
+    with working(f"simulating {scenario.duration} at 1 kHz", quiet=quiet):
+        files, summary = closed_loop_log(joint, controller, play, output, scenario.options(), force=force)
     if as_json:
         emit_json({"files": files, **summary})
         return
@@ -242,3 +317,9 @@ def closed_loop(
     if "rms_m" in summary:
         emit_text(f"moving reference: RMS error {1e3 * summary['rms_m']:.3f} mm")
     typer.echo("\n".join(map(str, files)))
+
+
+def _parsed(text: str, unit: str, option: str) -> float:
+    from pipeline.units import parse_quantity
+
+    return parse_quantity(text, (unit,), option)
