@@ -1,6 +1,7 @@
 """`debist control`: from the identified joint to linear models, snaps, a switching map and a controller."""
 
 import shlex
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -9,11 +10,22 @@ import typer
 from pipeline.choices import Goal, Well
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
+from pipeline.commands.options import with_options
 
 SWINGS = 5e-5
 """RMS [m] about the unstable equilibrium, in the second half of its time on the model, that is warned of."""
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
+
+
+@dataclass(frozen=True)
+class Snap:
+    """From where to where, and what is to be least."""
+
+    to: Annotated[Well, typer.Option(help="Well to bring the joint to.")]
+    start: Annotated[Well | None, typer.Option("--from", help="Well it rests in [default: the other one].")] = None
+    minimise: Annotated[Goal, typer.Option(help="What is to be least.")] = "time"
+
 
 Run = Annotated[
     Path, typer.Argument(metavar="RUN", help="Run folder with an identified joint of two membranes.", callback=run_of)
@@ -100,11 +112,10 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
 
 
 @app.command()
+@with_options
 def pulse(
     run: Run,
-    to: Annotated[Well, typer.Option(help="Well to bring the joint to.")],
-    start: Annotated[Well | None, typer.Option("--from", help="Well it rests in [default: the other one].")] = None,
-    minimise: Annotated[Goal, typer.Option(help="What is to be least.")] = "time",
+    snap: Snap,
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
@@ -126,15 +137,15 @@ def pulse(
     if output is not None:
         control.check_pulse_name(output)
     with Progress(quiet=quiet) as progress:
-        found = control.pulse(run, to, start, minimise, _settings(max_voltage, lag), progress)
-    place = output or run / layout.EXPORTS / f"pulse-to-{to}.csv"
+        found = control.pulse(run, snap.to, snap.start, snap.minimise, _settings(max_voltage, lag), progress)
+    place = output or run / layout.EXPORTS / f"pulse-to-{snap.to}.csv"
     files = control.write_pulse(run, found, place, force=force)
     if as_json:
         emit_json({"files": files, **found})
         return
     low, high = found["settling_90_s"]
     emit_text(
-        f"to the {to}: {_settles(found['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
+        f"to the {snap.to}: {_settles(found['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
         f"{1e3 * found['overshoot_m']:.2f} mm, switches with probability {found['switching_probability']:.2f}, peak "
         f"{1e-3 * found['largest_voltage_V']:.2f} kV"
     )

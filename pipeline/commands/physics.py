@@ -1,5 +1,6 @@
 """`debist physics`: the analytical model as a design tool."""
 
+from dataclasses import dataclass
 from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -8,6 +9,7 @@ import typer
 
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Quiet, emit_json, emit_table, progress_report
+from pipeline.commands.options import with_options
 from pipeline.errors import InputError
 
 if TYPE_CHECKING:
@@ -18,13 +20,6 @@ if TYPE_CHECKING:
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 
-Parameters = Annotated[
-    str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
-]
-Set = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="NAME=VALUE", help="Replace a parameter, e.g. 'E=1.8 GPa', 'left.b=23.2 mm'."),
-]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document (SI units) on stdout, nothing else there.")]
 
 
@@ -51,10 +46,35 @@ Signals = Annotated[
 ]
 
 
-def _parameters(name: str, overrides: list[str] | None) -> "JointParameters":
-    from pipeline.loading.parameter_sets import joint_parameters
+@dataclass(frozen=True)
+class JointSet:
+    """The parameters of a joint."""
 
-    return joint_parameters(name, overrides=overrides or ())
+    parameters: Annotated[
+        str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
+    ] = "nominal"
+    overrides: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help="Replace a parameter, e.g. 'E=1.8 GPa', 'left.b=23.2 mm'."),
+    ] = None
+
+    def joint(self) -> "JointParameters":
+        """The parameters in SI units."""
+        from pipeline.loading.parameter_sets import joint_parameters
+
+        return joint_parameters(self.parameters, overrides=self.overrides or ())
+
+
+@dataclass(frozen=True)
+class Search:
+    """How the calibration searches."""
+
+    symmetric: Annotated[
+        bool, typer.Option("--paper", help="Only the paper's seven parameters: no asymmetry, no friction.")
+    ] = False
+    starts: Annotated[int, typer.Option(help="Starts of the search, the first at SET.", min=1, max=100)] = 3
+    seed: Annotated[int, typer.Option(help="Draws the other starts.", min=0)] = 0
+    jobs: Annotated[int, typer.Option(help="Threads.", min=1, max=64)] = 2
 
 
 def _quantity(text: str, unit: str, option: str) -> float:
@@ -79,9 +99,9 @@ def _in(value: float | None, factor: float, digits: int) -> str:
 
 
 @app.command()
+@with_options
 def equilibria(
-    parameters: Parameters = "nominal",
-    overrides: Set = None,
+    parameters: JointSet,
     b: Annotated[str | None, typer.Option("--b", help="Height of the mounts with its unit [default: of SET].")] = None,
     v1: Annotated[str, typer.Option("--v1", help="Left voltage with its unit.")] = "0 V",
     v2: Annotated[str, typer.Option("--v2", help="Right voltage with its unit.")] = "0 V",
@@ -95,7 +115,7 @@ def equilibria(
     """
     from pipeline.tools import physics
 
-    joint = _parameters(parameters, overrides)
+    joint = parameters.joint()
     if b is not None:
         joint = physics.with_mounts_at(joint, _quantity(b, "m", "--b"))
     left, right = _quantity(v1, "V", "--v1"), _quantity(v2, "V", "--v2")
@@ -116,9 +136,9 @@ def equilibria(
 
 
 @app.command()
+@with_options
 def curves(
-    parameters: Parameters = "nominal",
-    overrides: Set = None,
+    parameters: JointSet,
     voltage: Voltage = "3 kV",
     figure: Figure = None,
     as_json: Json = False,
@@ -129,7 +149,7 @@ def curves(
     """
     from pipeline.joint.bifurcation import characteristics
 
-    result = characteristics(_parameters(parameters, overrides), voltage=_quantity(voltage, "V", "--voltage"))
+    result = characteristics(parameters.joint(), voltage=_quantity(voltage, "V", "--voltage"))
     path = result.paths["off"]
     _draw(figure, "characteristics_figure", result)
     if as_json:
@@ -157,8 +177,7 @@ def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, 
     """Make a command, named and explained as `show`, that shows motions of the full and the reduced model."""
 
     def command(
-        parameters: Parameters = "nominal",
-        overrides: Set = None,
+        parameters: JointSet,
         signals: Signals = None,
         voltage: Voltage = "3 kV",
         figure: Figure = None,
@@ -167,10 +186,10 @@ def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, 
         """Move the joint, and show it."""
         from pipeline.tools import physics
 
-        joint = _parameters(parameters, overrides)
+        joint = parameters.joint()
         show(joint, physics.simulate(joint, _quantity(voltage, "V", "--voltage"), signals), figure, as_json)
 
-    app.command(show.__name__, help=show.__doc__)(command)
+    app.command(show.__name__, help=show.__doc__)(with_options(command))
 
 
 @_command_on_motions
@@ -240,16 +259,11 @@ def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as
 
 
 @app.command()
+@with_options
 def calibrate(
     kinematics: Annotated[list[Path], typer.Argument(metavar="KINEMATICS…", help="kinematics.parquet of runs.")],
-    parameters: Parameters = "nominal",
-    overrides: Set = None,
-    symmetric: Annotated[
-        bool, typer.Option("--paper", help="Only the paper's seven parameters: no asymmetry, no friction.")
-    ] = False,
-    starts: Annotated[int, typer.Option(help="Starts of the search, the first at SET.", min=1, max=100)] = 3,
-    seed: Annotated[int, typer.Option(help="Draws the other starts.", min=0)] = 0,
-    jobs: Annotated[int, typer.Option(help="Threads.", min=1, max=64)] = 2,
+    parameters: JointSet,
+    search: Search,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the calibrated set as TOML.")
     ] = None,
@@ -266,10 +280,12 @@ def calibrate(
     from pipeline.joint.parameters import QUANTITIES
     from pipeline.tools import physics
 
-    names = PAPER_NAMES if symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
+    names = PAPER_NAMES if search.symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
     with progress_report("calibrating", quiet=quiet) as report:
-        joint = _parameters(parameters, overrides)
-        fit = physics.calibrate(kinematics, joint, names=names, starts=starts, seed=seed, jobs=jobs, report=report)
+        joint = parameters.joint()
+        fit = physics.calibrate(
+            kinematics, joint, names=names, starts=search.starts, seed=search.seed, jobs=search.jobs, report=report
+        )
     if output is not None:
         physics.write_parameters(fit, output, force=force)
     _draw(figure, "calibration_figure", joint, fit)

@@ -1,5 +1,6 @@
 """A run as a whole: made, looked at, drawn."""
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -21,22 +22,31 @@ from pipeline.commands.console import (
     emit_json,
     emit_table,
 )
+from pipeline.commands.options import with_options
 
 
+@dataclass(frozen=True)
+class Shown:
+    """What of a run a figure shows, and how it is set."""
+
+    start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None
+    stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None
+    typeface: Annotated[Typeface, typer.Option("--typeface", help="Typeface of the figure.")] = "sans"
+    model: Annotated[
+        list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
+    ] = None
+
+
+@with_options
 def plot(
     runs: Runs,
+    shown: Shown,
     figure: Annotated[
         str | None, typer.Option("-f", "--figure", help="Name of the figure [default: list them].")
     ] = None,
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."),
-    ] = None,
-    start: Annotated[float | None, typer.Option("--from", help="Start of the stretch, in s or SI.")] = None,
-    stop: Annotated[float | None, typer.Option("--to", help="End of the stretch, in s or SI.")] = None,
-    typeface: Annotated[Typeface, typer.Option("--typeface", help="Typeface of the figure.")] = "sans",
-    model: Annotated[
-        list[str] | None, typer.Option(help="A model to draw; repeat for more [default: as in the report].")
     ] = None,
     force: Force = False,
     as_json: Json = False,
@@ -54,7 +64,9 @@ def plot(
         else:
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
-    written = plot_runs(runs, figure, output, Excerpt(start, stop, model or (), typeface), force=force)
+    written = plot_runs(
+        runs, figure, output, Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface), force=force
+    )
     if as_json:
         emit_json({"written": written})
     else:
