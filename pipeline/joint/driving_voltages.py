@@ -120,7 +120,8 @@ def _charged(v: FloatArray, spacing: float, lag: float) -> tuple[FloatArray, Flo
     found, areas = np.empty_like(v), np.zeros((2, v.shape[1], len(v)))
     kept, mean = _shares(spacing / lag)
     earlier, later, half, third = mean - kept, 1.0 - mean, spacing / 2.0, spacing / 3.0
-    found[0] = v[0]
+    for column in range(v.shape[1]):
+        found[0, column] = v[0, column]
     for i in range(len(v) - 1):
         for column in range(v.shape[1]):
             a = found[i, column]
