@@ -22,7 +22,8 @@ test: $(VENV)/.dev-ready
 
 # What may differ between versions of Python and of libraries, in a minute or two
 quick: $(VENV)/.dev-ready
-	$(BIN)/python -m pytest tests/numerics tests/codegen tests/joint tests/runs tests/rig_logs/test_readers.py \
+	$(BIN)/python -m pytest tests/numerics tests/codegen tests/models/analytical tests/models/hybrid/test_condensed.py \
+	    tests/runs tests/rig_logs/test_readers.py \
 	    tests/test_compiled.py tests/test_isolation.py tests/test_debist.py tests/test_cli.py
 
 test-long: $(VENV)/.dev-ready

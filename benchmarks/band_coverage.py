@@ -16,7 +16,7 @@ import numpy as np
 from scipy.optimize import minimize, root
 
 from debist import open_run
-from pipeline.models.hybrid import HybridModel
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.fleet import Experiment, draw, moving_mass
 from pipeline.rig.joint import membrane_capacitances, potential, rest, tip_displacement

@@ -245,7 +245,7 @@ def reweighted_fits(
     reweightings: int,
 ) -> Iterator[tuple[float, float]]:
     """Errors of a solution and of those after each reweighting, parameters in steps."""
-    from pipeline.numerics.stencils import finite_difference, finite_difference_at_jumps
+    from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
     from pipeline.numerics.tvregdiff import tvregdiff
     from pipeline.signals.smoothing_parameter import jump_weights
 

@@ -15,9 +15,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 
-from pipeline.identification.online import RecursiveLeastSquares
-from pipeline.models.rbf_paper import identify_rbf_paper
-from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
+from pipeline.fitting.regression import pseudo_inverse_fit, triangular_factor
+from pipeline.models.paper.model import identify_rbf_paper
+from pipeline.models.paper.online import RecursiveLeastSquares
 from pipeline.signals.trajectory import Trajectory
 
 SPAN = 37.5  # s

@@ -17,13 +17,12 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from benchmarks.measure import seconds
+from pipeline.device_parameters import NOMINAL
 from pipeline.generated import analytical_joint as kernels
-from pipeline.joint.bifurcation import characteristics
-from pipeline.joint.equilibria import equilibria
-from pipeline.joint.full_order import rest_state, simulate
-from pipeline.joint.parameters import NOMINAL
-from pipeline.joint.reduced_order import pulse_sequence, simulate_reduced
-from pipeline.joint.reduction import reduce_joint
+from pipeline.models.analytical.bifurcation import characteristics
+from pipeline.models.analytical.full_order import rest_state, simulate
+from pipeline.models.analytical.reduced_order import pulse_sequence, reduce_joint, simulate_reduced
+from pipeline.models.analytical.statics import equilibria
 
 
 def line(name: str, value: float, note: str = "") -> None:

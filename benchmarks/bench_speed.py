@@ -50,8 +50,8 @@ run = Path(sys.argv[1])
 _CALIBRATION = (
     _INSIDE
     + """
-from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
-from pipeline.joint.parameters import NOMINAL
+from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
+from pipeline.device_parameters import NOMINAL
 from pipeline.loading.trajectories import trajectories
 from pipeline.runs.tables import read_table
 motions = trajectories(read_table(next(run.glob("train/*/kinematics.parquet"))))
@@ -120,7 +120,7 @@ _LEAST_SQUARES = """
 import sys
 import numpy as np
 from benchmarks.measure import seconds
-from pipeline.numerics.least_squares import pseudo_inverse_fit, triangular_factor
+from pipeline.fitting.regression import pseudo_inverse_fit, triangular_factor
 rows = np.random.default_rng(2).standard_normal((3750, 41))
 ours = lambda: pseudo_inverse_fit(*triangular_factor([rows.copy()]))
 theirs = lambda: np.linalg.lstsq(rows[:, :40], rows[:, 40], rcond=None)

@@ -38,14 +38,14 @@ from pipeline.control.plant import ASSUMED_LAG, plant_of
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import one_step
 from pipeline.control.switching_map import Well, pulses
+from pipeline.device_parameters import NOMINAL
 from pipeline.errors import DebistError, InputError
 from pipeline.export.controller import ControllerSubject, write_controller
-from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import DEVIATIONS
-from pipeline.joint.parameters import NOMINAL
 from pipeline.loading.run_models import load_run_model
-from pipeline.models.hybrid import HybridModel
-from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.problem import DEVIATIONS
+from pipeline.models.paper.model import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench
 from pipeline.rig.controllers import Controller, played
@@ -101,7 +101,7 @@ def identified(folder: Path, kind: str, seed: int) -> Subject:
 def drawing() -> HybridModel:
     """The analytical model with nominal parameters, nothing identified."""
     slope_ratio = condensed_parameters.static_slope_ratio(NOMINAL)
-    from pipeline.joint.condensed_problem import CondensedJoint
+    from pipeline.models.hybrid.problem import CondensedJoint
 
     condensed = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, TOP, slope_ratio)
     theta = np.concatenate([condensed_parameters.nominal_deviations(), condensed.start()[DEVIATIONS:]])

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 from control_fleet import FAST_RAMP, TOP, Subject, identified, impulses, judged, sequence, static_voltage
 
-from pipeline.codegen.sequence import Sequence, sequence_kernel
+from pipeline.codegen.sequence import GraphSequence, sequence_kernel
 from pipeline.compiled import compiled
 from pipeline.control.controller import CONTROL, GRAPHS, PERIOD, begin_control, move
 from pipeline.control.design import Settings
@@ -27,14 +27,14 @@ from pipeline.control.law import CONTROLLER_STATE, PLACES, TARGET_COLUMNS, TARGE
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import ControlledJoint, forces, inertia, plant_of
 from pipeline.generated.condensed_joint import STATES
-from pipeline.joint.condensed_statics import rest_state
+from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.controllers import Controller, python_controller
 from pipeline.rig.loop import Scenario
 
 _GIVEN = CONTROL.given
-_listen = sequence_kernel(Sequence(GRAPHS, CONTROL.calls[:2], _GIVEN))
-_advance = sequence_kernel(Sequence(GRAPHS, CONTROL.calls[2:], _GIVEN))
+_listen = sequence_kernel(GraphSequence(GRAPHS, CONTROL.calls[:2], _GIVEN))
+_advance = sequence_kernel(GraphSequence(GRAPHS, CONTROL.calls[2:], _GIVEN))
 NEAR, TARGET, VOLTS = PLACES["near"].start, PLACES["target"].start, PLACES["volts"]
 Effort = Callable[[FloatArray], float]
 EVERY, HORIZON = 5, 200  # periods

@@ -6,8 +6,8 @@ import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 
-from pipeline.identification.coverage import Coverage
-from pipeline.joint.parameters import NOMINAL
+from pipeline.device_parameters import NOMINAL
+from pipeline.fitting.coverage import Coverage
 from pipeline.reporting.legend import FIXED
 from pipeline.rig.excitation import Burst, alternating_pulses, command
 from pipeline.tools.excitation import drawn_simulators

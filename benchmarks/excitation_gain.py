@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 from measure import Silent
 
+from pipeline.device_parameters import NOMINAL
 from pipeline.errors import DataRefusedError
-from pipeline.joint.parameters import NOMINAL
 from pipeline.loading.report_data import load_scores
 from pipeline.rig.bench import random_bench, record
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation

@@ -1,4 +1,4 @@
-"""Estimates the population prior of `rbf` anew (`pipeline/models/assets/joint_population.npz`).
+"""Estimates the population prior of `rbf` anew (`pipeline/models/rbf/assets/joint_population.npz`).
 
 `debist rig fleet 70 -o FLEET --seed 990100`, then `python benchmarks/joint_population.py FLEET`. The usual structure of
 a bistable joint, its curves smooth and its sides alike to 3 %, is fitted to both logs of each joint, coupled to them;
@@ -17,16 +17,14 @@ import numpy as np
 from measure import Silent
 from population_estimate import Information, estimate_population, information_of, write_population
 
-from pipeline.identification.homotopy import COUPLED
-from pipeline.identification.joint_prior import joint_prior
-from pipeline.identification.joint_problem import JointProblem
-from pipeline.identification.joint_start import starting_joint
-from pipeline.identification.mirror import mirror_image
-from pipeline.identification.parameter_layout import ParameterLayout
+from pipeline.fitting.homotopy import COUPLED
 from pipeline.loading.trajectories import training, training_tables
-from pipeline.models.identify_rbf import identify_rbf
-from pipeline.models.joint_population import ASSET
-from pipeline.models.rbf_candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
+from pipeline.models.rbf.candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
+from pipeline.models.rbf.identify import identify_rbf
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.prior import ASSET, joint_prior, mirror_image
+from pipeline.models.rbf.problem import JointProblem
+from pipeline.models.rbf.start import starting_joint
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import load_prototype

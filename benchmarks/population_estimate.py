@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.identification.descent import Prior
-from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.identification.population import blocks_of
+from pipeline.fitting.descent import Prior
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.prior import blocks_of
 from pipeline.numerics.arrays import FloatArray
 
 ROUNDS = 50
@@ -95,7 +95,7 @@ def estimate_population(
 
 
 def write_population(path: Path, p: ParameterLayout, mean: FloatArray, covariance: FloatArray) -> None:
-    """Write the population of joints of a structure as `pipeline.models.joint_population` reads it."""
+    """Write the population of joints of a structure as `pipeline.models.rbf.prior` reads it."""
     blocks = blocks_of(p)
     root = np.linalg.cholesky(np.linalg.inv(covariance)).T
     path.parent.mkdir(parents=True, exist_ok=True)

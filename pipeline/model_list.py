@@ -37,24 +37,27 @@ class Entry:
 
 
 ENTRIES = (
-    Entry("hybrid", "pipeline.models.identify_hybrid:HYBRID", "identify", stands_in=("one-well", "visits", "rank")),
-    Entry("rbf", "pipeline.models.identify_rbf:RBF", "identify", stands_in=("visits", "rank")),
-    Entry("rbf-paper", "pipeline.models.rbf_paper:RBF_PAPER", "identify"),
-    Entry("sindy", "pipeline.models.sindy:SINDY"),
-    Entry("sindy-default", "pipeline.models.sindy:SINDY_DEFAULT"),
-    Entry("narx", "pipeline.models.narx:NARX"),
-    Entry("analytical", "pipeline.models.analytical:ANALYTICAL", needs_parameters=True),
-    Entry("analytical-calibrated", "pipeline.models.analytical:ANALYTICAL_CALIBRATED", needs_parameters=True),
+    Entry("hybrid", "pipeline.models.hybrid.identify:HYBRID", "identify", stands_in=("one-well", "visits", "rank")),
+    Entry("rbf", "pipeline.models.rbf.identify:RBF", "identify", stands_in=("visits", "rank")),
+    Entry("rbf-paper", "pipeline.models.paper.model:RBF_PAPER", "identify"),
+    Entry("sindy", "pipeline.models.sindy.model:SINDY"),
+    Entry("sindy-default", "pipeline.models.sindy.model:SINDY_DEFAULT"),
+    Entry("narx", "pipeline.models.narx.model:NARX"),
+    Entry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True),
+    Entry("analytical-calibrated", "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED", needs_parameters=True),
 )
 
 CENTRES, SMOOTHING = 10, 0.5
 """M and σ_n of the paper (section 5.2)."""
 
+LAG_START = 0.02
+"""Time constant T_z [s] of the friction state (eq. 37) from which the search for it starts."""
+
 RBF_TIME_LIMIT = 20.0
 """Processor time [s] of an identification of `rbf` by its cost model."""
 
 BASIS_FUNCTIONS = (
-    ("gaussian", "pipeline.equations.gaussian:GAUSSIAN"),
+    ("gaussian", "pipeline.equations.basis_functions:GAUSSIAN"),
 )  # fmt: skip
 """Name of each radial basis function in the settings, and where its law is, from which its kernel is generated."""
 

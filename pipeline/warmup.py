@@ -27,7 +27,7 @@ def warm_up(jobs: int) -> float:
 
 def is_warm() -> bool:
     """Whether the kernels of the default model are in the cache; nothing is imported to find out."""
-    specifications = (find_spec(name) for name in ("pipeline.joint.condensed_runs", "pipeline.solvers.fixed_step"))
+    specifications = (find_spec(name) for name in ("pipeline.models.hybrid.runs", "pipeline.solvers.fixed_step"))
     modules = frozenset(Path(each.origin) for each in specifications if each is not None and each.origin)
     return has_kernels(folder_for(modules))
 
@@ -42,13 +42,12 @@ def _compile(group: int) -> None:
 
 
 def _hybrid() -> None:
-    from pipeline.joint.condensed_curves import static_curves
-    from pipeline.joint.condensed_parameters import constants, instruments, nominal_deviations, static_slope_ratio
-    from pipeline.joint.condensed_runs import run_joints
-    from pipeline.joint.condensed_sensitivity import Driven, sensitivities
-    from pipeline.joint.condensed_statics import substeps
-    from pipeline.joint.driving_voltages import DrivingVoltages
-    from pipeline.joint.parameters import NOMINAL
+    from pipeline.device_parameters import NOMINAL
+    from pipeline.models.hybrid.driving_voltages import DrivingVoltages
+    from pipeline.models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
+    from pipeline.models.hybrid.runs import run_joints
+    from pipeline.models.hybrid.sensitivity import Driven, sensitivities
+    from pipeline.models.hybrid.statics import static_curves, substeps
 
     k = constants(NOMINAL, nominal_deviations(), static_slope_ratio(NOMINAL))
     basis, weights, dt = np.array([-0.01, 0.01, 0.01]), np.zeros((9, 3)), 0.01
@@ -69,9 +68,9 @@ def _hybrid() -> None:
 
 
 def _without_parameter_set() -> None:
-    from pipeline.baselines.narx import NarxEquation, NarxStructure, narx_run
-    from pipeline.baselines.polynomial_dynamics import PolynomialDynamics, free_run
-    from pipeline.solvers.lagged_free_run import lagged_rbf_run
+    from pipeline.models.narx.equation import NarxEquation, NarxStructure, narx_run
+    from pipeline.models.paper.lagged_free_run import lagged_rbf_run
+    from pipeline.models.polynomial_dynamics import PolynomialDynamics, free_run
 
     v = np.zeros((3, 2))
     lagged_rbf_run(v, True, 0.01, 1, (0.0, 0.0), np.zeros(2), np.zeros((2, 4)), 1.0, 1.0, (-1.0, 1.0))
@@ -94,12 +93,11 @@ def _network() -> None:
 
 
 def _analytical() -> None:
-    from pipeline.joint.equilibria import tip_values
-    from pipeline.joint.full_order import rest_state, simulate
-    from pipeline.joint.parameters import NOMINAL
-    from pipeline.joint.reduced_order import friction_state, maxwell_strains
-    from pipeline.joint.reduction import reduce_joint
-    from pipeline.joint.sensitivity import state_sensitivities
+    from pipeline.device_parameters import NOMINAL
+    from pipeline.models.analytical.full_order import rest_state, simulate
+    from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains, reduce_joint
+    from pipeline.models.analytical.sensitivity import state_sensitivities
+    from pipeline.models.analytical.statics import tip_values
     from pipeline.solvers.stiff import STATES
 
     t, v = np.array([0.0, 1e-4]), np.zeros((2, 2))
@@ -114,9 +112,9 @@ def _analytical() -> None:
 
 def _measured() -> None:
     """What looks at measured motions: differentiation, and the paper's search for its lag."""
-    from pipeline.identification.lag_search import pair_products
-    from pipeline.identification.rbf import basis_values
-    from pipeline.numerics.lag import first_order_lag
+    from pipeline.fitting.regression import basis_values
+    from pipeline.models.paper.lag_search import pair_products
+    from pipeline.numerics.linear_filters import first_order_lag
     from pipeline.signals.differentiate import differentiate
 
     samples = np.sin(0.1 * np.arange(40.0)) + 0.01 * (np.arange(40) % 3)
@@ -145,10 +143,10 @@ def _control() -> None:
     from pipeline.control.design import Settings, condensed_joint_law, design
     from pipeline.control.law import CONTROLLER_STATE
     from pipeline.control.plant import plant_of
-    from pipeline.joint.condensed_parameters import static_slope_ratio
-    from pipeline.joint.condensed_problem import CondensedJoint
-    from pipeline.joint.parameters import NOMINAL
-    from pipeline.models.hybrid import HybridModel
+    from pipeline.device_parameters import NOMINAL
+    from pipeline.models.hybrid.model import HybridModel
+    from pipeline.models.hybrid.parameters import static_slope_ratio
+    from pipeline.models.hybrid.problem import CondensedJoint
 
     joint = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, static_slope_ratio(NOMINAL))
     theta, state = joint.start(), np.zeros(CONTROLLER_STATE)

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pipeline.models.file_columns import TEXT, column_of
+from pipeline.models.model_file import TEXT, column_of
 from pipeline.runs.hashing import flatten
 
 UNITS = {"q": "m", "v": "V", "m": "kg", "c": "N/m", "F": "N", "d": "N·s/m", "g": "N/V²"}

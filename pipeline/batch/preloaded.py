@@ -9,7 +9,7 @@ import numpy as np
 from pipeline.signals.differentiate import differentiate
 
 _ROOMS = (
-    "numerics", "solvers", "generated", "signals", "joint", "runs", "rig_logs", "scoring", "identification", "models",
+    "numerics", "solvers", "generated", "signals", "runs", "rig_logs", "scoring", "fitting", "models",
     "device_facts", "loading", "checks", "stages",
 )  # fmt: skip
 _WITHIN_FUNCTIONS = (
@@ -19,7 +19,7 @@ _WITHIN_FUNCTIONS = (
 """Packages of `pipeline` that a run uses, and what they import within functions."""
 
 for room in _ROOMS:
-    for module in pkgutil.iter_modules([str(Path(__file__).parents[1] / room)], f"pipeline.{room}."):
+    for module in pkgutil.walk_packages([str(Path(__file__).parents[1] / room)], f"pipeline.{room}."):
         importlib.import_module(module.name)
 for name in _WITHIN_FUNCTIONS:
     importlib.import_module(name)

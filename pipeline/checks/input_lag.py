@@ -6,7 +6,7 @@ import numpy as np
 
 from pipeline.checks.weak_form import LogSignals, WeakTerms, scales_of, unexplained, weak_terms
 from pipeline.numerics.arrays import samples_of
-from pipeline.numerics.lag import first_order_lag
+from pipeline.numerics.linear_filters import first_order_lag
 
 LAGS = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0)
 """Time constants that are tried, in sample intervals of the identification."""

@@ -1,6 +1,6 @@
 """Every limit of the checks with its reason; measured ranges are those of twenty honest pairs of logs (docs)."""
 
-from pipeline.joint.parameters import NOMINAL
+from pipeline.device_parameters import NOMINAL
 
 MOST_DELAY = 2.5
 """Sample intervals between an input and the answer of q. Drives, probes, sensors and the creep of the membranes shift

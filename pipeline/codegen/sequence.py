@@ -22,7 +22,7 @@ Call = tuple[str, dict[str, str]]
 
 
 @dataclass(frozen=True)
-class Sequence:
+class GraphSequence:
     """Calls of graphs.
 
     Attributes
@@ -61,7 +61,7 @@ class Sequence:
         return [array for array in self.given if array in outputs]
 
 
-def sequence_kernel(sequence: Sequence) -> Any:
+def sequence_kernel(sequence: GraphSequence) -> Any:
     """A function for compiled code of one tuple: the given arrays, float64 and contiguous."""
 
     def generate(context, builder, signature, arrays):
@@ -108,7 +108,7 @@ def _function(module: Any, name: str, graph: Graph) -> Any:
     return module.globals[known]
 
 
-def c_sequence(name: str, sequence: Sequence) -> Code:
+def c_sequence(name: str, sequence: GraphSequence) -> Code:
     """A static C function of the given arrays; those of its graphs are made by `c_function`."""
     changed = sequence.changed()
     given = ", ".join(f"{'' if array in changed else 'const '}real *{array}" for array in sequence.given)
@@ -118,7 +118,7 @@ def c_sequence(name: str, sequence: Sequence) -> Code:
     return Code(f"static void {name}({given})\n{{\n" + "".join(f"    {line}\n" for line in body) + "}\n")
 
 
-def matlab_sequence(name: str, sequence: Sequence) -> Code:
+def matlab_sequence(name: str, sequence: GraphSequence) -> Code:
     """A MATLAB function that takes the given arrays and returns those that it changes.
 
     A graph leaves some entries of an output as they are, so arrays exist before they are filled.

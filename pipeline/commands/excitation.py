@@ -9,7 +9,7 @@ import typer
 from pipeline.commands.console import emit_table, emit_text
 
 if TYPE_CHECKING:
-    from pipeline.identification.coverage import Coverage
+    from pipeline.fitting.coverage import Coverage
     from pipeline.numerics.arrays import FloatArray
     from pipeline.tools.excitation_design import Design
 

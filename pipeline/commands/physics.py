@@ -15,8 +15,8 @@ from pipeline.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from pipeline.joint.parameters import JointParameters
-    from pipeline.joint.reduced_order import Motions
+    from pipeline.device_parameters import JointParameters
+    from pipeline.models.analytical.reduced_order import Motions
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 
@@ -147,7 +147,7 @@ def curves(
 
     Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg
     """
-    from pipeline.joint.bifurcation import characteristics
+    from pipeline.models.analytical.bifurcation import characteristics
 
     result = characteristics(parameters.joint(), voltage=_quantity(voltage, "V", "--voltage"))
     path = result.paths["off"]
@@ -223,7 +223,7 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
 
     Example: debist physics modes --voltage 2.5kV --figure modes.svg
     """
-    from pipeline.joint.reduction import beam_modes
+    from pipeline.models.analytical.reduced_order import beam_modes
 
     if motions.full.diverged_at is not None:
         raise InputError(f"the motion diverges at {motions.full.diverged_at:.2f} s: lower the voltage")
@@ -276,8 +276,8 @@ def calibrate(
 
     Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
     """
-    from pipeline.joint.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
-    from pipeline.joint.parameters import QUANTITIES
+    from pipeline.device_parameters import QUANTITIES
+    from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from pipeline.tools import physics
 
     names = PAPER_NAMES if search.symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES

@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.codegen.graph import trace
-from pipeline.codegen.sequence import Sequence, sequence_kernel
+from pipeline.codegen.sequence import GraphSequence, sequence_kernel
 from pipeline.compiled import compiled
 from pipeline.control import estimator, feedback
 from pipeline.control.estimator import ESTIMATED, PERIOD, SIZES
@@ -46,19 +46,19 @@ _MOVE = (
     ("finish", dict[str, str]()),
 )
 """One step of classical Runge-Kutta; the state begins with x."""
-BEGIN = Sequence(GRAPHS, (("begin", {}),), ("s", "told", "e", "rests"))
-MOVE = Sequence(GRAPHS, (("lag", {}), *_MOVE), ("s", "v", "e", "prepared", "curves"))
-CONTROL = Sequence(
+BEGIN = GraphSequence(GRAPHS, (("begin", {}),), ("s", "told", "e", "rests"))
+MOVE = GraphSequence(GRAPHS, (("lag", {}), *_MOVE), ("s", "v", "e", "prepared", "curves"))
+CONTROL = GraphSequence(
     GRAPHS,
     (("listen", {}), ("decide", {}), ("lag", {}), ("spread", {}), *_MOVE, ("check", {})),
     ("s", "told", "v", "e", *TABLES),
 )
-OBSERVE = Sequence(
+OBSERVE = GraphSequence(
     GRAPHS,
     (("heed", {}), ("listen", {}), ("lag", {}), ("spread", {}), *_MOVE, ("check", {})),
     ("s", "told", "v", "e", *TABLES[:4]),
 )
-ESTIMATE = Sequence(GRAPHS, (("known_state", {}),), ("s", "estimate", "e"))
+ESTIMATE = GraphSequence(GRAPHS, (("known_state", {}),), ("s", "estimate", "e"))
 
 _begin, _move, _control = sequence_kernel(BEGIN), sequence_kernel(MOVE), sequence_kernel(CONTROL)
 _observe, _estimate = sequence_kernel(OBSERVE), sequence_kernel(ESTIMATE)

@@ -15,9 +15,8 @@ from pipeline.control.plant import ASSUMED_LAG, ControlledJoint
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STOPS
 from pipeline.generated.condensed_joint_jacobian import PREPARE
-from pipeline.joint.condensed_kernels import INDEX
-from pipeline.joint.condensed_statics import rest_state
-from pipeline.joint.correction_table import CURVES, table_span, tabulate
+from pipeline.models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
+from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
 BEYOND = 1.5e-3

@@ -7,8 +7,8 @@ import numpy as np
 from scipy.special import ndtri
 
 from pipeline.control.estimator import PERIOD
-from pipeline.joint.condensed_runs import run_joints
-from pipeline.models.hybrid import HybridModel
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.runs import run_joints
 from pipeline.numerics.arrays import FloatArray
 
 INTERVAL = 4e-3

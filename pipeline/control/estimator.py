@@ -20,7 +20,7 @@ from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, P
 from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, INERTIA, RATES, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN
 from pipeline.generated.terms import STOP_OPERATOR
-from pipeline.joint.correction_table import CURVED, CURVES
+from pipeline.models.hybrid.kernels import CURVED, CURVES
 from pipeline.solvers.fixed_step import ALL_SHARES, SHARES
 
 Values = list[Any]

@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError
 from pipeline.generated.condensed_joint import FIRST_STRAIN, PREPARE, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
-from pipeline.joint.correction_table import CURVES
+from pipeline.models.hybrid.kernels import CURVES
 from pipeline.numerics.arrays import FloatArray
 
 CORRECTED = FIRST_STRAIN
@@ -81,7 +81,7 @@ class Law(NamedTuple):
     prepared, slopes : FloatArray
         Constants of the joint, prepared for its rates and for their derivatives.
     curves : FloatArray, shape (cells, 6, CURVES)
-        Corrections of the joint as quintics (`pipeline.joint.correction_table`).
+        Corrections of the joint as quintics (`pipeline.models.hybrid.kernels`).
     rests : FloatArray, shape (RESTS, 3)
         Slope, interior shape and stop operators of a joint at rest without voltage, from −`farthest` to `farthest`.
     targets : FloatArray, shape (TARGETS, len(TARGET_COLUMNS))

@@ -9,8 +9,8 @@ import numpy as np
 from pipeline.control.plant import NAMES, UNITS, Constants, ControlledJoint, forces, slow_rates
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import DRY_LEVELS, STATES
-from pipeline.joint.condensed_kernels import INDEX, prepare
-from pipeline.joint.condensed_statics import rest_state, still
+from pipeline.models.hybrid.kernels import INDEX, prepare
+from pipeline.models.hybrid.statics import rest_state, still
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import outermost_pair
 

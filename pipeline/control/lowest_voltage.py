@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.choices import Well
 from pipeline.control.ensemble import Converters, Ensemble, ensemble_at
 from pipeline.control.switching_map import pulses
-from pipeline.models.hybrid import HybridModel
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
 

@@ -7,11 +7,11 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import BRANCHES, ELEMENT_STATES, STOPS
-from pipeline.joint.condensed_kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare, rest_forces
+from pipeline.models.hybrid.kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare, rest_forces
 from pipeline.numerics.arrays import FloatArray
 
 if TYPE_CHECKING:
-    from pipeline.models.hybrid import HybridModel
+    from pipeline.models.hybrid.model import HybridModel
 
 NAMES = (
     "q", "q_dot", "tau", "tau_dot", "beta", "beta_dot",

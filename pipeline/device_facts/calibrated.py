@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.joint.condensed_parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS, PRIOR_STD
-from pipeline.joint.parameters import QUANTITIES, VECTOR_NAMES
+from pipeline.device_parameters import QUANTITIES, VECTOR_NAMES
 from pipeline.models.base import DynamicModel
-from pipeline.models.hybrid import HybridModel
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS, PRIOR_STD
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
 from pipeline.units import POWERS

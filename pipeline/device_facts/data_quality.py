@@ -4,7 +4,7 @@ import numpy as np
 
 from pipeline.device_facts.grades import Check, graded
 from pipeline.device_facts.run_data import LogData, RunData
-from pipeline.identification.coverage import coverage
+from pipeline.fitting.coverage import coverage
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import percent, quantity, significant

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.identification.coverage import FEW
-from pipeline.identification.excitation import Excitation
+from pipeline.fitting.coverage import FEW
+from pipeline.fitting.excitation import Excitation
 from pipeline.numerics.arrays import runs_of
 from pipeline.scoring.wells import NoWells, Wells
 

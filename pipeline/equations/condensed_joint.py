@@ -18,7 +18,7 @@ quasi-static slope, because while it snaps the beam is not where a function of q
 −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
 joint stays passive; c never takes more than half of the beam's own loss, in whatever direction.
 
-States and constants: `pipeline.equations.condensed_symbols`.
+States and constants: `pipeline.equations.condensed_parts`.
 """
 
 from dataclasses import dataclass
@@ -26,11 +26,9 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline.equations import elements, membrane
+from pipeline.equations import elements
 from pipeline.equations.beam import STIFFNESS_BB, STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, Expression
-from pipeline.equations.condensed_beam import beam_gradient, shortening
-from pipeline.equations.condensed_frame import FrameAngle, frame_angle, frame_inertia
-from pipeline.equations.condensed_symbols import (
+from pipeline.equations.condensed_parts import (
     AT_REST,
     BRANCHES,
     CORRECTIONS,
@@ -40,7 +38,12 @@ from pipeline.equations.condensed_symbols import (
     FIRST_STRAIN,
     STATES,
     STOPS,
-    Symbols,
+    CondensedSymbols,
+    FrameAngle,
+    beam_gradient,
+    frame_angle,
+    frame_inertia,
+    shortening,
 )
 from pipeline.equations.tip_elements import TipElement, tip_elements
 
@@ -63,7 +66,7 @@ class Forces:
 _Side = tuple[Expression, tuple[Expression, Expression, Expression], Expression]
 
 
-def _membrane(s: Symbols, side: int, phi: FrameAngle, u_y: Any, speeds: tuple[Any, Any, Any]) -> _Side:
+def _membrane(s: CondensedSymbols, side: int, phi: FrameAngle, u_y: Any, speeds: tuple[Any, Any, Any]) -> _Side:
     """Tension [N]; ∂L/∂q [1], ∂L/∂τ [m] and ∂L/∂u_y [1]; λ̇3 [1/s] of one membrane (eqs. 4 to 6, 11, 12)."""
     name, sign = ("left", "right")[side], (-1.0, 1.0)[side]
 
@@ -71,18 +74,18 @@ def _membrane(s: Symbols, side: int, phi: FrameAngle, u_y: Any, speeds: tuple[An
         return s.constant(f"{name}_{entry}")
 
     a, c, l0 = k("a"), k("c"), k("l0")
-    length, x, y = membrane.length(sign, a, c, k("e_z"), k("e_x"), s.constant("l"), s.x[0], phi.sin, phi.cos, u_y)
+    length, x, y = elements.length(sign, a, c, k("e_z"), k("e_x"), s.constant("l"), s.x[0], phi.sin, phi.cos, u_y)
     stretch = length / l0
-    thickness = membrane.thickness_stretch(stretch)
+    thickness = elements.thickness_stretch(stretch)
     inverse = thickness * thickness  # 1/λ
     excess = stretch - _STRETCH_REFERENCE
     # The strain of the losses: λ3 as in the paper, or any other power of λ, such as Hencky's
-    by_length = membrane.thickness_slope(thickness) / l0
-    by_length *= membrane.power(s.constant("strain_slope"), excess, _STRETCH_REFERENCE)
+    by_length = elements.thickness_slope(thickness) / l0
+    by_length *= elements.power(s.constant("strain_slope"), excess, _STRETCH_REFERENCE)
     near = ca.fmin(_FAR_STRETCH, ca.fmax(-_FAR_STRETCH, excess))
     harder = 1.0 + (k("hardening") + k("hardening_slope") * near) * near
-    tension = k("elastic") * membrane.neo_hooke_slope(stretch, inverse) * harder
-    tension -= k("electric") * s.u[side] * membrane.power(k("electric_slope"), excess, _STRETCH_REFERENCE)
+    tension = k("elastic") * elements.neo_hooke_slope(stretch, inverse) * harder
+    tension -= k("electric") * s.u[side] * elements.power(k("electric_slope"), excess, _STRETCH_REFERENCE)
     strain = sum(k(f"maxwell_{i}") * s.x[FIRST_STRAIN + 2 * i + side] for i in range(BRANCHES))
     over = inverse / l0  # 1/length
     by_phi = (x * (sign * a * phi.sin + c * phi.cos) + y * (sign * a * phi.cos - c * phi.sin)) * over
@@ -92,7 +95,7 @@ def _membrane(s: Symbols, side: int, phi: FrameAngle, u_y: Any, speeds: tuple[An
     return tension, along, by_length * rate
 
 
-def _least_loss(s: Symbols) -> Expression:
+def _least_loss(s: CondensedSymbols) -> Expression:
     """Least c [N·m·s] that leaves half of the beam's loss in every direction of the speeds.
 
     With the beam's loss D on (q̇/l, τ̇, β̇) and ṡ = aᵀ(q̇/l, τ̇, β̇) it is −½/(aᵀ D⁻¹ a). D is that of Q̇, the end's slope and
@@ -106,7 +109,7 @@ def _least_loss(s: Symbols) -> Expression:
     return -0.5 * k("bending_loss") * end**2 / given
 
 
-def _corrections(s: Symbols) -> tuple[Expression, Expression]:
+def _corrections(s: CondensedSymbols) -> tuple[Expression, Expression]:
     """Force [N] on q and moment [N·m] on τ of the RBF corrections and of viscous friction."""
     k, c, u, q, p = s.constant, s.correction, s.u, s.x[0], s.x[1]
     ratio = k("slope_ratio") / k("l")
@@ -118,7 +121,7 @@ def _corrections(s: Symbols) -> tuple[Expression, Expression]:
     return force - ca.fmax(k("viscosity") + c("damping"), 0.0) * p, moment
 
 
-def forces(s: Symbols, friction: Expression) -> Forces:
+def forces(s: CondensedSymbols, friction: Expression) -> Forces:
     """All forces but inertia; `friction` [N] acts on q + friction_arm τ."""
     k, x = s.constant, s.x
     q, p, turning = x[0], x[1], x[3]
@@ -143,18 +146,18 @@ def forces(s: Symbols, friction: Expression) -> Forces:
     return Forces(force, moment, -(g_b + axial * along_u[2] + interior_loss), [thinning for _, _, thinning in sides])
 
 
-def _axial(s: Symbols, sides: list[_Side]) -> Expression:
+def _axial(s: CondensedSymbols, sides: list[_Side]) -> Expression:
     """Load [N] on the beam's axis, of the frame's weight and the membranes."""
     return s.constant("weight") + sum(tension * along[2] for tension, along, _ in sides)
 
 
-def upright_load(s: Symbols) -> Expression:
+def upright_load(s: CondensedSymbols) -> Expression:
     """The load [N] on the axis of the beam that stands upright at rest, without voltage."""
     sides = [_membrane(s, side, frame_angle(s), 0.0, (0.0, 0.0, 0.0)) for side in range(2)]
     return ca.substitute(_axial(s, sides), ca.vertcat(s.x, s.u), ca.DM.zeros(STATES + 2))
 
 
-def rates(s: Symbols, friction: Expression) -> Expression:
+def rates(s: CondensedSymbols, friction: Expression) -> Expression:
     """Rates of the state, shape (STATES,)."""
     k, x = s.constant, s.x
     acting = forces(s, friction)
@@ -174,31 +177,33 @@ def rates(s: Symbols, friction: Expression) -> Expression:
     return ca.vertcat(*found)
 
 
-def _tip(s: Symbols, element: TipElement) -> tuple[Expression, Expression, list[Expression], dict[str, Expression]]:
+def _tip(
+    s: CondensedSymbols, element: TipElement
+) -> tuple[Expression, Expression, list[Expression], dict[str, Expression]]:
     """What the laws of an element on q take."""
     names = [name for name, _ in ELEMENT_STATES]
     states = [s.x[FIRST_ELEMENT + names.index(state.name)] for state in element.states]
     return s.x[0], s.x[1], states, {c.name: s.constant(c.name) for c in element.constants}
 
 
-def friction_of(s: Symbols, states: list[Expression]) -> Expression:
+def friction_of(s: CondensedSymbols, states: list[Expression]) -> Expression:
     """Friction [N] of stop operators in these states."""
     return sum(s.constant(f"stop_force_{i}") * states[i] for i in range(STOPS))
 
 
-def moved_stops(s: Symbols) -> list[Expression]:
+def moved_stops(s: CondensedSymbols) -> list[Expression]:
     """Stop operators at x, by the play since the start of the step: they need no differential equation."""
     play = s.x[0] - s.start[0] + s.constant("friction_arm") * (s.x[2] - s.start[1])
     return [elements.stop_operator(s.z[i], play, s.constant(f"stop_travel_{i}")) for i in range(STOPS)]
 
 
-def stop_rates(s: Symbols) -> list[Expression]:
+def stop_rates(s: CondensedSymbols) -> list[Expression]:
     """Rates [1/s] of the stop operators where they are states."""
     speed = s.x[1] + s.constant("friction_arm") * s.x[3]
     return [elements.stop_rate(s.z[i], speed, s.constant(f"stop_travel_{i}")) for i in range(STOPS)]
 
 
-def linearised(s: Symbols) -> dict[str, Expression]:
+def linearised(s: CondensedSymbols) -> dict[str, Expression]:
     """Rates of (x, z) and their exact derivatives.
 
     `f` (STATES + STOPS,); `a` by (x, z), with the corrections' slopes along q, the input `c_q`; `b` by the squared
@@ -213,7 +218,7 @@ def linearised(s: Symbols) -> dict[str, Expression]:
     return {"c_q": slopes, "f": f, "a": a, "b": ca.jacobian(f, s.u), "by_c": by_c, "by_k": ca.jacobian(f, s.k)}
 
 
-def rest_forces(s: Symbols) -> Expression:
+def rest_forces(s: CondensedSymbols) -> Expression:
     """Forces [N, N·m, J] on (q, τ, β) at rest, shape (3,): no friction, strains relaxed, creep caught up."""
     acting = forces(s, ca.SX(0))
     still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in (0, 2, 4)}

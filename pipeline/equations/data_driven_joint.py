@@ -1,6 +1,7 @@
-"""The data-driven joint.
+"""Laws of the models that data alone give: the data-driven joint, the paper's lagged model, polynomial models.
 
-In the dimensionless displacement x (±1 spans the training data) and its velocity p, with inputs u:
+The data-driven joint, in the dimensionless displacement x (±1 spans the training data) and its velocity p, with inputs
+u:
 
     ẋ = p,
     μ(x) ṗ = F(x) − (d(x) + κ |p|) p − ½ μ'(x) p²
@@ -9,7 +10,11 @@ In the dimensionless displacement x (±1 spans the training data) and its veloci
     ds_j = (dx − |dx| s_j)/δ_j
 
 Each law here is of one curve, element or friction state, whose numbers are inputs. Sums over as many as a joint has are
-taken by `pipeline.identification.viscoelastic_joint` in runs and by `pipeline.export.data_driven` in C and MATLAB.
+taken by `pipeline.models.rbf.dynamics` in runs and by `pipeline.export.data_driven` in C and MATLAB.
+
+The lagged models have q, q̇ and one lagged velocity: the paper's (eqs. 37 to 40), and polynomial ones. Curves of the
+paper's model are sums over basis functions at q, the right side of a polynomial model is one of monomials. The sums are
+taken where the model runs, so their number enters nothing here.
 """
 
 from typing import Any
@@ -17,7 +22,8 @@ from typing import Any
 import casadi as ca
 
 from pipeline.equations import elements
-from pipeline.equations.gaussian import GAUSSIAN
+from pipeline.equations.basis_functions import GAUSSIAN
+from pipeline.equations.elements import lag_rate
 
 Expression = Any
 
@@ -146,3 +152,32 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
 
 def _with_slopes(value: Expression, along: Expression) -> dict[str, Expression]:
     return {"value": value, "slopes": ca.jacobian(value, along)}
+
+
+def lagged_rates(q: Any, q_dot: Any, z: Any, curves: Any, push: Any, lag: Any) -> Expression:
+    """q̈ = −c q − d z + push and ż = (q̇ − z)/T, with c, d in `curves` and Σ g_k u_k in `push`, all over the mass."""
+    return ca.vertcat(push - curves[0] * q - curves[1] * z, lag_rate(q_dot, z, lag))
+
+
+def polynomial_variables(q: Any, q_dot: Any, scales: Any) -> Expression:
+    """Q and q̇ over their scales, and tanh(q̇/w): factors of monomials; w is the last of the scales.
+
+    Models of a turning arm have sin q and cos q beside them.
+    """
+    return ca.vertcat(q / scales[0], q_dot / scales[1], ca.tanh(q_dot / scales[2]))
+
+
+def lagged_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
+    """Inputs and outputs of each law."""
+    q, q_dot, z, push, lag = (ca.SX.sym(name) for name in ("q", "q_dot", "z", "push", "lag"))
+    curves, scales = ca.SX.sym("curves", 2), ca.SX.sym("scales", 3)
+    rates = lagged_rates(q, q_dot, z, curves, push, lag)
+    state = {"q": q, "q_dot": q_dot, "z": z}
+    return {
+        "LAGGED_RATES": (state | {"curves": curves, "push": push, "lag": lag}, {"rates": rates}),
+        "POLYNOMIAL_VARIABLES": (
+            {"q": q, "q_dot": q_dot, "scales": scales},
+            {"variables": polynomial_variables(q, q_dot, scales)},
+        ),
+        "LAG": ({"value": q_dot, "lagged": z, "lag": lag}, {"rate": lag_rate(q_dot, z, lag)}),
+    }

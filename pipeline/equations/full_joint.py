@@ -1,24 +1,27 @@
-"""The full-order joint (eq. 19): its energies, from which everything else follows by automatic differentiation.
+"""The analytical joint: full order (eq. 19), and reduced to one coordinate (eq. 26).
 
-Equation numbers are the paper's; where its print is wrong, the correction and its reason stand beside the law.
+The energies of the full order stand here; everything else follows by automatic differentiation. The curves of the
+reduced joint over q are inputs. Equation numbers are the paper's; where its print is wrong, the correction and its
+reason stand beside the law.
 
 Symbols: ``qm`` = [q2, q3, q4, u0] Ritz coordinates [1/m, 1/m², 1/m³, m]; ``z`` = [e1, e2, ζ] internal states:
 Maxwell strains [1] and friction state [1]; ``v_squared`` = [v1², v2²] [V²]; ``p`` the parameters in the order of
-`pipeline.joint.parameters.VECTOR_NAMES`.
+`pipeline.device_parameters.VECTOR_NAMES`.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import casadi as ca
 
-from pipeline.equations import membrane
+from pipeline.device_parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
+from pipeline.equations import elements
 from pipeline.equations.beam import Expression, Polynomial, Powers, bending_density, shortening_density
 from pipeline.equations.elements import dahl_rate, maxwell_rate
-from pipeline.joint.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
 
 
 @dataclass(frozen=True)
-class Symbols:
+class FullSymbols:
     """The independent variables of all expressions."""
 
     qm: Expression
@@ -34,10 +37,10 @@ class Symbols:
         return self.p[VECTOR_NAMES.index(name)]
 
 
-def symbols() -> Symbols:
+def symbols() -> FullSymbols:
     """Fresh symbols."""
     names = {"qm": 4, "qm_dot": 4, "qm_ddot": 4, "z": 3, "v_squared": 2, "force": 1, "p": len(VECTOR_NAMES)}
-    return Symbols(**{name: ca.SX.sym(name, size) for name, size in names.items()})
+    return FullSymbols(**{name: ca.SX.sym(name, size) for name, size in names.items()})
 
 
 def _beam() -> tuple[Powers, Powers, Powers, Powers]:
@@ -56,20 +59,20 @@ def _beam() -> tuple[Powers, Powers, Powers, Powers]:
 _SHORTENING, _TRANSLATION, _BENDING_SQUARED, _BENT = _beam()
 
 
-def _coefficients(s: Symbols, qm: Expression) -> list[Expression]:
+def _coefficients(s: FullSymbols, qm: Expression) -> list[Expression]:
     """c2, c3, c4 of the deflection."""
     l = s.parameter("l")
     return [qm[0] * l, qm[1] * l * l, qm[2] * l * l * l]
 
 
-def tip(s: Symbols) -> tuple[Expression, Expression, Expression]:
+def tip(s: FullSymbols) -> tuple[Expression, Expression, Expression]:
     """Tip of the beam: q = w(l) (eq. 3), w'(l) = tan φ (eq. 1) and u_y (eq. 2)."""
     c, l = _coefficients(s, s.qm), s.parameter("l")
     u_y = s.qm[3] - 0.5 * l * _SHORTENING.at(c, [0.0])
     return l * (c[0] + c[1] + c[2]), 2.0 * c[0] + 3.0 * c[1] + 4.0 * c[2], u_y
 
 
-def stretches(s: Symbols) -> tuple[Expression, Expression]:
+def stretches(s: FullSymbols) -> tuple[Expression, Expression]:
     """λ_{1,1} and λ_{1,2} of the left and right membrane (eqs. 4 to 6)."""
     q, slope, u_y = tip(s)
     cos = 1.0 / ca.sqrt(1.0 + slope * slope)
@@ -77,16 +80,16 @@ def stretches(s: Symbols) -> tuple[Expression, Expression]:
     result = []
     for side, sign in (("left", -1.0), ("right", 1.0)):
         a, b, a0, e_x, e_z, l0 = (s.parameter(f"{side}.{n}") for n in ("a", "b", "a0", "e_x", "e_z", "l0"))
-        result.append(membrane.length(sign, a, b - a0, e_z, e_x, l, q, sin, cos, u_y)[0] / l0)
+        result.append(elements.length(sign, a, b - a0, e_z, e_x, l, q, sin, cos, u_y)[0] / l0)
     return result[0], result[1]
 
 
-def thickness_stretches(s: Symbols) -> Expression:
+def thickness_stretches(s: FullSymbols) -> Expression:
     """λ_{3,i}, shape (2,)."""
-    return ca.vertcat(*(membrane.thickness_stretch(stretch) for stretch in stretches(s)))
+    return ca.vertcat(*(elements.thickness_stretch(stretch) for stretch in stretches(s)))
 
 
-def kinetic_energy(s: Symbols) -> Expression:
+def kinetic_energy(s: FullSymbols) -> Expression:
     """T of eq. 8 [J]."""
     q, _, u_y = tip(s)
     c_dot = _coefficients(s, s.qm_dot)
@@ -97,7 +100,7 @@ def kinetic_energy(s: Symbols) -> Expression:
     return 0.5 * s.parameter("m") * (q_dot**2 + u_y_dot**2) + 0.5 * rho * (rotation + translation)
 
 
-def beam_energy(s: Symbols) -> Expression:
+def beam_energy(s: FullSymbols) -> Expression:
     """U_s of eq. 9 [J], of a beam whose unloaded curvature may be κ0."""
     l = s.parameter("l")
     bent = _BENT.at(_coefficients(s, s.qm), [l * s.parameter("kappa0")])
@@ -105,20 +108,20 @@ def beam_energy(s: Symbols) -> Expression:
     return stiffness * (s.parameter("I") * bent + s.parameter("A") * s.qm[3] ** 2)
 
 
-def membrane_volume(s: Symbols, side: str) -> Expression:
+def membrane_volume(s: FullSymbols, side: str) -> Expression:
     """V_DE = n A0 d0 [m³]."""
     return volume(*(s.parameter(f"{side}.{name}") for name in ("n", "A0", "d0")))
 
 
-def elastic_energy(s: Symbols) -> Expression:
+def elastic_energy(s: FullSymbols) -> Expression:
     """Energy [J] of beam, gravity and both membranes without voltage (eqs. 9 to 11)."""
     energy = beam_energy(s) + s.parameter("m") * s.parameter("g") * tip(s)[2]
     for side, stretch in zip(("left", "right"), stretches(s), strict=True):
-        energy = energy + membrane_volume(s, side) * s.parameter(f"{side}.Y") / 6.0 * membrane.neo_hooke(stretch)
+        energy = energy + membrane_volume(s, side) * s.parameter(f"{side}.Y") / 6.0 * elements.neo_hooke(stretch)
     return energy
 
 
-def capacitances(s: Symbols) -> Expression:
+def capacitances(s: FullSymbols) -> Expression:
     """C_i = C0 / λ3² = C0 λ1 [F] (eq. 11, uniaxial), shape (2,)."""
     values = []
     for side, stretch in zip(("left", "right"), stretches(s), strict=True):
@@ -127,7 +130,7 @@ def capacitances(s: Symbols) -> Expression:
     return ca.vertcat(*values)
 
 
-def viscous_dissipation(s: Symbols) -> Expression:
+def viscous_dissipation(s: FullSymbols) -> Expression:
     """Half the power [W] lost in the beam and the Kelvin-Voigt dampers: their Rayleigh function (eq. 12)."""
     beam = BEAM_DAMPING_FACTOR * s.parameter("eta") * s.parameter("I")
     rayleigh = 0.5 * beam / s.parameter("l") * _BENDING_SQUARED.at(_coefficients(s, s.qm_dot), [0.0])
@@ -137,7 +140,7 @@ def viscous_dissipation(s: Symbols) -> Expression:
     return rayleigh
 
 
-def internal_rates(s: Symbols) -> Expression:
+def internal_rates(s: FullSymbols) -> Expression:
     """ż of both Maxwell strains and of Dahl's friction, shape (3,)."""
     lambda3_dot = ca.jtimes(thickness_stretches(s), s.qm, s.qm_dot)
     q_dot = ca.jtimes(tip(s)[0], s.qm, s.qm_dot)
@@ -148,7 +151,7 @@ def internal_rates(s: Symbols) -> Expression:
     return ca.vertcat(*rates, dahl_rate(q_dot, s.z[2], s.parameter("s_c")))
 
 
-def coupling(s: Symbols) -> Expression:
+def coupling(s: FullSymbols) -> Expression:
     """Generalised forces [N per unit of z] of the internal states: columns V Y_MW ∂λ_{3,i}/∂q_m and F_c ∂q/∂q_m,
     shape (4, 3) (the creep matrix K̄ of eq. 19, and friction).
     """
@@ -159,7 +162,7 @@ def coupling(s: Symbols) -> Expression:
     return ca.horzcat(*columns, s.parameter("F_c") * ca.gradient(tip(s)[0], s.qm))
 
 
-def residual(s: Symbols) -> Expression:
+def residual(s: FullSymbols) -> Expression:
     """Euler-Lagrange equations in full (eq. 19), zero along a motion, shape (4,).
 
     d/dt ∂T/∂q̇_m − ∂T/∂q_m + ∂U/∂q_m + ∂R/∂q̇_m + K̄ z − F ∂q/∂q_m. Eq. 19 leaves out the inertia terms that are
@@ -180,12 +183,12 @@ Kernel = tuple[str, dict[str, Expression], dict[str, Expression]]
 """What it computes, inputs and outputs by their names."""
 
 
-def kernels(s: Symbols) -> dict[str, Kernel]:
+def kernels(s: FullSymbols) -> dict[str, Kernel]:
     """Everything that is compiled of the full-order joint."""
     return _shape_kernels(s) | _motion_kernels(s) | _linear_kernels(s)
 
 
-def _shape_kernels(s: Symbols) -> dict[str, Kernel]:
+def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
     """What depends on the shape alone."""
     static = elastic_energy(s) - 0.5 * ca.dot(capacitances(s), s.v_squared)
     gradient = ca.gradient(static, s.qm)
@@ -226,7 +229,7 @@ def _shape_kernels(s: Symbols) -> dict[str, Kernel]:
     }
 
 
-def _motion_kernels(s: Symbols) -> dict[str, Kernel]:
+def _motion_kernels(s: FullSymbols) -> dict[str, Kernel]:
     """The equations of motion M q̈_m = τ."""
     moving = {"qm": s.qm, "qm_dot": s.qm_dot, "z": s.z, "v_squared": s.v_squared, "force": s.force, "p": s.p}
     mass = _symmetric(ca.jacobian(residual(s), s.qm_ddot))
@@ -245,7 +248,7 @@ def _motion_kernels(s: Symbols) -> dict[str, Kernel]:
     }
 
 
-def _linear_kernels(s: Symbols) -> dict[str, Kernel]:
+def _linear_kernels(s: FullSymbols) -> dict[str, Kernel]:
     """Derivatives of the equations of motion."""
     force, rates = residual(s), internal_rates(s)
     blocks = [ca.jacobian(force, along) for along in (s.qm, s.qm_dot, s.z)]
@@ -260,7 +263,7 @@ def _linear_kernels(s: Symbols) -> dict[str, Kernel]:
     }
 
 
-def _packed(s: Symbols) -> dict[str, Expression]:
+def _packed(s: FullSymbols) -> dict[str, Expression]:
     """Inputs with the state in one vector."""
     return {"x": ca.vertcat(s.qm, s.qm_dot, s.z), "v_squared": s.v_squared, "force": s.force, "p": s.p}
 
@@ -268,3 +271,53 @@ def _packed(s: Symbols) -> dict[str, Expression]:
 def _symmetric(matrix: Expression) -> Expression:
     """The lower half of a symmetric matrix is taken from the upper, which is then all that is computed."""
     return ca.triu2symm(ca.triu(matrix))
+
+
+@dataclass(frozen=True)
+class ReducedSymbols:
+    """q̇ [m/s]; Maxwell strains e (2,); values and slopes along q of the curves m_q, d, f, λ_{3,1}, λ_{3,2}, C_1, C_2;
+    v² (2,) [V²]; other forces [N]; V_DE Y_MW (2,) [J] and Y_MW/η_MW (2,) [1/s].
+    """
+
+    q_dot: Expression
+    e: Expression
+    curves: Expression
+    slopes: Expression
+    v_squared: Expression
+    load: Expression
+    gain: Expression
+    rate: Expression
+
+
+def reduced_symbols() -> ReducedSymbols:
+    """Fresh symbols."""
+    sizes = {"q_dot": 1, "e": 2, "curves": 7, "slopes": 7, "v_squared": 2, "load": 1, "gain": 2, "rate": 2}
+    return ReducedSymbols(**{name: ca.SX.sym(name, size) for name, size in sizes.items()})
+
+
+def rates(s: ReducedSymbols) -> Expression:
+    """q̈ [m/s²] and ė (2,) [1/s] of m q̈ + ½ m' q̇² + d q̇ + f + Σ k̄_i e_i = ½ Σ C_i' v_i² + load."""
+    creep = s.slopes[3:5]
+    force = s.load + 0.5 * ca.dot(s.slopes[5:], s.v_squared) - ca.dot(s.gain * creep, s.e)
+    force -= s.curves[1] * s.q_dot + s.curves[2] + 0.5 * s.slopes[0] * s.q_dot**2
+    strains = [maxwell_rate(creep[i] * s.q_dot, s.rate[i], s.e[i]) for i in range(2)]
+    return ca.vertcat(force / s.curves[0], *strains)
+
+
+def cubics(pieces: Any, s: Any) -> Expression:
+    """Values of seven curves at s [m] past a breakpoint; `pieces` (28,): ascending powers, four rows of seven."""
+    rows = [pieces[7 * i : 7 * (i + 1)] for i in range(4)]
+    return ((rows[3] * s + rows[2]) * s + rows[1]) * s + rows[0]
+
+
+def reduced_kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
+    """Inputs and outputs of each law."""
+    s, pieces, past = reduced_symbols(), ca.SX.sym("pieces", 28), ca.SX.sym("s")
+    curves = cubics(pieces, past)
+    slopes, others = ca.jacobian(curves, past), {k: v for k, v in vars(s).items() if k not in ("curves", "slopes")}
+    moved = rates(replace(s, curves=curves, slopes=slopes))
+    return {
+        "REDUCED_RATES": (dict(vars(s)), {"rates": rates(s)}),
+        "CUBICS": ({"pieces": pieces, "s": past}, {"curves": curves, "slopes": slopes}),
+        "REDUCED_MOTION": ({"pieces": pieces, "s": past} | others, {"rates": moved}),
+    }

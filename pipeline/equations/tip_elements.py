@@ -1,9 +1,15 @@
-"""Elements that resist the tip's motion: each a file that names its constants, its memory and its law."""
+"""Elements that resist the tip's motion: each names its constants, its memory and its law.
+
+The file has drag of the air on the frame, and friction whose level sets in with the speed: Coulomb's, without its step
+at rest.
+"""
 
 import importlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
+
+import casadi as ca
 
 Law = Callable[[Any, Any, Any, dict[str, Any]], Any]
 """(q [m], q̇ [m/s], states of the element, its constants by name) → an expression in CasADi."""
@@ -70,8 +76,8 @@ class TipElement:
 
 
 TIP_ELEMENTS = (
-    "pipeline.equations.drag:DRAG",
-    "pipeline.equations.sliding:SLIDING",
+    "pipeline.equations.tip_elements:DRAG",
+    "pipeline.equations.tip_elements:SLIDING",
 )  # fmt: skip
 """Where each element is; `python -m pipeline.equations.write` gives it to every kernel, fit and export."""
 
@@ -80,3 +86,12 @@ def tip_elements() -> list[TipElement]:
     """The elements."""
     places = [place.split(":") for place in TIP_ELEMENTS]
     return [getattr(importlib.import_module(module), name) for module, name in places]
+
+
+DRAG = TipElement((Constant("drag", 0.02, 1.2, "N·s²/m²"),), lambda q, p, w, k: k["drag"] * ca.fabs(p) * p)
+
+SLIDING = TipElement(
+    (Constant("sliding_force", 0.1e-3, 1.2, "N"), Constant("sliding_speed", 6e-3, 0.5, "m/s")),
+    lambda q, p, w, k: k["sliding_force"] * p / ca.sqrt(p * p + k["sliding_speed"] * k["sliding_speed"]),
+    level="sliding_force",
+)

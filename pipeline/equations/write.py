@@ -14,17 +14,14 @@ from pipeline import generated
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
 from pipeline.equations import (
     beam,
-    condensed_frame,
     condensed_joint,
-    condensed_symbols,
+    condensed_parts,
     data_driven_joint,
     elements,
     full_joint,
-    gaussian,
-    lagged_models,
-    reduced_joint,
 )
 from pipeline.equations.basis_functions import basis_functions
+from pipeline.equations.basis_functions import kernels as bell_kernels
 
 _FULL = """Kernels of the full-order joint.
 
@@ -67,10 +64,10 @@ def _module(summary: str, found: dict[str, Graph], constants: dict[str, Any] | N
 
 
 def _condensed() -> str:
-    j, s = condensed_joint, condensed_symbols.symbols()
+    j, s = condensed_joint, condensed_parts.symbols()
     still = {"x": s.x, "u": s.u, "k": s.k, "c": s.c}
     moving = still | {"z": s.z, "start": s.start}
-    forces, mass = j.rest_forces(s), condensed_frame.frame_inertia(s).mass
+    forces, mass = j.rest_forces(s), condensed_parts.frame_inertia(s).mass
     upper = ca.vertcat(*(mass[i, k] for k in range(3) for i in range(k + 1)))
     kernels = {
         "RATES": (moving, {"rates": j.rates(s, j.friction_of(s, j.moved_stops(s)))}),
@@ -90,7 +87,7 @@ def _condensed() -> str:
         "CREEPS",
         "BRANCHES",
     ]
-    constants = {name: getattr(condensed_symbols, name) for name in names}
+    constants = {name: getattr(condensed_parts, name) for name in names}
     integrals = {name: beam.products(order) for order, name in enumerate(("SHAPES", "SLOPES", "BENDS"))}
     upright = graph({"k": s.k}, {"load": j.upright_load(s)})
     return _module(
@@ -101,7 +98,7 @@ def _condensed() -> str:
 
 
 def _condensed_jacobian() -> str:
-    s = condensed_symbols.symbols()
+    s = condensed_parts.symbols()
     moving = {"x": s.x, "u": s.u, "k": s.k, "c": s.c, "z": s.z}
     linear = condensed_joint.linearised(s)
     by_k, slopes = linear.pop("by_k"), linear.pop("c_q")
@@ -155,9 +152,9 @@ def _terms() -> str:
     kernels = (
         elements.kernels()
         | data_driven_joint.kernels()
-        | gaussian.kernels()
-        | lagged_models.kernels()
-        | reduced_joint.kernels()
+        | bell_kernels()
+        | data_driven_joint.lagged_kernels()
+        | full_joint.reduced_kernels()
     )
     summary = "Terms of the models of which each run has as many as it needs: see the laws of the same names."
     return _module(summary, {name: graph(inputs, outputs) for name, (inputs, outputs) in kernels.items()})

@@ -25,9 +25,9 @@ from pipeline.generated.terms import (
     STOP_FORCE,
     TURNING_ARM,
 )
-from pipeline.identification.joint_problem import steps_per_sample
-from pipeline.identification.viscoelastic_joint import DAMPING, ESCAPE, FORCE, INPUT, POLYNOMIALS, Coefficients
-from pipeline.models.rbf import RbfModel
+from pipeline.models.rbf.dynamics import DAMPING, ESCAPE, FORCE, INPUT, POLYNOMIALS, Coefficients
+from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.problem import steps_per_sample
 from pipeline.numerics.arrays import FloatArray
 
 Values = list[Any]
@@ -244,7 +244,7 @@ def _bell_slopes(x: Any, c: Coefficients) -> Values:
 
 
 def _basis(x: Any, c: Coefficients) -> Values:
-    """See `pipeline.identification.viscoelastic_joint.basis_at`."""
+    """See `pipeline.models.rbf.dynamics.basis_at`."""
     head = apply(TURNING_ARM, x, float(c.arm[0]), float(c.arm[1])) if c.arm[1] != 0.0 else apply(POWERS, x)
     inside = apply(CLIPPED, x, float(c.low), float(c.high))[0]
     return head[:POLYNOMIALS] + [apply(BELL, inside, float(centre), float(c.bend))[0] for centre in c.centres]

@@ -18,9 +18,8 @@ from pipeline.generated.condensed_joint import (
     STOPS,
 )
 from pipeline.generated.terms import FIRST_BELL, LAG, NEXT_BELL
-from pipeline.joint.condensed_kernels import INDEX, REACH, VALUES, prepare
-from pipeline.joint.correction_table import CURVED, CURVES
-from pipeline.models.hybrid import HybridModel
+from pipeline.models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES, WIDTHS, prepare
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
 Values = list[Any]
@@ -35,10 +34,10 @@ LEAST_CHARGING = 0.5e-3
 
 
 def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
-    """The corrections at q; see `pipeline.joint.condensed_kernels.corrections_at`."""
+    """The corrections at q; see `pipeline.models.hybrid.kernels.corrections_at`."""
     if weights.shape[1] == 0:
         return [0.0] * VALUES
-    first, reach = float(basis[0]), REACH * float(basis[2])
+    first, reach = float(basis[0]), WIDTHS * float(basis[2])
     near = function("lt", function("abs", q - first), reach)
     bell = apply(FIRST_BELL, clip(q, first - reach, first + reach), *basis)
     found: Values = [0.0] * VALUES

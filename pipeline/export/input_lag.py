@@ -1,4 +1,4 @@
-"""Inputs behind a first-order lag for export, exact in each half step (`pipeline.numerics.lag`)."""
+"""Inputs behind a first-order lag for export, exact in each half step (`pipeline.numerics.linear_filters`)."""
 
 from typing import Any
 

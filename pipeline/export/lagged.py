@@ -4,14 +4,14 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.baselines.polynomial_dynamics import FIRST_INPUT, QDOT, steps_between_samples
 from pipeline.codegen.graph import Graph, apply, function, trace
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.basis_functions import GRAPHS
 from pipeline.generated.terms import LAG, LAGGED_RATES, POLYNOMIAL_VARIABLES
-from pipeline.models.rbf_paper import RbfPaperModel
-from pipeline.models.sindy import SindyModel
-from pipeline.solvers.free_run import escape_bounds, steps_per_sample
+from pipeline.models.paper.model import RbfPaperModel
+from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, steps_between_samples
+from pipeline.models.sindy.model import SindyModel
+from pipeline.solvers.fixed_step import escape_bounds, steps_per_sample
 
 Values = list[Any]
 

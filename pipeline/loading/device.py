@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.models.file_columns import column_of
+from pipeline.models.model_file import column_of
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.schemas import Schema, resolve
 from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, LogColumn, Prototype, Quantity
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
 
 if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
 
 
 RotationMap = Callable[[FloatArray], FloatArray]
@@ -24,7 +24,7 @@ def rotation_map(parameters: "JointParameters | None") -> RotationMap | None:
     """φ [rad] of q [m], NaN where q is NaN; None for a device without a parameter set."""
     if parameters is None:
         return None
-    from pipeline.joint.static_path import static_rotation
+    from pipeline.models.analytical.statics import static_rotation
 
     return lambda q: static_rotation(q, parameters)
 

@@ -11,7 +11,7 @@ from pipeline.plain_files import read_toml
 from pipeline.settings import Prototype
 
 if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
 
 LARGEST_FILE = 100_000
 """Bytes; a parameter file has a few hundred."""
@@ -34,7 +34,7 @@ def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequen
     InputError
         No such set, file or parameter; a value without a unit or with one of another kind.
     """
-    from pipeline.joint.parameters import PARAMETER_SETS
+    from pipeline.device_parameters import PARAMETER_SETS
 
     if name in PARAMETER_SETS:
         parameters = PARAMETER_SETS[name]
@@ -49,7 +49,7 @@ def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequen
 
 def _from_file(path: Path) -> "JointParameters":
     """A TOML file: ``base`` names a shipped set, the rest are ``name = "value unit"``, sides in [left] and [right]."""
-    from pipeline.joint.parameters import PARAMETER_SETS
+    from pipeline.device_parameters import PARAMETER_SETS
 
     try:
         if path.stat().st_size > LARGEST_FILE:
@@ -80,7 +80,7 @@ def _override(text: str) -> tuple[str, float]:
 
 
 def _quantity(name: str, text: str, where: str) -> float:
-    from pipeline.joint.parameters import quantity_of
+    from pipeline.device_parameters import quantity_of
     from pipeline.units import parse_quantity
 
     return parse_quantity(text, (quantity_of(name).unit,), where)
@@ -88,7 +88,7 @@ def _quantity(name: str, text: str, where: str) -> float:
 
 def parameter_values(parameters: "JointParameters | None") -> dict[str, float] | None:
     """The values [SI] that enter an artifact's recipe, so that an edited parameter file is noticed."""
-    from pipeline.joint.parameters import VECTOR_NAMES
+    from pipeline.device_parameters import VECTOR_NAMES
 
     return None if parameters is None else {name: parameters.value(name) for name in VECTOR_NAMES}
 
@@ -103,7 +103,7 @@ def parameter_file(parameters: "JointParameters", comments: Mapping[str, str] | 
     comments : mapping of str to str, optional
         Comments by parameter name, e.g. standard errors.
     """
-    from pipeline.joint.parameters import QUANTITIES, VECTOR_NAMES
+    from pipeline.device_parameters import QUANTITIES, VECTOR_NAMES
 
     lines: list[str] = []
     section = ""

@@ -5,13 +5,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.identification.known_curves import KnownCurves
 from pipeline.loading.device import device
 from pipeline.loading.parts import parts, with_parts
-from pipeline.models.kind import Training
+from pipeline.models.kind import KnownCurves, Training
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.numerics.kept import Keep, make_anew
-from pipeline.numerics.progress import OnProgress, silent
+from pipeline.numerics.progress import Keep, OnProgress, make_anew, silent
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
@@ -20,7 +18,7 @@ from pipeline.signals.inputs import UNKNOWN, voltages
 from pipeline.signals.trajectory import SHORTEST, Record, Trajectory
 
 if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
 
 _FINE = "v_fine"
 

@@ -1,1 +1,6 @@
-"""Every model behind one interface (`base.DynamicModel`), so that all are simulated and scored by the same code."""
+"""Models of the joint: a folder for each, one interface for all (`base.DynamicModel`).
+
+So the same code simulates and scores every model. `kind` says how a model is fitted, read and exported, `choose`
+which model a device gets, and `model_file` what its file holds. `polynomial_dynamics` is the right-hand side of SINDy
+and NARX.
+"""

@@ -15,7 +15,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.models.kind import StoredModel, Training, fitted_samples
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.kept import kept_under
+from pipeline.numerics.progress import kept_under
 from pipeline.scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
 from pipeline.signals.trajectory import Record
 from pipeline.units import of_joint

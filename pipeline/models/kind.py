@@ -6,19 +6,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
+import numpy as np
+
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.model_list import ENTRIES, entry
 from pipeline.models.base import DynamicModel
-from pipeline.numerics.kept import Keep, make_anew
-from pipeline.numerics.progress import OnProgress, silent
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.progress import Keep, OnProgress, make_anew, silent
 from pipeline.runs.trees import read_tree
 from pipeline.settings import Compare, Identify
 from pipeline.signals.trajectory import Record, Trajectory
 
 if TYPE_CHECKING:
-    from pipeline.identification.known_curves import KnownCurves
-    from pipeline.identification.rbf import InputLaw
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
+    from pipeline.fitting.regression import InputLaw
 
 
 FITTED_SHARE = 0.75
@@ -28,6 +29,60 @@ FITTED_SHARE = 0.75
 def fitted_samples(samples: int) -> int:
     """How many of a log's samples these are."""
     return round(FITTED_SHARE * samples)
+
+
+LEAST_POINTS = 4
+"""Points that a measured curve needs within the range of the training data."""
+
+
+@dataclass(frozen=True)
+class KnownCurves:
+    """Measured curves of a joint.
+
+    Attributes
+    ----------
+    q : FloatArray, shape (n,)
+        Displacement [m] or [rad].
+    force : FloatArray, shape (n,), optional
+        Restoring force F [N] at rest without inputs, positive where it pulls to smaller q; NaN where not measured.
+    gains : sequence of FloatArray, shape (n,), or None, one per input
+        g_k [N/V²] (half the slope of a capacitance) or [N/V]; NaN where not measured, None for all of them.
+    """
+
+    q: FloatArray
+    force: FloatArray | None
+    gains: tuple[FloatArray | None, ...]
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Smallest and largest q at which something was measured."""
+        curves = [curve for curve in (self.force, *self.gains) if curve is not None]
+        known = self.q[np.any(np.isfinite(curves), axis=0)]
+        return float(known.min()), float(known.max())
+
+    def check(self, low: float, high: float) -> None:
+        """Refuse curves that have next to nothing to do with data from `low` to `high`.
+
+        Raises
+        ------
+        InputError
+            A curve has fewer than four points there.
+        """
+        named = {"F": self.force} | {f"input {k}": gain for k, gain in enumerate(self.gains, start=1)}
+        for name, curve in named.items():
+            if curve is None:
+                continue
+            points = np.count_nonzero(np.isfinite(curve) & (self.q >= low) & (self.q <= high))
+            if points < LEAST_POINTS:
+                raise InputError(
+                    f"the measured curve of {name} has {points} points where the training data are ({low:.4g} to "
+                    f"{high:.4g}), at least {LEAST_POINTS} are needed; check q and its unit in the file of plant.curves"
+                )
+
+    def per_unit_mass(self, mass: float) -> "KnownCurves":
+        """Forces over the moving mass [kg]."""
+        force = None if self.force is None else self.force / mass
+        return KnownCurves(self.q, force, tuple(None if gain is None else gain / mass for gain in self.gains))
 
 
 @dataclass(frozen=True)
@@ -68,7 +123,7 @@ class Training:
     inputs: "InputLaw"
     known_mass: float | None
     parameters: "JointParameters | None"
-    known_curves: "KnownCurves | None"
+    known_curves: KnownCurves | None
     identify: Identify
     compare: Compare
     log_units: tuple[float, float] = (1e-3, 1e3)

@@ -1,6 +1,10 @@
-"""How long work tells how far it has come."""
+"""Progress of long work: the callback that reports it, and the finished pieces that a restarted run goes on from.
+
+The caller decides where finished pieces are stored.
+"""
 
 from collections.abc import Callable
+from typing import Any
 
 OnProgress = Callable[[str, float], None]
 """Told what is going on and which share of it, 0 to 1, is done."""
@@ -8,3 +12,20 @@ OnProgress = Callable[[str, float], None]
 
 def silent(what: str, share: float) -> None:
     """Tell nobody."""
+
+
+Parts = dict[str, Any]
+"""Numbers, texts, arrays of floats, and lists of these."""
+
+Keep = Callable[[str, Callable[[], Parts]], Parts]
+"""Gives what a piece of work makes, by the name that it alone has: as it was kept, or made now and kept."""
+
+
+def make_anew(name: str, make: Callable[[], Parts]) -> Parts:
+    """Keeps nothing."""
+    return make()
+
+
+def kept_under(keep: Keep, title: str) -> Keep:
+    """The same with a title before each name."""
+    return lambda name, make: keep(f"{title}: {name}", make)

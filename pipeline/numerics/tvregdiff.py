@@ -30,7 +30,7 @@ from numpy.typing import ArrayLike
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.stencils import finite_difference
+from pipeline.numerics.linear_filters import finite_difference
 from pipeline.numerics.tv_minimisation import Minimiser, Status, VariationProblem, minimise_variation
 
 Form = Literal["large", "small"]

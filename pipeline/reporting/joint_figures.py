@@ -8,12 +8,11 @@ from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points, Role
 
 if TYPE_CHECKING:
-    from pipeline.joint.bifurcation import Characteristics
-    from pipeline.joint.calibration import Calibration
-    from pipeline.joint.equilibria import Equilibrium
-    from pipeline.joint.parameters import JointParameters
-    from pipeline.joint.reduced_order import Motions
-    from pipeline.joint.reduction import BeamModes
+    from pipeline.device_parameters import JointParameters
+    from pipeline.models.analytical.bifurcation import Characteristics
+    from pipeline.models.analytical.calibration import Calibration
+    from pipeline.models.analytical.reduced_order import BeamModes, Motions
+    from pipeline.models.analytical.statics import JointEquilibrium
 
 COLOURED = ("both", "left", "right", "fourth", "fifth")
 """Whose roles have colours, in the order of those of the models; what is off is black."""
@@ -105,13 +104,15 @@ def characteristics_figure(result: "Characteristics") -> Figure:
     return _over_q("characteristics", "Characteristic curves of the joint", *panels)
 
 
-def equilibria_figure(joint: "JointParameters", found: "list[Equilibrium]", energy: "tuple[Any, Any] | None") -> Figure:
+def equilibria_figure(
+    joint: "JointParameters", found: "list[JointEquilibrium]", energy: "tuple[Any, Any] | None"
+) -> Figure:
     """Statics (eqs. 13 to 15): the energy over q with its equilibria, and the beam's shape in each.
 
     `energy` is q [m] and the total potential [J] along the held joint; None where it snaps although it is held.
     Dotted where it is unstable.
     """
-    from pipeline.joint.reduction import beam_shapes
+    from pipeline.models.analytical.reduced_order import beam_shapes
 
     lowest = min((e.energy for e in found), default=0.0)
     held = () if energy is None else (Line("held at q", "measured", energy[0], energy[1] - lowest, "solid"),)
@@ -151,8 +152,8 @@ def _static_path(joint: "JointParameters") -> tuple[tuple[Line, ...], tuple[Line
     """The static path q_m(q), bending as shares of w(l) and axial, and the polynomials fitted to it."""
     from numpy.polynomial.polynomial import polyval
 
-    from pipeline.joint.reduction import polynomial_shapes
-    from pipeline.joint.static_path import static_path
+    from pipeline.models.analytical.reduced_order import polynomial_shapes
+    from pipeline.models.analytical.statics import static_path
 
     path = static_path(joint, np.linspace(-PATH_REACH, PATH_REACH, 161), np.zeros(2))
     fitted = polyval(path.q / PATH_REACH, polynomial_shapes(path, PATH_DEGREE).T)
@@ -183,7 +184,7 @@ def calibration_figure(start: "JointParameters", fit: "Calibration") -> Any:
     """
     from matplotlib.figure import Figure as Canvas
 
-    from pipeline.joint.parameters import VECTOR_NAMES
+    from pipeline.device_parameters import VECTOR_NAMES
 
     canvas = Canvas(figsize=(10.0, 4.5), layout="constrained")
     moved, matrix = canvas.subplots(1, 2)

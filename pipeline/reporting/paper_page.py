@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pipeline.device_facts.run_data import RunData
-from pipeline.joint.parameters import JointParameters
+from pipeline.device_parameters import JointParameters
 from pipeline.reporting.page import render
 from pipeline.units import SIGNALS
 

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from pipeline.device_facts.run_data import LogData
-from pipeline.identification.rbf import basis_values
+from pipeline.fitting.regression import basis_values
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points

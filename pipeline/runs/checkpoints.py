@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.numerics.kept import Parts
+from pipeline.numerics.progress import Parts
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.hashing import json_sha256

@@ -14,8 +14,8 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.machine import import_configured
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.stencils import finite_difference, finite_difference_at_jumps
 from pipeline.numerics.tvregdiff import Order, tvregdiff
 from pipeline.signals.noise import noise_std
 from pipeline.signals.smoothing_parameter import SmoothingParameter, smoothing_parameter

@@ -17,7 +17,7 @@ from pipeline.settings import FILM, Prototype
 from pipeline.stages import validate
 
 if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
 
 ALGORITHM = "12"
 

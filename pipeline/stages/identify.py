@@ -17,8 +17,7 @@ from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, kind
-from pipeline.numerics.kept import Keep, kept_under, make_anew
-from pipeline.numerics.progress import OnProgress, silent
+from pipeline.numerics.progress import Keep, OnProgress, kept_under, make_anew, silent
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -27,7 +26,7 @@ from pipeline.settings import FILM, Prototype, TrainingGate
 from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
     from pipeline.models.choose import Choice
     from pipeline.models.kind import StoredModel, Training
     from pipeline.signals.quality_gates import Finding
@@ -183,7 +182,7 @@ def _network(given: "Training", data: list[Table], prototype: Prototype) -> "Sto
 
 def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
     """What speaks against the training logs, taken together."""
-    from pipeline.identification.excitation import excitation_findings
+    from pipeline.fitting.excitation import excitation_findings
 
     first = np.cumsum([0, *(table["segment"].max() + 1 for table in data[:-1])])
     segments = [np.where(t["segment"] < 0, -1, t["segment"] + k) for t, k in zip(data, first, strict=True)]

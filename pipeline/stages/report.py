@@ -18,7 +18,7 @@ from pipeline.settings import Prototype
 if TYPE_CHECKING:
     from pipeline.device_facts.datasheet import Datasheet
     from pipeline.device_facts.run_data import RunData
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 

@@ -22,7 +22,7 @@ from pipeline.signals.inputs import voltages
 from pipeline.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
     from pipeline.reporting.tables import Format, NrmseTable
     from pipeline.scoring.intervals import Interval
     from pipeline.scoring.scores import Score

@@ -29,7 +29,7 @@ from pipeline.signals.inputs import voltages
 from pipeline.units import HORIZONS
 
 if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
     from pipeline.scoring.wells import NoWells, Wells
 
 ALGORITHM = "21"
@@ -149,7 +149,7 @@ def trust_notes(
         ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the well at larger q,
         and whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
     """
-    from pipeline.identification.coverage import share_outside
+    from pipeline.fitting.coverage import share_outside
 
     return {
         "outside_training": share_outside(*_valid([table]), *_valid(trained)),

@@ -17,7 +17,7 @@ from pipeline.tools.controlled_run import ControlRun, ControlSettings, control_r
 if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters
     from pipeline.control.law import Law
-    from pipeline.models.hybrid import HybridModel
+    from pipeline.models.hybrid.model import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32

@@ -20,7 +20,7 @@ from pipeline.settings import Prototype
 
 if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters
-    from pipeline.models.hybrid import HybridModel
+    from pipeline.models.hybrid.model import HybridModel
 
 ALGORITHM = "14"
 _MISSED = 2e-3
@@ -144,7 +144,7 @@ def control_run(root: Path) -> ControlRun:
     DataRefusedError
         Its validation refuses the model.
     """
-    from pipeline.models.hybrid import HybridModel
+    from pipeline.models.hybrid.model import HybridModel
 
     run = RunFolder.open(root)
     prototype = run.prototype

@@ -7,13 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
-from pipeline.joint.equilibria import equilibria
-from pipeline.joint.parameters import JointParameters
-from pipeline.joint.reduced_order import simulate_reduced
-from pipeline.joint.reduction import reduce_joint
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import joint_parameters
+from pipeline.models.analytical.reduced_order import reduce_joint, simulate_reduced
+from pipeline.models.analytical.statics import equilibria
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.outputs import check_places, new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder

@@ -14,8 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.identification.coverage import FEW, Coverage, coverage
-from pipeline.identification.information import Conditioning, Weights, conditioning, log_information
+from pipeline.fitting.coverage import FEW, Conditioning, Coverage, Weights, conditioning, coverage, log_information
 from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter

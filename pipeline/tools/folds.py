@@ -28,7 +28,7 @@ from pipeline.stages import compare, identify
 from pipeline.tools.study import StudyResult, study_result
 
 if TYPE_CHECKING:
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
     from pipeline.numerics.arrays import BoolArray
     from pipeline.scoring.wells import NoWells, Wells
     from pipeline.signals.trajectory import Trajectory

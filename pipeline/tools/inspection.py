@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from pipeline.device_facts.excitation_advice import Shortfall, shortfalls
 from pipeline.errors import DebistError, InputError
-from pipeline.identification.excitation import Excitation, examine_excitation
+from pipeline.fitting.excitation import Excitation, examine_excitation
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import read_si

@@ -26,7 +26,7 @@ from pipeline.units import ALPHA_UNIT
 
 if TYPE_CHECKING:
     from pipeline.device_facts.run_data import RunData
-    from pipeline.joint.parameters import JointParameters
+    from pipeline.device_parameters import JointParameters
     from pipeline.numerics.arrays import FloatArray
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
@@ -178,9 +178,8 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
 
 def joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
-    from pipeline.joint.bifurcation import characteristics
-    from pipeline.joint.reduced_order import pulse_sequence, simulate_both
-    from pipeline.joint.reduction import beam_modes
+    from pipeline.models.analytical.bifurcation import characteristics
+    from pipeline.models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both
     from pipeline.reporting import joint_figures as draw
 
     curves, motions = characteristics(parameters), simulate_both(parameters, *pulse_sequence())
@@ -198,7 +197,7 @@ def joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
 def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "dict[str, Figure]":
     """Figures 8 and 11 to 15, and the search for T_z: the recipe on the logs."""
     from pipeline.device_facts.run_data import wells_of_run
-    from pipeline.models.rbf_paper import RbfPaperModel
+    from pipeline.models.paper.model import RbfPaperModel
     from pipeline.reporting import recipe_figures as draw
     from pipeline.reporting.figure import of_models, window
     from pipeline.reporting.log_figures import log_figures

@@ -10,24 +10,24 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 
 if TYPE_CHECKING:
-    from pipeline.joint.calibration import Calibration
-    from pipeline.joint.equilibria import Equilibrium
-    from pipeline.joint.parameters import JointParameters
-    from pipeline.joint.reduced_order import Motions
+    from pipeline.device_parameters import JointParameters
+    from pipeline.models.analytical.calibration import Calibration
+    from pipeline.models.analytical.reduced_order import Motions
+    from pipeline.models.analytical.statics import JointEquilibrium
     from pipeline.runs.tables import Table
 
 
 def with_mounts_at(parameters: "JointParameters", b: float) -> "JointParameters":
     """The joint with both mounts at the height b [m]."""
-    from pipeline.joint.bifurcation import with_screw_height
-    from pipeline.joint.parameters import B_MAX
+    from pipeline.device_parameters import B_MAX
+    from pipeline.models.analytical.bifurcation import with_screw_height
 
     return with_screw_height(parameters, B_MAX - b)
 
 
-def equilibria(joint: "JointParameters", *, v1: float, v2: float, force: float) -> "list[Equilibrium]":
+def equilibria(joint: "JointParameters", *, v1: float, v2: float, force: float) -> "list[JointEquilibrium]":
     """All equilibria under v1 (left), v2 (right) [V] and a force [N]."""
-    from pipeline.joint.equilibria import equilibria as find
+    from pipeline.models.analytical.statics import equilibria as find
 
     return find(joint, np.array([v1, v2]), force)
 
@@ -39,8 +39,8 @@ def energy_over_q(
 
     None where the beam snaps although its tip is held: no curve over q exists then.
     """
-    from pipeline.joint.bifurcation import SHOWN
-    from pipeline.joint.static_path import static_path
+    from pipeline.models.analytical.bifurcation import SHOWN
+    from pipeline.models.analytical.statics import static_path
 
     try:
         path = static_path(joint, SHOWN, np.array([v1, v2]))
@@ -79,7 +79,7 @@ def simulate(parameters: "JointParameters", voltage: float, signals: Path | None
 
     The motion starts at rest: at the first measured q, or in the left well.
     """
-    from pipeline.joint.reduced_order import pulse_sequence, simulate_both
+    from pipeline.models.analytical.reduced_order import pulse_sequence, simulate_both
 
     if signals is None:
         return simulate_both(parameters, *pulse_sequence(voltage))
@@ -106,8 +106,8 @@ def calibrate(
     InputError
         A table lacks a column, or none has a stretch of motion.
     """
-    from pipeline.joint.calibration import calibrate as fit
     from pipeline.loading.trajectories import trajectories, with_fine_voltages
+    from pipeline.models.analytical.calibration import calibrate as fit
 
     def motion(path: Path) -> "Table":
         """The table, with the voltages between its samples where the run's record is beside it."""
@@ -135,7 +135,7 @@ def write_parameters(fit: "Calibration", target: Path, *, force: bool) -> None:
 
 def calibration_document(fit: "Calibration") -> dict[str, Any]:
     """The result of a calibration for `--json`: values and standard errors in SI units."""
-    from pipeline.joint.parameters import QUANTITIES
+    from pipeline.device_parameters import QUANTITIES
 
     rows = zip(fit.names, fit.values, fit.standard_errors, strict=True)
     return {

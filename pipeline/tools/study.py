@@ -182,7 +182,7 @@ def _one_basis(
     asked: dict[str, Any],
     point: tuple[int, float],
 ) -> tuple[float, float, float]:
-    from pipeline.models.rbf_paper import identify_rbf_paper
+    from pipeline.models.paper.model import identify_rbf_paper
     from pipeline.scoring.data_study import held_out_error
 
     model = identify_rbf_paper(data, **asked | {"basis_functions": point[0], "smoothing": point[1]})
@@ -191,7 +191,7 @@ def _one_basis(
 
 
 def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    from pipeline.models.rbf_paper import identify_rbf_paper
+    from pipeline.models.paper.model import identify_rbf_paper
     from pipeline.scoring.data_study import amount_study, noise_study
     from pipeline.signals.differentiate import differentiate
     from pipeline.signals.trajectory import operating_range
@@ -223,8 +223,8 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
 
 
 def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    from pipeline.identification.online import drifted, follow, memories
-    from pipeline.models.rbf_paper import identify_rbf_paper
+    from pipeline.models.paper.model import identify_rbf_paper
+    from pipeline.models.paper.online import drifted, follow, memories
 
     data = training_trajectories(run, prototype)
     model = identify_rbf_paper(data, **_asked(prototype, plant))

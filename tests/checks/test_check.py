@@ -10,7 +10,7 @@ from pipeline.checks.check import Declared, check_logs
 from pipeline.checks.log_facts import log_facts
 from pipeline.checks.rows import CheckRow, findings
 from pipeline.checks.weak_form import LogSignals
-from pipeline.numerics.lag import first_order_lag
+from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.scoring.wells import snaps
 from tests.double_well import DoubleWell
 from tests.prototypes import motion

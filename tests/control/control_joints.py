@@ -9,10 +9,10 @@ from pipeline.control.design import Settings, design
 from pipeline.control.ensemble import Converters
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.plant import ControlledJoint, plant_of
-from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import CondensedJoint
-from pipeline.joint.parameters import NOMINAL
-from pipeline.models.hybrid import HybridModel
+from pipeline.device_parameters import NOMINAL
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.problem import CondensedJoint
 from pipeline.numerics.arrays import FloatArray
 
 

@@ -12,7 +12,7 @@ from pipeline.control.plant import plant_of, slow_rates
 from pipeline.device_facts.events import ring_down
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STATES, STOPS
-from tests.joint.linearisation import Linearised
+from tests.models.hybrid.linearisation import Linearised
 
 
 def test_both_wells_and_the_unstable_equilibrium_are_found_at_rest() -> None:

@@ -11,8 +11,8 @@ from pipeline.control.linear import wells_and_saddle
 from pipeline.control.lowest_voltage import LowestVoltage, lowest_voltage, uncertain
 from pipeline.control.plant import plant_of
 from pipeline.control.switching_map import Well, pulses
-from pipeline.joint import condensed_parameters
-from pipeline.models.hybrid import HybridModel
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
 

@@ -8,8 +8,8 @@ import pytest
 from pipeline.device_facts.calibrated import calibrated
 from pipeline.device_facts.characteristics import intervals, shares
 from pipeline.device_facts.datasheet import Fact, distance, fact_checks, make_datasheet
-from pipeline.joint.condensed_parameters import DEVIATIONS
-from pipeline.models.hybrid import HybridModel
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.parameters import DEVIATIONS
 from pipeline.numerics.metrics import NORMAL_90
 from pipeline.reporting.datasheet_rows import sheet_rows, show_datasheet
 from tests.export.joints import hybrid

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.device_facts.phase_plane import settled
-from tests.models.test_hybrid import joint
+from tests.models.hybrid.test_hybrid import joint
 from tests.reporting.synthetic import WELL, double_well
 
 STARTS = np.column_stack((np.linspace(-0.02, 0.02, 11), np.linspace(0.2, -0.15, 11)))

@@ -83,10 +83,10 @@ import json
 import numpy as np
 from pipeline.generated.condensed_joint import AT_REST, CORRECTIONS, ELEMENT_STATES, FIRST_ELEMENT, STATES, STOPS
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN, PREPARE
-from pipeline.joint import condensed_parameters as parameters
-from pipeline.joint.condensed_kernels import INDEX
-from pipeline.joint.condensed_runs import run_joints
-from pipeline.joint.parameters import NOMINAL
+from pipeline.models.hybrid import parameters
+from pipeline.models.hybrid.kernels import INDEX
+from pipeline.models.hybrid.runs import run_joints
+from pipeline.device_parameters import NOMINAL
 
 samples, steps = 51, 4
 u = np.zeros((1, 2 * steps * (samples - 1) + 1, 2))

@@ -10,21 +10,20 @@ from pathlib import Path
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.baselines.polynomial_dynamics import FIRST_INPUT, QDOT, Lag, PolynomialDynamics
+from pipeline.device_parameters import NOMINAL
 from pipeline.export.c99 import c_sources
 from pipeline.export.subject import Subject, Validity, realise
-from pipeline.identification.input_path import drive_at_nodes
-from pipeline.identification.joint_structure import JointStructure, Scales
-from pipeline.identification.parameter_layout import ParameterLayout
-from pipeline.joint import condensed_parameters
-from pipeline.joint.condensed_problem import CondensedJoint
-from pipeline.joint.correction_table import CURVES as CORRECTIONS
-from pipeline.joint.parameters import NOMINAL
 from pipeline.models.base import DynamicModel
-from pipeline.models.hybrid import HybridModel
-from pipeline.models.rbf import RbfModel
-from pipeline.models.rbf_paper import RbfPaperModel
-from pipeline.models.sindy import SindyModel
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.problem import CondensedJoint
+from pipeline.models.paper.model import RbfPaperModel
+from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, Lag, PolynomialDynamics
+from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes
+from pipeline.models.sindy.model import SindyModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.units import curve_units
 
@@ -61,7 +60,7 @@ def data_driven(
         basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lag is not None, rest_at_zero=rest_at_zero
     )
     signs = (1, -1)[:inputs] if law == "squared" else (0,) * inputs
-    p = ParameterLayout(structure, Scales(0.001, 0.022, 3000.0, 50.0), law, signs)
+    p = ParameterLayout(structure, JointScales(0.001, 0.022, 3000.0, 50.0), law, signs)
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
     theta[at["damping"]] = np.log(0.4)
@@ -90,7 +89,7 @@ def turning_arm() -> RbfModel:
         stops=True,
         dead_zone=True,
     )
-    p = ParameterLayout(structure, Scales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
+    p = ParameterLayout(structure, JointScales(0.8, 0.7, 60.0, 20.0), "squared", (1,))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]][:4] = 1.0, -12.0, 2.0, np.log(3.0)
     theta[at["damping"]], theta[at["input0"]] = np.log(0.6), np.log(12.0)
@@ -117,7 +116,7 @@ PLAIN = JointStructure(
 def held_slider(delay: float | None = None) -> RbfModel:
     """A mass on a spring with friction, driven by a force that is held between the samples; `delay` [s] later."""
     structure = replace(PLAIN, slips=1, hold="zero", input_delay=delay is not None)
-    p = ParameterLayout(structure, Scales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
+    p = ParameterLayout(structure, JointScales(0.0, 0.01, 1.0, 20.0), "linear", (0,))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]] = 0.0, -60.0, 0.0, np.log(20.0)
     theta[at["damping"]], theta[at["input0"]] = np.log(2.0), 40.0
@@ -128,7 +127,7 @@ def held_slider(delay: float | None = None) -> RbfModel:
 
 def overdamped() -> RbfModel:
     """What hardly shows its inertia: a velocity decays in an eighth of a sample interval, so that steps are short."""
-    p = ParameterLayout(replace(PLAIN, overdamped=True), Scales(0.0, 0.01, 3000.0, 20.0, 1.0), "squared", (1, -1))
+    p = ParameterLayout(replace(PLAIN, overdamped=True), JointScales(0.0, 0.01, 3000.0, 20.0, 1.0), "squared", (1, -1))
     theta, at = np.zeros(p.count), p.slices
     theta[at["force"]] = 0.0, -3000.0, 0.0, np.log(20.0)
     theta[at["damping"]] = np.log(800.0)

@@ -155,8 +155,8 @@ def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_ar
 
 
 def test_the_drawn_joint_that_sizes_are_told_against_is_the_set_nominal() -> None:
-    from pipeline.joint.equilibria import equilibria
-    from pipeline.joint.parameters import NOMINAL
+    from pipeline.device_parameters import NOMINAL
+    from pipeline.models.analytical.statics import equilibria
     from pipeline.tools import controlled_run
 
     places = [each.q for each in equilibria(NOMINAL, np.zeros(2))]

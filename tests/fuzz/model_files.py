@@ -14,15 +14,15 @@ import h5py
 import numpy as np
 from hypothesis import strategies as st
 
-from pipeline.baselines.narx import NarxEquation, NarxStructure
+from pipeline.device_parameters import NOMINAL
 from pipeline.errors import DebistError
 from pipeline.export import fmu, json_document, matlab
 from pipeline.export.templates import words
-from pipeline.joint.parameters import NOMINAL
-from pipeline.models.analytical import AnalyticalModel
+from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import HasCurves, predictor
 from pipeline.models.kind import model_from_tree
-from pipeline.models.narx import NarxModel
+from pipeline.models.narx.equation import NarxEquation, NarxStructure
+from pipeline.models.narx.model import NarxModel
 from pipeline.runs.hashing import flatten
 from pipeline.runs.trees import parse_tree
 

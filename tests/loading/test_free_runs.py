@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from pipeline.identification.joint_structure import JointStructure, Scales
-from pipeline.identification.parameter_layout import ParameterLayout
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parts import with_parts
-from pipeline.models.rbf import RbfModel
+from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.structure import JointScales, JointStructure
 
 INTERVAL = 0.02
 
@@ -18,7 +18,7 @@ def spring():
         4, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
         constant_gain=True,
     )  # fmt: skip
-    p = ParameterLayout(structure, Scales(0.0, 1.0, 1.0, 30.0), "linear", (0,))
+    p = ParameterLayout(structure, JointScales(0.0, 1.0, 1.0, 30.0), "linear", (0,))
     theta = np.zeros(p.count)
     theta[p.slices["force"]] = 0.0, -50.0, 0.0, np.log(0.1)
     theta[p.slices["damping"]], theta[p.slices["input0"]] = np.log(0.3), 20.0

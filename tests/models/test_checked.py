@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
+from pipeline.device_parameters import NOMINAL
 from pipeline.errors import InputError
-from pipeline.identification.rbf import basis_centres
-from pipeline.joint.parameters import NOMINAL
+from pipeline.fitting.regression import basis_centres
 from pipeline.model_list import ENTRIES
-from pipeline.models.analytical import AnalyticalModel
+from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.kind import kind
-from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.models.paper.model import RbfPaperModel
 
 T = 0.01 * np.arange(100)
 V = np.zeros((100, 2))

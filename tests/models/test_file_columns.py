@@ -6,9 +6,9 @@ import h5py
 import numpy as np
 import pytest
 
-from pipeline.joint.parameters import NOMINAL
-from pipeline.models.analytical import AnalyticalModel
-from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.device_parameters import NOMINAL
+from pipeline.models.analytical.model import AnalyticalModel
+from pipeline.models.paper.model import RbfPaperModel
 from pipeline.runs.hashing import flatten
 from pipeline.runs.trees import read_tree, write_tree
 from tests.file_columns import columns

@@ -4,7 +4,7 @@ import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.model_list import AUTO, ENTRIES, entry, names
-from pipeline.models.hybrid import HybridModel
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.kind import Kind, kind, model_from_tree
 
 

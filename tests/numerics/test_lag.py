@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pipeline.numerics.lag import first_order_lag
+from pipeline.numerics.linear_filters import first_order_lag
 
 
 @pytest.mark.parametrize("time_constant", [3e-3, 0.02, 0.4])

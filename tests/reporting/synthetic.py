@@ -9,8 +9,8 @@ import numpy as np
 
 from pipeline.device_facts.datasheet import Datasheet, make_datasheet
 from pipeline.device_facts.run_data import LogData, RunData
-from pipeline.identification.rbf import basis_values
-from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.fitting.regression import basis_values
+from pipeline.models.paper.model import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.reporting.figure import Figure

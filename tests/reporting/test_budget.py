@@ -8,13 +8,13 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.baselines.narx import NarxEquation, NarxStructure
-from pipeline.joint.parameters import NOMINAL
+from pipeline.device_parameters import NOMINAL
 from pipeline.loading.device import Device, device
-from pipeline.models.analytical import AnalyticalModel
+from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import FreeRun
-from pipeline.models.hybrid import HybridModel
-from pipeline.models.narx import NarxModel
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.narx.equation import NarxEquation, NarxStructure
+from pipeline.models.narx.model import NarxModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import bring_up_to_date

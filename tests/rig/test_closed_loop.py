@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.numerics.lag import first_order_lag
+from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.rig.bench import Bench
 from pipeline.rig.controllers import played, python_controller
 from pipeline.rig.joint import potential, rest, saddle, simulate, tip_displacement, wells

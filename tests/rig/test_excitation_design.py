@@ -9,9 +9,9 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.device_parameters import NOMINAL
 from pipeline.errors import InputError
-from pipeline.identification.information import Weights, conditioning, log_information
-from pipeline.joint.parameters import NOMINAL
+from pipeline.fitting.coverage import Weights, conditioning, log_information
 from pipeline.rig.excitation import (
     Burst,
     Sequence,

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.numerics.lag import first_order_lag
+from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.rig.bench import Bench, Laser, Probe, record
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import nominal

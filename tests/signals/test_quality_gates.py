@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.errors import DataRefusedError
-from pipeline.identification.excitation import excitation_findings
+from pipeline.fitting.excitation import excitation_findings
 from pipeline.signals.quality_gates import log_findings, rate_findings, rate_remarks
 from pipeline.signals.signal_quality import examine_signal
 from pipeline.signals.timebase import examine

@@ -6,7 +6,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.models.rbf import RbfModel
+from pipeline.models.rbf.model import RbfModel
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from tests.double_well import DoubleWell

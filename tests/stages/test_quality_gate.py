@@ -76,7 +76,7 @@ def test_data_alone_must_pass_what_the_equations_stood_in_for(tmp_path, monkeypa
     def no_hybrid(*_, **__):
         raise DataRefusedError("no simulation follows the training logs")
 
-    monkeypatch.setattr("pipeline.models.identify_hybrid.identify_hybrid", no_hybrid)
+    monkeypatch.setattr("pipeline.models.hybrid.identify.identify_hybrid", no_hybrid)
     toml = TOML.replace('["rbf-paper"]', '["auto"]') + '[plant]\nparameters = "nominal"\n'
     result = _run(_write(tmp_path, toml, gain=0.3))
     assert result.exit_code == 3
@@ -94,8 +94,8 @@ def test_what_the_priors_of_the_network_decide_does_not_refuse_it(tmp_path, monk
 
     found = [Finding("rank", "columns cannot be told apart", "vary the inputs"), Finding("visits", "few", "go there")]
     monkeypatch.setattr("pipeline.stages.identify._findings", lambda *_: found)
-    monkeypatch.setattr("pipeline.models.identify_hybrid.identify_hybrid", refuse("no joint"))
-    monkeypatch.setattr("pipeline.models.identify_rbf.identify_rbf", refuse("the network was asked"))
+    monkeypatch.setattr("pipeline.models.hybrid.identify.identify_hybrid", refuse("no joint"))
+    monkeypatch.setattr("pipeline.models.rbf.identify.identify_rbf", refuse("the network was asked"))
     result = _run(_write(tmp_path, TOML.replace('["rbf-paper"]', '["auto"]')))
     assert "the network was asked" in " ".join(result.output.split())
 

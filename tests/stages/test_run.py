@@ -12,7 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.models.rbf_paper import RbfPaperModel
+from pipeline.models.paper.model import RbfPaperModel
 from pipeline.runs.run_folder import RunFolder
 from pipeline.stages.run import run_status
 from tests.double_well import DoubleWell

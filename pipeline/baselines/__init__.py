@@ -1,1 +1,0 @@
-"""What the identified models are compared with: SINDy and NARX."""

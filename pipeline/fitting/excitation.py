@@ -1,0 +1,334 @@
+"""What a log excites: wells, basis centres, voltage levels, frequencies; the facts behind "what to add".
+
+And what makes training data unfit: places, inputs or wells of which they say nothing, so that curves would be invented.
+The training logs of thirty joints and a quarter drone have at least 4 samples at each of ten centres and a condition
+number of at most 81; the bounds leave room below and above.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pipeline.errors import DataRefusedError, InputError
+from pipeline.fitting.coverage import ACTING, Conditioning, Coverage, Weights, conditioning, coverage
+from pipeline.fitting.regression import InputLaw, input_signal
+from pipeline.model_list import CENTRES, SMOOTHING
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
+from pipeline.si_prefix import quantity
+from pipeline.signals.noise import is_idle, noise_level
+from pipeline.signals.quality_gates import Finding
+
+_INTERMEDIATE = (0.15, 0.85)  # of the largest value: neither off nor full
+_POWER_SHARE = 0.95
+_SHORTEST = 64  # samples of a stretch that is worth a spectrum
+_WINDOW = 8.0  # s, and `_SHORTEST` samples at least
+_RINGING_ABOVE = 4  # lines of the spectrum; below, a peak of the velocity's is the excitation's, not the device's
+_RINGING_BELOW = 0.8  # of the Nyquist frequency, beyond which a peak is that of noise or folded over
+_PEAK, _BAND, _BESIDE = (
+    0.05,
+    0.1,
+    (0.5, 1.5),
+)  # of a peak's frequency: half widths of it and of bands beside it, and where
+_MOST_BESIDE = 0.45  # power there, of that at the peak
+
+
+@dataclass(frozen=True)
+class Excitation:
+    """What one log excites, in SI.
+
+    Attributes
+    ----------
+    centres : FloatArray, shape (M,)
+        Basis centres over the range of q.
+    visits : Coverage
+        Samples nearest to each centre, and those under each input.
+    wells : Wells or NoWells
+        Rest positions without input.
+    switches : (int, int)
+        Passages of the barrier to the right and to the left; zeros without two wells.
+    largest : FloatArray, shape (K,)
+        Largest magnitude of each input.
+    intermediate : FloatArray, shape (K,)
+        Share of an input's acting time in which it is between 15 and 85 % of its largest value.
+    together : float
+        Share of the time in which two inputs act at once; 0 for one input.
+    conditioning : Conditioning
+        Of the regressor of eq. 40 with these centres, on unit-norm columns.
+    interval : float
+        Sample interval [s].
+    signals : FloatArray, shape (N, K)
+        The inputs as they act.
+    displacement : FloatArray, shape (n,)
+        Of the longest stretch.
+    """
+
+    centres: FloatArray
+    visits: Coverage
+    wells: Wells | NoWells
+    switches: tuple[int, int]
+    largest: FloatArray
+    intermediate: FloatArray
+    together: float
+    conditioning: Conditioning
+    interval: float
+    signals: FloatArray
+    displacement: FloatArray
+
+    # Spectra are evaluated when asked for: the library takes longer to load than all the rest.
+    @cached_property
+    def bandwidth(self) -> FloatArray:
+        """Frequency [Hz] below which 95 % of the power of an input's changes lies, shape (K,); 0 for a constant one."""
+        return np.array([_bandwidth(column, self.interval) for column in self.signals.T])
+
+    @cached_property
+    def ringing(self) -> float | None:
+        """Frequency [Hz] at which the velocity's spectrum has a clear peak; None where the device does not ring."""
+        return _ringing(self.displacement, self.interval)
+
+
+def examine_excitation(
+    q: FloatArray,
+    v: FloatArray,
+    segment: IntArray,
+    interval: float,
+    *,
+    inputs: InputLaw = "squared",
+    basis_functions: int = CENTRES,
+    smoothing: float = SMOOTHING,
+    joint: bool,
+) -> Excitation:
+    """Examine a uniform record.
+
+    Parameters
+    ----------
+    q : FloatArray, shape (N,)
+        Displacement; NaN where masked.
+    v : FloatArray, shape (N, K)
+        Inputs, finite.
+    segment : IntArray, shape (N,)
+        Number of the gap-free stretch; negative where masked.
+    interval : float
+        Sample interval [s].
+    inputs : {"squared", "linear"}
+        How the inputs act.
+    basis_functions, smoothing : int, float
+        M and σ_n of the curves that are to be identified.
+    joint : bool
+        Whether the device can be the bistable joint.
+
+    Raises
+    ------
+    InputError
+        No valid stretch, or a displacement that never changes.
+    """
+    valid = (segment >= 0) & np.isfinite(q)
+    stretches = [segment == number for number in np.unique(segment[valid])]
+    stretches = [rows for rows in stretches if np.count_nonzero(rows) >= _SHORTEST]
+    if not stretches:
+        raise InputError(
+            f"no gap-free stretch of a training log has {_SHORTEST} samples of {interval:g} s; there is nothing to "
+            "identify: shorten [ingest] sample_interval, or record longer"
+        )
+    motions = [(q[rows], np.gradient(q[rows], interval), v[rows]) for rows in stretches]
+    largest = np.abs(v[valid]).max(axis=0)
+    weights = Weights.over(
+        np.concatenate([each[0] for each in motions]),
+        np.concatenate([each[1] for each in motions]),
+        largest,
+        basis_functions=basis_functions,
+        smoothing=smoothing,
+        inputs=inputs,
+    )
+    information: FloatArray = np.sum([weights.information(*each, interval) for each in motions], axis=0)
+    wells = find_wells([(q, v, interval)], joint=joint)
+    acting: BoolArray = np.abs(v) > ACTING * np.maximum(largest, np.finfo(float).tiny)
+    return Excitation(
+        centres=weights.centres,
+        visits=coverage(weights.centres, [each[0] for each in motions], [each[2] for each in motions]),
+        wells=wells,
+        switches=_switches(q[valid], wells),
+        largest=largest,
+        intermediate=_intermediate(np.abs(v), largest, acting),
+        together=float(np.mean(acting.all(axis=1))) if v.shape[1] > 1 else 0.0,
+        conditioning=conditioning(information),
+        interval=interval,
+        signals=input_signal(v, inputs),
+        displacement=max(motions, key=lambda each: each[0].size)[0],
+    )
+
+
+def _switches(q: FloatArray, wells: Wells | NoWells) -> tuple[int, int]:
+    """Passages to the right-hand and to the left-hand well."""
+    if isinstance(wells, NoWells):
+        return 0, 0
+    to_right = wells.side(q[snaps(q, wells)])
+    return int(np.count_nonzero(to_right)), int(np.count_nonzero(~to_right))
+
+
+def _intermediate(magnitude: FloatArray, largest: FloatArray, acting: BoolArray) -> FloatArray:
+    low, high = _INTERMEDIATE
+    between = (magnitude > low * largest) & (magnitude < high * largest) & acting
+    share: FloatArray = between.sum(axis=0) / np.maximum(acting.sum(axis=0), 1)
+    return share
+
+
+def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
+    """Frequencies [Hz] and power of x without its mean (Welch's average)."""
+    from scipy.signal import welch
+
+    size = min(x.size, max(round(_WINDOW / interval), _SHORTEST))
+    frequency, power = welch(x, 1.0 / interval, nperseg=size, detrend="constant")
+    return np.asarray(frequency, dtype=np.float64), np.asarray(power, dtype=np.float64)
+
+
+def _bandwidth(x: FloatArray, interval: float) -> float:
+    if np.ptp(x) == 0.0:
+        return 0.0
+    frequency, power = _spectrum(x, interval)
+    cumulated = np.cumsum(power)
+    return float(frequency[np.searchsorted(cumulated, _POWER_SHARE * cumulated[-1])])
+
+
+def _ringing(q: FloatArray, interval: float) -> float | None:
+    """The highest inner peak [Hz] of the velocity's spectrum, where it stands clear of what is beside it.
+
+    That is the spectrum of q times f², not that of differences, in which white noise of q has a peak as well.
+    """
+    frequency, power = _spectrum(q, interval)
+    power *= frequency**2
+    last = int(np.searchsorted(frequency, _RINGING_BELOW * 0.5 / interval)) - 1
+    if last <= _RINGING_ABOVE:
+        return None
+    peak = _RINGING_ABOVE + int(np.argmax(power[_RINGING_ABOVE : last + 1]))
+    if peak in (_RINGING_ABOVE, last):  # the spectrum falls, or rises, all along
+        return None
+    ratio = frequency / frequency[peak]
+    low, high = _BESIDE[0], min(_BESIDE[1], float(ratio[-1]) - _BAND)
+    most, *beside = (
+        power[np.abs(ratio - place) <= max(width, float(ratio[1]))].mean()
+        for place, width in ((1.0, _PEAK), (low, _BAND), (high, _BAND))
+    )
+    return float(frequency[peak]) if np.mean(beside) < _MOST_BESIDE * most else None
+
+
+LEAST_VISITS = 3
+"""Samples nearest to a basis centre, below which its weight is the ridge's choice."""
+LARGEST_CONDITION = 1e4
+"""Of the regressor on unit-norm columns: beyond it, an error of 0.01 % in the data is one of 100 % in some weight."""
+CERTAINLY = 6.0
+"""Student's t beyond which an input that looks like noise moves the device."""
+
+
+def excitation_findings(
+    q: FloatArray,
+    v: FloatArray,
+    segment: IntArray,
+    interval: float,
+    *,
+    inputs: InputLaw,
+    basis_functions: int,
+    smoothing: float,
+    bistable: bool,
+    joint: bool,
+    displacement: str = "m",
+) -> list[Finding]:
+    """What speaks against a model from these training data.
+
+    Parameters
+    ----------
+    q : FloatArray, shape (N,)
+        Displacement of all training logs, one after the other; NaN where masked.
+    v : FloatArray, shape (N, K)
+        Inputs.
+    segment : IntArray, shape (N,)
+        Number of the gap-free stretch, different for each log; negative where masked.
+    interval : float
+        Sample interval [s].
+    inputs : {"squared", "linear"}
+        How the inputs act.
+    basis_functions, smoothing : int, float
+        M and σ_n of the curves that are to be identified.
+    bistable, joint : bool
+        Whether the device is known to have two wells, and whether it can be the bistable joint.
+    displacement : str
+        SI unit of q.
+
+    Raises
+    ------
+    DataRefusedError
+        No stretch is long enough to identify anything.
+
+    Notes
+    -----
+    Cost: one pass of the regressor, O(N M²).
+    """
+    valid = (segment >= 0) & np.isfinite(q)
+    if not valid.any() or _idle(q[valid]):
+        advice = "drive the device through its whole stroke"
+        return [Finding("idle", "the displacement shows nothing but noise: no excitation", advice)]
+    acting = input_signal(v, inputs)
+    undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
+    found = [
+        Finding(
+            "undriven",
+            f"input v{k + 1} never changes by more than its noise: nothing is known of its gain",
+            f"drive it, or leave it out of [channels] (v{k + 1})",
+        )
+        for k in undriven
+    ]
+    try:
+        excitation = examine_excitation(
+            q, v, segment, interval,
+            inputs=inputs, basis_functions=basis_functions, smoothing=smoothing, joint=joint,
+        )  # fmt: skip
+    except InputError as error:
+        raise DataRefusedError(str(error)) from error
+    return found + _of_places(excitation, basis_functions, displacement, conditioned=not undriven, bistable=bistable)
+
+
+def _of_places(
+    excitation: Excitation, centres: int, displacement: str, *, conditioned: bool, bistable: bool
+) -> list[Finding]:
+    found = []
+    fewest, condition = int(excitation.visits.visits.min()), excitation.conditioning
+    if fewest < LEAST_VISITS:
+        place = quantity(float(excitation.centres[int(np.argmin(excitation.visits.visits))]), displacement)
+        found.append(
+            Finding(
+                "visits",
+                f"the basis centre at q = {place} has {fewest} of at least {LEAST_VISITS} training samples",
+                f"excite that place, or set fewer than {centres} [identify] basis_functions",
+            )
+        )
+    if conditioned and (condition.silent or condition.condition > LARGEST_CONDITION):
+        text = f"condition number {condition.condition:.3g} (at most {LARGEST_CONDITION:g}), {condition.silent} zero"
+        found.append(
+            Finding("rank", f"the regressor's columns cannot be told apart: {text}", "vary the inputs independently")
+        )
+    if bistable and isinstance(excitation.wells, NoWells) and excitation.wells.one_cluster:
+        text = "only one well is visited: of the other half of every curve the data say nothing"
+        found.append(
+            Finding("one-well", text, "add pulses that snap the joint to the other side (`debist rig excite`)")
+        )
+    return found
+
+
+def _idle(samples: FloatArray) -> bool:
+    return is_idle(float(np.ptp(samples)), noise_level(samples))
+
+
+def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
+    """Whether an input that looks like noise, as one does that is drawn anew for each sample, moves q all the same.
+
+    The second differences of q are regressed on place, way and input; Student's t of the input tells.
+    """
+    inner = (segment[:-2] == segment[2:]) & (segment[1:-1] >= 0) & np.isfinite(q[:-2] + q[1:-1] + q[2:])
+    way, turn = (q[2:] - q[:-2])[inner], (q[2:] - 2.0 * q[1:-1] + q[:-2])[inner]
+    known = np.column_stack([np.ones(len(way)), q[1:-1][inner], way])
+    known, _ = np.linalg.qr(known)
+    left = [signal - known @ (known.T @ signal) for signal in (u[1:-1][inner], turn)]
+    size = float(np.linalg.norm(left[0]) * np.linalg.norm(left[1]))
+    share = float(left[0] @ left[1]) / size if size > 0.0 else 0.0
+    return bool(abs(share) * np.sqrt(len(way)) > CERTAINLY * np.sqrt(1.0 - min(1.0, share * share)))

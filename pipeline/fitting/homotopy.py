@@ -1,0 +1,245 @@
+"""Estimation of a free run by homotopy over an observer: from an easy problem to the one that is meant.
+
+A free run's error is a bad cost far from its minimum: one wrong decision at the separatrix, and the joint lies in
+the other well until the next pulse. Coupled to the measurement by an observer with the gain λ, the simulation is
+always in the right well and its error, about (force error)/λ², is nearly linear in the parameters. λ falls in steps to
+zero, each level starting from the minimiser of the one before. Hidden states run through the whole record, so unlike
+multiple shooting there are no window states to estimate.
+"""
+
+import zlib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from pipeline.fitting.descent import FLOOR, Descent, ObservedProblem, Prior
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
+from pipeline.numerics.progress import Keep, Parts, make_anew
+
+GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
+"""Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
+
+COUPLED = 0.3
+"""The one of them at which a chaotic device stays, because simulations part that are coupled less, and a bistable one,
+because single passages near the separatrix decide its free run."""
+
+LEAST_STEPS = 3
+"""Steps of the last level that are taken even when the effort is spent."""
+
+
+@dataclass(frozen=True)
+class Level:
+    """One level: gain λ, iterations, RMS of the residual, and whether the cost had stopped falling."""
+
+    gain: float
+    iterations: int
+    rms: float
+    converged: bool
+
+
+@dataclass(frozen=True)
+class HomotopyFit:
+    """Result.
+
+    Attributes
+    ----------
+    theta : FloatArray, shape (P,)
+    residual : FloatArray, shape (N,)
+        At the last level that did not diverge.
+    hessian : FloatArray, shape (P, P)
+        JᵀJ of the residual there, without noise and prior.
+    noise : float
+        Assumed standard deviation of the residual.
+    levels : tuple of Level
+    aim : float
+        Gain of the level that was asked for last.
+    chaotic : bool
+        Whether the fit stopped before it because free runs part from those that start beside them.
+    """
+
+    theta: FloatArray
+    residual: FloatArray
+    hessian: FloatArray
+    noise: float
+    levels: tuple[Level, ...]
+    aim: float
+    chaotic: bool = False
+
+    @property
+    def reached_last(self) -> bool:
+        """Whether the last level that was asked for (mostly the free run) was reached."""
+        return bool(self.levels) and self.levels[-1].gain == self.aim
+
+    @property
+    def converged(self) -> bool:
+        """Whether the last level (or what chaos leaves of it) was reached and its cost had stopped falling."""
+        return bool(self.levels) and (self.reached_last or self.chaotic) and self.levels[-1].converged
+
+
+def fit_homotopy(
+    problem: ObservedProblem,
+    theta: FloatArray,
+    prior: Prior,
+    *,
+    gains: Sequence[float] = GAINS,
+    iterations: int = 8,
+    last_iterations: int = 25,
+    tolerance: float = 1e-5,
+    noise_inflation: float = 1.0,
+    descent: type[Descent] = Descent,
+    begin: Callable[[FloatArray, float], None] = lambda theta, gain: None,
+    enough: Callable[[], bool] = lambda: False,
+    on_progress: Callable[[float, float], None] = lambda gain, rms: None,
+    parts: Callable[[FloatArray], bool] = lambda theta: False,
+    keep: Keep = make_anew,
+) -> HomotopyFit:
+    """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
+
+    The noise level s is `noise_inflation` times the RMS of the residual itself, lowered as that falls; a factor above 1
+    says that residuals are not independent and lets the prior weigh more.
+
+    Parameters
+    ----------
+    problem : ObservedProblem
+        The simulation and its data.
+    theta : FloatArray, shape (P,)
+        Start.
+    prior : Prior
+        What is known of θ.
+    gains : sequence of float
+        λ, falling, in the unit that the problem takes.
+    iterations, last_iterations : int
+        Steps per level, and at the last one.
+    tolerance : float
+        Relative fall of the cost below which the last level has converged.
+    noise_inflation : float
+        Factor on the noise level.
+    descent : type of Descent
+        How steps are taken: `ParallelDescent` where simulations run side by side.
+    begin : callable
+        Told θ and the gain before each level.
+    enough : callable
+        Whether the effort is spent: then the last level follows at once, with `LEAST_STEPS` steps.
+    on_progress : callable
+        Told the gain and the RMS of the residual before each step.
+    parts : callable
+        Whether a free run with θ parts from one that starts beside it; asked after the level `COUPLED`, which then is
+        the last: the error of a chaotic run is no cost to descend on.
+    keep : callable
+        Keeps each level when it is finished.
+
+    Returns
+    -------
+    HomotopyFit
+        Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
+        Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
+    """
+    count = len(theta)
+    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), False)
+    levels = _Levels(
+        problem,
+        prior,
+        iterations,
+        last_iterations,
+        tolerance,
+        noise_inflation,
+        descent,
+        begin,
+        enough,
+        on_progress,
+        parts,
+    )
+    begun = zlib.crc32(theta.tobytes())  # two fits of a task may differ in their start alone
+    while state.pending:
+        state = _State(**keep(f"level {len(state.levels)}, start {begun:08x}", partial(levels.next, state)))
+    return HomotopyFit(
+        state.theta,
+        state.residual,
+        state.hessian,
+        state.noise,
+        tuple(Level(*level) for level in state.levels),
+        float(gains[-1]),
+        bool(state.chaotic),
+    )
+
+
+@dataclass(frozen=True)
+class _State:
+    """A fit between two levels: what `HomotopyFit` says of it, and the gains of the levels to come."""
+
+    theta: FloatArray
+    damping: float
+    residual: FloatArray
+    hessian: FloatArray
+    noise: float
+    levels: list[tuple[float, int, float, bool]]
+    pending: list[float]
+    chaotic: bool
+
+
+@dataclass(frozen=True)
+class _Levels:
+    """What `fit_homotopy` was asked."""
+
+    problem: ObservedProblem
+    prior: Prior
+    iterations: int
+    last_iterations: int
+    tolerance: float
+    noise_inflation: float
+    descent: type[Descent]
+    begin: Callable[[FloatArray, float], None]
+    enough: Callable[[], bool]
+    on_progress: Callable[[float, float], None]
+    parts: Callable[[FloatArray], bool]
+
+    def next(self, before: _State) -> Parts:
+        """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
+        pending = list(before.pending)
+        if self.enough():
+            pending = pending[-1:]
+        gain = pending[0]
+        self.begin(before.theta, gain)
+        ahead = self.problem.residual(before.theta, gain)
+        if ahead is None:
+            return self._overflown(before)
+        state, following = self._state(before, gain, ahead), pending[1:]
+        if not state.linearise():
+            return self._overflown(before)
+        done = self._descend(state, gain, last=not following)
+        chaotic = bool(following) and gain == COUPLED and self.parts(state.theta)
+        if chaotic:
+            following, done = [], self._descend(state, gain, last=True)
+        if not following:
+            state.linearise()
+        error = rms(state.residual)
+        levels = [*before.levels, (float(gain), state.iterations, error, done)]
+        return vars(
+            _State(state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, chaotic)
+        )
+
+    def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
+        return self.descent(
+            self.problem, self.prior, gain, self.noise_inflation, before.theta, before.damping, residual
+        )
+
+    def _overflown(self, before: _State) -> Parts:
+        """The state before, as the last one, with its Hessian."""
+        if before.levels:
+            state = self._state(before, before.levels[-1][0], before.residual)
+            state.linearise()
+            before = replace(before, hessian=state.hessian)
+        return vars(replace(before, pending=[]))
+
+    def _descend(self, state: Descent, gain: float, *, last: bool) -> bool:
+        """Take the steps of a level; whether its cost had stopped falling."""
+        done = False
+        while state.iterations < (self.last_iterations if last else self.iterations) and not done:
+            if self.enough() and state.iterations >= LEAST_STEPS:
+                break
+            self.on_progress(gain, rms(state.residual))
+            done = not state.step(self.tolerance if last else 1e-3)
+        return done

@@ -1,0 +1,393 @@
+"""The full-order dynamic model (eqs. 19 to 23): simulation by RODAS4, and initial states.
+
+Steps are adaptive, with exact Jacobians (`pipeline.solvers.stiff`).
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from pipeline.compiled import compiled
+from pipeline.device_parameters import JointParameters
+from pipeline.errors import InputError
+from pipeline.generated.analytical_joint import dissipation, motion, motion_slopes, statics
+from pipeline.models.analytical.statics import StaticPath, equilibria, hold_tip, length_scales, unactuated_path
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.inner_loops import copy_into, factorise, solve_factorised
+from pipeline.solvers.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
+
+REACH = 0.06
+"""Displacement [m] beyond which a run counts as diverged."""
+_TYPICAL = np.array([0.1, 0.1, 0.1, 1e-3])
+"""Typical contributions of q2, q3, q4 and u0 [m]: the three large ones cancel to some mm at the tip."""
+
+
+@dataclass(frozen=True)
+class FullOrderMotion:
+    """A motion of the full-order joint at the samples.
+
+    Attributes
+    ----------
+    t : FloatArray, shape (N,)
+        Time [s].
+    qm, qm_dot, qm_ddot : FloatArray, shape (N, 4)
+        Ritz coordinates and their rates; NaN behind a divergence.
+    z : FloatArray, shape (N, 3)
+        Maxwell strains of left and right membrane, friction state.
+    q, q_dot, q_ddot, phi : FloatArray, shape (N,)
+        Tip displacement [m], velocity [m/s], acceleration [m/s²] and tip rotation [rad].
+    diverged_at : float or None
+        Time [s] at which the state left the bounds.
+    accepted, rejected : int
+        Steps of the integrator.
+    """
+
+    t: FloatArray
+    qm: FloatArray
+    qm_dot: FloatArray
+    qm_ddot: FloatArray
+    z: FloatArray
+    q: FloatArray
+    q_dot: FloatArray
+    q_ddot: FloatArray
+    phi: FloatArray
+    diverged_at: float | None
+    accepted: int
+    rejected: int
+
+
+def state_scale(parameters: JointParameters) -> FloatArray:
+    """Typical size of each state, shape (11,); tolerances are relative to it."""
+    shape = _TYPICAL * length_scales(parameters.l)
+    return np.concatenate([shape, 20.0 * shape, [0.1, 0.1, 1.0]])
+
+
+def rest_state(
+    parameters: JointParameters, q0: float, qdot0: float, v: FloatArray, z: FloatArray | None = None
+) -> FloatArray:
+    """State (11,) of a joint of which only q0 [m] and qdot0 [m/s] are known.
+
+    The shape is static under the voltages `v` (2,), and lags behind the static path as far as the damping at
+    qdot0 and the internal states `z` (3,) push it: a first-order slow manifold. Without `z` the Maxwell elements
+    have relaxed, as after a long rest.
+
+    Raises
+    ------
+    InputError
+        No shape holds the tip at q0.
+    """
+    known, internal = np.array([[q0, qdot0]]), np.zeros((1, 3)) if z is None else z[None]
+    try:
+        path = unactuated_path(parameters)
+    except InputError:
+        return np.ravel(_rest_states(parameters, known, v[None], internal, _walked(parameters, q0)[None]))
+    return np.ravel(rest_states(parameters, known, v[None], internal, path))
+
+
+def rest_states(
+    parameters: JointParameters, known: FloatArray, v: FloatArray, z: FloatArray, path: StaticPath
+) -> FloatArray:
+    """The same for many: states (W, 11) for q0 and qdot0 (W, 2), `v` (W, 2) and `z` (W, 3).
+
+    The search for a shape starts from the nearest of `path`.
+    """
+    nearest = np.argmin(np.abs(path.q - known[:, :1]), axis=1)
+    shapes = path.qm[nearest] + path.tangent[nearest] * (known[:, :1] - path.q[nearest, None])
+    return _rest_states(parameters, known, v, z, shapes)
+
+
+def _rest_states(
+    parameters: JointParameters, known: FloatArray, v: FloatArray, z: FloatArray, shapes: FloatArray
+) -> FloatArray:
+    """Those found by Newton from `shapes` (W, 4)."""
+    found = np.empty((len(known), STATES))
+    held = _hold(known, v**2, z, shapes, parameters.vector(), found)
+    if held < len(known):
+        at = f"q = {1e3 * known[held, 0]:.2f} mm under {v[held]} V"
+        raise InputError(f"the joint cannot be held at {at}; check q0 and its unit")
+    return found
+
+
+@compiled
+def _hold(
+    known: FloatArray, v_squared: FloatArray, z: FloatArray, shapes: FloatArray, p: FloatArray, found: FloatArray
+) -> int:
+    """Fill the states `found` (W, 11) that begin at `known` (W, 2); how many can be held, the first ones."""
+    tangent, pivots, scale = np.empty(4), np.empty(5, np.int64), np.ones(4)
+    gradient, hessian, system, right = np.empty(4), np.empty((4, 4)), np.empty((5, 5)), np.empty(5)
+    damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
+    scale[0], scale[1], scale[2] = p[0] ** -2, p[0] ** -3, p[0] ** -4
+    for w in range(len(known)):
+        x, qdot = found[w], known[w, 1]
+        for i in range(4):
+            x[i] = shapes[w, i]
+        force, _, _ = hold_tip(known[w, 0], x[:4], v_squared[w], p, tangent)
+        if not np.isfinite(force):
+            return w
+        for i in range(4):
+            x[4 + i] = tangent[i] * qdot
+        for i in range(3):
+            x[8 + i] = z[w, i]
+        if qdot == 0.0 and x[8] == 0.0 and x[9] == 0.0 and x[10] == 0.0:
+            continue
+        # The change of shape, the tip held, by which elastic forces balance damping and internal forces.
+        statics(x[:4], v_squared[w], p, gradient, hessian)
+        dissipation(x[:4], p, damping, coupling, thickness)
+        for i in range(4):
+            right[i] = 0.0
+            for j in range(4):
+                system[i, j] = hessian[i, j] * scale[i] * scale[j]
+                right[i] -= scale[i] * damping[i, j] * x[4 + j]
+            for j in range(3):
+                right[i] -= scale[i] * coupling[i, j] * x[8 + j]
+            system[i, 4] = -1.0 if i < 3 else 0.0
+            system[4, i] = -system[i, 4]
+        system[4, 4], right[4] = 0.0, 0.0
+        regular = factorise(system, pivots)
+        if regular:
+            solve_factorised(system, pivots, right)
+        for i in range(4):
+            x[i] += right[i] * scale[i] if regular else np.nan
+    return len(known)
+
+
+def _walked(parameters: JointParameters, q0: float) -> FloatArray:
+    """A static shape (4,) with its tip at q0, without voltage, of a joint without a path through q = 0.
+
+    It is found by walking from the nearest equilibrium; NaN if there is none.
+    """
+    rests = equilibria(parameters, np.zeros(2))
+    if not rests:
+        return np.full(4, np.nan)
+    start = min(rests, key=lambda e: abs(e.q - q0))
+    qm, tangent = start.qm.copy(), np.empty(4)
+    for q in np.linspace(start.q, q0, 2 + int(min(abs(q0 - start.q) / 2.5e-4, 1e4))):
+        hold_tip(q, qm, np.zeros(2), parameters.vector(), tangent)
+    return qm
+
+
+def simulate(
+    parameters: JointParameters,
+    t: FloatArray,
+    v: FloatArray,
+    x0: FloatArray,
+    *,
+    force: FloatArray | None = None,
+    tolerance: float = 1e-6,
+) -> FullOrderMotion:
+    """Simulate the full-order model.
+
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    t : FloatArray, shape (N,)
+        Ascending sample times [s].
+    v : FloatArray, shape (N, 2)
+        Voltages [V], linear between samples.
+    x0 : FloatArray, shape (11,)
+        Initial state, e.g. `rest_state` or an equilibrium.
+    force : FloatArray, shape (N,), optional
+        External force along q [N], linear between samples.
+    tolerance : float
+        Local error of a step, relative to `state_scale`. 1e-6 keeps q within about 1 µm of the exact solution
+        over 37.5 s wherever the motion itself is not sensitive (see the tests).
+
+    Notes
+    -----
+    Cost: about 4 µs a step of the integrator.
+    """
+    count = t.size
+    states, rates, steps = np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64)
+    load = np.zeros(count) if force is None else np.ascontiguousarray(force)
+    valid = integrate(
+        np.ascontiguousarray(t), np.ascontiguousarray(v), load, x0, parameters.vector(),
+        tolerance * state_scale(parameters), REACH, states, rates, steps,
+    )  # fmt: skip
+    states[valid:], rates[valid:] = np.nan, np.nan
+    qm, qm_dot, qm_ddot = states[:, :4], states[:, 4:8], rates[:, 4:8]
+    levers, slopes = parameters.levers, parameters.slopes
+    return FullOrderMotion(
+        t, qm, qm_dot, qm_ddot, states[:, 8:], qm @ levers, qm_dot @ levers, qm_ddot @ levers, np.arctan(qm @ slopes),
+        None if valid == count else float(t[min(valid, count - 1)]), int(steps[0]), int(steps[1]),
+    )  # fmt: skip
+
+
+_TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0])
+"""How much of h ∂f/∂t each stage of RODAS4 takes."""
+
+MOST_TRIES = 20_000
+"""Steps between two samples, refused ones too, beyond which a run counts as diverged: a joint takes 2 to 20 in 10 ms;
+one that blows up would never end."""
+
+
+class _Motion(NamedTuple):
+    """The joint in a run: parameters p, inputs, where the step starts, and room for what is computed at a state.
+
+    `sample` (1,) and `offset` (1,) say where the step starts, [s] behind a sample; `rise` (3,) are the rates of
+    voltages and force there; `f_t` (STATES,) is ∂f/∂t.
+    """
+
+    p: FloatArray
+    v: FloatArray
+    force: FloatArray
+    sample: IntArray
+    offset: FloatArray
+    rise: FloatArray
+    f_t: FloatArray
+    squares: FloatArray
+    load: FloatArray
+    f: FloatArray
+    mass: FloatArray
+    factors: FloatArray
+    pivots: IntArray
+
+
+@compiled(inline="always")
+def _motion(p: FloatArray, v: FloatArray, force: FloatArray) -> _Motion:
+    return _Motion(
+        p, v, force, np.zeros(1, np.int64), np.zeros(1), np.zeros(3), np.zeros(STATES), np.empty(2), np.empty(1),
+        np.empty(STATES), np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64),
+    )  # fmt: skip
+
+
+@compiled(inline="always")
+def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: FloatArray) -> bool:
+    """ẋ (11,) of the state x (11,) at `offset` [s] behind the sample, and M (4, 4); False if that is singular."""
+    n = s.sample[0]
+    for side in range(2):
+        s.squares[side] = (s.v[n, side] + s.rise[side] * offset) ** 2
+    s.load[0] = s.force[n] + s.rise[2] * offset
+    motion(x, s.squares, s.load, s.p, mass, out)
+    for i in range(4):
+        for j in range(4):
+            s.factors[i, j] = mass[i, j]
+    if not factorise(s.factors, s.pivots):
+        return False
+    solve_factorised(s.factors, s.pivots, out[4:8])
+    return True
+
+
+@compiled(inline="always")
+def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
+    """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
+    n, lever = s.sample[0], s.p[0] * s.p[0]
+    for i in range(4):
+        s.f_t[4 + i] = 0.0
+        for side in range(2):
+            volts = s.v[n, side] + s.rise[side] * s.offset[0]
+            s.f_t[4 + i] -= 2.0 * slopes[R_S + 2 * i + side] * volts * s.rise[side]
+        if i < 3:
+            # ∂q/∂q_m = [l², l³, l⁴, 0]: the force acts on the tip.
+            s.f_t[4 + i] += lever * s.rise[2]
+            lever *= s.p[0]
+    solve_factorised(s.factors, s.pivots, s.f_t[4:8])
+
+
+@compiled(inline="always")
+def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: FloatArray) -> float:
+    """Rates of voltages and force behind a sample, filled into `rise` (3,); interval to the next, 0 at the last."""
+    if sample == t.size - 1:
+        return 0.0
+    interval = t[sample + 1] - t[sample]
+    for side in range(2):
+        rise[side] = (v[sample + 1, side] - v[sample, side]) / interval
+    rise[2] = (force[sample + 1] - force[sample]) / interval
+    return float(interval)
+
+
+@compiled(inline="always")
+def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
+    """ẋ at a stage, with its share of h ∂f/∂t; the Jacobian is that of the step's start."""
+    fine = _rate(s, work.at, s.offset[0] + RODAS4.nodes[stage] * h, s.mass, s.f)
+    if stage == 0:
+        fine = fine and factorise_stages(1.0 / (RODAS4.gamma * h), work)
+    for i in range(STATES):
+        work.right[i] = s.f[i] + _TIME_DERIVATIVE[stage] * h * s.f_t[i]
+    return fine
+
+
+@compiled(inline="always")
+def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
+    """Stiffly accurate: the last stage completes the solution and is the error estimate; its RMS over the scale."""
+    norm = 0.0
+    for i in range(STATES):
+        last = work.y[5, i]
+        x_new[i] = work.at[i] + last
+        norm += (last / scale[i]) ** 2
+    return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
+
+
+@compiled(nogil=True)
+def integrate(
+    t: FloatArray, v: FloatArray, force: FloatArray, x0: FloatArray, p: FloatArray,
+    scale: FloatArray, reach: float, states: FloatArray, rates: FloatArray, counts: IntArray,
+) -> int:  # fmt: skip
+    """Integrate under voltages and force that are linear between samples.
+
+    Parameters
+    ----------
+    t : FloatArray, shape (N,)
+        Sample times [s]; every sample is a step's end, so that no step sees a kink of the inputs.
+    v, force : FloatArray, shapes (N, 2) and (N,)
+        Voltages [V] and force along q [N].
+    x0, p : FloatArray, shapes (11,) and (41,)
+        Initial state and parameters.
+    scale : FloatArray, shape (11,)
+        Tolerated local error of each state: a step is accepted when the RMS of error / scale is below 1.
+    reach : float
+        |q| [m] beyond which the run counts as diverged.
+    states, rates : FloatArray, shape (N, 11)
+        The solution and its time derivative at the samples (output).
+    counts : IntArray, shape (2,)
+        Accepted and rejected steps (output).
+
+    Returns
+    -------
+    int
+        Number of valid samples; N unless the run diverged, which is also what more than `MOST_TRIES` steps between two
+        samples count as.
+
+    Notes
+    -----
+    Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
+    """
+    x, x_new, f0, h_next = x0.copy(), np.empty(STATES), np.empty(STATES), 1e-4
+    counts[0], counts[1], s, work = 0, 0, _motion(p, v, force), working(6, 1)
+    for sample in range(t.size):
+        interval, offset, s.sample[0] = _rises(t, v, force, sample, s.rise), 0.0, sample
+        tries = 0
+        while offset == 0.0 or offset < interval:
+            fine = _rate(s, x, offset, work.mass, f0)
+            if offset == 0.0:
+                copy_into(states[sample], x)
+                copy_into(rates[sample], f0)
+                q = ((x[2] * p[0] + x[1]) * p[0] + x[0]) * p[0] * p[0]
+                if not fine or not abs(q) < reach:
+                    return sample
+                if interval == 0.0:
+                    break
+            elif not fine:
+                return sample + 1
+            s.offset[0], norm, remaining = offset, np.inf, interval - offset
+            motion_slopes(x, s.squares, s.load, p, f0[4:8], work.slopes)
+            _time_derivative(s, work.slopes)
+            while norm > 1.0:
+                tries += 1
+                if tries > MOST_TRIES:
+                    return sample + 1
+                h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
+                norm = _complete(work, scale, x_new) if advance(RODAS4, _stage, s, x, h, work, 1) else np.inf
+                factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
+                if norm > 1.0:
+                    counts[1] += 1
+                    h_next = factor * h
+                    if h_next < 1e-12 * interval:
+                        return sample + 1
+            counts[0] += 1
+            # A step cut short by the sample's end says nothing against the longer one.
+            h_next = max(factor * h, h_next) if h == remaining else factor * h
+            offset = interval if h == remaining else offset + h
+            copy_into(x, x_new)
+    return t.size

@@ -1,0 +1,176 @@
+"""The analytical model (§ 3) behind the interface of all models: `analytical` and `analytical-calibrated`."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field
+
+from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from pipeline.errors import InputError
+from pipeline.models.analytical.full_order import rest_state, simulate
+from pipeline.models.analytical.windows import voltage_knots
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.kind import Kind, Training
+from pipeline.models.model_file import JointValues, ModelFile
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.progress import Keep, make_anew
+from pipeline.signals.trajectory import Trajectory
+from pipeline.solvers.stiff import STATES
+
+
+class _File(ModelFile):
+    name: Literal["analytical", "analytical-calibrated"]
+    tolerance: Annotated[float, Field(ge=1e-8, le=0.1)]
+    parameters: JointValues
+
+
+@dataclass(frozen=True)
+class AnalyticalModel:
+    """The full-order joint with one set of parameters.
+
+    Attributes
+    ----------
+    parameters : JointParameters
+        The set: the designer's for `analytical`, the fitted one for `analytical-calibrated`.
+    name : str
+        The name under which predictions and scores are filed.
+    diagnostics : dict
+        How the parameters came about, e.g. uncertainties of a calibration; part of `describe`.
+    tolerance : float
+        Local error tolerance of the integrator (`pipeline.models.analytical.full_order.simulate`).
+    """
+
+    parameters: JointParameters
+    name: str = "analytical"
+    fine_voltages = True
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+    tolerance: float = 1e-4
+
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return 2
+
+    @checked
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run from the static shape at ``q0`` that moves with ``qdot0``; v is left and right [V].
+
+        Cost: 0.1 s of processor time for 37.5 s, at 10 ms samples.
+        """
+        knots = voltage_knots(t, v)
+        start = rest_state(self.parameters, q0, qdot0, knots.v[0])
+        motion = simulate(self.parameters, knots.t, knots.v, start, tolerance=self.tolerance)
+        q, qdot, qddot = (signal[knots.rows] for signal in (motion.q, motion.q_dot, motion.q_ddot))
+        status: Literal["ok", "diverged"] = "ok" if motion.diverged_at is None else "diverged"
+        return FreeRun(t, q, qdot, qddot, status, motion.diverged_at)
+
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured motion, by the reduced model (eq. 26), shape (N,).
+
+        A measurement of q tells nothing of the beam's other shapes, so they follow the static path here.
+        """
+        from pipeline.models.analytical.reduced_order import accelerate, reduce_joint
+
+        return accelerate(reduce_joint(self.parameters), t, v if v.ndim == 2 else v[:, 0], q, qdot)
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
+
+        Those of the reduced model (eq. 26), along the static path; Maxwell branches and friction are left out.
+
+        Raises
+        ------
+        InputError
+            The beam snaps while its tip is held, so that no curve over q exists.
+        """
+        from pipeline.models.analytical.reduced_order import CURVES, reduce_joint
+
+        values, slopes = reduce_joint(self.parameters).evaluate(q)
+        column = {name: CURVES.index(name) for name in CURVES}
+        return {
+            "F": values[:, column["f"]],
+            "d": values[:, column["d"]],
+            "dC1_dq": slopes[:, column["C_1"]],
+            "dC2_dq": slopes[:, column["C_2"]],
+        }
+
+    def describe(self) -> dict[str, Any]:
+        """Parameters with their units in the keys, and how they came about."""
+        values = {f"{name} [{QUANTITIES[name].unit}]": self.parameters.value(name) for name in VECTOR_NAMES}
+        return {
+            "model": self.name,
+            "states": STATES,
+            "tolerance": self.tolerance,
+            "parameters": values,
+        } | self.diagnostics
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary: parameters in SI by name, and how they came about."""
+        return {
+            "name": self.name,
+            "tolerance": self.tolerance,
+            "parameters": {name: self.parameters.value(name) for name in VECTOR_NAMES},
+            "diagnostics": dict(self.diagnostics),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "AnalyticalModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing, of another kind or shape, or beyond its range.
+        """
+        file = _File.read(tree, "analytical", "compare")
+        return cls(NOMINAL.with_values(file.parameters), file.name, file.diagnostics, file.tolerance)
+
+
+def calibrate_analytical(
+    data: Sequence[Trajectory], start: JointParameters, *, keep: Keep = make_anew
+) -> AnalyticalModel:
+    """`analytical-calibrated`: the designer's set fitted to the training stretches (§ 3.3).
+
+    Fits the paper's seven parameters, the asymmetries that its analytical model lacks, and friction.
+
+    Notes
+    -----
+    Cost: that of `pipeline.models.analytical.calibration.calibrate`.
+    """
+    from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
+
+    rng, names = np.random.default_rng(0), ASYMMETRIC_NAMES + FRICTION_NAMES
+    fit = calibrate(data, start, rng, names=names, keep=keep)
+    units = [QUANTITIES[name].unit for name in fit.names]
+    diagnostics = {
+        "fitted": [f"{name} [{unit}]" for name, unit in zip(fit.names, units, strict=True)],
+        "values": fit.values,
+        "standard_errors": fit.standard_errors,
+        "correlation": fit.correlation,
+        "at_bound": list(fit.at_bound),
+        "rmse_windows_m": fit.rmse,
+        "converged": fit.converged,
+        "evaluations": fit.evaluations,
+    }
+    return AnalyticalModel(fit.parameters, "analytical-calibrated", diagnostics)
+
+
+def _parameters(training: Training) -> JointParameters:
+    if training.parameters is None:
+        raise InputError("the analytical model needs a parameter set; name one as plant.parameters")
+    return training.parameters
+
+
+def _stretches(training: Training) -> list[Trajectory]:
+    """With the voltages between the samples: a snap begins where a pulse does, not up to a sample interval off."""
+    return [stretch for record in training.records for stretch in record.stretches()]
+
+
+ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
+ANALYTICAL_CALIBRATED = Kind(
+    lambda training: calibrate_analytical(_stretches(training), _parameters(training), keep=training.keep),
+    AnalyticalModel.from_tree,
+)

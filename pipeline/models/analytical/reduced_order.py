@@ -1,0 +1,400 @@
+"""The reduced joint (eqs. 24 to 26): one coordinate, two Maxwell strains, friction; reduction and simulation.
+
+The beam's shape follows the static path q_m(q). The paper fits one polynomial in q to each Ritz coordinate. Where the
+beam is nearly free to snap with its tip held (q = 0, strong pre-strain) the path is steep and a global polynomial
+converges slowly: with `table1` degree 15 misses q2 l² by 13 of 74 mm. Here the polynomials are piecewise cubics on
+0.125 mm with continuous second derivatives.
+
+The law is that of `pipeline.equations.full_joint`; friction is Dahl's, exact (`pipeline.equations.elements`).
+"""
+
+# mypy: disable-error-code="no-untyped-def"
+
+import time
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from pipeline.codegen.numba_writer import formula, kernel
+from pipeline.compiled import compiled
+from pipeline.device_parameters import JointParameters
+from pipeline.generated.analytical_joint import dissipation, dynamics
+from pipeline.generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
+from pipeline.models.analytical.full_order import FullOrderMotion, rest_state, simulate
+from pipeline.models.analytical.statics import StaticPath, equilibria, static_path
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
+from pipeline.numerics.metrics import nrmse
+from pipeline.solvers.fixed_step import Methods, integrator, workspace
+
+CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
+"""Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""
+
+REACH, PLACES = 0.03, 91
+"""Largest q [m] of the curves; places along the beam at which its shape is told."""
+
+
+@dataclass(frozen=True)
+class ReducedJoint:
+    """Characteristic curves of eq. 26 over q.
+
+    Attributes
+    ----------
+    parameters : JointParameters
+        The joint that was reduced.
+    q : FloatArray, shape (N,)
+        Uniform breakpoints [m].
+    curves : FloatArray, shape (N, 7)
+        Values of `CURVES` at the breakpoints.
+    coefficients : FloatArray, shape (N − 1, 4, 7)
+        Ascending powers of q − q_i on [q_i, q_{i+1}], of every curve.
+    creep_gain : FloatArray, shape (2,)
+        V_DE Y_MW of left and right membrane [J]: k̄_i = V_DE Y_MW k_i, with k_i = dλ_{3,i}/dq.
+    creep_rate : FloatArray, shape (2,)
+        Y_MW/η_MW [1/s].
+    path : StaticPath
+        The shapes q_m(q) that were substituted (eq. 24).
+    """
+
+    parameters: JointParameters
+    q: FloatArray
+    curves: FloatArray
+    coefficients: FloatArray
+    creep_gain: FloatArray
+    creep_rate: FloatArray
+    path: StaticPath
+
+    def evaluate(self, q: FloatArray) -> FloatArray:
+        """All curves at `q` (M,), and their derivatives: shape (2, M, 7)."""
+        cell = np.clip(((q - self.q[0]) / (self.q[1] - self.q[0])).astype(int), 0, self.q.size - 2)
+        found = CUBICS.evaluate(pieces=self.coefficients[cell].reshape(-1, 28), s=(q - self.q[cell])[:, None])
+        return np.stack([found["curves"], found["slopes"]])
+
+
+def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
+    """Project the full-order equations on the shapes of a static path (uniform q)."""
+    from scipy.interpolate import CubicSpline
+
+    p, count = parameters.vector(), path.q.size
+    curves = np.empty((count, len(CURVES)))
+    mass, tau, z_dot = np.empty((4, 4)), np.empty(4), np.empty(3)
+    damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
+    nothing = np.zeros(4)
+    for i, (qm, tangent) in enumerate(zip(path.qm, path.tangent, strict=True)):
+        dynamics(qm, nothing, nothing[:3], nothing[:2], nothing[:1], p, mass, tau, z_dot)
+        dissipation(qm, p, damping, coupling, thickness)
+        curves[i, :2] = tangent @ mass @ tangent, tangent @ damping @ tangent
+    # Along the path ∂U/∂q_m = F ∂q/∂q_m, so f(q) = ∂U/∂q_m · dq_m/dq is the holding force itself.
+    curves[:, 2] = path.force
+    curves[:, 3:5] = path.stretch**-0.5
+    curves[:, 5:] = path.capacitance
+    spline = CubicSpline(path.q, curves)
+    sides = (parameters.left, parameters.right)
+    return ReducedJoint(
+        parameters,
+        path.q,
+        curves,
+        np.ascontiguousarray(spline.c[::-1].transpose(1, 0, 2)),
+        np.array([s.volume * s.Y_MW for s in sides]),
+        np.array([s.relaxation for s in sides]),
+        path,
+    )
+
+
+def polynomial_shapes(path: StaticPath, degree: int) -> FloatArray:
+    """One polynomial in q for each Ritz coordinate, as the paper fits them (figure 6b), shape (4, degree + 1).
+
+    Least squares over the path; ascending powers of q over the path's largest displacement.
+    """
+    x = path.q / np.max(np.abs(path.q))
+    return np.stack([np.polynomial.polynomial.polyfit(x, path.qm[:, i], degree) for i in range(4)])
+
+
+@lru_cache(maxsize=16)
+def reduce_joint(parameters: JointParameters) -> ReducedJoint:
+    """The reduced joint over ±`REACH`, kept for the next caller. Cost: 5 ms."""
+    grid = np.linspace(-REACH, REACH, 1 + 2 * round(REACH / 1.25e-4))
+    return reduce_path(parameters, static_path(parameters, grid, np.zeros(2)))
+
+
+@dataclass(frozen=True)
+class BeamModes:
+    """Modes of w(x, t), most energetic first; three at most, because the Ritz shape has three coordinates.
+
+    Attributes
+    ----------
+    x : FloatArray, shape (K,)
+        Positions along the beam [m].
+    shapes : FloatArray, shape (3, K)
+        Mode shapes, 1 at their largest deflection.
+    amplitudes : FloatArray, shape (N, 3)
+        Deflection [m] that each mode contributes where its shape is 1.
+    widest : FloatArray, shape (K,)
+        The beam's shape at its largest deflection, scaled to 1 there: the model response beside mode 1.
+    energy_share : FloatArray, shape (3,)
+        Share of Σ w² that each mode carries.
+    """
+
+    x: FloatArray
+    shapes: FloatArray
+    amplitudes: FloatArray
+    widest: FloatArray
+    energy_share: FloatArray
+
+
+def beam_shapes(qm: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
+    """Positions x (`PLACES`,) [m] and deflections w(x) (N, `PLACES`) [m] of Ritz coordinates (N, 4) (eq. 13)."""
+    x = np.linspace(0.0, length, PLACES)
+    return x, qm[:, :3] @ np.stack([x**2, x**3, x**4])
+
+
+def beam_modes(qm: FloatArray, length: float) -> BeamModes:
+    """Decompose the shapes of a motion.
+
+    Parameters
+    ----------
+    qm : FloatArray, shape (N, 4)
+        Ritz coordinates over time.
+    length : float
+        Length of the beam [m].
+
+    Notes
+    -----
+    The mean shape is not removed: the modes are those of w itself, as in figure 6a. Cost: an SVD of N × `PLACES`.
+    """
+    x, w = beam_shapes(qm, length)
+    left, values, right = np.linalg.svd(w, full_matrices=False)
+    peaks = np.take_along_axis(right[:3], np.argmax(np.abs(right[:3]), axis=1)[:, None], axis=1)
+    shapes = right[:3] / peaks
+    amplitudes = left[:, :3] * values[:3] * peaks[:, 0]
+    energy = values**2
+    row, column = np.unravel_index(np.argmax(np.abs(w)), w.shape)
+    return BeamModes(x, shapes, amplitudes, w[row] / w[row, column], energy[:3] / energy.sum())
+
+
+_motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
+
+
+TOLERANCE = 1e-5
+"""Of the full-order model beside which the reduced one is set."""
+
+
+@dataclass(frozen=True)
+class ReducedMotion:
+    """Motion of the reduced joint at the samples: q [m], q̇ [m/s], q̈ [m/s²], Maxwell strains e (N, 2).
+
+    All NaN behind `diverged_at` [s], where q left the range of the curves.
+    """
+
+    t: FloatArray
+    q: FloatArray
+    q_dot: FloatArray
+    q_ddot: FloatArray
+    e: FloatArray
+    diverged_at: float | None
+
+
+class ReducedSystem(NamedTuple):
+    """A reduced joint in a run; its state is q, q̇, e1, e2.
+
+    inputs (N, 3): voltages [V] and external force [N] at the samples · parts: half steps in an interval · sample (1,):
+    the one before the step, filled · origin, spacing [m], pieces (cells, 4, 7) of the curves · gain, rate (2,) of the
+    Maxwell elements · friction (2,): force [N] and length [m] · slip (2,): q at the start of the step, and Dahl's state
+    there · e (N, 2): strains, filled · s, load (1,), squares (2,), found (3,): room for what acts.
+    """
+
+    inputs: FloatArray
+    parts: int
+    sample: IntArray
+    origin: float
+    spacing: float
+    pieces: FloatArray
+    gain: FloatArray
+    rate: FloatArray
+    friction: FloatArray
+    slip: FloatArray
+    e: FloatArray
+    s: FloatArray
+    load: FloatArray
+    squares: FloatArray
+    found: FloatArray
+
+
+def _begin(system, x, node):
+    n = node // system.parts
+    system.sample[0], system.slip[0] = n, x[0]
+    if node == n * system.parts:
+        system.e[n, 0], system.e[n, 1] = x[2], x[3]
+
+
+def _rates(system, x, node, dx, acceleration):
+    cell = min(max(int((x[0] - system.origin) / system.spacing), 0), system.pieces.shape[0] - 1)
+    system.s[0] = x[0] - (system.origin + cell * system.spacing)
+    n = system.sample[0]
+    share = (node - n * system.parts) / system.parts
+    now, then = system.inputs[n], system.inputs[min(n + 1, len(system.inputs) - 1)]
+    for side in range(2):
+        system.squares[side] = (now[side] + share * (then[side] - now[side])) ** 2
+    system.load[0] = now[2] + share * (then[2] - now[2])
+    if system.friction[0] > 0.0:
+        system.load[0] -= system.friction[0] * _slid(x[0], system.slip[0], system.slip[1], system.friction[1])
+    acting = (system.squares, system.load, system.gain, system.rate)
+    _motion((system.pieces[cell], system.s, x[1:2], x[2:], *acting, system.found))
+    dx[0], dx[1], dx[2], dx[3] = x[1], system.found[0], system.found[1], system.found[2]
+    acceleration[0] = dx[1]
+
+
+def _finish(system, x):
+    if system.friction[0] > 0.0:
+        system.slip[1] = _slid(x[0], system.slip[0], system.slip[1], system.friction[1])
+
+
+_integrate = integrator(ReducedSystem, lambda kind: Methods(_begin, _rates, _finish))
+
+
+@compiled(forceinline=True)
+def _slid(q: float, before: float, zeta: float, length: float) -> float:
+    """Dahl's state after a monotonous displacement from q `before`: exact, so that no step is too long for it."""
+    return float(_dahl_move((zeta, q - before, length))[0])
+
+
+def simulate_reduced(
+    reduced: ReducedJoint,
+    t: FloatArray,
+    v: FloatArray,
+    q0: float,
+    qdot0: float,
+    *,
+    force: FloatArray | None = None,
+    max_step: float = 1e-3,
+) -> ReducedMotion:
+    """Free run of the reduced joint, voltages and force linear between samples.
+
+    Parameters
+    ----------
+    reduced : ReducedJoint
+        Curves from `pipeline.models.analytical.reduced_order`.
+    t, v : FloatArray, shapes (N,) and (N, 2)
+        Sample times [s], uniform, and voltages [V].
+    q0, qdot0 : float
+        Initial displacement [m] and velocity [m/s]; the Maxwell elements have relaxed.
+    force : FloatArray, shape (N,), optional
+        External force [N].
+    max_step : float
+        Longest step [s]. 1 ms resolves the joint's 2.8 Hz, and 9 Hz ring-downs, to 1e-7.
+    """
+    parameters = reduced.parameters
+    interval = sample_interval(t) if t.size > 1 else max_step
+    steps = max(1, int(np.ceil(interval / max_step - 1e-9)))
+    inputs = np.column_stack([v, np.zeros(t.size) if force is None else force])
+    e, out = np.full((t.size, 2), np.nan), np.full((t.size, 3, 1), np.nan)
+    friction = np.array([parameters.F_c, parameters.s_c])
+    system = ReducedSystem(
+        inputs, 2 * steps, np.zeros(1, dtype=np.int64), reduced.q[0], reduced.q[1] - reduced.q[0], reduced.coefficients,
+        reduced.creep_gain, reduced.creep_rate, friction, np.array([q0, 0.0]), e, np.zeros(1), np.zeros(1), np.zeros(2),
+        np.zeros(3),
+    )  # fmt: skip
+    x = np.array([q0, qdot0, 0.0, 0.0])
+    valid = _integrate(system, x, out, workspace(x), steps, interval / steps, reduced.q[0], reduced.q[-1])
+    diverged_at = None if valid == t.size else float(t[valid])
+    return ReducedMotion(t, out[:, 0, 0], out[:, 1, 0], out[:, 2, 0], e, diverged_at)
+
+
+def maxwell_strains(thickness: FloatArray, dt: float, rate: FloatArray) -> FloatArray:
+    """e_i along a measured motion: ``ė = λ̇3 − rate·e`` with λ3 linear between samples, at rest before the first.
+
+    Parameters
+    ----------
+    thickness : FloatArray, shape (N, 2)
+        λ_{3,i}.
+    dt : float
+        Sample interval [s].
+    rate : FloatArray, shape (2,)
+        Y_MW/η_MW [1/s].
+    """
+    gain = np.where(rate > 0.0, -np.expm1(-rate * dt) / np.where(rate > 0.0, rate * dt, 1.0), 1.0)
+    return _relaxing(thickness, gain, np.exp(-rate * dt))
+
+
+@compiled
+def _relaxing(thickness: FloatArray, gain: FloatArray, decay: FloatArray) -> FloatArray:
+    e = np.zeros(thickness.shape)
+    for n in range(1, len(e)):
+        for side in range(2):
+            e[n, side] = decay[side] * e[n - 1, side] + gain[side] * (thickness[n, side] - thickness[n - 1, side])
+    return e
+
+
+@compiled
+def friction_state(q: FloatArray, s_c: float) -> FloatArray:
+    """ζ (N,) of Dahl's friction along a measured motion, monotone between samples, relaxed at the first."""
+    zeta = np.zeros(q.size)
+    for n in range(1, q.size):
+        zeta[n] = _slid(q[n], q[n - 1], zeta[n - 1], s_c)
+    return zeta
+
+
+def accelerate(reduced: ReducedJoint, t: FloatArray, v: FloatArray, q: FloatArray, q_dot: FloatArray) -> FloatArray:
+    """q̈ [m/s²] of eq. 26 along a measured motion, shape (N,); NaN where q is NaN."""
+    known = np.isfinite(q)
+    filled = np.interp(t, t[known], q[known])
+    value, slope = reduced.evaluate(filled)
+    e = maxwell_strains(value[:, 3:5], float(t[1] - t[0]), reduced.creep_rate)
+    parameters = reduced.parameters
+    zeta = friction_state(filled, parameters.s_c) if parameters.F_c > 0.0 else np.zeros(t.size)
+    found = REDUCED_RATES.evaluate(
+        q_dot=q_dot[:, None], e=e, curves=value, slopes=slope, v_squared=v**2, load=-parameters.F_c * zeta[:, None],
+        gain=reduced.creep_gain, rate=reduced.creep_rate,
+    )["rates"]  # fmt: skip
+    return np.where(known, found[:, 0], np.nan)
+
+
+def pulse_sequence(
+    voltage: float = 3000.0, *, pulse: float = 0.5, pause: float = 1.0, count: int = 4, dt: float = 1e-3
+) -> tuple[FloatArray, FloatArray]:
+    """Times [s] and voltages (N, 2) [V]: left, right, left … pulses of `pulse` [s] with pauses, as in figure 7."""
+    period = pulse + pause
+    t: FloatArray = dt * np.arange(round(count * period / dt) + 1, dtype=np.float64)
+    v = np.zeros((t.size, 2))
+    number = np.minimum((t / period).astype(int), count - 1)
+    on = (t - number * period >= 0.5 * pause) & (t - number * period < 0.5 * pause + pulse)
+    v[on, number[on] % 2] = voltage
+    return t, v
+
+
+@dataclass(frozen=True)
+class Motions:
+    """The same motion by the full and the reduced model, with the processor time [s] of each."""
+
+    v: FloatArray
+    full: FullOrderMotion
+    reduced: ReducedMotion
+    full_seconds: float
+    reduced_seconds: float
+
+    @property
+    def nrmse(self) -> dict[str, float | None]:
+        """NRMSE (eq. 41) of the reduced against the full model; None where one of them diverged."""
+        pairs = {
+            "q": (self.full.q, self.reduced.q),
+            "qdot": (self.full.q_dot, self.reduced.q_dot),
+            "qddot": (self.full.q_ddot, self.reduced.q_ddot),
+        }
+        whole = self.full.diverged_at is None and self.reduced.diverged_at is None
+        return {name: nrmse(full, reduced) if whole else None for name, (full, reduced) in pairs.items()}
+
+
+def simulate_both(parameters: JointParameters, t: FloatArray, v: FloatArray, *, q0: float | None = None) -> Motions:
+    """Free run of the full-order and the reduced model from rest at q0 [m], or in the left well."""
+    start = q0 if q0 is not None else next(e.q for e in equilibria(parameters, v[0]) if e.stable)
+    state, reduced = rest_state(parameters, start, 0.0, v[0]), reduce_joint(parameters)
+    # The first calls load compiled code; the times are those of the simulations.
+    simulate(parameters, t[:2], v[:2], state)
+    simulate_reduced(reduced, t[:2], v[:2], start, 0.0)
+    clock = [time.process_time()]
+    full = simulate(parameters, t, v, state, tolerance=TOLERANCE)
+    clock.append(time.process_time())
+    short = simulate_reduced(reduced, t, v, start, 0.0)
+    clock.append(time.process_time())
+    return Motions(v, full, short, clock[1] - clock[0], clock[2] - clock[1])

@@ -1,0 +1,168 @@
+"""How a motion of the full-order joint depends on parameters: the variational equations along a solution.
+
+Along x(t) = [q_m, q̇_m, z] of eq. 19, with ẋ = f(x, p), a change of the parameters moves the solution by
+
+    δẋ = J(t) δx + ∂f/∂p.
+
+The system is linear and as stiff as the joint. Its matrices are computed at the samples and halfway between, where
+the state and its accelerations follow from the cubics through the solution, and are parabolas in between. The joint's
+integrator (`pipeline.solvers.stiff`) takes two steps of `SDIRK3` in a sample interval, with one 4×4 factorisation a
+stage for all parameters together. ∂f/∂p are differences of the kernel.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from pipeline.codegen.numba_writer import kernel
+from pipeline.compiled import compiled
+from pipeline.generated.analytical_joint import MOTION, motion_slopes
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.inner_loops import copy_into
+from pipeline.solvers.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
+
+BATCH = 8
+"""Joints side by side."""
+_motions = kernel(MOTION, BATCH, common=("x", "v_squared", "force"))
+
+
+def state_sensitivities(
+    t: FloatArray, v: FloatArray, states: FloatArray, rates: FloatArray, points: FloatArray, steps: FloatArray,
+    start: FloatArray,
+) -> FloatArray:  # fmt: skip
+    """Derivatives of a solution with respect to P unknowns.
+
+    Parameters
+    ----------
+    t, v : FloatArray, shapes (N,) and (N, 2)
+        Sample times [s] and voltages [V], linear in between.
+    states, rates : FloatArray, shape (N, 11)
+        The solution and its time derivative (`pipeline.models.analytical.full_order.integrate`).
+    points : FloatArray, shape (1 + P, 41)
+        The parameters of the solution, and those with one unknown moved by its entry of `steps`.
+    steps : FloatArray, shape (P,)
+        What the unknowns were moved by: a ten-thousandth of their typical size.
+    start : FloatArray, shape (11, P)
+        Derivatives of the first state.
+
+    Returns
+    -------
+    FloatArray, shape (N, 11, P)
+
+    Notes
+    -----
+    Cost: 8 µs a sample for P = 14. The derivatives of q over switching pulses are within 5 % of differences of exact
+    solutions at 10 ms, within 1.6 % at 5 ms: the shape relaxes faster than it is sampled.
+    """
+    count = 2 * t.size - 1
+    masses, slopes, sources = np.empty((count, 4, 4)), np.empty((count, SLOPES)), np.empty((count, 7, steps.size))
+    _tabulate(t, v, states, rates, points, steps, masses, slopes, sources)
+    out = np.empty((t.size, STATES, steps.size))
+    integrate_sensitivities(
+        t, masses.reshape(count, -1), slopes, sources.reshape(count, -1), start.ravel(), out.reshape(t.size, -1)
+    )
+    return out
+
+
+@compiled(nogil=True)
+def _tabulate(
+    t: FloatArray, v: FloatArray, states: FloatArray, rates: FloatArray, points: FloatArray, steps: FloatArray,
+    masses: FloatArray, slopes: FloatArray, sources: FloatArray,
+) -> None:  # fmt: skip
+    """M (2N − 1, 4, 4), J (…, 79) and ∂f/∂p (…, 7, P), M times that of q̇_m, at N samples and halfway between."""
+    x, a, squares, force = np.empty(STATES), np.empty(4), np.empty(2), np.zeros(1)
+    base, mass, right = np.empty(7), np.empty((4, 4, BATCH)), np.empty((STATES, BATCH))
+    count, size = len(points), points.shape[1]
+    joints = np.empty(((count + BATCH - 1) // BATCH, size, BATCH))
+    for joint in range(len(joints) * BATCH):
+        for i in range(size):
+            joints[joint // BATCH, i, joint % BATCH] = points[min(joint, count - 1), i]
+    for k in range(2 * t.size - 1):
+        _between(t, v, states, rates, k, x, a, squares)
+        motion_slopes(x, squares, force, points[0], a, slopes[k])
+        for joint in range(count):
+            batch_index = joint % BATCH
+            if batch_index == 0:
+                _motions((x, squares, force, joints[joint // BATCH], mass, right))
+            for i in range(7):
+                owed = right[4 + i, batch_index]
+                for m in range(4 if i < 4 else 0):
+                    owed -= mass[i, m, batch_index] * a[m]
+                if joint > 0:
+                    sources[k, i, joint - 1] = (owed - base[i]) / steps[joint - 1]
+                else:
+                    base[i] = owed
+                    for m in range(4 if i < 4 else 0):
+                        masses[k, i, m] = mass[i, m, 0]
+
+
+@compiled
+def _between(
+    t: FloatArray, v: FloatArray, states: FloatArray, rates: FloatArray, k: int,
+    x: FloatArray, a: FloatArray, squares: FloatArray,
+) -> None:  # fmt: skip
+    """State (11,), accelerations (4,) and squared voltages (2,) at sample k / 2, or halfway to the next one."""
+    n, half = k // 2, k % 2
+    h = t[n + half] - t[n]
+    for i in range(STATES):
+        x[i] = 0.5 * (states[n, i] + states[n + half, i]) + 0.125 * h * (rates[n, i] - rates[n + half, i])
+    for i in range(4):
+        a[i] = rates[n, 4 + i]
+        if half:
+            a[i] = 1.5 / h * (states[n + 1, 4 + i] - states[n, 4 + i]) - 0.25 * (rates[n, 4 + i] + rates[n + 1, 4 + i])
+    for side in range(2):
+        squares[side] = 0.25 * (v[n, side] + v[n + half, side]) ** 2
+
+
+class _Variation(NamedTuple):
+    """The variational equations in half a sample interval: what is tabulated, from which row on, and which half."""
+
+    masses: FloatArray
+    slopes: FloatArray
+    sources: FloatArray
+    row: int
+    half: int
+    source: FloatArray
+
+
+@compiled
+def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
+    """Matrices at a stage, and its right-hand side ``at / (γ h)`` plus ∂f/∂p."""
+    w, shift, source = 0.5 * (system.half + SDIRK3.nodes[stage]), 1.0 / (SDIRK3.gamma * h), system.source
+    _parabola(w, system.masses, system.row, work.mass.reshape(-1))
+    _parabola(w, system.slopes, system.row, work.slopes)
+    _parabola(w, system.sources, system.row, source)
+    driven = len(work.push)
+    for i in range(len(work.right)):
+        work.right[i] = shift * work.at[i]
+    for i in range(driven):
+        work.push[i] = source[i]
+    for i in range(len(source) - driven):
+        work.right[2 * driven + i] += source[driven + i]
+    factorise_stages(shift, work)
+    return True
+
+
+@compiled(nogil=True)
+def integrate_sensitivities(
+    t: FloatArray, masses: FloatArray, slopes: FloatArray, sources: FloatArray, start: FloatArray, out: FloatArray
+) -> None:
+    """Two steps in every sample interval; `out` (N, 11 P) takes the derivatives at the samples."""
+    count = start.size // STATES
+    x, work, source = start.copy(), working(3, count), np.empty(7 * count)
+    copy_into(out[0], x)
+    for n in range(t.size - 1):
+        for half in range(2):
+            system = _Variation(masses, slopes, sources, 2 * n, half, source)
+            advance(SDIRK3, _stage, system, x, 0.5 * (t[n + 1] - t[n]), work, count)
+            copy_into(x, work.y[2])
+        copy_into(out[n + 1], x)
+
+
+@compiled
+def _parabola(w: float, points: FloatArray, row: int, found: FloatArray) -> None:
+    """At the share w of a sample interval, the parabolas through the three tabulated rows of `points` from `row` on."""
+    first, middle, last = (1.0 - w) * (1.0 - 2.0 * w), 4.0 * w * (1.0 - w), w * (2.0 * w - 1.0)
+    begin, centre, end = points[row], points[row + 1], points[row + 2]
+    for i in range(found.size):
+        found[i] = first * begin[i] + middle * centre[i] + last * end[i]

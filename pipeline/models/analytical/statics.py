@@ -1,0 +1,394 @@
+"""Statics of the joint (eq. 15): all equilibria with their stability, and the static path.
+
+The static path is the shape that the joint takes when its tip is held at q, and the force that holds it. It is one
+solution of eq. 15 for every q, stable or not, with F as the unknown. It carries F(q) (figure 4), C_i(q) (figure 5),
+φ(q), the reduction of § 3.4 and the initial state of a simulation of which only q and q̇ are given.
+"""
+
+from dataclasses import dataclass
+from functools import cache, lru_cache
+
+import numpy as np
+
+from pipeline.compiled import compiled
+from pipeline.device_parameters import NOMINAL, VECTOR_NAMES, JointParameters
+from pipeline.errors import InputError
+from pipeline.generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
+from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.inner_loops import factorise, solve_factorised
+
+STEEPEST = np.pi / 4
+"""Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""
+REACH = 0.03
+"""Largest deflection [m] of the shapes that Newton's method starts from."""
+
+
+@dataclass(frozen=True)
+class JointEquilibrium:
+    """One state of rest.
+
+    Attributes
+    ----------
+    qm : FloatArray, shape (4,)
+        Ritz coordinates [1/m, 1/m², 1/m³, m].
+    q, phi, u_y : float
+        Displacement [m], tip rotation [rad], axial displacement [m] of the tip.
+    energy : float
+        Total potential U − ½ΣC_i v_i² − F q [J].
+    stable : bool
+        Whether the Hessian of that potential is positive definite.
+    """
+
+    qm: FloatArray
+    q: float
+    phi: float
+    u_y: float
+    energy: float
+    stable: bool
+
+
+def tip_values(qm: FloatArray, p: FloatArray) -> FloatArray:
+    """Tip of the beam: q [m], φ [rad], u_y [m], λ1, λ2 at the Ritz coordinates, shape (5,)."""
+    values, jacobian = np.empty(5), np.empty((5, 4))
+    tip(qm, p, values, jacobian)
+    return values
+
+
+def length_scales(length: float) -> FloatArray:
+    """Ritz coordinates [1/m, 1/m², 1/m³, m] that each move the tip by 1 m, shape (4,)."""
+    return np.array([length**-2, length**-3, length**-4, 1.0])
+
+
+@compiled
+def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: FloatArray, iterations: int) -> bool:
+    """Newton on ∂U/∂q_m = F ∂q/∂q_m from `qm`, in place; True if it converged.
+
+    Converges to saddles as well as to minima. A step that moves a coordinate's tip contribution by more than
+    50 mm (they cancel to some mm) is shortened, so that a start converges to what is near.
+    Cost: one `statics` (0.5 µs) an iteration.
+    """
+    gradient, hessian, pivots = np.empty(4), np.empty((4, 4)), np.empty(4, np.int64)
+    scale = np.array([p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0])
+    for _ in range(iterations):
+        statics(qm, v_squared, p, gradient, hessian)
+        for i in range(3):
+            gradient[i] -= force / scale[i]
+        if not factorise(hessian, pivots):
+            return False
+        solve_factorised(hessian, pivots, gradient)
+        size = np.max(np.abs(gradient / scale))
+        if not size < 1e3:
+            return False
+        qm -= gradient * min(1.0, 5e-2 / max(size, 1e-300))
+        if size < 1e-9:
+            # Quadratic convergence: this step has reached rounding error, which is near 1e-13 m.
+            return True
+    return False
+
+
+@compiled
+def _converge_all(starts: FloatArray, v_squared: FloatArray, force: float, p: FloatArray) -> FloatArray:
+    """Where Newton leads from each start (n, 4); rows that do not converge are NaN."""
+    found = starts.copy()
+    for i in range(starts.shape[0]):
+        if not newton_equilibrium(found[i], v_squared, force, p, 60):
+            found[i] = np.nan
+    return found
+
+
+def _starts(length: float) -> FloatArray:
+    """Beam shapes on a grid of tip deflection q, tip slope l w'(l) and of the bow that leaves both as they are."""
+    grid = np.linspace(-1.0, 1.0, 21), np.linspace(-2.0, 2.0, 7), np.linspace(-7.0, 7.0, 7)
+    q, slope, bow = (REACH * axis.ravel() for axis in np.meshgrid(*grid, indexing="ij"))
+    # Cubic Hermite from the clamp to (q, slope), plus bow · s²(1 − s)².
+    coefficients = np.stack([3.0 * q - slope + bow, slope - 2.0 * q - 2.0 * bow, bow, np.zeros_like(q)], axis=1)
+    return np.asarray(coefficients * length_scales(length))
+
+
+def equilibrium_at(p: FloatArray, qm: FloatArray, v: FloatArray, force: float = 0.0) -> JointEquilibrium:
+    """Describe the equilibrium at Ritz coordinates that satisfy eq. 15, for the parameter vector `p` (41,)."""
+    gradient, hessian = np.empty(4), np.empty((4, 4))
+    energy = statics(qm, v**2, p, gradient, hessian)
+    q, phi, u_y = tip_values(qm, p)[:3]
+    scale = length_scales(float(p[0]))
+    stable = bool(np.linalg.eigvalsh(hessian * np.outer(scale, scale))[0] > 0.0)
+    return JointEquilibrium(qm, float(q), float(phi), float(u_y), float(energy - force * q), stable)
+
+
+def equilibria(parameters: JointParameters, v: FloatArray, force: float = 0.0) -> list[JointEquilibrium]:
+    """All equilibria, in ascending q.
+
+    Newton runs from 1029 beam shapes, with tip deflections up to `REACH` and with S-shapes, so that branches
+    which are not connected to the straight beam are found too (strongly pre-strained beams have them).
+
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    v : FloatArray, shape (2,)
+        Voltages of the left and right membrane [V].
+    force : float
+        External force along q [N].
+
+    Notes
+    -----
+    Solutions with |φ| above 45° are left out: eq. 2 and eq. 9 hold for moderate slopes, and beyond them the
+    equations have solutions that no beam has (φ = 65°, u_y = −70 mm). Cost: 10 ms.
+    """
+    return find_equilibria(parameters.vector(), v, force)
+
+
+def find_equilibria(p: FloatArray, v: FloatArray, force: float) -> list[JointEquilibrium]:
+    """`equilibria` of the parameter vector `p` (41,)."""
+    length = float(p[0])
+    scale = length_scales(length)
+    found = _converge_all(_starts(length), v**2, force, p)
+    distinct: list[FloatArray] = []
+    for qm in found[np.isfinite(found).all(axis=1)]:
+        if all(np.max(np.abs(qm - other) / scale) > 1e-8 for other in distinct):
+            distinct.append(qm)
+    described = (equilibrium_at(p, qm, v, force) for qm in distinct)
+    return sorted((e for e in described if abs(e.phi) < STEEPEST), key=lambda e: e.q)
+
+
+@dataclass(frozen=True)
+class StaticPath:
+    """The joint held at each q under constant voltages.
+
+    Attributes
+    ----------
+    q : FloatArray, shape (N,)
+        Tip displacement [m].
+    qm, tangent : FloatArray, shape (N, 4)
+        Ritz coordinates and dq_m/dq.
+    force : FloatArray, shape (N,)
+        External force that holds the tip [N]: F(q) of figure 4.
+    stiffness : FloatArray, shape (N,)
+        dF/dq [N/m]; negative where the free joint is unstable.
+    energy : FloatArray, shape (N,)
+        U − ½ΣC_i v_i² [J].
+    phi, u_y : FloatArray, shape (N,)
+        Tip rotation [rad] and axial displacement [m].
+    stretch, capacitance, capacitance_slope : FloatArray, shape (N, 2)
+        λ_{1,i}, C_i [F] and dC_i/dq [F/m] along the path, left and right.
+    stable : BoolArray, shape (N,)
+        Whether the free joint, loaded by `force`, would stay.
+    held : BoolArray, shape (N,)
+        Whether the beam keeps its shape while the tip is held.
+    """
+
+    q: FloatArray
+    qm: FloatArray
+    tangent: FloatArray
+    force: FloatArray
+    stiffness: FloatArray
+    energy: FloatArray
+    phi: FloatArray
+    u_y: FloatArray
+    stretch: FloatArray
+    capacitance: FloatArray
+    capacitance_slope: FloatArray
+    stable: BoolArray
+    held: BoolArray
+
+
+@compiled
+def hold_tip(
+    q: float, qm: FloatArray, v_squared: FloatArray, p: FloatArray, tangent: FloatArray
+) -> tuple[float, float, float]:
+    """Solve ``∂U/∂q_m = F ∂q/∂q_m, w(l) = q`` by Newton from `qm`, in place.
+
+    Returns
+    -------
+    force, stiffness, energy : float
+        F [N], dF/dq [N/m] and U − ½ΣC_i v_i² [J]; `tangent` (4,) becomes dq_m/dq. All NaN if Newton fails.
+
+    Notes
+    -----
+    Cost: an iteration evaluates `statics` and factorises 5×5, 0.7 µs; four to six iterations from a neighbour.
+    """
+    scale, lever = np.ones(4), np.ones(4)
+    scale[0], scale[1], scale[2], lever[3] = p[0] ** -2, p[0] ** -3, p[0] ** -4, 0.0
+    gradient, hessian = np.empty(4), np.empty((4, 4))
+    system, right, pivots = np.zeros((5, 5)), np.zeros(5), np.empty(5, np.int64)
+    energy, last = np.nan, False
+    for _ in range(50):
+        energy = statics(qm, v_squared, p, gradient, hessian)
+        # Bordered system in coordinates of tip displacement: the unknowns are the step and the force.
+        for i in range(4):
+            for j in range(4):
+                system[i, j] = hessian[i, j] * scale[i] * scale[j]
+            system[i, 4], system[4, i] = -lever[i], lever[i]
+            right[i] = -gradient[i] * scale[i]
+        system[4, 4] = 0.0
+        right[4] = q - (qm[0] / scale[0] + qm[1] / scale[1] + qm[2] / scale[2])
+        if not factorise(system, pivots):
+            break
+        if last:
+            solve_factorised(system, pivots, right)
+            force = right[4]
+            for i in range(5):
+                right[i] = 1.0 if i == 4 else 0.0
+            solve_factorised(system, pivots, right)
+            for i in range(4):
+                tangent[i] = right[i] * scale[i]
+            return force, right[4], energy
+        solve_factorised(system, pivots, right)
+        size = 0.0
+        for i in range(4):
+            size = max(size, abs(right[i])) if right[i] == right[i] else np.inf
+        if not size < 1e3:
+            break
+        for i in range(4):
+            qm[i] += right[i] * scale[i] * min(1.0, 5e-2 / max(size, 1e-300))
+        last = size < 1e-9
+    return np.nan, np.nan, np.nan
+
+
+@compiled
+def _trace(
+    q: FloatArray,
+    start: FloatArray,
+    v_squared: FloatArray,
+    p: FloatArray,
+    qm: FloatArray,
+    tangent: FloatArray,
+    scalars: FloatArray,
+) -> None:
+    """Hold the tip at every q in turn, each from its neighbour's solution and tangent."""
+    guess, slope = start.copy(), np.zeros(4)
+    for i in range(q.size):
+        for j in range(4):
+            guess[j] += slope[j] * (q[i] - q[i - 1]) if i > 0 else 0.0
+        scalars[i, 0], scalars[i, 1], scalars[i, 2] = hold_tip(q[i], guess, v_squared, p, slope)
+        for j in range(4):
+            qm[i, j], tangent[i, j] = guess[j], slope[j]
+
+
+@compiled
+def _describe(
+    shapes: FloatArray, v_squared: FloatArray, p: FloatArray, tips: FloatArray, tangent: FloatArray,
+    scalars: FloatArray, farads: FloatArray, slopes: FloatArray, hessians: FloatArray,
+) -> None:  # fmt: skip
+    """Fill the columns of a `StaticPath` from shapes (N, 4) at `v_squared` [V²] (2,), parameters `p`.
+
+    Written: `tips` (N, 5), `tangent` (N, 4), `scalars` (N, 3: force, stiffness, energy), capacitances `farads` and
+    their slopes over q along the path (N, 2), `hessians` (N, 4, 4). Scalars and tangent belong to the equilibrium that
+    `hold_tip` finds from the shape at its tip displacement, all else to the shape as it is given.
+    """
+    qm, gradient, tip_jacobian, farad_jacobian = np.empty(4), np.empty(4), np.empty((5, 4)), np.empty((2, 4))
+    for i in range(len(shapes)):
+        for j in range(4):
+            qm[j] = shapes[i, j]
+        tip(qm, p, tips[i], tip_jacobian)
+        scalars[i, 0], scalars[i, 1], scalars[i, 2] = hold_tip(tips[i, 0], qm, v_squared, p, tangent[i])
+        capacitance(shapes[i], p, farads[i], farad_jacobian)
+        for side in range(2):
+            slopes[i, side] = 0.0
+            for j in range(4):
+                slopes[i, side] += farad_jacobian[side, j] * tangent[i, j]
+        statics(shapes[i], v_squared, p, gradient, hessians[i])
+
+
+def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> StaticPath:
+    """Trace the static path outwards from the middle of the grid.
+
+    Parameters
+    ----------
+    parameters : JointParameters
+        The joint.
+    q : FloatArray, shape (N,)
+        Ascending tip displacements [m], steps of at most about 0.5 mm.
+    v : FloatArray, shape (2,)
+        Voltages [V].
+
+    Raises
+    ------
+    InputError
+        The shape has no continuous static path over the grid (it snaps although the tip is held).
+    """
+    p, count = parameters.vector(), q.size
+    qm, tangent, scalars = np.empty((count, 4)), np.empty((count, 4)), np.empty((count, 3))
+    middle = int(np.argmin(np.abs(q)))
+    lead = np.linspace(0.0, q[middle], 2 + int(abs(q[middle]) / 2.5e-4))
+    lead_qm, lead_tangent, lead_scalars = np.empty((lead.size, 4)), np.empty((lead.size, 4)), np.empty((lead.size, 3))
+    _trace(lead, np.zeros(4), v**2, p, lead_qm, lead_tangent, lead_scalars)
+    start = lead_qm[-1]
+    for part in (slice(middle, None), slice(middle, None, -1)):
+        size = q[part].size
+        found = np.empty((size, 4)), np.empty((size, 4)), np.empty((size, 3))
+        _trace(np.ascontiguousarray(q[part]), start, v**2, p, *found)
+        qm[part], tangent[part], scalars[part] = found
+    path = describe_path(parameters, qm, v)
+    lost = ~np.isfinite(scalars).all(axis=1) | ~path.held
+    if lost.any():
+        raise InputError(
+            f"the beam snaps although its tip is held, at q = {1e3 * q[lost][np.argmin(np.abs(q[lost]))]:.1f} mm: "
+            "there is no map from q to its shape; check the parameters (b, E, Y, e_z)"
+        )
+    return path
+
+
+def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) -> StaticPath:
+    """Everything that the kernels tell of static shapes `qm` (N, 4) under voltages `v` (2,), in their order.
+
+    Each shape satisfies eq. 15 for some force, which is found here too.
+    """
+    count = len(qm)
+    tips, tangent, scalars = np.empty((count, 5)), np.empty((count, 4)), np.empty((count, 3))
+    farads, slopes, hessians = np.empty((count, 2)), np.empty((count, 2)), np.empty((count, 4, 4))
+    _describe(qm, v**2, parameters.vector(), tips, tangent, scalars, farads, slopes, hessians)
+    scale = length_scales(parameters.l)
+    known = np.isfinite(qm).all(axis=1)
+    negative = np.full(count, 4)
+    negative[known] = (np.linalg.eigvalsh(hessians[known] * np.outer(scale, scale)) < 0.0).sum(axis=1)
+    # Inertia is additive over the held shape and the tip's own stiffness (Haynsworth 1968).
+    held = negative == (scalars[:, 1] < 0.0)
+    return StaticPath(
+        q=tips[:, 0], qm=qm, tangent=tangent, force=scalars[:, 0], stiffness=scalars[:, 1], energy=scalars[:, 2],
+        phi=tips[:, 1], u_y=tips[:, 2], stretch=tips[:, 3:], capacitance=farads, capacitance_slope=slopes,
+        stable=negative == 0, held=held,
+    )  # fmt: skip
+
+
+def unactuated_path(parameters: JointParameters, reach: float = 0.03, count: int = 241) -> StaticPath:
+    """The static path without voltage over ±reach [m], kept for the next caller and for all joints of equal statics."""
+    return _kept_path(_without_dynamics(parameters), reach, count)
+
+
+@lru_cache(maxsize=64)
+def _without_dynamics(parameters: JointParameters) -> JointParameters:
+    """The joint of equal statics whose other parameters are nominal; a horizon asks for the same joint often."""
+    return parameters.with_values(_dynamic_values())
+
+
+@lru_cache(maxsize=64)
+def _kept_path(parameters: JointParameters, reach: float, count: int) -> StaticPath:
+    return static_path(parameters, np.linspace(-reach, reach, count), np.zeros(2))
+
+
+@cache
+def _dynamic_values() -> dict[str, float]:
+    """Nominal values of the parameters that no static kernel reads: viscosities, inertia, friction."""
+    operations = (operation for graph in (STATICS, TIP, CAPACITANCE) for operation in graph.operations)
+    read = {operation.place[1] for operation in operations if operation.place[0] == "p"}
+    return {name: NOMINAL.value(name) for i, name in enumerate(VECTOR_NAMES) if i not in read}
+
+
+def static_rotation(q: FloatArray, parameters: JointParameters) -> FloatArray:
+    """φ [rad] on the static path without voltage, for q [m] of any shape; linear beyond ±30 mm.
+
+    Cubic Hermite interpolation of 241 nodes with the exact slopes dφ/dq; its error is below 1e-8 rad.
+    """
+    from scipy.interpolate import CubicHermiteSpline
+
+    path = unactuated_path(parameters)
+    p, values, jacobian = parameters.vector(), np.empty(5), np.empty((5, 4))
+    slopes = np.empty(path.q.size)
+    for i in range(path.q.size):
+        tip(path.qm[i], p, values, jacobian)
+        slopes[i] = jacobian[1] @ path.tangent[i]
+    inside = np.clip(q, path.q[0], path.q[-1])
+    beyond = np.asarray(q) - inside
+    edge = np.where(beyond > 0.0, slopes[-1], slopes[0])
+    return np.asarray(CubicHermiteSpline(path.q, path.phi, slopes)(inside) + edge * beyond)

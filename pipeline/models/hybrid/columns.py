@@ -1,0 +1,293 @@
+"""Columns, which are derivatives of the condensed joint's state, move side by side through its Runge-Kutta steps.
+
+A column δx moves by the steps of the run with the rates' own derivatives:
+
+    δẋ = ∂f/∂x δx + ∂f/∂z δz + ∂f/∂(that number),
+
+z being the stop operators, which follow the play or stick. The rates' derivatives come from the generated graphs
+(`pipeline.generated.condensed_joint_jacobian`), for the eight stages of two steps side by side.
+
+All of it is in single precision, right to 1e-5 of a column's size (the worst to 1e-3) in two thirds of the time: a step
+of least squares need not know more, as what it leads to is seen in a run in double precision.
+"""
+
+from functools import partial, reduce
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
+from pipeline.codegen.numba_writer import formula, kernel
+from pipeline.compiled import compiled
+from pipeline.generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOPS
+from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
+from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
+from pipeline.models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES
+from pipeline.models.hybrid.runs import observer
+from pipeline.numerics.arrays import FloatArray, SingleArray
+from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
+
+BATCH = 16
+"""Columns side by side."""
+STAGES = 8
+"""Stages side by side: those of two steps."""
+INSTRUMENTS = 5
+"""Columns of laser offset, delay, charging time and the two probes."""
+_ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 2 + 2 * STOPS * 5
+_SLOTS = STAGES + 2
+"""The four stages and the end of a step, and of the next one."""
+_ROW = _SLOTS * BATCH
+_BLOCK = _ALL * _ROW
+"""Numbers that act on a block of columns: row by row, in each slot, on each column."""
+_TRAVEL, _ARM = INDEX["stop_travel_0"], INDEX["friction_arm"]
+_PLACE = 2**31 - 1
+"""Mask of a place in an array, from which the compiler sees that it is not negative."""
+
+
+def _step() -> Graph:
+    """A Runge-Kutta step of one column: its state `x` and stop operators `z` move to `x_found` and `z_found`.
+
+    `a` are ∂f/∂(x, z) of all entries in `STAGES` stages, of which the first four count; `b` what acts on the column
+    itself, row by row in `_SLOTS` slots, of which the first four and the end count. `w` are the friction's arm, the
+    step [s], and for each of these five which stop operators follow the play, and by how much.
+    """
+    build = Builder()
+    add, given = build.add, partial(_given, build)
+    acting = {one.place[1] for one in JACOBIAN.operations if one.name == "store" and one.place[0] == "a"}
+    acting |= {0, 2 * _ALL}  # an observer pulls at q and τ
+    x, h = [given("x", i) for i in range(STATES)], given("w", 1)
+    y, total = x, x
+    for stage in range(len(SHARES)):
+        z, slopes = _slipped(build, x, y, stage), list[int]()
+        for i in range(STATES):
+            row = [j for j in range(_ALL) if _ALL * i + j in acting]
+            terms = [add("mul", given("a", STAGES * (_ALL * i + j) + stage), [*y, *z][j]) for j in row]
+            slopes.append(reduce(partial(add, "add"), [given("b", _SLOTS * i + stage), *terms]))
+        share, ahead = (add("mul", h, build.constant(x)) for x in (SHARES[stage] / ALL_SHARES, AHEAD[stage]))
+        total = [add("add", total[i], add("mul", share, slopes[i])) for i in range(STATES)]
+        y = [add("add", x[i], add("mul", ahead, slopes[i])) for i in range(STATES)]
+    found = {"x_found": total, "z_found": _slipped(build, x, total, 4)}
+    stores = [Operation("store", (one,), (name, i)) for name, many in found.items() for i, one in enumerate(many)]
+    sizes = {"a": _ALL * _ALL * STAGES, "w": _WEIGHTS, "x": STATES, "z": STOPS, "b": _ALL * _SLOTS}
+    return Graph(sizes, {name: len(many) for name, many in found.items()}, text_of(reachable(build.operations, stores)))
+
+
+def _slipped(build: Builder, x: list[int], y: list[int], slot: int) -> list[int]:
+    """The stop operators at y: those that follow have moved with the play since x."""
+    given, add = partial(_given, build), build.add
+    play = add("add", add("sub", y[0], x[0]), add("mul", given("w", 0), add("sub", y[2], x[2])))
+    found = []
+    for i in range(STOPS):
+        at = 2 + 2 * STOPS * slot + i
+        kept = add("add", given("z", i), given("b", _SLOTS * (STATES + i) + slot))
+        found.append(add("add", add("mul", given("w", at), kept), add("mul", given("w", at + STOPS), play)))
+    return found
+
+
+def _given(build: Builder, name: str, entry: int) -> int:
+    return build.add("input", place=(name, entry))
+
+
+_bell, _stop = formula(BELL_SHAPE), formula(STOP_OPERATOR)
+_prepare, _PREPARED = kernel(PREPARE), PREPARE.outputs["p"]
+_jacobian, _by_constants = kernel(JACOBIAN, STAGES, single=True), kernel(BY_CONSTANTS, STAGES, single=True)
+_move = kernel(_step(), BATCH, common=("a", "w"), single=True)
+_BY_CONSTANTS = np.array(
+    [
+        divmod(one.place[1], _CONSTANTS)
+        for one in BY_CONSTANTS.operations
+        if one.name == "store" and one.place[1] < STATES * _CONSTANTS
+    ]
+)
+"""Rows and constants of ∂f/∂k that are not zero."""
+
+
+class Columns(NamedTuple):
+    """Where numbers that act on columns go.
+
+    `sources`, `targets`: entries of ∂f/∂k in the kernel's output, and their places; `stops` (STOPS + 1,): places where
+    their travels and the friction's arm act on stop operators, −1 for constants without a column; `instruments`
+    (INSTRUMENTS,): their places; `corrected`: the first column of the weights.
+    """
+
+    sources: NDArray[np.int64]
+    targets: NDArray[np.int64]
+    stops: NDArray[np.int64]
+    instruments: NDArray[np.int64]
+    corrected: int
+
+
+def columns_of(active: NDArray[np.int64]) -> Columns:
+    """The columns of the `active` constants, then of the instruments, then of the weights."""
+    places = np.arange(len(active) + INSTRUMENTS)
+    places = places // BATCH * _BLOCK + places % BATCH
+    of_constant = np.full(_CONSTANTS, -1)
+    of_constant[active] = places[: len(active)]
+    row, constant = _BY_CONSTANTS[of_constant[_BY_CONSTANTS[:, 1]] >= 0].T
+    stops = of_constant[[*range(_TRAVEL, _TRAVEL + STOPS), _ARM]]
+    return Columns(
+        (row * _CONSTANTS + constant) * STAGES,
+        of_constant[constant] + row * _ROW,
+        np.where(stops >= 0, stops + STATES * _ROW, -1),
+        places[len(active) :],
+        len(places),
+    )
+
+
+def blocks(count: int) -> int:
+    """Blocks of `BATCH` columns."""
+    return -(-count // BATCH)
+
+
+@compiled
+def propagate(
+    points: FloatArray, slips: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray, squares: FloatArray,
+    by_instruments: FloatArray, pole: FloatArray, h: float, substeps: int, wall: float, lead: float,
+    columns: Columns, starts: SingleArray, stops: SingleArray, found: FloatArray,
+) -> None:  # fmt: skip
+    """Derivatives of q at the samples by all columns, `found` (N, columns), from those at the start."""
+    sources, targets, own, instruments, corrected = columns
+    steps, centres, prepared = len(points) - 1, weights.shape[1], np.empty(_PREPARED)
+    x, u, z = _zeros(STATES * STAGES), _zeros(2 * STAGES), _zeros(STOPS * STAGES)
+    c, c_q = _zeros(VALUES * STAGES), _zeros(VALUES * STAGES)
+    f, a, b = _zeros(_ALL * STAGES), _zeros(_ALL * _ALL * STAGES), _zeros(_ALL * 2 * STAGES)
+    by_c, by_k = _zeros(_ALL * VALUES * STAGES), _zeros(_ALL * _CONSTANTS * STAGES)
+    _prepare((k, prepared))
+    p, w, drive = _zeros(_PREPARED * STAGES), np.zeros((2, _WEIGHTS), np.float32), _zeros(len(starts) * _BLOCK)
+    for i in range(_PREPARED * STAGES):
+        p[i] = prepared[i // STAGES]
+    bells = np.zeros((STAGES, 2, max(centres, 1)))
+    for column in range(found.shape[1]):
+        found[0, column] = starts[column // BATCH, 0, column % BATCH]
+    for first in range(0, steps, 2):
+        for slot in range(_SLOTS):
+            _follow(points, slips, first, slot, k, h, z, w, drive, own)
+        for batch_index in range(STAGES):
+            step, stage = min(first + batch_index // 4, steps - 1), batch_index % 4
+            for i in range(STATES):
+                x[i * STAGES + batch_index] = points[step, stage, i]
+            for i in range(2):
+                u[i * STAGES + batch_index] = squares[2 * step + STAGE_NODES[stage], i]
+            if centres > 0:
+                _corrections(points[step, stage, 0], basis, weights, batch_index, c, c_q, bells)
+        _jacobian((x, u, c, z, c_q, p, f, a, b, by_c))
+        _by_constants((x, u, c, z, p, by_k))
+        for i in range(len(sources)):
+            source, target = sources[i] & _PLACE, targets[i] & _PLACE
+            for batch_index in range(STAGES):
+                drive[target + (batch_index + batch_index // 4) * BATCH] = by_k[source + batch_index]
+        for batch_index in range(STAGES):
+            step, stage = min(first + batch_index // 4, steps - 1), batch_index % 4
+            node = 2 * step + STAGE_NODES[stage]
+            _act(by_instruments, pole, lead, 2 * step, node, batch_index, instruments, a, b, drive)
+            if centres > 0:
+                _act_by_weights(bells, by_c, batch_index, centres, corrected, drive)
+        _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, found)
+
+
+@compiled
+def _zeros(count: int) -> SingleArray:
+    return np.zeros(count, dtype=np.float32)
+
+
+@compiled(inline="always")
+def _advance(
+    first: int, stop: int, points: FloatArray, wall: float, substeps: int, a: SingleArray, w: SingleArray,
+    drive: SingleArray, starts: SingleArray, stops: SingleArray, found: FloatArray,
+) -> None:  # fmt: skip
+    """All columns from the step `first` to `stop`, at most two later; `starts` and `stops` move."""
+    for step in range(first, stop):
+        of_step, weights = a[4 * (step - first) :], w[step - first]
+        confined = abs(points[step + 1, 0, 0]) >= wall
+        for block in range(len(starts)):
+            here, slip, at = starts[block].ravel(), stops[block].ravel(), block * _BLOCK + 5 * BATCH * (step - first)
+            _move((of_step, weights, here, slip, drive[at:], here, slip))
+            if confined:
+                here[: 2 * BATCH] = 0.0
+            if (step + 1) % substeps == 0:
+                for batch_index in range(BATCH):
+                    found[(step + 1) // substeps, block * BATCH + batch_index] = here[batch_index]
+
+
+@compiled(inline="always")
+def _follow(
+    points: FloatArray, slips: FloatArray, first: int, slot: int, k: FloatArray, h: float, z: SingleArray,
+    w: SingleArray, drive: SingleArray, own: NDArray[np.int64],
+) -> None:  # fmt: skip
+    """Weights of a slot, its stop operators, and how their travels and the friction's arm act on these themselves."""
+    half, stage = slot // 5, slot % 5
+    step = min(first + half, len(points) - 2)
+    at = (step, stage) if stage < 4 else (step + 1, 0)
+    turned = points[at[0], at[1], 2] - points[step, 0, 2]
+    play = points[at[0], at[1], 0] - points[step, 0, 0] + k[_ARM] * turned
+    w[half, 0], w[half, 1] = k[_ARM], h
+    for i in range(STOPS):
+        place = 2 + 2 * STOPS * stage + i
+        share, follows, by_play, by_travel = _stop((slips[step, i], play, k[_TRAVEL + i]))
+        if stage < 4:
+            z[i * STAGES + 4 * half + stage] = share
+        w[half, place], w[half, place + STOPS] = follows, by_play
+        if own[STOPS] >= 0:
+            drive[own[STOPS] + i * _ROW + slot * BATCH] = turned * by_play
+        if own[i] >= 0:
+            drive[own[i] + i * _ROW + slot * BATCH] = by_travel
+
+
+@compiled(inline="always")
+def _corrections(
+    q: float, basis: FloatArray, weights: FloatArray, batch_index: int, c: SingleArray, c_q: SingleArray,
+    bells: FloatArray,
+) -> None:  # fmt: skip
+    """The corrections at q, their slopes along q, and the bells with theirs, `bells` (STAGES, 2, M)."""
+    for i in range(VALUES):
+        c[i * STAGES + batch_index] = c_q[i * STAGES + batch_index] = 0.0
+    for j in range(weights.shape[1]):
+        bell, slope, bend = _bell((q, basis[0] + j * basis[1], basis[1], basis[2]))
+        bells[batch_index, 0, j], bells[batch_index, 1, j] = bell, slope
+        for i in range(CURVES):
+            c[i * STAGES + batch_index] += weights[i, j] * bell
+            c_q[i * STAGES + batch_index] += weights[i, j] * slope
+        for i in range(VALUES - CURVES):
+            c[(CURVES + i) * STAGES + batch_index] += weights[CURVED.start + i, j] * slope
+            c_q[(CURVES + i) * STAGES + batch_index] += weights[CURVED.start + i, j] * bend
+
+
+@compiled(inline="always")
+def _act(
+    by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, batch_index: int,
+    places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
+) -> None:  # fmt: skip
+    """How an observer pulls, added to ∂f/∂x, and what instruments do to the rates."""
+    strength = pole[begins] if len(pole) > 0 else 0.0
+    q, speed, tau, turning = observer(-1.0, strength, lead)
+    a[batch_index], a[2 * _ALL * STAGES + batch_index] = q, tau
+    a[_ALL * STAGES + batch_index] += speed
+    a[3 * _ALL * STAGES + batch_index] += turning
+    for i in range(INSTRUMENTS):
+        at = places[i] + (batch_index + batch_index // 4) * BATCH
+        if i == 0:
+            drive[at], drive[at + _ROW] = q, speed
+            drive[at + 2 * _ROW], drive[at + 3 * _ROW] = tau, turning
+        else:
+            left, right = by_instruments[i - 1, node, 0], by_instruments[i - 1, node, 1]
+            for row in range(FIRST_STRAIN):
+                drive[at + row * _ROW] = (
+                    left * b[2 * row * STAGES + batch_index] + right * b[(2 * row + 1) * STAGES + batch_index]
+                )
+
+
+@compiled(inline="always")
+def _act_by_weights(
+    bells: FloatArray, by_c: SingleArray, batch_index: int, centres: int, first: int, drive: SingleArray
+) -> None:
+    """What the weights of the corrections do to the accelerations."""
+    for curve in range(CURVES):
+        for row in range(1, FIRST_STRAIN, 2):
+            value, slope = by_c[(row * VALUES + curve) * STAGES + batch_index], 0.0
+            if CURVED.start <= curve < CURVED.stop:
+                slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * STAGES + batch_index]
+            for j in range(centres):
+                column = first + curve * centres + j
+                at = column // BATCH * _BLOCK + column % BATCH + row * _ROW + (batch_index + batch_index // 4) * BATCH
+                drive[at] = value * bells[batch_index, 0, j] + slope * bells[batch_index, 1, j]

@@ -1,0 +1,328 @@
+"""Identification of the hybrid joint: parameter set → calibrated joint by observer homotopy → RBF corrections."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from pipeline.device_parameters import NOMINAL, JointParameters
+from pipeline.errors import DataRefusedError, InputError
+from pipeline.fitting.descent import ParallelDescent, Prior
+from pipeline.fitting.homotopy import HomotopyFit, Level, fit_homotopy
+from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
+from pipeline.fitting.regression import basis_centres, basis_width
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.kernels import CURVES
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.problem import DEVIATIONS, CondensedJoint, CondensedProblem
+from pipeline.models.hybrid.similarity import SAME, Similarity
+from pipeline.models.hybrid.start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
+from pipeline.models.kind import Kind, Training, fitted_samples
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
+from pipeline.numerics.progress import Keep, kept_under, make_anew
+from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
+
+COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
+"""Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
+
+WHOLE = (8.0, 0.0, 0.0)
+"""The same on whole logs. The free run comes twice, as the first may have brought runs back that had lost their log."""
+
+CORRECTED = (30.0, 8.0, 2.0, 0.0)
+"""The same with corrections: they too are found while every sample stands alone."""
+
+COUPLED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 20
+"""Steps of the descent: coupled, at each level between, in free run on the first quarters, at each level before the
+last on whole logs, and at the last one there."""
+
+COMPARED_POLE = 8.0
+"""Observer pole [1/s] at which corrections are judged on held-out data: a free run there is decided by single pulses
+that end near the separatrix, held like this it is decided by all of them."""
+
+HARMFUL_RATIO = 1.5
+"""Factor by which corrections must raise the held-out error to be left out: their prior is proper, and three quarters
+of a log show less of them than the whole. Simulated joints with rises of 4 to 22 % were predicted better, or equally
+well."""
+
+NOISE_INFLATION = 3.0
+"""Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
+
+UNCORRECTED_ERROR = 5e-4
+"""Share of the operating range: equations that leave a smaller free-run error need no correction."""
+
+LOST_ERROR = 0.02
+"""Share of the operating range: a fit to whole logs that leaves more in free run has lost them, and a second one starts
+from the set. Simulated joints leave 0.01 to 0.1 %."""
+
+BASIS_FUNCTIONS, SMOOTHING = 6, 0.8
+"""M and σ_n of the corrections (eqs. 38, 39)."""
+
+OPEN = (0, 1)
+"""Corrections that bands leave open where none acts: those of the restoring force and of the damping along q, which the
+equations simplify more than the capacitances. With none the bands of 40 simulated joints held 84 to 96 % of the true
+curves, with these 88 to 98 %, with all nine 95 to 100 %."""
+
+_FOLLOWS_NOT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
+
+ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
+"""What the ablation calls the equations without and with corrections."""
+
+
+def identify_hybrid(
+    records: Sequence[Record],
+    parameters: JointParameters,
+    *,
+    similarity: Similarity = SAME,
+    corrections: Literal["auto", "none", "always"] = "auto",
+    keep: Keep = make_anew,
+) -> HybridModel:
+    """Identify the hybrid joint from whole training logs with two voltages.
+
+    The first three quarters of every log are fitted first, without and, where that leaves more than
+    `UNCORRECTED_ERROR`, with corrections; their errors on the rest decide about the corrections. The fit to whole logs
+    goes on from there, and starts anew where it loses them.
+
+    Parameters
+    ----------
+    records : sequence of Record
+        Training logs, each from rest; gaps and outliers masked.
+    parameters : JointParameters
+        The parameter set: the prior mean.
+    similarity : Similarity
+        The device in units of the set's joint.
+    corrections : {"auto", "none", "always"}
+        Whether corrections are fitted, and kept: as above, or never, or whatever they do on the rest of the logs.
+    keep : callable
+        Keeps each level that is finished.
+
+    Returns
+    -------
+    HybridModel
+        With the one fitted to the first three quarters as `early`.
+
+    Raises
+    ------
+    InputError
+        No data, or a log without two voltages.
+    DataRefusedError
+        No simulation follows the logs even when an observer holds it near them.
+
+    Notes
+    -----
+    Cost: 27 Jacobians on three quarters of the logs, 13 more with corrections, and 24 on whole ones (43 more where it
+    starts anew), each with two batches of eight runs. On 37.5 s a Jacobian takes 40 to 65 ms, 65 to 105 with
+    corrections; eight runs 5 to 9 ms.
+    """
+    operating_range(records)
+    if any(record.v.shape[1] != 2 for record in records):
+        raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
+    search = _Search(tuple(similarity.set_record(record) for record in records), keep).within(MOST_SAMPLES)
+    levels, fits = _first_fits(search, parameters, corrections)
+    held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
+    harmful_ratio = np.inf if corrections == "always" else HARMFUL_RATIO
+    helpful = WITH_RBF in held and held[WITH_RBF][0] < harmful_ratio * held[ALONE][0]
+    for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
+        joint, before = fits[name]
+        final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
+        if final.reached_last:
+            break
+    nothing = np.zeros((len(before.theta), 0))
+    judged = HybridModel(_of_device(joint, similarity), before.theta, nothing, nothing)
+    if not search.follows(final, LOST_ERROR):
+        joint, final = min(((joint, final), search.anew(fits[ALONE][0])), key=lambda fitted: _free_error(fitted[1]))
+    if not final.levels:
+        raise DataRefusedError(_FOLLOWS_NOT)
+    return HybridModel(
+        _of_device(joint, similarity),
+        final.theta,
+        posterior_factor(final, search.prior(len(final.theta))),
+        search.band_spread(joint, final),
+        search.curve_spread(joint, final),
+        _report((*levels, *final.levels), final, similarity)
+        | {"held_share": search.held_share(joint, final.theta)}
+        | {"ablation": {name: free for name, (_, free) in held.items()}},
+        early=judged,
+    )
+
+
+Fitted = tuple[CondensedJoint, HomotopyFit]
+"""A structure and its fit."""
+
+
+def _first_fits(
+    search: "_Search", parameters: JointParameters, corrections: str
+) -> tuple[tuple[Level, ...], dict[str, Fitted]]:
+    """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted."""
+    largest = max(float(np.abs(record.drive).max()) for record in search.records)
+    plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
+    # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
+    first = search.early.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+    if not alone.levels:
+        raise DataRefusedError(_FOLLOWS_NOT)
+    fits = {ALONE: (plain, alone)}
+    if corrections == "always" or (corrections == "auto" and not search.follows(alone, UNCORRECTED_ERROR)):
+        joint = replace(plain, centres=BASIS_FUNCTIONS)
+        start = _extended(joint, first.theta)
+        fits[WITH_RBF] = joint, search.early.fit(joint, start, CORRECTED, last=EARLY_STEPS)
+    return (*first.levels, *alone.levels), fits
+
+
+def _displacements(records: Sequence[Record]) -> FloatArray:
+    """Every valid one [m]."""
+    return np.concatenate([record.q[record.valid] for record in records])
+
+
+@dataclass(frozen=True)
+class _Search:
+    """Training logs in the units of the set's joint, and what keeps finished levels."""
+
+    records: tuple[Record, ...]
+    keep: Keep
+
+    @property
+    def early(self) -> "_Search":
+        """The first parts of the logs."""
+        return replace(self, records=tuple(r.part(0, fitted_samples(len(r.t))) for r in self.records))
+
+    def within(self, samples: int) -> "_Search":
+        """So many samples at most: the first share of every log."""
+        return replace(self, records=tuple(within(self.records, samples)))
+
+    def prior(self, count: int) -> Prior:
+        """Deviations and weights of corrections about the set."""
+        return Prior(prior_root((count - DEVIATIONS) // CURVES), np.zeros(count))
+
+    def fit(
+        self,
+        joint: CondensedJoint,
+        start: FloatArray,
+        poles: Sequence[float],
+        *,
+        last: int,
+        steps: int = STEPS,
+    ) -> HomotopyFit:
+        """The joint fitted at the poles in turn."""
+        name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
+        problem = CondensedProblem(joint, self.records)
+        return fit_homotopy(
+            problem, start, self.prior(len(start)), gains=poles,
+            iterations=steps, last_iterations=last, noise_inflation=NOISE_INFLATION, begin=problem.hold_lost,
+            descent=ParallelDescent, keep=kept_under(self.keep, name),
+        )  # fmt: skip
+
+    def anew(self, plain: CondensedJoint) -> Fitted:
+        """The equations alone, fitted to the logs from the set."""
+        first = self.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+        return plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS)
+
+    def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
+        """Factor of the covariance that leaving out parts of the logs shows."""
+        return self._robust_spread(joint, fit, range(CURVES))
+
+    def curve_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray | None:
+        """The same with the corrections of force and damping open where none acts: zero is no knowledge of them."""
+        return None if joint.centres else self._robust_spread(replace(joint, centres=BASIS_FUNCTIONS), fit, OPEN)
+
+    def _robust_spread(self, joint: CondensedJoint, fit: HomotopyFit, rows: Sequence[int]) -> FloatArray:
+        """Of the θ of a joint, zero but for the deviations and some corrections."""
+        problem, pole, theta = CondensedProblem(joint, self.records), fit.levels[-1].gain, _extended(joint, fit.theta)
+        problem.hold_lost(theta, pole)
+        places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows)
+        residual, jacobian = problem.jacobian(theta, pole)
+        found = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
+        spread = np.zeros((len(theta), found.shape[1]))
+        spread[places] = found
+        return spread
+
+    def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:
+        """Share of the samples near which free runs lose their logs, and are held to them in a fit."""
+        problem = CondensedProblem(joint, self.records)
+        problem.hold_lost(theta, 0.0)
+        return problem.held_share
+
+    def follows(self, fit: HomotopyFit, share: float) -> bool:
+        """Whether a fit runs freely within a share of the operating range."""
+        low, high = self.operating_range
+        return _free_error(fit) < 1e3 * share * (high - low)
+
+    @property
+    def operating_range(self) -> tuple[float, float]:
+        """Smallest and largest displacement [m]."""
+        q = _displacements(self.records)
+        return float(q.min()), float(q.max())
+
+    @property
+    def basis(self) -> FloatArray:
+        """RBF basis of corrections over the operating range, as far on either side of q = 0."""
+        low, high = self.operating_range
+        reach = max(-low, high)
+        centres = basis_centres(-reach, reach, BASIS_FUNCTIONS)
+        return np.array([-reach, centres[1] - centres[0], basis_width(centres, SMOOTHING)])
+
+    def held_out(self, joint: CondensedJoint, theta: FloatArray) -> tuple[float, float]:
+        """Errors behind the first parts of the logs, shares of the operating range; infinite where a run fails.
+
+        The mean one held at `COMPARED_POLE`, and the RMS in free run.
+        """
+        low, high = self.operating_range
+        problem = CondensedProblem(joint, self.records, fitted_samples)
+        held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
+        errors = (float(np.mean(np.abs(held))), rms(free))
+        mean, rms_error = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
+        return mean, rms_error
+
+
+def _free_error(fit: HomotopyFit) -> float:
+    """RMS error in free run; infinite if a fit did not get there."""
+    return fit.levels[-1].rms if fit.reached_last else float("inf")
+
+
+def _extended(joint: CondensedJoint, theta: FloatArray) -> FloatArray:
+    """θ of the equations alone, with corrections of zero."""
+    return np.concatenate([theta, np.zeros(len(joint.start()) - len(theta))])
+
+
+def _of_device(joint: CondensedJoint, similarity: Similarity) -> CondensedJoint:
+    """The joint of the set's size as the device's."""
+    return replace(
+        joint,
+        basis=similarity.length * joint.basis,
+        largest_voltage=similarity.voltage * joint.largest_voltage,
+        similarity=similarity,
+    )
+
+
+def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity) -> dict[str, Any]:
+    metre = 1e-3 * similarity.length
+    return {
+        "levels": {
+            "observer_pole_1_per_s": np.array([level.gain for level in levels]) / similarity.time,
+            "iterations": np.array([level.iterations for level in levels]),
+            "rms_m": metre * np.array([level.rms for level in levels]),
+        },
+        "corrected": len(final.theta) > DEVIATIONS,
+        "training_rms_m": metre * rms(final.residual),
+        **vars(whiteness(final.residual)),
+    }
+
+
+def _fit(training: Training) -> HybridModel:
+    mass, corrections, keep = training.known_mass, training.identify.corrections, training.keep
+    if training.parameters is not None:
+        own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
+        return identify_hybrid(
+            training.records, training.parameters, similarity=own, corrections=corrections, keep=keep
+        )
+
+    if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
+        raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
+    units = similar_joint(training.records, NOMINAL, mass)
+    if isinstance(units, NoJoint):
+        raise DataRefusedError(units.reason)
+    return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections, keep=keep)
+
+
+HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")

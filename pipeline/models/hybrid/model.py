@@ -1,0 +1,346 @@
+"""The hybrid joint as a model: the analytical joint with asymmetries and friction, RBF networks as correction.
+
+Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.hybrid.identify`.
+"""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
+from typing import Annotated, Any, ClassVar, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+from scipy.interpolate import CubicSpline
+
+from pipeline.device_parameters import NOMINAL, VECTOR_NAMES
+from pipeline.errors import CorruptArtifactError
+from pipeline.fitting.posterior import first_order_curves, posterior_draws
+from pipeline.generated.condensed_joint import CONSTANTS
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.driving_voltages import DrivingVoltages
+from pipeline.models.hybrid.kernels import CURVES
+from pipeline.models.hybrid.problem import CondensedJoint, simulate
+from pipeline.models.hybrid.runs import BATCH, follow_path
+from pipeline.models.hybrid.similarity import Similarity
+from pipeline.models.hybrid.statics import static_curves, substeps
+from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table
+from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.signals.decimation_kernel import filtered_samples
+
+SEED = 20252  # of the posterior draws: the same model gives the same draws
+
+MOVED = 0.2
+"""Largest standard deviation [widths] of the draws in a direction of the posterior. The probabilities of 814 outcomes
+on 84 logs of 28 simulated joints had a Brier score of 0.0046 without a bound (47 called ambiguous), and of 0.0016 to
+0.0019 with bounds of 0.3 to 0.1 (8 to 4); of those called sure none was wrong. With a bound of 0.02 two were."""
+
+
+_FARTHEST = 300.0
+"""Largest magnitude of an entry of theta [widths]; exponentials of more overflow."""
+_Size = Annotated[float, Field(ge=1e-3, le=1e3)]
+
+
+class _Similarity(FilePart):
+    length: _Size
+    time: _Size
+    voltage: _Size
+    mass: _Size
+    origin: Real
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"P": (1, 5000), "R": (1, 5000), "B": (1, 5000), "C": (1, 10_000), "S": (1, 5000)}
+    parameters: JointValues
+    basis: Annotated[FloatArray, Table("3", -1e3, 1e3)]
+    centres: Annotated[int, Field(ge=0, le=200)]
+    largest_voltage_V: Positive
+    slope_ratio: Real
+    similarity: _Similarity
+    constants: str
+    deviations: str
+    prior_std: Annotated[FloatArray, Table("D")]
+    theta: Annotated[FloatArray, Table("P", -_FARTHEST, _FARTHEST)]
+    spread: Annotated[FloatArray, Table("P R")]
+    band_spread: Annotated[FloatArray, Table("P B")]
+    curve_spread: Annotated[FloatArray, Table("C S")]
+
+    @model_validator(mode="after")
+    def _corrections(self) -> Self:
+        if self.basis[1:].min() <= 0.0:
+            raise ValueError("distance and width in basis are not positive")
+        if len(self.curve_spread) < len(self.theta) or (len(self.curve_spread) - len(self.theta)) % CURVES:
+            raise ValueError(f"curve_spread has {len(self.curve_spread)} rows for {len(self.theta)} parameters")
+        return self
+
+
+@dataclass(frozen=True)
+class HybridModel:
+    """An identified hybrid joint.
+
+    Attributes
+    ----------
+    joint : CondensedJoint
+        Parameter set and RBF basis.
+    theta : FloatArray, shape (P,)
+        Deviations and weights in prior widths.
+    spread : FloatArray, shape (P, P)
+        Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
+    band_spread : FloatArray, shape (P, R)
+        Factor of the covariance that the training data show (`pipeline.fitting.posterior.robust_spread`). The band of
+        the lowest voltage comes from it.
+    curve_spread : FloatArray, shape (P, R) or (P + 9 M, R), or None
+        The same for the bands of the curves, of the θ of `of_curves`; None if it is that of `band_spread`.
+    diagnostics : dict
+        How the fit went.
+    early : HybridModel or None
+        The same fitted to the first three quarters of each training log; it is not filed.
+    """
+
+    joint: CondensedJoint
+    theta: FloatArray
+    spread: FloatArray
+    band_spread: FloatArray
+    curve_spread: FloatArray | None = None
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+    early: "HybridModel | None" = field(default=None, repr=False)
+
+    name = "hybrid"
+    fine_voltages = True
+
+    @property
+    def mass(self) -> float:
+        """Moving mass [kg]."""
+        return self.joint.mass
+
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return 2
+
+    @checked
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run; see `pipeline.models.base.DynamicModel.simulate`.
+
+        Voltages between samples are a cubic spline, or as fine as they are given (`DrivingVoltages`), and are held at
+        twice the largest trained one; a wall at half the beam's length confines the run: it is bounded for any input.
+        """
+        states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
+        lost = np.flatnonzero(~np.isfinite(states[:, 0]))
+        q, qdot, qddot = np.ascontiguousarray(states.T)
+        if len(lost):
+            return FreeRun(t, q, qdot, qddot, "diverged", float(t[lost[0]]))
+        return FreeRun(t, q, qdot, qddot, "ok")
+
+    @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows; see `pipeline.models.base.predictor`.
+
+        An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
+        """
+        states = self._simulate(None, t, v, np.array([seen[0], speed[0]]), seen)[0]
+        q: FloatArray = states[len(seen) - 1 :, 0]
+        return q
+
+    @checked
+    def simulate_draws(
+        self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
+    ) -> tuple[FloatArray, FloatArray]:
+        """Free runs of an ensemble drawn from the parameters' posterior: what the data leave open.
+
+        Returns
+        -------
+        q : FloatArray, shape (count, N)
+            Displacement [m].
+        theta : FloatArray, shape (count, P)
+            The draws.
+        """
+        draws = self.draws(count)
+        return self._simulate(draws, t, v, np.array([q0, qdot0]))[:, :, 0], draws
+
+    @checked
+    def simulate_many(self, t: FloatArray, v: FloatArray, starts: FloatArray) -> FloatArray:
+        """Free runs from several states; see `pipeline.models.base.SimulatesMany`. Eight of them go at once."""
+        return self._simulate(None, t, v, starts)[:, :, 0]
+
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
+        joint, seen = self.joint, self.joint.instruments(self.theta)
+        k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
+        path = CubicSpline(t - t[0], np.column_stack([q - seen.offset, qdot]))(fine)
+        return follow_path(u, path, dt, steps, k, joint.basis, weights)
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
+
+        Along the static path without voltage, friction and creep left out; see `pipeline.models.hybrid.statics`.
+        """
+        return self._curves(self.theta, q)
+
+    def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
+        """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
+        wide, spread = self.of_curves, self._curve_spread
+        return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, spread, count, SEED)
+
+    @property
+    def _curve_spread(self) -> FloatArray:
+        return self.band_spread if self.curve_spread is None else self.curve_spread
+
+    @property
+    def of_curves(self) -> "HybridModel":
+        """For the curves: the same with the corrections that their bands leave open, zero where none acts."""
+        more = len(self._curve_spread) - len(self.theta)
+        joint = replace(self.joint, centres=self.joint.centres + more // CURVES)
+        return replace(self, joint=joint, theta=np.append(self.theta, np.zeros(more)))
+
+    def draws(self, count: int) -> FloatArray:
+        """Parameter vectors that the data allow, shape (count, P); always the same for the same model.
+
+        They are from the posterior, but move by at most `MOVED` in its directions: what the data say little of hardly
+        acts on a run, and far along there the curved valley is left in which they hold it.
+        """
+        values, vectors = np.linalg.eigh(self.spread @ self.spread.T)
+        moved = vectors * np.minimum(np.sqrt(np.maximum(values, 0.0)), MOVED) @ vectors.T
+        return posterior_draws(self.theta, moved, count, SEED)
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, every deviation in its unit with its standard deviation, and diagnostics."""
+        sd = np.sqrt(np.sum(self.spread**2, axis=1))
+        facts = {
+            f"{entry.name} [{'1' if entry.logarithm else entry.unit}]": [
+                float(self.theta[j] * entry.prior_std),
+                float(sd[j] * entry.prior_std),
+            ]
+            for j, entry in enumerate(condensed_parameters.DEVIATIONS)
+        }
+        return {
+            "structure": "analytical joint in (q, tau, beta) with two sides, Maxwell slip and creep; RBF corrections",
+            "origin": "equations of the joint and data",
+            "basis_functions": self.joint.centres,
+            "mass_kg": self.mass,
+            "over the parameter set": {
+                name: getattr(self.joint.similarity, name) for name in ("length", "time", "voltage")
+            },
+            "inputs": "squared",
+            "parameters": len(self.theta),
+            "physical_parameters": len(condensed_parameters.DEVIATIONS),
+            "deviations": facts,
+            **self.diagnostics,
+        }
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts."""
+        p = self.joint.parameters
+        return {
+            "parameters": {name: p.value(name) for name in VECTOR_NAMES},
+            "basis": self.joint.basis,
+            "centres": self.joint.centres,
+            "largest_voltage_V": self.joint.largest_voltage,
+            "slope_ratio": self.joint.slope_ratio,
+            "similarity": self.joint.similarity.to_json(),
+            "constants": " | ".join(CONSTANTS),
+            "deviations": " | ".join(condensed_parameters.NAMES),
+            "prior_std": condensed_parameters.PRIOR_STD,
+            "theta": self.theta,
+            "spread": self.spread,
+            "band_spread": self.band_spread,
+            "curve_spread": self._curve_spread,
+            "diagnostics": dict(self.diagnostics),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "HybridModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing, of another kind or shape, or beyond its range, or the parameters belong to another
+            version of the program.
+        """
+        file = _File.read(tree, "hybrid", "identify")
+        joint = CondensedJoint(
+            NOMINAL.with_values(file.parameters), file.basis, file.centres, file.largest_voltage_V, file.slope_ratio,
+            Similarity(**dict(file.similarity)),
+        )  # fmt: skip
+        known = file.deviations == " | ".join(condensed_parameters.NAMES) and file.constants == " | ".join(CONSTANTS)
+        known = known and np.array_equal(file.prior_std, condensed_parameters.PRIOR_STD)
+        if not known or len(file.theta) != len(joint.start()):
+            raise CorruptArtifactError(
+                "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
+            )
+        return cls(joint, file.theta, file.spread, file.band_spread, file.curve_spread, file.diagnostics)
+
+    def _simulate(
+        self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray,
+        held: FloatArray | None = None,
+    ) -> FloatArray:  # fmt: skip
+        """Runs of several θ (None: the fit's) from one state, shape (2,), or of one from several, shape (B, 2).
+
+        Shape (B, N, 3); free but where an observer has `held` them near a q.
+        """
+        dt = sample_interval(t)
+        driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
+        built = self._best if thetas is None else self._built(thetas)
+        thetas = self.theta[None] if thetas is None else thetas
+        constants, basis, weights = built[0].tobytes(), self.joint.basis.tobytes(), built[1].tobytes()
+        steps = _substeps(constants, basis, weights, len(thetas), dt, self.joint.similarity.time)
+
+        def inputs(seen: condensed_parameters.Instruments) -> FloatArray:
+            return driving.squared(steps, seen, largest)
+
+        if start.ndim > 1:
+            thetas, *parts = (np.repeat(each, len(start), axis=0) for each in (thetas, *built))
+            built = parts[0], parts[1]
+        pole, path = np.zeros(len(t)), np.zeros(0)
+        if held is not None and len(held) > 1:
+            last = len(held) - 1
+            pole[:last] = 1.0 / dt
+            nodes = np.arange(2.0 * steps * (len(t) - 1) + 1.0) / (2 * steps)
+            path = CubicSpline(np.arange(last + 1.0), held)(np.minimum(nodes, last))
+        if not driving.refined:
+            return simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, built=built)
+        # Samples of a log that is known between them have been low-pass filtered, so these are too.
+        runs = []
+        for rows in (
+            slice(first, first + BATCH) for first in range(0, len(thetas), BATCH)
+        ):  # every step of all is much
+            begin, made = start if start.ndim == 1 else start[rows], (built[0][rows], built[1][rows])
+            every = simulate(
+                self.joint, thetas[rows], inputs, begin, path, pole, dt, steps, every_step=True, built=made
+            )
+            runs.append(filtered_samples(every, steps))
+        return np.concatenate(runs)
+
+    @cached_property
+    def _best(self) -> tuple[FloatArray, FloatArray]:
+        """Of the fit, which restarts along a log simulate hundreds of times."""
+        return self._built(self.theta[None])
+
+    def _built(self, thetas: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Constants and weights of several θ."""
+        return self.joint.constants(thetas), self.joint.weights(thetas)
+
+    def _inputs(
+        self, theta: FloatArray, t: FloatArray, v: FloatArray
+    ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
+        """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
+        seen, k = self.joint.instruments(theta), self.joint.constants(theta)
+        dt = sample_interval(t)
+        steps = self.joint.substeps(theta, dt)
+        fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
+        u = DrivingVoltages(v, dt).squared(steps, seen, self.joint.largest_voltage)
+        return k, self.joint.weights(theta), dt, steps, fine, u
+
+    def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
+        joint = self.joint
+        inner = np.ascontiguousarray(q - joint.instruments(theta).offset)
+        force, damping, left, right = static_curves(inner, joint.constants(theta), joint.basis, joint.weights(theta))
+        return {"F": force, "d": damping, "dC1_dq": 2.0 * left, "dC2_dq": 2.0 * right}
+
+
+@lru_cache(maxsize=128)
+def _substeps(constants: bytes, basis: bytes, weights: bytes, count: int, dt: float, slowness: float) -> int:
+    """Runge–Kutta steps of several joints in a sample interval, kept: a map of basins runs the same joint often."""
+    k, centres, rows = (np.frombuffer(text, dtype=np.float64).copy() for text in (constants, basis, weights))
+    return substeps(k.reshape(count, -1), centres, rows.reshape(count, CURVES, -1), dt, slowness)

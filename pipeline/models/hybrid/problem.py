@@ -1,0 +1,395 @@
+"""The slow-coordinate joint coupled to its training logs by an observer: residuals and Jacobians of the displacement.
+
+θ holds deviations from the parameter set (`pipeline.models.hybrid.parameters.DEVIATIONS`), then the weights of the
+RBF corrections, all in prior standard deviations.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from pipeline.device_parameters import JointParameters
+from pipeline.generated.condensed_joint import CONSTANTS
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.columns import INSTRUMENTS
+from pipeline.models.hybrid.driving_voltages import DrivingVoltages
+from pipeline.models.hybrid.kernels import CURVES
+from pipeline.models.hybrid.runs import run_joints
+from pipeline.models.hybrid.sensitivity import Driven, sensitivities
+from pipeline.models.hybrid.similarity import SAME, Similarity
+from pipeline.models.hybrid.statics import substeps
+from pipeline.numerics.arrays import BoolArray, FloatArray, samples_of
+from pipeline.signals.decimation_kernel import sharpened
+from pipeline.signals.trajectory import Record
+
+DEVIATIONS = len(condensed_parameters.NAMES)
+"""Leading entries of θ that are deviations."""
+
+FARTHEST = 6.0
+"""Deviations [prior standard deviations] beyond which a trial is refused: the constants would describe another
+machine."""
+
+LOST_ERROR_SHARE, CAUGHT_ERROR_SHARE = 0.1, 0.02
+"""Shares of the range of q: a run that errs by more has lost the log, and did so after it last erred by less."""
+
+HELD_POLE, HELD_ON = 15.0, 0.3
+"""Pole [1/s] of the observer that holds a run where it would lose its log, and how long [s] it does so from there."""
+
+BEGINNING, MOVING, SETTLING = 0.1, 0.02, 1.0
+"""Time [s] and share of the range of q: a log in which q moves by more at its beginning does not begin at rest. Shape
+and strains are not known there, so a run is held for the third [s] first, and compared from then on."""
+
+PASSES = 12
+"""How often at most a log is run to find where runs lose it, and the next place after holding them there."""
+
+BRIDGED = 0.03
+"""Gap [s] in a log over which a spline is as good as a measurement."""
+
+SETTLED = 3.0
+"""Times 1/pole after a longer one, after which a run that is held has forgotten it."""
+
+SMALL, ROUNDING = 1e-4, 1e-11
+"""Steps [widths] of the differences of constants; and derivatives by θ, in shares of the constant, that are none."""
+
+SOON, LONGER, OFFSET = 2e-7, 1e-4, 0.02
+"""Steps of the differences by which voltages depend on delay [s], charging time (a share) and probes [V]."""
+
+
+@dataclass(frozen=True)
+class CondensedJoint:
+    """Structure of the hybrid joint: parameter set and RBF basis.
+
+    Attributes
+    ----------
+    parameters : JointParameters
+        The parameter set; its mass is the moving mass.
+    basis : FloatArray, shape (3,)
+        First centre, distance of the centres, width σ [m], of the device.
+    centres : int
+        M; 0 for the analytical joint without corrections.
+    largest_voltage : float
+        Largest voltage [V] of the training logs; the free run holds larger ones at twice that.
+    slope_ratio : float
+        τ / Q of slow motions.
+    similarity : Similarity
+        The device in units of the set's joint.
+    """
+
+    parameters: JointParameters
+    basis: FloatArray
+    centres: int
+    largest_voltage: float
+    slope_ratio: float
+    similarity: Similarity = SAME
+
+    def constants(self, theta: FloatArray) -> FloatArray:
+        """The kernel's constants, shape (…, len(CONSTANTS)), of one θ or of several, shape (…, P)."""
+        of_set = condensed_parameters.constants(self.parameters, theta[..., :DEVIATIONS], self.slope_ratio)
+        return of_set * self.similarity.constants
+
+    def weights(self, theta: FloatArray) -> FloatArray:
+        """Weights of the corrections [SI], shape (…, CURVES, M)."""
+        shares = theta[..., DEVIATIONS:].reshape(*theta.shape[:-1], CURVES, self.centres)
+        widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
+        return np.ascontiguousarray(shares * widths[:, None])
+
+    def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
+        """What lies between the joint and what is measured."""
+        seen, units = condensed_parameters.instruments(theta[:DEVIATIONS]), self.similarity
+        return condensed_parameters.Instruments(
+            units.origin + units.length * seen.offset,
+            units.time * seen.delay,
+            units.time * seen.charging,
+            units.voltage * seen.probe,
+        )
+
+    def derivatives(self, theta: FloatArray) -> "Derivatives":
+        """How what a run takes depends on θ."""
+        count, base = len(theta), self.instruments(theta)
+        moved, units = SMALL * np.eye(DEVIATIONS, count), np.eye(count)
+        constants, instruments = np.zeros((len(CONSTANTS), count)), np.zeros((INSTRUMENTS, count))
+        changes = (self.constants(theta + moved) - self.constants(theta - moved)).T / (2.0 * SMALL)
+        rounding = ROUNDING * np.abs(self.constants(theta))[:, None]
+        constants[:, :DEVIATIONS] = np.where(np.abs(changes) > rounding, changes, 0.0)
+        for i in condensed_parameters.OF_INSTRUMENTS:  # all of them linear but the logarithm of the charging time
+            one = self.instruments(theta + units[i])
+            instruments[:2, i] = one.offset - base.offset, one.delay - base.delay
+            instruments[2, i] = base.charging * np.log(one.charging / base.charging)
+            instruments[3:, i] = one.probe - base.probe
+        widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
+        return Derivatives(constants, instruments, widths)
+
+    def substeps(self, theta: FloatArray, dt: float) -> int:
+        """Runge-Kutta steps in a sample interval of `dt` [s]."""
+        return substeps(self.constants(theta), self.basis, self.weights(theta), dt, self.similarity.time)
+
+    @property
+    def mass(self) -> float:
+        """Moving mass [kg]."""
+        return condensed_parameters.moving_mass(self.parameters, self.slope_ratio) * self.similarity.mass
+
+    @property
+    def length(self) -> float:
+        """Length of the beam [m]."""
+        return self.parameters.l * self.similarity.length
+
+    @property
+    def q_stop(self) -> float:
+        """Displacement [m] of the wall that confines every run: half the beam's length."""
+        return 0.5 * self.length
+
+    @property
+    def lead(self) -> float:
+        """dτ/dq [1/m] of slow motions."""
+        return self.slope_ratio / self.length
+
+    def start(self) -> FloatArray:
+        """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
+        return np.zeros(DEVIATIONS + CURVES * self.centres)
+
+
+@dataclass(frozen=True)
+class Derivatives:
+    """How constants (C, P) and instruments (5, P: offset, delay, charging time, probes) depend on θ.
+
+    And the widths (9,) of weights.
+    """
+
+    constants: FloatArray
+    instruments: FloatArray
+    weights: FloatArray
+
+
+class CondensedProblem:
+    """Simulated minus measured q [mm] over the valid samples of all logs (an `ObservedProblem`); gains are poles [1/s].
+
+    Every log starts from rest. Cost: a residual is one run of each log; a Jacobian takes as long as five to eight
+    batches of eight runs.
+
+    Parameters
+    ----------
+    joint : CondensedJoint
+    records : sequence of Record
+        Training logs.
+    fitted : callable
+        How many of a log's samples are compared; the rest is held out.
+    """
+
+    def __init__(
+        self,
+        joint: CondensedJoint,
+        records: Sequence[Record],
+        fitted: Callable[[int], int] = lambda samples: samples,
+    ) -> None:
+        self.joint = joint
+        self._steps = 1
+        self.logs = [_Log(record, fitted(len(record.t))) for record in records]
+
+    def hold_lost(self, theta: FloatArray, gain: float) -> None:
+        """Find where runs with θ lose their logs, and hold them to these there from now on, and nowhere else.
+
+        A pulse that ends in the other well is no error that a linearisation could mend.
+        """
+        for log in self.logs:
+            log.hold_lost(self.joint, theta, gain, self._substeps(theta, log.dt))
+
+    @property
+    def held_share(self) -> float:
+        """Share of the samples near which runs are held."""
+        return float(np.mean(np.concatenate([log.held & ~log.settling for log in self.logs])))
+
+    def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
+        """See `ObservedProblem`."""
+        if np.any(np.abs(theta[:DEVIATIONS]) > FARTHEST):
+            return None
+        parts = [
+            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
+            for log in self.logs
+        ]
+        error = np.concatenate(parts)
+        return error if np.all(np.isfinite(error)) else None
+
+    def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
+        """Those of several θ side by side, shape (B, N), with the steps of the last Jacobian; NaN where one is refused.
+
+        Eight cost what one does.
+        """
+        parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs]
+        errors = np.concatenate(parts, axis=1)
+        errors[np.any(np.abs(thetas[:, :DEVIATIONS]) > FARTHEST, axis=1)] = np.nan
+        return errors
+
+    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
+        """See `ObservedProblem`; a column without finite derivatives is zero there."""
+        parts, columns = [], []
+        self._steps = 1
+        for log in self.logs:
+            self._steps = self._substeps(theta, log.dt)
+            errors, derivatives = log.sensitivities(self.joint, theta, gain, self._steps)
+            parts.append(errors)
+            columns.append(derivatives)
+        found = columns[0] if len(columns) == 1 else np.concatenate(columns)
+        if not np.isfinite(found.sum()):
+            found[~np.isfinite(found)] = 0.0
+        return np.concatenate(parts), found
+
+    def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
+        """Errors [mm] over the held-out ends, coupled to the measurement with the pole `gain` [1/s]."""
+        errors = [
+            log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.held_out]
+            for log in self.logs
+        ]
+        return np.concatenate(errors)
+
+    def _substeps(self, theta: FloatArray, dt: float) -> int:
+        """Steps in a sample interval, never fewer than at the last Jacobian, with whose point a trial is compared."""
+        return max(self._steps, self.joint.substeps(theta, dt))
+
+
+class _Log:
+    """One record, with its voltages and a spline of the displacement that the observer follows."""
+
+    def __init__(self, record: Record, stop: int) -> None:
+        self.dt, self.t = record.interval, record.t - record.t[0]
+        behind = np.arange(len(self.t)) >= stop
+        self.settling = np.arange(len(self.t)) < _settling(record)
+        self.fitted, self.held_out = record.valid & ~behind & ~self.settling, record.valid & behind
+        self.v = DrivingVoltages(record.drive, self.dt)
+        self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
+        if self.v.refined:  # then the samples have been low-pass filtered, and runs are not
+            self.q = sharpened(self.q, record.valid)
+        self._path = CubicSpline(self.t[record.valid], self.q[record.valid])
+        self._start = np.array([self.q[0], 0.0])
+        self._seen, self._seen_for = _visibility(record.valid, self.dt)
+        self.held = self.settling.copy()
+        self._followed: dict[int, FloatArray] = {}
+        self._squares: dict[tuple[int, float, float, float, float, float], FloatArray] = {}
+
+    def hold_lost(self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int) -> None:
+        """See `CondensedProblem.hold_lost`."""
+        self.held = self.settling.copy()
+        span = 1e3 * (self.q[self.fitted].max() - self.q[self.fitted].min())
+        for _ in range(PASSES):
+            error = np.abs(self.errors(joint, theta[None], gain, steps)[0]) / span
+            lost = np.flatnonzero(~(error < LOST_ERROR_SHARE) & self.fitted & ~self.held)
+            if not len(lost):
+                return
+            first = max(np.flatnonzero(error[: lost[0] + 1] < CAUGHT_ERROR_SHARE), default=0)
+            self.held[first : lost[0] + samples_of(HELD_ON, self.dt)] = True
+
+    def compared(self, gain: float) -> BoolArray:
+        """Samples at which an observer with this pole has made up for what happened while the laser saw nothing."""
+        return self.fitted & (gain * self._seen_for >= SETTLED) if gain > 0.0 else self.fitted
+
+    def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
+        """Simulated minus measured q [mm] of several θ, shape (B, N)."""
+        pole, path = self._observer(gain, steps)
+        runs = simulate(
+            joint,
+            thetas,
+            lambda seen: self._inputs(seen, steps, joint.largest_voltage),
+            self._start,
+            path,
+            pole,
+            self.dt,
+            steps,
+        )
+        error: FloatArray = (runs[:, :, 0] - self.q) * 1e3
+        return error
+
+    def sensitivities(
+        self, joint: CondensedJoint, theta: FloatArray, gain: float, steps: int
+    ) -> tuple[FloatArray, FloatArray]:
+        """Errors [mm] of one θ over the samples that are compared, shape (N,), and their derivatives by it, (N, P)."""
+        pole, path = self._observer(gain, steps)
+        seen, by_theta, largest = joint.instruments(theta), joint.derivatives(theta), joint.largest_voltage
+        u = self._inputs(seen, steps, largest)
+        slower = LONGER * seen.charging
+        moves = [
+            (SOON, replace(seen, delay=seen.delay + SOON)),
+            (slower, replace(seen, charging=seen.charging + slower)),
+            *((OFFSET, replace(seen, probe=seen.probe + OFFSET * side)) for side in np.eye(2)),
+        ]
+        by_inputs = np.array([(self.v.squared(steps, one, largest) - u) / step for step, one in moves])
+        driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
+        found = sensitivities(
+            joint.constants(theta), joint.basis, joint.weights(theta), np.abs(by_theta.constants).max(axis=1),
+            by_theta.weights, seen.offset, driven, self.dt, steps, joint.q_stop, joint.lead,
+        )  # fmt: skip
+        at, active = self.compared(gain), np.any(by_theta.constants, axis=1)
+        chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
+        columns, q = (found.columns, found.q) if at.all() else (found.columns[at], found.q[at])
+        by = columns @ chain
+        by_weights = found.by_weights[at] * by_theta.weights[:, None]
+        by[:, DEVIATIONS:] += 1e3 * by_weights.reshape(len(q), by.shape[1] - DEVIATIONS)
+        by += 1e3 * by_theta.instruments[0]  # the reading is q + offset
+        return 1e3 * (q + seen.offset - self.q[at]), by
+
+    def _observer(self, gain: float, steps: int) -> tuple[FloatArray, FloatArray]:
+        """Pole [1/s] of the observer in each sample interval, and what it follows, nothing where it never does."""
+        pole = np.where(self._seen, np.where(self.held, max(gain, HELD_POLE), gain), 0.0)
+        return pole, self._half_steps(steps) if np.any(pole > 0.0) else np.zeros(0)
+
+    def _half_steps(self, steps: int) -> FloatArray:
+        if steps not in self._followed:
+            times = np.linspace(0.0, self.t[-1], 2 * steps * (len(self.t) - 1) + 1)
+            self._followed[steps] = self._path(times)
+        return self._followed[steps]
+
+    def _inputs(self, seen: condensed_parameters.Instruments, steps: int, largest: float) -> FloatArray:
+        # Joints that run side by side, and steps that are tried one after the other, often share their instruments.
+        key = (steps, seen.delay, seen.charging, float(seen.probe[0]), float(seen.probe[1]), largest)
+        if key not in self._squares:
+            if len(self._squares) >= 4:
+                self._squares.clear()
+            self._squares[key] = self.v.squared(steps, seen, largest)
+        return self._squares[key]
+
+
+def _settling(record: Record) -> int:
+    """Samples of a record until its state is known, none where it begins at rest."""
+    begin = slice(0, samples_of(BEGINNING, record.interval) + 1)
+    moves = np.ptp(record.q[begin][record.valid[begin]]) > MOVING * np.ptp(record.known_q)
+    return min(samples_of(SETTLING, record.interval), len(record.t) // 2) if moves else 0
+
+
+def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
+    """Sample intervals [dt] along which an observer may follow, and how long [s] it has had something to follow.
+
+    A gap of up to `BRIDGED` is followed along the spline over it. Beyond, where the joint may have turned, a run is
+    free: pulled along a bridge it would be pulled astray.
+    """
+    edges = np.flatnonzero(np.diff(np.concatenate([[True], valid, [True]]).astype(np.int8)))
+    seen, seen_for = np.ones(len(valid), dtype=bool), np.full(len(valid), np.inf)
+    for first, stop in edges.reshape(-1, 2):
+        if (stop - first) * dt > BRIDGED:
+            seen[max(first - 1, 0) : stop] = False
+            seen_for[first:] = dt * (np.arange(first, len(valid)) - stop)
+    return seen, seen_for
+
+
+def simulate(
+    joint: CondensedJoint, thetas: FloatArray, inputs: Callable[[condensed_parameters.Instruments], FloatArray],
+    start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
+    built: tuple[FloatArray, FloatArray] | None = None,
+) -> FloatArray:  # fmt: skip
+    """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`.
+
+    `built`: constants and weights of the joints, where they are known already.
+    """
+    constants, weights = built or (joint.constants(thetas), joint.weights(thetas))
+    seen = [joint.instruments(theta) for theta in thetas]
+    keys = [(one.delay, one.charging, *one.probe) for one in seen]
+    first = {key: i for i, key in reversed(list(enumerate(keys)))}
+    order = {key: v for v, key in enumerate(first)}
+    return run_joints(
+        constants,
+        weights,
+        joint.basis,
+        np.array([inputs(seen[i]) for i in first.values()]),
+        np.array([order[key] for key in keys]),
+        np.array([one.offset for one in seen]),
+        start, observed, gain, dt, steps, joint.q_stop, joint.lead, every_step,
+    )  # fmt: skip

@@ -1,0 +1,98 @@
+"""Dynamic similarity: a joint that is a parameter set's in other units of length, time, voltage and mass.
+
+Equal equations in other units describe devices of other sizes: with lengths × a, times × b, voltages × c and masses × d
+every constant of the equations is multiplied by d^i a^j b^k c^l, its dimension being kg^i m^j s^k V^l.
+"""
+
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOPS, TIP_CONSTANTS
+from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.trajectory import Record
+from pipeline.units import POWERS
+
+_UNITS = {
+    "l": "m", "bending": "J", "bending_loss": "N·m·s", "mass": "kg", "cross": "kg·m", "inertia": "kg·m²",
+    "gyration": "kg·m²", "interior_inertia": "kg·m²", "rise_qq": "1/m", "rise_tt": "m", "rise_tb": "m", "rise_bb": "m",
+    "weight": "N", "offset": "m", "side_force": "N", "viscosity": "N·s/m", "friction_arm": "m",
+    **{name: unit for name, _, _, unit in TIP_CONSTANTS},
+    **{f"relaxation_{i}": "1/s" for i in range(BRANCHES)},
+    **{f"{side}_{name}": "m" for side in ("left", "right") for name in ("a", "c", "e_z", "e_x", "l0")},
+    **{f"{side}_elastic": "J" for side in ("left", "right")},
+    **{f"{side}_electric": "F" for side in ("left", "right")},
+    **{f"{side}_maxwell_{i}": "J" for side in ("left", "right") for i in range(BRANCHES)},
+    **{f"{side}_viscous": "N·m·s" for side in ("left", "right")},
+    **{f"stop_force_{i}": "N" for i in range(STOPS)},
+    **{f"stop_travel_{i}": "m" for i in range(STOPS)},
+    **{f"creep_stiffness_{i}": "N/m" for i in range(CREEPS)},
+    **{f"creep_rate_{i}": "1/s" for i in range(CREEPS)},
+}  # fmt: skip
+"""Units of the constants of the kernels; what is not named is a number."""
+
+DIMENSIONS = np.array([POWERS[_UNITS.get(name, "1")] for name in CONSTANTS])
+"""Powers of kg, m, s and V in each of them, shape (len(CONSTANTS), 4)."""
+_WEIGHTS = np.array(
+    [POWERS[unit] for unit in ("N", "N·s/m", "N/V²", "N/V²", "N·m", "N·m", "N·m/V²", "N·m/V²", "N·m·s")]
+)
+"""Those of the weights of the corrections, rows as in `pipeline.models.hybrid.kernels`."""
+
+
+@dataclass(frozen=True)
+class Similarity:
+    """A device in units of a parameter set's joint.
+
+    Attributes
+    ----------
+    length, time, voltage, mass : float
+        The device's over the set's.
+    origin : float
+        Reading [m] that corresponds to q = 0 of the set.
+    """
+
+    length: float = 1.0
+    time: float = 1.0
+    voltage: float = 1.0
+    mass: float = 1.0
+    origin: float = 0.0
+
+    @property
+    def _units(self) -> FloatArray:
+        return np.array([self.mass, self.length, self.time, self.voltage])
+
+    @cached_property
+    def constants(self) -> FloatArray:
+        """Factors on the kernel's constants, shape (len(CONSTANTS),)."""
+        factors: FloatArray = np.prod(self._units**DIMENSIONS, axis=1)
+        return factors
+
+    @cached_property
+    def weights(self) -> FloatArray:
+        """Factors on the rows of the corrections' weights, shape (CURVES,)."""
+        factors: FloatArray = np.prod(self._units**_WEIGHTS, axis=1)
+        return factors
+
+    def set_record(self, record: Record) -> Record:
+        """A log of the device as one of the set's joint."""
+        speed = self.length / self.time
+        return replace(
+            record,
+            t=record.t / self.time,
+            q=(record.q - self.origin) / self.length,
+            qdot=record.qdot / speed,
+            qddot=record.qddot / (speed / self.time),
+            v=record.v / self.voltage,
+            fine=None if record.fine is None else record.fine / self.voltage,
+            past=None if record.past is None else record.past / self.voltage,
+            velocity=None if record.velocity is None else record.velocity / speed,
+        )
+
+    def to_json(self) -> dict[str, float]:
+        """The factors by name."""
+        return asdict(self)
+
+
+SAME = Similarity()
+"""The set's own joint."""

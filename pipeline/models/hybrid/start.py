@@ -1,0 +1,205 @@
+"""Start of an identification of the hybrid joint: similarity of the device, and prior of deviations.
+
+The logs show the device's size, speed and sensitivity beside the joint of a parameter set. Length follows from the
+distance of the two wells, time from the frequency of small motions in them, and voltage from the acceleration that the
+inputs add there. A few percent are enough: the identification goes on from there.
+
+The prior states how wide deviations and corrections are, and how alike the two sides. A joint is built to be its own
+mirror image. So errors of its equations are nearly the same on both sides, and errors of a parameter set are common to
+both membranes; only a workshop's tolerances are each side's own.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.device_parameters import JointParameters
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.kernels import CURVES, INDEX
+from pipeline.models.hybrid.parameters import NAMES
+from pipeline.models.hybrid.similarity import Similarity
+from pipeline.models.hybrid.statics import static_curves
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
+from pipeline.signals.trajectory import Record
+
+NEAR = 0.4
+"""Share of half the distance of the wells within which a motion counts as one about a well."""
+
+SHIFTED = 0.3
+"""Share of half the distance of the wells by which their middle may differ from the reading zero of a joint that is
+only asymmetric; beyond it the laser's zero is taken to be elsewhere."""
+
+WELLS_DIFFER = 0.1
+"""Share by which frequency and sensitivity of an asymmetric joint's two wells differ; errors below it weigh alike."""
+
+FEWEST = 40
+"""Samples near a well that are needed to tell its frequency."""
+
+
+@dataclass(frozen=True)
+class NoJoint:
+    """Why the joint's equations are no candidate for a device."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class _SmallMotion:
+    """What moves a joint near its wells: place [m], squared frequency [1/s²], acceleration by each squared voltage;
+    standard errors of the frequency and of the difference of the accelerations.
+    """
+
+    place: float
+    stiffness: float
+    gains: FloatArray
+    stiffness_error: float = 0.0
+    gain_error: float = 0.0
+
+
+def similar_joint(
+    records: Sequence[Record], parameters: JointParameters, mass: float | None = None
+) -> Similarity | NoJoint:
+    """The device of the training logs in units of a parameter set's joint.
+
+    Parameters
+    ----------
+    records : sequence of Record
+        Training logs with two voltages, q in metres.
+    parameters : JointParameters
+        The set.
+    mass : float, optional
+        Moving mass [kg] of the device; 1 kg if it is unknown, so that forces are per unit mass.
+
+    Returns
+    -------
+    Similarity or NoJoint
+        Cost: two regressions over the samples near the wells.
+    """
+    wells = _wells(records)
+    if not isinstance(wells, Wells):
+        return NoJoint(f"no two wells: {wells.reason}")
+    half = 0.5 * (wells.right - wells.left)
+    found = [_measured(records, place, NEAR * half) for place in (wells.left, wells.right)]
+    motions = [one for one in found if one is not None]
+    if not motions:
+        return NoJoint("no small motion about a well is seen, so the joint's time scale is unknown")
+    gain = _weighted([(one.gains[0] - one.gains[1], one.gain_error) for one in motions])
+    if gain <= 0.0:
+        return NoJoint("v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?")
+    reference = _set_motion(parameters)
+    length = half / reference.place
+    stiffness = _weighted([(one.stiffness, one.stiffness_error) for one in motions])
+    time = float(np.sqrt(reference.stiffness / stiffness))
+    acceleration = length / time**2
+    voltage = float(np.sqrt(acceleration * (reference.gains[0] - reference.gains[1]) / gain))
+    return Similarity(length, time, voltage, mass_factor(parameters, mass), _shift(wells))
+
+
+def shift_of(records: Sequence[Record]) -> float:
+    """Reading [m] in the middle of the wells where that is far from zero, else 0; also where no wells are seen."""
+    wells = _wells(records)
+    return _shift(wells) if isinstance(wells, Wells) else 0.0
+
+
+def _wells(records: Sequence[Record]) -> Wells | NoWells:
+    logs = [(np.where(r.valid, r.q, np.nan), r.v, r.interval) for r in records]
+    wells = find_wells(logs, joint=True)
+    return wells if isinstance(wells, Wells) else find_wells(logs, SHORT_PAUSE, joint=True)
+
+
+def _shift(wells: Wells) -> float:
+    half, middle = 0.5 * (wells.right - wells.left), 0.5 * (wells.right + wells.left)
+    return middle if abs(middle) > SHIFTED * half else 0.0
+
+
+def mass_factor(parameters: JointParameters, mass: float | None) -> float:
+    """The device's moving mass [kg], 1 kg if it is unknown, over that of the set's joint."""
+    ratio = condensed_parameters.static_slope_ratio(parameters)
+    return (1.0 if mass is None else mass) / condensed_parameters.moving_mass(parameters, ratio)
+
+
+def _measured(records: Sequence[Record], place: float, reach: float) -> _SmallMotion | None:
+    """Regression of the acceleration near a well on displacement, velocity and squared voltages."""
+    rows, targets = [], []
+    for record in records:
+        near = record.valid & (np.abs(record.q - place) < reach)
+        x, u = record.q[near] - place, record.v[near] ** 2
+        rows.append(np.column_stack([np.ones(len(x)), x, x**2, record.qdot[near], u]))
+        targets.append(record.qddot[near])
+    matrix, target = np.concatenate(rows), np.concatenate(targets)
+    if len(target) < FEWEST:
+        return None
+    scale = np.maximum(np.abs(matrix).max(axis=0), 1e-300)
+    scaled = matrix / scale
+    solution = np.linalg.lstsq(scaled, target, rcond=1e-9)[0]
+    if solution[1] >= 0.0:
+        return None
+    variance = np.mean((target - scaled @ solution) ** 2) * np.diag(np.linalg.pinv(scaled.T @ scaled)) / scale**2
+    errors = float(np.sqrt(variance[1])), float(np.sqrt(variance[4:].sum()))
+    return _SmallMotion(place, -float(solution[1] / scale[1]), solution[4:] / scale[4:], *errors)
+
+
+def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
+    """Mean of estimates with standard errors: of the two wells, one may hardly have been visited, or never driven."""
+    value, error = np.array(estimates).T
+    weight = 1.0 / (error**2 + (WELLS_DIFFER * np.abs(value).min()) ** 2)
+    return float(weight @ value / weight.sum())
+
+
+def _set_motion(parameters: JointParameters) -> _SmallMotion:
+    """The same of the parameter set's joint, from its static curves."""
+    none = condensed_parameters.nominal_deviations()
+    k = condensed_parameters.constants(parameters, none, condensed_parameters.static_slope_ratio(parameters))
+    q = np.linspace(0.02, 0.24, 111) * parameters.l
+    force, _, left, right = static_curves(q, k, np.zeros(3), np.zeros((CURVES, 0)))
+    rest = int(np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))[-1])
+    share = -force[rest] / (force[rest + 1] - force[rest])
+    mass = float(k[INDEX["mass"]])
+    gains = np.array([left[rest], right[rest]]) / mass
+    return _SmallMotion(
+        float(q[rest] + share * (q[1] - q[0])), float((force[rest + 1] - force[rest]) / (q[1] - q[0]) / mass), gains
+    )
+
+
+OWN_MATERIAL, OWN_MOUNT = 0.045, 0.45
+"""Shares of variance that are each side's own: in moduli and capacitance, as both membranes are cut from one film, and
+in the places of the mounts."""
+
+ALIKE = 0.9
+"""Correlation of a correction with its mirror image."""
+
+_MIRRORED = ((0, -1.0), (1, 1.0), (3, -1.0), (2, -1.0), (4, -1.0), (5, 1.0), (7, -1.0), (6, -1.0), (8, 1.0))
+"""Of each row of the corrections' weights the row at −q that is its mirror image, and the sign."""
+
+
+def prior_root(centres: int, rows: Sequence[int] = range(CURVES)) -> FloatArray:
+    """Matrix A of the prior ‖A θ‖²/2 of deviations and corrections, both in widths, shape (P, P).
+
+    Parameters
+    ----------
+    centres : int
+        Number of Gaussians of each correction, symmetric about q = 0.
+    rows : sequence of int
+        The corrections whose weights θ holds, rows of `pipeline.models.hybrid.kernels.CURVES`.
+    """
+    covariance = np.eye(len(NAMES) + CURVES * centres)
+    for i, name in enumerate(NAMES):
+        if name.startswith("left."):
+            j = NAMES.index("right." + name.removeprefix("left."))
+            covariance[i, j] = covariance[j, i] = 1.0 - (OWN_MATERIAL if "log" in name else OWN_MOUNT)
+    for row, (image, sign) in enumerate(_MIRRORED):
+        for n in range(centres):
+            i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))
+            if i != j:
+                covariance[i, j] = sign * ALIKE
+    kept = theta_places(centres, rows)
+    root = np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(kept, kept)]))
+    return np.asarray(root, dtype=np.float64)
+
+
+def theta_places(centres: int, rows: Sequence[int]) -> IntArray:
+    """Places in θ of the deviations and of the weights of some corrections."""
+    weights = len(NAMES) + centres * np.asarray(rows, dtype=np.int64)[:, None] + np.arange(centres)
+    return np.concatenate([np.arange(len(NAMES)), weights.ravel()])

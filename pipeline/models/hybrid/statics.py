@@ -1,0 +1,229 @@
+"""Statics of the condensed joint: equilibrium at a held tip, step length, and characteristic curves.
+
+Characteristic curves are taken along the path on which the shape is at rest.
+"""
+
+import numpy as np
+
+from pipeline.compiled import compiled
+from pipeline.generated.condensed_joint import AT_REST, BENDS, DRY_LEVELS, FIRST_ELEMENT, STATES, STOPS
+from pipeline.models.hybrid.kernels import (
+    INDEX,
+    VALUES,
+    corrections_at,
+    joint_rates,
+    mass_matrix,
+    prepare,
+    rest_forces,
+)
+from pipeline.numerics.arrays import FloatArray
+
+_L, _RATIO, _BENDING, _STOP = INDEX["l"], INDEX["slope_ratio"], INDEX["bending"], INDEX["stop_force_0"]
+
+LONGEST_STEP = 5.5e-3
+"""Longest step [s]: it damps a frame that turns at 28 Hz by 1 1/s, where its own loss is 10 to 20 1/s."""
+FASTER = 1.15
+"""How much faster than at rest a joint may be for a step to be stable, because its stiffness grows away from rest."""
+MOST_SUBSTEPS = 6
+"""Bound on the work of a run whose constants are absurd, as a fit may try."""
+_SHARES = np.array([-0.25, -0.12, 0.0, 0.12, 0.25])
+"""Tip displacements over length at which the fastest rate is looked for."""
+_OF_SLOPE, _OF_INTERIOR = BENDS[1][1], BENDS[2][2]
+"""Bending stiffness of a straight slender beam against τ and against β, over `bending`: the scale of their forces."""
+_FARTHEST = (0.05, 0.15)
+"""Largest changes of τ and β in an iteration."""
+
+
+@compiled
+def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatArray) -> tuple[float, float, float]:
+    """Stable τ and β [1] of a joint at rest whose tip is held at q [m], and the force [N] on q there.
+
+    The shape follows its own overdamped relaxation from that of slow motions, by implicit Euler steps that double:
+    Newton's method in the end. A step is taken only where it goes down in energy (its matrix is positive definite) and
+    is short: a buckled beam has unstable equilibria, and others far off that no joint takes. Newton's method alone ends
+    in them. Cost: about 20 evaluations of the forces, 2 µs.
+    """
+    x, forces, by = np.zeros(STATES), np.empty(3), np.empty(6)
+    x[0], x[2] = q, k[_RATIO] * q / k[_L]
+    step = 0.05
+    for _ in range(200):
+        rest_forces(x, u, c, p, forces, by)
+        f, g = forces[1] / (_OF_SLOPE * k[_BENDING]), forces[2] / (_OF_INTERIOR * k[_BENDING])
+        a, b = 1.0 / step - by[2] / (_OF_SLOPE * k[_BENDING]), by[3] / (_OF_SLOPE * k[_BENDING])
+        d, e = 1.0 / step - by[5] / (_OF_INTERIOR * k[_BENDING]), by[4] / (_OF_INTERIOR * k[_BENDING])
+        determinant = a * d - b * e
+        tau, beta = (d * f + b * g) / determinant, (e * f + a * g) / determinant
+        down = a > 0.0 and determinant > 0.0
+        if not (down and abs(tau) < _FARTHEST[0] and abs(beta) < _FARTHEST[1]):
+            if step < 1e-9 or not np.isfinite(determinant):
+                break
+            step *= 0.25
+            continue
+        x[2] += tau
+        x[4] += beta
+        if abs(tau) + abs(beta) < 1e-11:
+            if step > 1e3:
+                break
+            if step < 1e-2:  # on a ridge, where only a small step goes down
+                x[4] += 1e-3
+        step *= 2.0
+    rest_forces(x, u, c, p, forces, by)
+    return x[2], x[4], forces[0]
+
+
+@compiled
+def still(q: float, tau: float, beta: float) -> FloatArray:
+    """The state at rest with this shape: Maxwell strains have decayed, creep has caught up; shape (STATES,)."""
+    x = np.zeros(STATES)
+    x[0], x[2], x[4] = q, tau, beta
+    for i in range(len(AT_REST)):
+        x[FIRST_ELEMENT + i] = AT_REST[i] * q
+    return x
+
+
+@compiled
+def rest_state(
+    q: float, u: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """State (STATES,) and stop operators (STOPS,) as after a long rest at q [m] under constant squared voltages u [V²].
+
+    The shape has relaxed, Maxwell strains have decayed, creep has caught up, and friction balances what is left,
+    as far as its capacity goes. `k` and `p` are the constants and the prepared constants.
+    """
+    z, c = np.zeros(STOPS), np.zeros(VALUES)
+    corrections_at(q, basis, weights, c)
+    tau, beta, force = held_shape(q, u, c, k, p)
+    x = still(q, tau, beta)
+    capacity = 0.0
+    for i in range(STOPS):
+        capacity += k[_STOP + i]
+    if capacity > 0.0:
+        for i in range(STOPS):
+            z[i] = min(1.0, max(-1.0, force / capacity))
+    return x, z
+
+
+@compiled
+def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
+    """∂ẋ/∂x at rest without voltage at `_SHARES`, by differences, shape (5, STATES, STATES)."""
+    found = np.empty((len(_SHARES), STATES, STATES))
+    u, c, start = np.zeros(2), np.zeros(VALUES), np.zeros(2)
+    at_rest, rates = np.empty(STATES), np.empty(STATES)
+    for i in range(len(_SHARES)):
+        x, z = rest_state(_SHARES[i] * k[_L], u, k, p, basis, weights)
+        start[0], start[1] = x[0], x[2]
+        corrections_at(x[0], basis, weights, c)
+        joint_rates(x, u, c, z, start, p, at_rest)
+        for j in range(STATES - 1, -1, -1):  # q last, as it changes the corrections
+            here = x[j]
+            x[j] += 1e-7
+            if j == 0:
+                corrections_at(x[0], basis, weights, c)
+            joint_rates(x, u, c, z, start, p, rates)
+            x[j] = here
+            for m in range(STATES):
+                found[i, m, j] = (rates[m] - at_rest[m]) / 1e-7
+    return found
+
+
+def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, slowness: float = 1.0) -> int:
+    """Runge-Kutta steps in a sample interval of `dt` [s] for joints k (B, n) or (n,), weights (B, 9, M) or (9, M).
+
+    Runge-Kutta 4 must not let grow what decays at rest, |q| ≤ l/4, without voltage. The longest step is meant for the
+    parameter set's joint; these are `slowness` times slower. Cost: 0.3 ms a joint.
+    """
+    many, loads = np.atleast_2d(k), weights if weights.ndim == 3 else weights[None]
+    pairs = zip(many, prepare(many), loads, strict=True)
+    jacobians = np.concatenate([_jacobians(k_i, p_i, basis, w_i) for k_i, p_i, w_i in pairs])
+    if not np.all(np.isfinite(jacobians)):
+        return MOST_SUBSTEPS
+    rates = np.linalg.eigvals(jacobians)
+    decaying = rates[rates.real < 0.0]
+    fewest = int(np.ceil(min(dt / (slowness * LONGEST_STEP), MOST_SUBSTEPS)))
+    for steps in range(fewest, MOST_SUBSTEPS):
+        z = FASTER * dt / steps * decaying
+        growth = 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))
+        if np.abs(growth).max() <= 1.0:
+            return steps
+    return MOST_SUBSTEPS
+
+
+_SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
+_NUDGE = 1e-6  # m
+
+
+@compiled(inline="always")
+def _shape_slopes(
+    x: FloatArray, u: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray, forces: FloatArray
+) -> tuple[float, float]:
+    """dτ/dq and dβ/dq [1/m] of the shape at rest, from the implicit function of its forces; fills those at x (3,)."""
+    c, by, ahead = np.zeros(VALUES), np.empty(6), np.empty(3)
+    q = x[0]
+    x[0] = q + _NUDGE
+    corrections_at(x[0], basis, weights, c)
+    rest_forces(x, u, c, p, ahead, by)
+    x[0] = q - _NUDGE
+    corrections_at(x[0], basis, weights, c)
+    rest_forces(x, u, c, p, forces, by)
+    by_q1, by_q2 = (ahead[1] - forces[1]) / (2.0 * _NUDGE), (ahead[2] - forces[2]) / (2.0 * _NUDGE)
+    x[0] = q
+    corrections_at(q, basis, weights, c)
+    rest_forces(x, u, c, p, forces, by)
+    determinant = by[2] * by[5] - by[3] * by[4]
+    return (by[3] * by_q2 - by[5] * by_q1) / determinant, (by[4] * by_q1 - by[2] * by_q2) / determinant
+
+
+@compiled
+def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c: FloatArray, p: FloatArray) -> float:
+    """Generalised force [N] on q, τ and β along the path at a speed [m/s], without voltage, friction and creep."""
+    u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(2), np.empty(STATES), np.empty(6)
+    x[1], x[3], x[5] = speed, slope * speed, interior * speed
+    start[0], start[1] = x[0], x[2]
+    joint_rates(x, u, c, z, start, p, rates)
+    mass_matrix(x, p, mass)
+    along_q = mass[0] + slope * mass[1] + interior * mass[3]
+    along_tau = mass[1] + slope * mass[2] + interior * mass[4]
+    along_beta = mass[3] + slope * mass[4] + interior * mass[5]
+    force: float = along_q * rates[1] + along_tau * rates[3] + along_beta * rates[5]
+    return force
+
+
+@compiled
+def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
+    """The four curves of `static_curves`, shape (4, n)."""
+    found, u, c, forces, by = np.empty((4, len(q))), np.zeros(2), np.zeros(VALUES), np.empty(3), np.empty(6)
+    for i in range(len(q)):
+        x, _ = rest_state(q[i], u, k, p, basis, weights)
+        slope, interior = _shape_slopes(x, u, p, basis, weights, forces)
+        still = forces[0] + slope * forces[1] + interior * forces[2]
+        found[0, i] = -still
+        corrections_at(q[i], basis, weights, c)
+        for side in range(2):
+            u[side] = 1e6  # 1 kV², so that the difference is far above rounding
+            rest_forces(x, u, c, p, forces, by)
+            found[2 + side, i] = (forces[0] + slope * forces[1] + interior * forces[2] - still) / 1e6
+            u[side] = 0.0
+        loss = _moving_force(x, slope, interior, -_SPEED, c, p) - _moving_force(x, slope, interior, _SPEED, c, p)
+        found[1, i] = 0.5 * loss / _SPEED
+    return found
+
+
+def static_curves(
+    q: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Curves at q [m], shape (n,), without voltage.
+
+    Returns
+    -------
+    restoring : FloatArray, shape (n,)
+        F [N] that must be applied to hold q.
+    damping : FloatArray, shape (n,)
+        Viscous coefficient [N·s/m] of beam, membranes and correction for slow motions; Maxwell branches, creep
+        and dry friction are no coefficient and are left out.
+    left, right : FloatArray, shape (n,)
+        g_i = ½ ∂C_i/∂q [N/V²] (eqs. 33, 40).
+    """
+    k = k.copy()
+    k[[INDEX[level] for level in DRY_LEVELS]] = 0.0
+    restoring, damping, left, right = curves_at(q, k, prepare(k[None])[0], basis, weights)
+    return restoring, damping, left, right

@@ -1,0 +1,345 @@
+"""The paper's recipe to the letter (§4.2): 4M weights by least squares, one friction lag, Gaussians.
+
+    m q̈ = −c(q) q − d(q) z + Σ_k g_k(q) u_k,  ż = (q̇ − z)/T_z,  u_k = v_k²                     (eqs. 37-40)
+
+with c, d, g_k = Σ_i θ_i exp(−(q−ξ_i)²/(2σ_n²Δξ²)). Eq. 37 prints ½ g v², but g = ½ ∂C/∂q holds the ½ already
+(eqs. 33, 40), so it stands once here.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Annotated, Any, ClassVar, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from pipeline.fitting.coverage import coverage
+from pipeline.fitting.posterior import curves_of_draws, posterior_draws, whiteness
+from pipeline.fitting.regression import (
+    InputLaw,
+    LinearFit,
+    basis_centres,
+    basis_values,
+    basis_width,
+    curve_signals,
+    input_signal,
+    pseudo_inverse_fit,
+    regressor,
+    triangular_factor,
+)
+from pipeline.generated.basis_functions import NAMES
+from pipeline.model_list import CENTRES, LAG_START, SMOOTHING
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.kind import Kind, Training
+from pipeline.models.model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table
+from pipeline.models.paper.lag_search import LagSearch, LagStretch, search_lag
+from pipeline.models.paper.lagged_free_run import lagged_rbf_run
+from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.linear_filters import first_order_lag
+from pipeline.signals.trajectory import Trajectory, operating_range
+from pipeline.solvers.fixed_step import escape_bounds, run_status, steps_per_sample
+
+ROWS = 8192  # rows of the regressor that are held at once
+LAG_BOUNDS = (1e-4, 10.0)  # s
+SEED = 20251  # of the draws of weights: the same model gives the same bands
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"R": (3, 2 + MOST_INPUTS), "M": (2, 200), "S": (0, 1000)}
+    centres: Rising
+    smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
+    width: Positive
+    weights: Annotated[FloatArray, Table("R M")]
+    lag_s: Lag
+    mass_kg: Positive
+    inputs: InputLaw
+    basis: str = "gaussian"
+    spread: Annotated[FloatArray, Table("W S")]
+
+    @model_validator(mode="after")
+    def _named(self) -> Self:
+        if self.basis not in NAMES:
+            raise ValueError(f"basis is none of {', '.join(NAMES)}")
+        if len(self.spread) not in (0, self.weights.size):
+            raise ValueError(f"spread has {len(self.spread)} rows for {self.weights.size} weights")
+        return self
+
+
+@dataclass(frozen=True)
+class RbfPaperModel:
+    """The identified model of §4.2.
+
+    Attributes
+    ----------
+    centres : FloatArray, shape (M,)
+        ξ_i [m].
+    smoothing : float
+        σ_n; the bells have the width σ_n Δξ.
+    weights : FloatArray, shape (2 + K, M)
+        θ_c [N/m], θ_d [N s/m], θ_g1 … θ_gK [N/V²]; per unit mass where `mass` is 1 because it is unknown.
+    lag : float
+        T_z [s].
+    mass : float
+        m_q [kg].
+    inputs : {"squared", "linear"}
+        Whether u = v² or u = v.
+    basis : str
+        Name of the basis function, see `pipeline.model_list`.
+    spread : FloatArray, shape ((2 + K)·M, rank)
+        Factor S of the weights' covariance S Sᵀ, in their units.
+    diagnostics : dict
+        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged, lag_search
+        (T_z, cost, rank and condition number of each accepted step), visits per centre.
+    """
+
+    centres: FloatArray
+    smoothing: float
+    weights: FloatArray
+    lag: float
+    mass: float = 1.0
+    inputs: InputLaw = "squared"
+    basis: str = "gaussian"
+    spread: FloatArray = field(default_factory=lambda: np.empty((0, 0)))
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+
+    name = "rbf-paper"
+    fine_voltages = False
+
+    @property
+    def width(self) -> float:
+        """σ [m] of the bells."""
+        return basis_width(self.centres, self.smoothing)
+
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return len(self.weights) - 2
+
+    @checked
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run under measured voltages; see `pipeline.models.base.DynamicModel.simulate`.
+
+        The friction state starts at z(0) = q̇(0). The run counts as diverged when q leaves the operating range of
+        the training data by more than twice its length.
+        """
+        states, valid = self._run(t, v, (float(q0), float(qdot0)))
+        status, diverged_at = run_status(t, valid)
+        return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
+
+    @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows, friction filtered from their velocity; see `models.base.predictor`."""
+        last = len(seen) - 1
+        z, _ = first_order_lag(np.ascontiguousarray(speed), sample_interval(t), self.lag)
+        return self._run(t[last:], v[last:], (float(seen[-1]), float(speed[-1]), float(z[-1])))[0][:, 0]
+
+    def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
+        interval = sample_interval(t)
+        return lagged_rbf_run(
+            np.ascontiguousarray(v),
+            self.inputs == "squared",
+            interval,
+            steps_per_sample(interval, self.lag),
+            start,
+            self.centres,
+            np.ascontiguousarray(self.weights.T) / self.mass,
+            self.width,
+            self.lag,
+            escape_bounds(float(self.centres[0]), float(self.centres[-1])),
+            self.basis,
+        )
+
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
+        z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag)
+        signals = curve_signals(q, z, input_signal(v, self.inputs))
+        curves = basis_values(q, self.centres, self.width, self.basis) @ self.weights.T
+        force: FloatArray = np.einsum("ij,ij->i", curves, signals)
+        return force / self.mass
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves at q [m], shape (n,) (fig. 14).
+
+        Returns
+        -------
+        dict
+            ``F`` = c(q) q, restoring force [N]; ``d`` damping [N s/m]; ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33)
+            for squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass` is 1.
+        """
+        return self._characteristics(self.weights, q)
+
+    def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
+        """The curves of `count` draws of the weights, each of shape (count, n); the same at every call."""
+        draws = posterior_draws(self.weights.ravel(), self.spread, count, SEED)
+        return curves_of_draws(draws.reshape(count, *self.weights.shape), lambda w: self._characteristics(w, q))
+
+    def _characteristics(self, weights: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
+        values = basis_values(q, self.centres, self.width, self.basis) @ weights.T
+        result = {"F": values[:, 0] * q, "d": values[:, 1]}
+        for k, gain in enumerate(values.T[2:], start=1):
+            result |= {f"dC{k}_dq": 2.0 * gain} if self.inputs == "squared" else {f"g{k}": gain}
+        return result
+
+    def regressors(self, motion: Trajectory) -> FloatArray:
+        """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
+        z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag)
+        signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
+        return regressor(basis_values(motion.q, self.centres, self.width, self.basis), signals)
+
+    def force_rows(self, q: FloatArray) -> FloatArray:
+        """Rows that give the restoring force c(q) q [N] at q [m] from all weights, shape (n, (2 + K)·M)."""
+        signals = np.zeros((len(q), len(self.weights)))
+        signals[:, 0] = q
+        return regressor(basis_values(q, self.centres, self.width, self.basis), signals)
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, hyperparameters and diagnostics."""
+        return {
+            "structure": "m q'' = -c(q) q - d(q) z + sum g_k(q) u_k, z' = (q' - z)/T_z",
+            "basis_functions": len(self.centres),
+            "basis": self.basis,
+            "smoothing": self.smoothing,
+            "centre_min_m": float(self.centres[0]),
+            "centre_max_m": float(self.centres[-1]),
+            "lag_s": self.lag,
+            "mass_kg": self.mass,
+            "inputs": self.inputs,
+            **self.diagnostics,
+        }
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts."""
+        return {
+            "centres": self.centres,
+            "smoothing": self.smoothing,
+            "width": self.width,
+            "weights": self.weights,
+            "lag_s": self.lag,
+            "mass_kg": self.mass,
+            "inputs": self.inputs,
+            "basis": self.basis,
+            "spread": self.spread,
+            "diagnostics": dict(self.diagnostics),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "RbfPaperModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing, of another kind or shape, or beyond its range.
+        """
+        file = _File.read(tree, "rbf-paper", "identify")
+        return cls(
+            file.centres, file.smoothing, file.weights, file.lag_s, file.mass_kg, file.inputs, file.basis,
+            file.spread if file.spread.size else np.zeros((file.weights.size, 1)), file.diagnostics,
+        )  # fmt: skip
+
+
+def identify_rbf_paper(
+    trajectories: Sequence[Trajectory],
+    *,
+    basis_functions: int = CENTRES,
+    smoothing: float = SMOOTHING,
+    mass: float = 1.0,
+    inputs: InputLaw = "squared",
+    basis: str = "gaussian",
+) -> RbfPaperModel:
+    """Identify the model of §4.2 from gap-free stretches of training logs.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        The friction state starts anew, z = q̇, in each of them.
+    basis_functions : int
+        M.
+    smoothing : float
+        σ_n.
+    mass : float
+        m_q [kg]; 1 if unknown, the weights are then per unit mass.
+    inputs : {"squared", "linear"}
+        Whether u = v² or u = v.
+    basis : str
+        Name of the basis function.
+
+    Raises
+    ------
+    InputError
+        No data, a constant displacement, fewer than two basis functions.
+    """
+    centres = basis_centres(*operating_range(trajectories), basis_functions)
+    width = basis_width(centres, smoothing)
+    stretches = [_stretch(x, basis_values(x.q, centres, width, basis), mass, inputs) for x in trajectories]
+    search = search_lag(stretches, start=LAG_START, bounds=LAG_BOUNDS)
+    fit = pseudo_inverse_fit(*triangular_factor(_rows(stretches)))
+    tau = _correlation_time(stretches, fit.weights)
+    return RbfPaperModel(
+        centres=centres,
+        smoothing=smoothing,
+        weights=fit.weights.reshape(-1, basis_functions),
+        lag=search.time_constant,
+        mass=mass,
+        inputs=inputs,
+        basis=basis,
+        spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
+        diagnostics={
+            **_diagnostics(fit, search),
+            "residual_correlation_samples": tau,
+            **_visits(centres, trajectories),
+        },
+    )
+
+
+def _stretch(x: Trajectory, basis: FloatArray, mass: float, inputs: InputLaw) -> LagStretch:
+    signals = curve_signals(x.q, np.zeros_like(x.q), input_signal(x.v, inputs))
+    return LagStretch(basis, signals, mass * x.qddot, np.ascontiguousarray(x.qdot), x.interval)
+
+
+def _rows(stretches: Sequence[LagStretch]) -> Iterator[FloatArray]:
+    """Blocks of rows of [ψᵀ y] (eq. 40)."""
+    for x in stretches:
+        for start in range(0, len(x.target), ROWS):
+            part = slice(start, start + ROWS)
+            yield np.column_stack((regressor(x.basis[part], x.signals[part]), x.target[part]))
+
+
+def _correlation_time(stretches: Sequence[LagStretch], weights: FloatArray) -> float:
+    """Autocorrelation time [samples] of the residual in the longest stretch: coloured residuals widen the bands."""
+    x = max(stretches, key=lambda stretch: len(stretch.target))
+    curves = x.basis @ weights.reshape(-1, x.basis.shape[1]).T
+    return whiteness(x.target - np.einsum("ij,ij->i", curves, x.signals)).integrated_correlation_time
+
+
+def _visits(centres: FloatArray, trajectories: Sequence[Trajectory]) -> dict[str, Any]:
+    found = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
+    return {"visits_per_centre": found.visits, "driven_visits_per_centre": found.driven}
+
+
+def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
+    return {
+        "rank": fit.rank,
+        "parameters": len(fit.weights),
+        "condition": fit.condition,
+        "residual_rms": fit.residual_rms,
+        "samples": fit.samples,
+        "lag_iterations": search.iterations,
+        "lag_converged": search.converged,
+        "lag_search": dict(zip(("lag_s", "cost", "rank", "condition"), search.history.T.copy(), strict=True)),
+    }
+
+
+def _fit(training: Training) -> RbfPaperModel:
+    return identify_rbf_paper(
+        training.stretches,
+        basis_functions=training.identify.basis_functions,
+        smoothing=training.identify.smoothing,
+        mass=training.mass,
+        inputs=training.inputs,
+        basis=training.identify.basis,
+    )
+
+
+RBF_PAPER = Kind(_fit, RbfPaperModel.from_tree, "pipeline.export.lagged:realise_paper")

@@ -1,0 +1,230 @@
+"""Dynamics whose right-hand side is a table of monomials: evaluation and free-run simulation."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from pipeline.codegen.numba_writer import formula
+from pipeline.generated.terms import LAG as LAG_RATE
+from pipeline.generated.terms import POLYNOMIAL_VARIABLES
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.linear_filters import first_order_lag
+from pipeline.solvers.fixed_step import (
+    LAG_STEP,
+    Methods,
+    between_samples,
+    bounded_run,
+    integrator,
+    no_begin,
+    no_finish,
+    steps_per_sample,
+)
+
+_variables, _lag_rate = formula(POLYNOMIAL_VARIABLES), formula(LAG_RATE)
+
+# Columns of an exponent table; one column per input follows, then one per lag.
+Q, QDOT, FRICTION, SINE, COSINE, FIRST_INPUT = 0, 1, 2, 3, 4, 5
+_MOVING = 3
+"""Columns that the displacement and the velocity scale."""
+
+
+@dataclass(frozen=True)
+class Lag:
+    """A state ż = (x − z)/T that follows the scaled variable x: the velocity, or an input.
+
+    Attributes
+    ----------
+    source : int
+        Column of x in the exponent table: `QDOT` or that of an input.
+    time : float
+        T [s].
+    """
+
+    source: int
+    time: float
+
+
+@dataclass(frozen=True)
+class PolynomialDynamics:
+    """``[q̇, q̈] = C · monomials(x)``, x the scaled [q, q̇, tanh(q̇/w), sin q, cos q, u1 … uK, z1 … zL].
+
+    Attributes
+    ----------
+    exponents : IntArray, shape (P, 5 + K + L)
+        Powers of the scaled variables, one row per monomial.
+    coefficients : FloatArray, shape (2, P)
+        Row 0 gives q̇ [m/s], row 1 gives q̈ [m/s²]. A fixed structure q̇ = v is a single entry in row 0.
+    scales : FloatArray, shape (5 + K,)
+        Scale of each variable [m, m/s, m/s, 1, 1, V² or V …]; entry 2 is the speed w inside the tanh.
+    lags : tuple of Lag
+        The lag states, which are scaled as what they follow.
+    squared : bool
+        Whether the inputs are v² (electrostatic) or v.
+    low, high : float
+        Displacement [m] outside of which a run counts as diverged.
+    """
+
+    exponents: IntArray
+    coefficients: FloatArray
+    scales: FloatArray
+    lags: tuple[Lag, ...]
+    squared: bool
+    low: float
+    high: float
+
+    @property
+    def inputs(self) -> int:
+        """Number of inputs K."""
+        return int(self.scales.size) - FIRST_INPUT
+
+
+class PolynomialJoint(NamedTuple):
+    """Dynamics in a run, with voltages v (N, K), `refined` times as fine as the samples, and room for variables.
+
+    `factors` lists the variables whose product each monomial is, one monomial after the other; `ends`, shape (P,),
+    tells where the factors of each end. `parts` half steps are a sample interval. Lags follow the variables `sources`.
+    """
+
+    factors: IntArray
+    ends: IntArray
+    coefficients: FloatArray
+    scales: FloatArray
+    sources: IntArray
+    lag_times: FloatArray
+    squared: bool
+    trigonometric: bool
+    v: FloatArray
+    refined: int
+    parts: int
+    scaled: FloatArray
+
+
+def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
+    """C · monomials(x); powers by repeated multiplication."""
+    scaled, s, lags = system.scaled, system.scales, len(system.sources)
+    moving = _variables((x[0], x[1], s[0], s[1], s[2]))
+    for i in range(3):
+        scaled[i] = moving[i]
+    if system.trigonometric:
+        scaled[SINE], scaled[COSINE] = np.sin(x[0]), np.cos(x[0])
+    n, following, share = between_samples(node * system.refined, system.parts, len(system.v))
+    for k in range(system.v.shape[1]):
+        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
+        scaled[FIRST_INPUT + k] = (u * u if system.squared else u) / s[FIRST_INPUT + k]
+    for i in range(lags):
+        scaled[len(s) + i] = x[2 + i]
+        dx[2 + i] = _lag_rate((scaled[system.sources[i]], x[2 + i], system.lag_times[i]))[0]
+    dx[0], dx[1] = 0.0, 0.0
+    factor = 0
+    for p in range(len(system.ends)):
+        product = 1.0
+        while factor < system.ends[p]:
+            product *= scaled[system.factors[factor]]
+            factor += 1
+        dx[0] += system.coefficients[0, p] * product
+        dx[1] += system.coefficients[1, p] * product
+    acceleration[0] = dx[1]
+
+
+MOST_STEPS = 20
+"""Runge-Kutta steps in a sample interval, unless a lag needs more. Stable up to rates of 55 over that interval, of
+which samples show nothing; beyond 0.1 s, steps of 5 ms would take minutes over the log of a slow device."""
+
+
+MOST_LAG_STEPS = 1000
+"""A fit takes no lag that needs a hundredth of them; a file may name any."""
+
+
+def steps_between_samples(dynamics: PolynomialDynamics, interval: float, refined: int = 1) -> int:
+    """Integration steps in a sample interval [s], in which voltages are known `refined` times."""
+    most = min(max(steps_per_sample(interval, np.inf), (refined + 1) // 2), MOST_STEPS)
+    shortest = min((lag.time for lag in dynamics.lags), default=np.inf)
+    return max(most, int(min(np.ceil(interval / (LAG_STEP * shortest)), MOST_LAG_STEPS)))
+
+
+_integrate = integrator(PolynomialJoint, lambda kind: Methods(no_begin, _rates, no_finish))
+
+
+def free_run(
+    dynamics: PolynomialDynamics, v: FloatArray, interval: float, q0: float, qdot0: float, z0: FloatArray | None = None
+) -> tuple[FloatArray, int]:
+    """Simulate from an initial state by classical Runge-Kutta steps as in `pipeline.solvers.fixed_step`.
+
+    Parameters
+    ----------
+    dynamics : PolynomialDynamics
+        The right-hand side.
+    v : FloatArray, shape (N, K) or (N, r, K)
+        Voltages [V] at the samples, or at r times of each sample interval; linear between them.
+    interval : float
+        Sample interval [s].
+    q0, qdot0 : float
+        Initial displacement [m] and velocity [m/s].
+    z0 : FloatArray, shape (L,), optional
+        Initial lag states, scaled; what they follow if left out.
+
+    Returns
+    -------
+    path : FloatArray, shape (N, 3)
+        q, q̇, q̈; NaN from the sample on where the run left the bounds or stopped being finite.
+    reached : int
+        Samples simulated; N for a whole run.
+        Cost: 4 evaluations of the table per step, about 1 ns per factor of a monomial.
+    """
+    d, refined = dynamics, v.shape[1] if v.ndim == 3 else 1
+    steps = steps_between_samples(d, interval, refined)
+    flat = np.ascontiguousarray(v.reshape(-1, v.shape[-1]))
+    variables = np.tile(np.arange(d.exponents.shape[1]), len(d.exponents))
+    sources = np.array([lag.source for lag in d.lags], dtype=np.int64)
+    system = PolynomialJoint(
+        np.repeat(variables, d.exponents.ravel()), np.cumsum(d.exponents.sum(axis=1)), d.coefficients, d.scales,
+        sources, np.array([lag.time for lag in d.lags], dtype=np.float64), d.squared,
+        bool(np.any(d.exponents[:, SINE : COSINE + 1])), flat, refined, 2 * steps, np.zeros(d.exponents.shape[1]),
+    )  # fmt: skip
+    if z0 is None:
+        z0 = _followed(d, flat[:1], np.array([q0]), np.array([qdot0]))[0, sources]
+    start = np.concatenate([[q0, qdot0], z0]).astype(np.float64)
+    return bounded_run(_integrate, system, start, len(v), steps, interval, (d.low, d.high))
+
+
+def _followed(d: PolynomialDynamics, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+    """The scaled variables without the lag states, shape (N, 5 + K)."""
+    u = np.square(v) if d.squared else v
+    moving = POLYNOMIAL_VARIABLES.evaluate(q=q[:, None], q_dot=qdot[:, None], scales=d.scales[:_MOVING])["variables"]
+    return np.column_stack([moving, np.sin(q), np.cos(q), u / d.scales[FIRST_INPUT:]])
+
+
+def scaled_variables(
+    d: PolynomialDynamics, v: FloatArray, q: FloatArray, qdot: FloatArray, interval: float
+) -> FloatArray:
+    """The scaled variables along a measured path, shape (N, 5 + K + L), lag states as after a long rest at its start.
+
+    Parameters
+    ----------
+    d : PolynomialDynamics
+        Scales and lags; its monomials are not used.
+    v : FloatArray, shape (N, K)
+        Voltages [V].
+    q, qdot : FloatArray, shape (N,)
+        Displacement [m] and velocity [m/s].
+    interval : float
+        Sample interval [s].
+    """
+    x = _followed(d, v, q, qdot)
+    lagged = [first_order_lag(np.ascontiguousarray(x[:, lag.source]), interval, lag.time)[0] for lag in d.lags]
+    return np.column_stack([x, *lagged])
+
+
+def monomials(exponents: IntArray, x: FloatArray) -> FloatArray:
+    """The library matrix: each row of `exponents` applied to the rows of `x`, shape (N, P)."""
+    columns = np.ascontiguousarray(x.T)
+    powers = [np.ones_like(columns), columns]
+    for _ in range(int(exponents.max(initial=0)) - 1):
+        powers.append(powers[-1] * columns)
+    library = np.ones((len(exponents), len(x)))  # a term is a row here, so that its samples lie together
+    for p, row in enumerate(exponents.tolist()):
+        for k, power in enumerate(row):
+            if power:
+                library[p] *= powers[power][k]
+    return np.ascontiguousarray(library.T)

@@ -1,0 +1,290 @@
+"""What the data-driven joint may consist of.
+
+The structure of a bistable joint, and those among which inner validation chooses for any other device.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from pipeline.models.rbf.structure import ForceShape, Hold, JointStructure
+
+FrictionLaw = Literal["viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"]
+
+FRICTION: dict[FrictionLaw, dict[str, Any]] = {
+    "viscous": {"rates": (), "shape_elements": 0, "slips": 0},
+    "coulomb": {"rates": (), "shape_elements": 0, "slips": 1},
+    "lag": {"rates": (1.5,), "shape_elements": 0, "slips": 0},
+    "lags": {"rates": (0.15, 1.5, 0.05), "shape_elements": 2, "slips": 0},
+    "maxwell-slip": {"rates": (), "shape_elements": 0, "slips": 3},
+    "lag+slip": {"rates": (1.5,), "shape_elements": 0, "slips": 1},
+    "lags+slip": {"rates": (0.15, 1.5, 0.05), "shape_elements": 2, "slips": 1},
+}
+"""Hidden elements of each law beside the viscous damping d(q) q̇, rates in units of the joint's frequency scale."""
+
+OFFERED: tuple[FrictionLaw, ...] = ("viscous", "coulomb", "lag", "maxwell-slip", "lag+slip")
+"""Laws that compete where none is decided; a single actuator has no hidden shape that its input would feel."""
+
+SYMMETRIES = (0.03, 0.1, None)
+"""Relative standard deviations of left/right differences about q = 0, from sides that are alike to any sides."""
+
+
+POPULATION_INFLATION = 8.0
+"""Inflation of the noise level beside the prior that simulated joints teach: it knows more than that of curves."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A structure with its prior: inflation of the noise level, left/right symmetry (None for none), and whether it is
+    the prior that simulated joints teach (`identification.population`) instead of that of smooth curves.
+    """
+
+    label: str
+    structure: JointStructure
+    noise_inflation: float = 3.0
+    symmetry: float | None = None
+    population: bool = False
+
+    @property
+    def centred(self) -> bool:
+        """Whether q = 0 is its mirror plane."""
+        return self.population or self.symmetry is not None
+
+
+FORCES: tuple[ForceShape, ...] = ("curve", "polynomial", "offset")
+
+CurveShape = Literal["curve", "constant"]
+
+DRIVE: dict[str, dict[str, Any]] = {
+    "direct": {"input_lag": False, "input_delay": False},
+    "lag": {"input_lag": True, "input_delay": False},
+    "delay": {"input_lag": False, "input_delay": True},
+    "lag+delay": {"input_lag": True, "input_delay": True},
+}
+"""How an input reaches the joint."""
+
+EFFECT: dict[str, dict[str, Any]] = {
+    "plain": {"bent_input": False, "dead_zone": False},
+    "bent": {"bent_input": True, "dead_zone": False},
+    "dead-zone": {"bent_input": False, "dead_zone": True},
+}
+"""What an input does there."""
+
+
+@dataclass(frozen=True)
+class RbfChoice:
+    """What the user decides of the data-driven joint; None leaves it to the program.
+
+    Attributes
+    ----------
+    friction : str, optional
+        One of `FRICTION`.
+    basis_functions : int, optional
+        Gaussians M per curve.
+    smoothing : float, optional
+        σ_n.
+    force, damping, gain : str, optional
+        Shapes of the curves.
+    drive : str, optional
+        One of `DRIVE`.
+    hold : str, optional
+        The inputs between samples.
+    rest_at_zero : bool, optional
+        Whether hidden states rested without inputs before a log, instead of under its first ones.
+    effect : str, optional
+        One of `EFFECT`: in proportion (or by the square), by a curve that saturates, or beyond a dead zone.
+    drag : bool, optional
+        Whether a fluid's drag acts.
+    stops : bool, optional
+        Whether the motion may meet end stops.
+    population : bool
+        Whether the prior of a bistable joint may be what simulated joints teach.
+    """
+
+    friction: FrictionLaw | None = None
+    basis_functions: int | None = None
+    smoothing: float | None = None
+    force: ForceShape | None = None
+    damping: CurveShape | None = None
+    gain: CurveShape | None = None
+    drive: str | None = None
+    hold: Hold | None = None
+    rest_at_zero: bool | None = None
+    effect: str | None = None
+    drag: bool | None = None
+    stops: bool | None = None
+    population: bool = True
+
+    def decided(self) -> dict[str, Any]:
+        """Fields of the structure that are decided."""
+        fields = {
+            "basis_functions": self.basis_functions,
+            "smoothing": self.smoothing,
+            "force": self.force,
+            "constant_damping": None if self.damping is None else self.damping == "constant",
+            "constant_gain": None if self.gain is None else self.gain == "constant",
+            "drag": self.drag,
+            "stops": self.stops,
+            "hold": self.hold,
+            "rest_at_zero": self.rest_at_zero,
+        }
+        elements = FRICTION[self.friction] if self.friction else {}
+        drive = DRIVE[self.drive] if self.drive else {}
+        effect = EFFECT[self.effect] if self.effect else {}
+        return elements | drive | effect | {name: value for name, value in fields.items() if value is not None}
+
+
+def population_candidate(structure: JointStructure) -> Candidate:
+    """A structure with the population prior."""
+    usual = candidate(structure)
+    label = f"{usual.label}, population prior"
+    return replace(usual, label=label, noise_inflation=POPULATION_INFLATION, population=True)
+
+
+def candidate(structure: JointStructure, symmetry: float | None = None) -> Candidate:
+    """A candidate that is called by what it consists of."""
+    elements = {name: getattr(structure, name) for name in ("rates", "shape_elements", "slips")}
+    friction = next((name for name, parts in FRICTION.items() if parts == elements), "own friction")
+    words = [friction]
+    if not (structure.force != "curve" and structure.constant_damping and structure.constant_gain):
+        words += [f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"]
+    words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
+    words += ["constant damping"] * structure.constant_damping + ["constant gain"] * structure.constant_gain
+    words += ["drag"] * structure.drag + ["end stops"] * structure.stops
+    words += (
+        ["overdamped"] * structure.overdamped
+        + ["turning arm"] * structure.turning_arm
+        + ["lagged input"] * structure.input_lag
+    )
+    words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
+    words += ["dead zone"] * structure.dead_zone
+    words += ["rest without input"] * (structure.rest_at_zero and structure.remembers_inputs)
+    words += {"linear": [], "zero": ["held input"], "cubic": ["spline input"], "record": ["fine input"]}[structure.hold]
+    words += [] if symmetry is None else [f"mirror-symmetric to {100.0 * symmetry:g} %"]
+    return Candidate(", ".join(words), structure, symmetry=symmetry)
+
+
+def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
+    """Where the search starts: what is decided, and the usual for the rest.
+
+    A `pair` of inputs pulls at the two sides of a bistable joint, whose tip moves on an arc unless q is an angle. All
+    else is an actuated arm or slider, whose weight turns with it where q is an angle, and which starts as simple as
+    it can be. With `fine` the inputs are known between the samples.
+    """
+    usual: dict[str, Any] = {
+        **FRICTION["lags+slip" if pair else "viscous"],
+        "basis_functions": 12 if pair else 8,
+        "smoothing": 1.0,
+        "arc": pair and not angle,
+        "turning_arm": not pair and angle,
+        "constant_damping": not pair,
+        "constant_gain": not pair,
+        "hold": "record" if fine else "linear",
+    }
+    return candidate(JointStructure(**usual | choice.decided()))
+
+
+Offer = Callable[[Candidate], Sequence[Candidate]]
+"""From the best candidate so far to those that could be better."""
+
+
+class _Change:
+    """Offers changes that leave alone what is decided."""
+
+    def __init__(self, choice: RbfChoice) -> None:
+        self.decided = choice.decided()
+
+    def to(self, *fields: dict[str, Any]) -> Offer:
+        """The best candidate so far with each of these changes."""
+        decided = self.decided
+
+        def offered(best: Candidate) -> list[Candidate]:
+            free = [change for change in fields if not any(decided.get(k, v) != v for k, v in change.items())]
+            others = [candidate(replace(best.structure, **change)) for change in free]
+            return [other for other in others if other.structure != best.structure]
+
+        return offered
+
+    def each(self, name: str, values: Sequence[Any]) -> Offer:
+        """One field with each of these values."""
+        return self.to(*({name: value} for value in values))
+
+
+def offers(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[list[Offer], list[Offer]]:
+    """What the inner validation offers in turn, each time as changes of the best candidate so far.
+
+    Parameters
+    ----------
+    choice : RbfChoice
+        What is decided and not offered.
+    fine : bool
+        Whether the inputs are known between the samples.
+    slow : bool
+        Whether the device looks overdamped.
+    driven : bool
+        Whether an input acts at the first sample: else a lag rested without inputs either way.
+
+    Returns
+    -------
+    list of Offer
+        Those that are made once.
+    list of Offer
+        Those that are made again and again after them, as long as one is taken: by then other fields have changed.
+    """
+    change = _Change(choice)
+    resting = [
+        DRIVE["lag"] | {"rest_at_zero": at_zero}
+        for at_zero in ((False, True) if driven else (choice.rest_at_zero or False,))
+    ]
+    drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
+    hold = change.each("hold", ["linear", "zero", "cubic", *(["record"] if fine else [])])
+    friction, effect = change.to(*(FRICTION[law] for law in OFFERED)), change.to(*EFFECT.values())
+    drag, stops = (change.each(name, [False, True]) for name in ("drag", "stops"))
+    once = [
+        _simple(change, slow=slow),
+        _by_place(change),
+        hold,
+        _slow_drive(change, resting),
+        stops,
+        friction,
+        drag,
+        drives,
+        effect,
+        _together(change),
+    ]
+    curves = change.to(*({"constant_damping": d, "constant_gain": g} for d in (False, True) for g in (False, True)))
+    sizes = [change.each("basis_functions", [5, 12]), change.each("smoothing", [0.8, 1.3])]
+    damped = [change.each("overdamped", [False, True])] if slow else []
+    fewer, force = change.each("stops", [False]), change.each("force", FORCES)
+    return once, [*damped, curves, force, hold, drives, friction, drag, fewer, effect, *sizes]
+
+
+def _simple(change: _Change, *, slow: bool) -> Offer:
+    """Each force with and without dry friction, of a mass and, where the device looks `slow`, without."""
+    laws: list[dict[str, Any]] = [FRICTION["viscous"], FRICTION["coulomb"]]
+    laws += [FRICTION["viscous"] | {"overdamped": True}] * slow
+    return change.to(*(law | {"force": force} for law in laws for force in FORCES))
+
+
+def _by_place(change: _Change) -> Offer:
+    """A gain by place. A mass that nothing restores is the same everywhere: that its gain is not, is offered later."""
+    offered = change.to(*(FRICTION["viscous"] | {"force": force, "constant_gain": False} for force in FORCES[:2]))
+    return lambda best: [] if best.structure.force == "offset" else offered(best)
+
+
+def _slow_drive(change: _Change, resting: Sequence[dict[str, Any]]) -> Offer:
+    """A slow drive in place of what would take its part: a gain by place, much damping, hidden forces and friction."""
+    late = {"constant_gain": True, "overdamped": False}
+    offered = change.to(
+        *(
+            FRICTION[law] | {"force": force} | late | drive
+            for law in OFFERED[:2] for force in FORCES[:2] for drive in (*resting, DRIVE["delay"])
+        )
+    )  # fmt: skip
+    return lambda best: [] if best.structure.force == "offset" else offered(best)
+
+
+def _together(change: _Change) -> Offer:
+    """A slow drive, a slow force and a gain by place, which may each take the others' parts, so that none is missed."""
+    laws = [FRICTION[law] for law in OFFERED[:3]]
+    return change.to(*(law | DRIVE["lag"] | EFFECT["plain"] | {"constant_gain": False} for law in laws))

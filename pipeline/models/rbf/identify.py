@@ -1,0 +1,290 @@
+"""Identification of the data-driven joint: convex start and observer homotopy.
+
+Inner validation chooses the structure of a device. That of a bistable joint stands fixed but for what is believed of it
+beforehand: a few passages between its wells decide all errors on held-out data, and structures that were
+chosen by them were worse on other logs.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pipeline.errors import DataRefusedError
+from pipeline.fitting.coverage import coverage
+from pipeline.fitting.descent import Prior
+from pipeline.fitting.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
+from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
+from pipeline.fitting.regression import InputLaw
+from pipeline.model_list import RBF_TIME_LIMIT
+from pipeline.models.kind import Kind, KnownCurves, Training
+from pipeline.models.rbf.candidates import (
+    SYMMETRIES,
+    Candidate,
+    RbfChoice,
+    candidate,
+    first_candidate,
+    offers,
+    population_candidate,
+)
+from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.prior import population
+from pipeline.models.rbf.problem import Effort, JointProblem
+from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
+from pipeline.models.rbf.structure import JointStructure
+from pipeline.models.rbf.structure_search import Fit, Setting, cut, excerpts, search
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
+from pipeline.numerics.progress import Keep, OnProgress, kept_under, make_anew, silent
+from pipeline.signals.trajectory import Record, operating_range
+
+UNLIKE = 0.8
+"""Share of the residual below which sides count as less alike: simulated joints leave 0.83 to 1.1 of it when their
+sides may differ by 10 % and not 3, with a laser that bends its readings by 15 % 0.25 to 0.9."""
+
+UNLIKE_POPULATION = 0.5
+"""Share of the residual below which a joint is unlike simulated ones. Those leave 0.6 to 1.2 of it (31 of 33) when they
+need not be like others, and their sides may differ by 10 %; the same behind a laser that bends its readings by 15 % or
+reads 3 mm too much, 0.2 to 0.6."""
+
+NOTHING = 0.01
+"""Share of the largest input below which one does nothing."""
+
+JACOBIANS, LAST_JACOBIANS = 20, 8
+"""Jacobians of a descent, and of its last level on whole logs, that a time limit must at least hold; logs are cut where
+it does not: of an hour at 10 ms a single one takes longer than a limit."""
+
+ITERATIONS, LAST_ITERATIONS = 15, 300
+"""Steps per observer level of the final fit, and at the last one: most fits converge within 60."""
+
+
+def identify_rbf(
+    records: Sequence[Record],
+    *,
+    mass: float = 1.0,
+    inputs: InputLaw = "squared",
+    angle: bool = False,
+    choice: RbfChoice | None = None,
+    candidates: Sequence[Candidate] | None = None,
+    known: KnownCurves | None = None,
+    time_limit: float = RBF_TIME_LIMIT,
+    on_progress: OnProgress = silent,
+    keep: Keep = make_anew,
+) -> RbfModel:
+    """Identify the data-driven joint from whole training logs.
+
+    Parameters
+    ----------
+    records : sequence of Record
+        Training logs, gaps and outliers masked.
+    mass : float
+        Moving mass [kg]; 1 if unknown.
+    inputs : {"squared", "linear"}
+        Whether the force goes with v² or v.
+    angle : bool
+        Whether q is an angle [rad].
+    choice : RbfChoice, optional
+        What is decided of the structure.
+    candidates : sequence of Candidate, optional
+        Structures among which the inner validation chooses instead; a single one is taken as it is.
+    known : KnownCurves, optional
+        Measured curves, which are kept; only the rest is learned.
+    time_limit : float
+        Processor time [s] by the cost model of `pipeline.fitting.descent`, which counts evaluations: the same
+        data and limit give the same model on every machine. The structure search takes at most 0.6 of it.
+    on_progress : callable
+        Told what is going on, with the present error, and which share of the limit is spent.
+    keep : callable
+        Keeps each candidate that was judged and each level of the final fit.
+
+    Raises
+    ------
+    InputError
+        No data, a constant displacement, inputs that are always zero, known curves outside the data.
+    DataRefusedError
+        No candidate follows the training logs.
+    """
+    wanted = choice or RbfChoice()
+    if known:
+        known.check(*operating_range(records))
+        known = known.per_unit_mass(mass)
+    # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
+    pair = is_bistable_pair(records, inputs)
+    coupled = COUPLED if pair else GAINS[-1]
+    setting = Setting(inputs, known, Effort(time_limit), on_progress, coupled=coupled, keep=keep)
+    fine = all(r.fine is not None for r in records)
+    complete = True
+    first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
+    if pair and not candidates:
+        found, tried = _choose_prior(records, setting, first.structure, from_population=wanted.population and not known)
+    else:
+        slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
+        usual = offers(wanted, fine=fine, slow=slow, driven=driven)
+        offered = ([lambda _: candidates[1:]], []) if candidates else usual
+        chosen, like, tried, complete = search(records, setting, first, *offered)
+        found = _fit_to_all(records, setting, chosen, like)
+    if not found.fit.levels:
+        raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
+    return RbfModel(
+        found.parameters,
+        found.fit.theta,
+        posterior_factor(found.fit, found.prior),
+        found.band_spread,
+        mass,
+        _diagnostics(records, found, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
+    )
+
+
+def _begins_driven(records: Sequence[Record]) -> bool:
+    """Whether an input of any log is more than next to nothing at its first sample."""
+    return any(bool(np.any(np.abs(r.v[0]) > NOTHING * np.abs(r.v).max())) for r in records)
+
+
+@dataclass(frozen=True)
+class _Fitted:
+    """A candidate fitted to whole logs, and its errors of x, dimensionless."""
+
+    candidate: Candidate
+    parameters: ParameterLayout
+    fit: HomotopyFit
+    prior: Prior
+    errors: FloatArray
+    problem: JointProblem
+
+    @property
+    def band_spread(self) -> FloatArray:
+        """Factor of the covariance that leaving out parts of the logs shows."""
+        at_end = self.problem.jacobian(self.fit.theta, self.fit.levels[-1].gain)
+        return robust_spread(*at_end, self.fit.noise, self.prior)
+
+    @property
+    def rms(self) -> float:
+        """Of its errors, in the unit of q; infinite if nothing was fitted."""
+        return self.parameters.scales.half * rms(self.errors) if self.errors.size else np.inf
+
+
+def _choose_prior(
+    records: Sequence[Record], setting: Setting, structure: JointStructure, *, from_population: bool
+) -> tuple[_Fitted, dict[str, float]]:
+    """A bistable joint that is like simulated ones, or else with sides as alike as its logs allow; and the residual of
+    each that was tried.
+
+    The mirror plane is q = 0; a joint that never crosses it has none.
+    """
+    low, high = operating_range(records)
+    alike = [candidate(structure, one) for one in (SYMMETRIES if low < 0.0 < high else SYMMETRIES[-1:])]
+    fits: dict[str, _Fitted] = {}
+
+    def fitted(one: Candidate) -> _Fitted:
+        if one.label not in fits:
+            fits[one.label] = _fit_to_all(records, setting, one, None)
+        return fits[one.label]
+
+    def surpassed(one: Candidate, other: Candidate, share: float) -> bool:
+        """Whether another leaves clearly less; nothing does any more once the effort is spent."""
+        if not fitted(one).fit.reached_last or setting.effort.exhausted():
+            return False
+        return fitted(other).rms < share * fitted(one).rms
+
+    chosen = alike[0]
+    if from_population and len(alike) > 1 and population().knows(structure):
+        chosen = population_candidate(structure)
+        if surpassed(chosen, alike[1], UNLIKE_POPULATION):
+            chosen = alike[0]
+    if not chosen.population:
+        for looser in alike[1:]:
+            if not surpassed(chosen, looser, UNLIKE):
+                break
+            chosen = looser
+    found = fitted(chosen)
+    return found, {label: fit.rms for label, fit in fits.items()}
+
+
+def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, like: Fit | None) -> _Fitted:
+    """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
+    p, start, prior = setting.begin(records, one, like)
+    told = setting.progress(one.label, p.scales.half)
+    gains = [gain for gain in GAINS if gain >= setting.coupled]
+
+    def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
+        """θ after a homotopy over the observer gains [frequency scale], within a share of the effort."""
+        return fit_homotopy(
+            problem, theta, prior, gains=gains, noise_inflation=one.noise_inflation, iterations=ITERATIONS,
+            last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), on_progress=told,
+            parts=problem.parts,
+            keep=kept_under(setting.kept, f"final of {one.label} from {gains[0]:g}"),
+        )  # fmt: skip
+
+    def within(logs: Sequence[Record], theta: FloatArray, jacobians: int) -> JointProblem:
+        """The logs, or so much of them that a time limit holds so many Jacobians."""
+        problem = JointProblem(p, logs, effort=setting.effort)
+        affordable = setting.effort.limit / (jacobians * problem.jacobian_effort(theta))
+        return problem if affordable >= 1.0 else JointProblem(p, cut(logs, affordable), effort=setting.effort)
+
+    problem = within(excerpts(records), start, JACOBIANS)
+    whole = all(len(log.measured) == len(record.t) for log, record in zip(problem.logs, records, strict=True))
+    fit = descend(problem, start, gains, 1.0 if whole else 0.8)
+    if not whole and fit.reached_last:
+        complete = within(records, fit.theta, LAST_JACOBIANS)
+        last = descend(complete, fit.theta, gains[-1:], 1.0)
+        fit, problem = (last, complete) if last.levels else (fit, problem)
+    return _Fitted(one, p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual, problem)
+
+
+def _diagnostics(records: Sequence[Record], found: _Fitted, tried: dict[str, float]) -> dict[str, object]:
+    p, fit, white, scales = found.parameters, found.fit, whiteness(found.errors), found.parameters.scales
+    visited = coverage(
+        scales.middle + scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
+    )
+    return {
+        "chosen": found.candidate.label,
+        "candidates": np.array(list(tried) or [found.candidate.label]),
+        "candidate_rms_m": np.array(list(tried.values()) or [0.0]),
+        "levels": {name: np.array([getattr(x, name) for x in fit.levels]) for name in vars(fit.levels[0])},
+        "converged": fit.converged,
+        "reached_free_run": fit.levels[-1].gain == GAINS[-1],
+        "chaotic": fit.chaotic,
+        "training_rms_m": found.rms,
+        "residual_correlation_samples": white.integrated_correlation_time,
+        "residual_lag_one": white.lag_one,
+        "visits_per_centre": visited.visits,
+        "driven_visits_per_centre": visited.driven,
+    }
+
+
+def _decided(training: Training) -> RbfChoice:
+    """What the settings say of the structure."""
+    settings, before = training.identify, training.inputs_before
+
+    def said(name: str) -> Any:
+        value = getattr(settings, name)
+        return None if value == "auto" else value
+
+    return RbfChoice(
+        basis_functions=said("rbf_basis_functions"),
+        smoothing=said("rbf_smoothing"),
+        stops=None if settings.stops == "auto" else settings.stops == "both",
+        drag=None if settings.drag == "auto" else settings.drag == "quadratic",
+        rest_at_zero=None if before == "auto" else before == "zero",
+        population=settings.rbf_prior == "auto",
+        **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "effect", "hold")},
+    )
+
+
+def _fit(training: Training) -> RbfModel:
+    return identify_rbf(
+        training.records,
+        mass=training.mass,
+        inputs=training.inputs,
+        angle=training.units[0] == "rad",
+        choice=_decided(training),
+        known=training.known_curves,
+        time_limit=training.identify.time_limit,
+        on_progress=training.on_progress,
+        keep=training.keep,
+    )
+
+
+RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.data_driven:realise")

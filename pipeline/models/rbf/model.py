@@ -1,0 +1,341 @@
+"""The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
+
+from dataclasses import dataclass, field
+from typing import Annotated, Any, ClassVar, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from pipeline.errors import CorruptArtifactError
+from pipeline.fitting.posterior import first_order_curves, posterior_draws
+from pipeline.fitting.regression import InputLaw
+from pipeline.generated.terms import ACCELERATION, STOP_FORCE
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table
+from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.problem import steps_per_sample
+from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointStructure
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
+from pipeline.solvers.fixed_step import run_status
+
+PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
+SLIGHT = 1e-5  # of half the range: for slopes of curves
+SEED = 20251  # of the posterior draws: the same model gives the same draws
+
+
+_MOST_ELEMENTS = 16
+_USUAL = JointStructure()
+"""What an older model does not say is as it was then."""
+
+
+class _Structure(FilePart):
+    sizes: ClassVar[Sizes] = {"L": (0, _MOST_ELEMENTS)}
+    basis_functions: Annotated[int, Field(ge=2, le=200)]
+    smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
+    rates: Annotated[FloatArray, Table("L", 0.0)]
+    shape_elements: Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
+    slips: Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
+    force: ForceShape = _USUAL.force
+    hold: Hold = _USUAL.hold
+    arc: bool = _USUAL.arc
+    drag: bool = _USUAL.drag
+    stops: bool = _USUAL.stops
+    input_lag: bool = _USUAL.input_lag
+    turning_arm: bool = _USUAL.turning_arm
+    constant_damping: bool = _USUAL.constant_damping
+    constant_gain: bool = _USUAL.constant_gain
+    rest_at_zero: bool = _USUAL.rest_at_zero
+    input_delay: bool = _USUAL.input_delay
+    bent_input: bool = _USUAL.bent_input
+    dead_zone: bool = _USUAL.dead_zone
+    overdamped: bool = _USUAL.overdamped
+
+    @model_validator(mode="after")
+    def _elements(self) -> Self:
+        if self.shape_elements > len(self.rates):
+            raise ValueError(f"{self.shape_elements} shape elements among {len(self.rates)} elements")
+        return self
+
+
+class _Scales(FilePart):
+    middle: Real
+    half: Positive
+    volts: Positive
+    stiffness: Positive
+    speed: Annotated[Real, Field(ge=0.0)] = 0.0
+
+
+class _Layout(FilePart):
+    sizes: ClassVar[Sizes] = {"K": (1, MOST_INPUTS)}
+    structure: _Structure
+    scales: _Scales
+    law: InputLaw
+    signs: Annotated[IntArray, Table("K", -1, 1, whole=True)]
+
+    def layout(self) -> ParameterLayout:
+        structure = JointStructure(**dict(self.structure) | {"rates": tuple(self.structure.rates.tolist())})
+        return ParameterLayout(structure, JointScales(**dict(self.scales)), self.law, tuple(self.signs.tolist()))
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"P": (1, 20_000), "R": (1, 20_000), "B": (1, 20_000)}
+    parameters: _Layout
+    theta: Annotated[FloatArray, Table("P")]
+    spread: Annotated[FloatArray, Table("P R")]
+    band_spread: Annotated[FloatArray, Table("P B")]
+    mass_kg: Positive
+
+
+@dataclass(frozen=True)
+class RbfModel:
+    """An identified data-driven joint (equation of motion: `pipeline.models.rbf.dynamics`).
+
+    Attributes
+    ----------
+    parameters : ParameterLayout
+        Structure, scales and the order of θ.
+    theta : FloatArray, shape (P,)
+        The parameter vector.
+    spread : FloatArray, shape (P, P)
+        Factor S of the posterior covariance S Sᵀ of θ, which outcomes of pulses are drawn from.
+    band_spread : FloatArray, shape (P, R)
+        Factor of the covariance that the bands of the curves come from (`pipeline.fitting.posterior.robust_spread`).
+    mass : float
+        Moving mass [kg] (inertia [kg m²] for an angle); 1 if unknown, curves are then per unit mass.
+    diagnostics : dict
+        How the fit went.
+    """
+
+    parameters: ParameterLayout
+    theta: FloatArray
+    spread: FloatArray
+    band_spread: FloatArray
+    mass: float = 1.0
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+
+    name = "rbf"
+
+    @property
+    def fine_voltages(self) -> bool:
+        """Whether the inputs between the samples are those of the finer record."""
+        return self.parameters.structure.hold == "record"
+
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return len(self.parameters.signs)
+
+    @checked
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run; see `pipeline.models.base.DynamicModel.simulate`.
+
+        Hidden states start at rest under the first inputs.
+        """
+        s = self.parameters.scales
+        still = np.zeros(len(t))
+        states, valid = self._run(self.theta, t, v, still, 0.0, ((q0 - s.middle) / s.half, qdot0 / s.half))
+        status, diverged_at = run_status(t, valid)
+        q, qdot, qddot = s.middle + s.half * states[:, 0], s.half * states[:, 1], s.half * states[:, 2]
+        return FreeRun(t, q, qdot, qddot, status, diverged_at)
+
+    @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows; see `pipeline.models.base.predictor`.
+
+        An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
+        """
+        s, last = self.parameters.scales, len(seen) - 1
+        x = (np.concatenate([seen, np.full(len(t) - last - 1, seen[-1])]) - s.middle) / s.half
+        observe = (np.arange(len(t)) <= last).astype(np.float64)
+        start = (float(x[0]), float(speed[0]) / s.half)
+        states, _ = self._run(self.theta, t, v, x, 1.0 / sample_interval(t), start, observe)
+        q: FloatArray = s.middle + s.half * states[last:, 0]
+        return q
+
+    @checked
+    def simulate_draws(
+        self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
+    ) -> tuple[FloatArray, FloatArray]:
+        """Free runs of an ensemble drawn from the parameters' posterior: what the data leave open.
+
+        Returns
+        -------
+        q : FloatArray, shape (count, N)
+            Displacement [m]; NaN after divergence.
+        theta : FloatArray, shape (count, P)
+            The draws.
+        """
+        s, still = self.parameters.scales, np.zeros(len(t))
+        draws = self.draws(count)
+        start = ((q0 - s.middle) / s.half, qdot0 / s.half)
+        runs = [self._run(theta, t, v, still, 0.0, start)[0][:, 0] for theta in draws]
+        return s.middle + s.half * np.array(runs), draws
+
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
+        p, s = self.parameters, self.parameters.scales
+        x, speed = (q - s.middle) / s.half, qdot / s.half
+        gain = PATH_OBSERVER_GAIN * s.frequency
+        states, _ = self._run(self.theta, t, v, x, gain, (float(x[0]), float(speed[0])))
+        c = p.coefficients(self.theta)
+        steps = steps_per_sample(p, sample_interval(t), self.theta)
+        u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
+        curves, elements = self._curves_at(c, x), len(c.rates)
+        push = np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
+        push += self._of_elements(c, x, curves, states[:, 3 : 3 + elements], u[:: 2 * steps])
+        push -= states[:, 3 + elements :] @ c.slip_force
+        if len(c.stops):
+            push += self._of_stops(c, x, speed)
+        found = ACCELERATION.evaluate(
+            p=speed[:, None], curves=curves[:, [joint.FORCE, joint.DAMPING]], push=push[:, None],
+            arm=x[:, None] - c.inertia[1], arc=np.full((1, 1), c.inertia[0]), drag=np.full((1, 1), c.drag),
+        )["value"]  # fmt: skip
+        result: FloatArray = s.half * found[:, 0]
+        return result
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves at q [m], shape (n,) (fig. 14).
+
+        Returns
+        -------
+        dict
+            ``F`` restoring force [N] at rest without inputs; ``d`` damping [N s/m] including the hidden elements
+            that relax faster than the joint moves; and at rest ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33) for
+            squared inputs, ``g1``, ``g2`` [N/V] for linear ones. Per unit mass where `mass` is 1.
+        """
+        return self._characteristics(self.theta, q)
+
+    def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
+        """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
+        return first_order_curves(
+            lambda theta: self._characteristics(theta, q), self.theta, self.band_spread, count, SEED
+        )
+
+    def draws(self, count: int) -> FloatArray:
+        """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
+        return posterior_draws(self.theta, self.spread, count, SEED)
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, hyperparameters and diagnostics."""
+        p, c = self.parameters, self.parameters.coefficients(self.theta)
+        return {
+            "structure": _equation_of_motion(p.structure),
+            "origin": "data alone",
+            "basis_functions": p.structure.basis_functions,
+            "smoothing": p.structure.smoothing,
+            "relaxation_rates_1_per_s": c.rates.tolist(),
+            "drag_1_per_m": c.drag / p.scales.half,
+            "end_stops_m": (p.scales.middle + p.scales.half * c.stops[:2]).tolist(),
+            "slip_length_m": (c.slip_length * p.scales.half).tolist(),
+            "mass_kg": self.mass,
+            "inputs": p.law,
+            "parameters": len(self.theta),
+            **self.diagnostics,
+        }
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts."""
+        return {
+            "parameters": self.parameters.to_tree(),
+            "theta": self.theta,
+            "spread": self.spread,
+            "band_spread": self.band_spread,
+            "mass_kg": self.mass,
+            "diagnostics": dict(self.diagnostics),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "RbfModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing, of another kind or shape, or beyond its range.
+        """
+        file = _File.read(tree, "rbf", "identify")
+        parameters = file.parameters.layout()
+        with np.errstate(all="ignore"):
+            finite = file.theta.size == parameters.count and all(
+                np.isfinite(values).all() for values in parameters.coefficients(file.theta)
+            )
+        if not finite:
+            raise CorruptArtifactError("theta of the model rbf does not fit its structure; run `debist identify` again")
+        return cls(parameters, file.theta, file.spread, file.band_spread, file.mass_kg, file.diagnostics)
+
+    def _run(
+        self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float],
+        observe: FloatArray | None = None,
+    ) -> tuple[FloatArray, int]:  # fmt: skip
+        p, interval = self.parameters, sample_interval(t)
+        steps = steps_per_sample(p, interval, theta)
+        u, du = p.inputs(v, interval, steps, theta)
+        begin = (float(start[0]), float(start[1]))
+        c, observe = p.coefficients(theta), np.ones(len(t)) if observe is None else observe
+        states, _, valid = joint.observed_run(
+            u, du, x, observe, gain, begin, interval, steps, c, joint.no_sensitivities(), p.at_rest(u, theta), p.held
+        )
+        return states, valid
+
+    def _of_elements(
+        self, c: joint.Coefficients, x: FloatArray, curves: FloatArray, w: FloatArray, u: FloatArray
+    ) -> FloatArray:
+        """Force of the relaxing elements, shape (n,): −Σ h e + Σ β′ u w."""
+        first = joint.INPUT + len(self.parameters.signs)
+        load, force = w.copy(), np.zeros(len(x))
+        for i in range(self.parameters.structure.shape_elements):
+            rows = [self.parameters.rows[f"pull{i}_{k}"] for k in range(u.shape[1])]
+            load[:, i] -= np.einsum("ij,ij->i", curves[:, rows], u)
+            slopes = (self._curves_at(c, x + SLIGHT)[:, rows] - self._curves_at(c, x - SLIGHT)[:, rows]) / (2 * SLIGHT)
+            force += w[:, i] * np.einsum("ij,ij->i", slopes, u)
+        found: FloatArray = force - np.einsum("ij,ij->i", curves[:, first : first + w.shape[1]], load)
+        return found
+
+    def _of_stops(self, c: joint.Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
+        """Force of the end stops, shape (n,)."""
+        stops = np.tile(c.stops, (len(x), 1))
+        found: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
+        return found
+
+    def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
+        """All curves at x, in the order of `Coefficients.curves`."""
+        curves: FloatArray = joint.basis(np.ascontiguousarray(x), c) @ c.curves.T
+        return curves
+
+    def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
+        p, s = self.parameters, self.parameters.scales
+        c, inputs = p.coefficients(theta), len(p.signs)
+        x = (q - s.middle) / s.half
+        curves = self._curves_at(c, x)
+        if len(c.stops):
+            curves[:, joint.FORCE] += self._of_stops(c, x, np.zeros(len(x)))
+        couplings = curves[:, joint.INPUT + inputs : joint.INPUT + inputs + len(c.rates)]
+        rates = np.tile(c.rates, (len(q), 1))
+        for i in range(p.structure.shape_elements):
+            rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
+        damping = curves[:, joint.DAMPING] + np.where(rates > s.frequency, couplings**2 / rates, 0.0).sum(axis=1)
+        gains = curves[:, joint.INPUT : joint.INPUT + inputs]
+        result = {"F": -self.mass * s.half * curves[:, joint.FORCE], "d": self.mass * damping}
+        for k in range(inputs):
+            if p.law == "squared":
+                result[f"dC{k + 1}_dq"] = 2.0 * self.mass * s.half / s.volts**2 * gains[:, k]
+            else:
+                result[f"g{k + 1}"] = self.mass * s.half / s.volts * gains[:, k]
+        return result
+
+
+def _equation_of_motion(structure: JointStructure) -> str:
+    """The terms that a structure has, with F as it is drawn: positive where it pulls towards smaller q."""
+    s = structure
+    terms = ["mu(q) q'' = -F" if s.arc else "q'' = -F"]
+    terms += ["- (d + k |q'|) q'" if s.drag else "- d q'"]
+    terms += ["- mu'(q) q'^2 / 2"] if s.arc else []
+    pulled, elements = s.shape_elements > 0, bool(s.rates)
+    terms += ["- h e + pulls' u w" if pulled else "- h w"] if elements else []
+    terms += ["- Dahl friction"] if s.slips else []
+    equations = [" ".join([*terms, "+ gains u"])]
+    equations += ["F with end stops"] if s.stops else []
+    equations += ["w' = h q' - r e, e = w - pulls u" if pulled else "w' = h q' - r w"] if elements else []
+    return ", ".join(equations)

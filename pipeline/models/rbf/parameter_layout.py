@@ -1,0 +1,280 @@
+"""Parameters of the data-driven joint: names, order, and their way into the equation of motion.
+
+Quantities that must be positive are carried as logarithms (damping, gains of a squared input up to their sign, the
+confining cubic, rates, friction, inertia), so every parameter vector is a passive, confined joint and the
+estimation needs no constraints.
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from pipeline.fitting.regression import InputLaw
+from pipeline.generated.terms import BENT, PAST_ZONE
+from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes, lagged
+from pipeline.numerics.arrays import FloatArray
+
+OVERHANG = 0.05
+"""Outermost centres past the data, as a share of half the range; the curves stay constant a little further on."""
+
+SLIP_FLOOR = 2e-3
+"""Shortest Dahl length, as a share of half the range: shorter ones are a spring too stiff for the integration step."""
+
+
+@dataclass(frozen=True)
+class ParameterLayout:
+    """The parameter vector of one structure.
+
+    Attributes
+    ----------
+    structure : JointStructure
+    scales : JointScales
+    law : {"squared", "linear"}
+    signs : tuple of int
+        Sign of each input's gain where it cannot change (squared inputs), 0 where the gain is free.
+    """
+
+    structure: JointStructure
+    scales: JointScales
+    law: InputLaw
+    signs: tuple[int, ...]
+    centres: FloatArray = field(init=False)
+
+    def __post_init__(self) -> None:
+        ends = 1.0 + OVERHANG
+        object.__setattr__(self, "centres", np.linspace(-ends, ends, self.structure.basis_functions))
+
+    @property
+    def units(self) -> JointScales:
+        """Units of forces and rates; those of the observer and of the steps are `scales` whatever the structure."""
+        return self.scales.overdamped if self.structure.overdamped else self.scales
+
+    @property
+    def bend(self) -> float:
+        """1/(2σ²) of the dimensionless Gaussians."""
+        return 0.5 / (self.structure.smoothing * float(self.centres[1] - self.centres[0])) ** 2
+
+    @property
+    def arm(self) -> FloatArray:
+        """The angle of a turning arm as a line in x, shape (2,); zeros for another joint."""
+        return np.array([self.scales.middle, self.scales.half]) * float(self.structure.turning_arm)
+
+    @cached_property
+    def slices(self) -> dict[str, slice]:
+        """Where each block of the vector lies."""
+        s, k, m = self.structure, len(self.signs), self.structure.basis_functions
+        force = {"curve": joint.POLYNOMIALS + m, "polynomial": joint.POLYNOMIALS, "offset": 1}[s.force]
+        sizes = {"force": force, "damping": 1 if s.constant_damping else m}
+        sizes |= {f"input{i}": 1 if s.constant_gain else m for i in range(k)}
+        sizes |= {f"coupling{i}": m for i in range(len(s.rates))}
+        for i in range(s.shape_elements):
+            sizes |= {f"relaxation{i}": m} | {f"pull{i}_{n}": m for n in range(k)}
+        sizes |= {"rate": len(s.rates), "slip_force": s.slips}
+        sizes |= {"slip_length": s.slips, "inertia": int(s.arc), "inertia_centre": int(s.arc)}
+        sizes |= {"drag": int(s.drag), "stops": 4 * int(s.stops)}
+        sizes |= {"input_offset": k if self.law == "squared" else 0, "input_lag": int(s.input_lag)}
+        sizes |= {"input_delay": int(s.input_delay), "input_bend": int(s.bent_input)}
+        sizes |= {"input_zone": int(s.dead_zone)}
+        ends = np.cumsum(list(sizes.values()))
+        return {name: slice(int(e) - n, int(e)) for (name, n), e in zip(sizes.items(), ends, strict=True)}
+
+    @cached_property
+    def rows(self) -> dict[str, int]:
+        """Which curve each block of weights makes, in the order of `viscoelastic_joint.Coefficients.curves`."""
+        s, k = self.structure, len(self.signs)
+        names = ["force", "damping", *(f"input{i}" for i in range(k)), *(f"coupling{i}" for i in range(len(s.rates)))]
+        for i in range(s.shape_elements):
+            names += [f"relaxation{i}", *(f"pull{i}_{n}" for n in range(k))]
+        return {name: row for row, name in enumerate(names)}
+
+    @cached_property
+    def dimensionless(self) -> tuple[FloatArray, FloatArray]:
+        """Offset and scale of each parameter, shapes (P,), by which (θ − offset)/scale has no units."""
+        offset, scale = np.zeros(self.count), np.ones(self.count)
+        stiffness, frequency = self.units.stiffness, self.units.frequency
+        for name, where in self.slices.items():
+            kind = kind_of(name)
+            if kind == "force":
+                scale[where] = stiffness
+            elif kind in ("damping", "relaxation", "rate"):
+                offset[where] = np.log(frequency)
+            elif kind in ("input", "slip_force"):
+                offset[where] = np.log(stiffness)
+            elif kind in ("coupling", "pull"):
+                scale[where] = np.sqrt(stiffness)
+        if self.structure.force != "offset":
+            cubic = self.slices["force"].start + joint.POLYNOMIALS - 1
+            scale[cubic], offset[cubic] = 1.0, np.log(stiffness)
+        return offset, scale
+
+    @property
+    def count(self) -> int:
+        """Number of parameters."""
+        return int(max(s.stop for s in self.slices.values()))
+
+    @np.errstate(over="ignore")  # a step of a descent that goes too far is infinite, and its run is refused
+    def coefficients(self, theta: FloatArray) -> joint.Coefficients:
+        """The equation of motion for a parameter vector."""
+        s, k = self.structure, len(self.signs)
+        part = {name: theta[where] for name, where in self.slices.items()}
+        rows, positive = self.rows, ("damping", *(f"relaxation{i}" for i in range(s.shape_elements)))
+        curves = np.zeros((len(rows), joint.POLYNOMIALS + s.basis_functions))
+        curves[joint.FORCE, : len(part["force"])] = part["force"]
+        if s.force != "offset":
+            curves[joint.FORCE, joint.POLYNOMIALS - 1] = -np.exp(part["force"][joint.POLYNOMIALS - 1])
+        for i, sign in enumerate(self.signs):
+            gain = part[f"input{i}"]
+            columns = self.columns(constant=s.constant_gain)
+            curves[joint.INPUT + i, columns] = sign * np.exp(gain) if sign else gain
+        for name in rows:
+            if name == "force" or name in (f"input{i}" for i in range(k)):
+                continue
+            columns = self.columns(constant=name == "damping" and s.constant_damping)
+            curves[rows[name], columns] = np.exp(part[name]) if name in positive else part[name]
+        inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
+        end = 1.0 + 3.0 * OVERHANG
+        slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
+        return joint.Coefficients(
+            curves, np.exp(part["rate"]), np.exp(part["slip_force"]), slip_length, inertia,
+            self.centres, self.bend, -end, end, self.arm, float(np.exp(part["drag"]).sum()), self._stops(part["stops"]),
+        )  # fmt: skip
+
+    @np.errstate(over="ignore")
+    def sensitivity_parameters(self, theta: FloatArray) -> joint.SensitivityParameters:
+        """What the sensitivities are taken with respect to: all parameters, in order."""
+        kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
+        factor = np.ones(self.count)
+        for name, row in self.rows.items():
+            where = self.slices[name]
+            first[where] = row
+            count = where.stop - where.start
+            second[where] = np.arange(count) + (0 if name == "force" or count == 1 else joint.POLYNOMIALS)
+        if self.structure.force != "offset":
+            cubic = self.slices["force"].start + joint.POLYNOMIALS - 1
+            factor[cubic] = -np.exp(theta[cubic])
+        for name in ("damping", *(f"relaxation{i}" for i in range(self.structure.shape_elements))):
+            factor[self.slices[name]] = np.exp(theta[self.slices[name]])
+        for i, sign in enumerate(self.signs):
+            if sign:
+                factor[self.slices[f"input{i}"]] = sign * np.exp(theta[self.slices[f"input{i}"]])
+        for name, code in _KINDS.items():
+            where = self.slices[name]
+            kind[where] = code
+            first[where] = np.arange(where.stop - where.start) + _PLACES.get(name, 0)
+        length = np.exp(theta[self.slices["slip_length"]])
+        factor[self.slices["slip_length"]] = length / (SLIP_FLOOR + length)
+        factor[self.slices["inertia"]] = np.exp(theta[self.slices["inertia"]])
+        factor[self.slices["inertia_centre"]] = -1.0  # of the arm, which counts from there
+        factor[self.slices["drag"]] = np.exp(theta[self.slices["drag"]])
+        factor[self.slices["stops"]][2:] = np.exp(theta[self.slices["stops"]][2:])
+        shape = self.slices["input_offset"].start
+        for name in ("input_lag", "input_delay", "input_bend", "input_zone"):
+            first[self.slices[name]] = self.slices[name].start - shape
+        return joint.SensitivityParameters(kind, first, second, factor)
+
+    def _stops(self, part: FloatArray) -> FloatArray:
+        """Places of the end stops, stiffness and resistance, of which the last two are carried as logarithms."""
+        return np.concatenate((part[:2], np.exp(part[2:])))
+
+    def columns(self, *, constant: bool) -> slice:
+        """Columns of the basis that a curve of its own weights has: the Gaussians, or the constant."""
+        return slice(0, 1) if constant else slice(joint.POLYNOMIALS, None)
+
+    @property
+    def held(self) -> bool:
+        """Whether what acts jumps at the samples and is constant between them."""
+        return self.structure.hold == "zero" and not self.structure.input_lag
+
+    def delay(self, theta: FloatArray) -> float:
+        """How much later the inputs act [s]."""
+        return float(np.exp(theta[self.slices["input_delay"]][0])) if self.structure.input_delay else 0.0
+
+    def inputs(self, v: FloatArray, interval: float, steps: int, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Inputs at every half step and their derivatives by offsets, lag, delay and bend (see `observed_run`).
+
+        They pass delay and lag, solved exactly, and are bent and squared after that, because it is the drive (the
+        propeller's speed, the electrodes' charge) that lags and its square that pulls.
+        """
+        volts = drive_at_nodes(v, interval, steps, self.structure.hold, self.delay(theta)) / self.scales.volts
+        return self.acting(volts, interval / steps / 2.0, theta)
+
+    def acting(self, volts: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """`inputs` from the scaled and delayed drive at every half step [s]."""
+        s, changes = self.structure, []
+        if s.input_delay:
+            by_delay = -np.exp(theta[self.slices["input_delay"]][0]) * np.gradient(volts, half, axis=0)
+        if s.input_lag:
+            lag, held = float(np.exp(theta[self.slices["input_lag"]][0])), s.hold == "zero"
+            if s.input_delay:
+                by_delay, _ = lagged(by_delay, half, lag, held=held, rest_at_zero=True)
+            volts, by_lag = lagged(volts, half, lag, held=held, rest_at_zero=s.rest_at_zero)
+            changes.append(by_lag)
+        if s.input_delay:
+            changes.append(by_delay)
+        u, slope, by_shape = self._effect(volts, theta)
+        offsets = np.zeros((len(theta[self.slices["input_offset"]]), *volts.shape))
+        for i in range(len(offsets)):
+            offsets[i, :, i] = -slope[:, i]
+        du = np.concatenate([offsets, *((slope * change)[None] for change in changes), by_shape])
+        return np.ascontiguousarray(u), du
+
+    def _effect(self, volts: FloatArray, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """What drives do, freed of their offset, bent, past a dead zone, squared; its derivatives by the drive, and by
+        bend and zone.
+        """
+        offset = theta[self.slices["input_offset"]]
+        drive = volts - offset if len(offset) else volts
+        slope, by_shape = np.ones_like(drive), np.empty((0, *drive.shape))
+        if self.structure.bent_input:
+            found = BENT.evaluate(drive=drive[..., None], bend=theta[self.slices["input_bend"]])
+            drive, slope, by_shape = found["value"][..., 0], found["slopes"][..., 0], found["slopes"][None, ..., 1]
+        if self.structure.dead_zone:
+            zone = np.exp(theta[self.slices["input_zone"]])
+            found = PAST_ZONE.evaluate(drive=drive[..., None], zone=zone)
+            drive, steep = found["value"][..., 0], found["slopes"][..., 0]
+            slope, by_shape = slope * steep, np.concatenate((by_shape * steep, zone * found["slopes"][None, ..., 1]))
+        if self.law == "squared":
+            return drive * drive, 2.0 * drive * slope, 2.0 * drive * by_shape
+        return drive, slope, by_shape
+
+    def at_rest(self, u: FloatArray, theta: FloatArray, *, begins: bool = True) -> FloatArray:
+        """Inputs under which hidden elements rested before the first sample, shape (K,); `begins`: of a whole log."""
+        if not (self.structure.rest_at_zero and begins):
+            return np.ascontiguousarray(u[0])
+        acting, _, _ = self._effect(np.zeros((1, u.shape[1])), theta)
+        return np.ascontiguousarray(acting[0])
+
+    def to_tree(self) -> dict[str, Any]:
+        """Structure and scales as plain values."""
+        return {
+            "structure": self.structure.to_tree(),
+            "scales": dict(vars(self.scales)),
+            "law": self.law,
+            "signs": np.array(self.signs, dtype=np.int64),
+        }
+
+
+def kind_of(block: str) -> str:
+    """The name of a block of θ without the numbers of its element and input."""
+    return block.rstrip("0123456789_")
+
+
+_PLACES = {"inertia": joint.ARC, "inertia_centre": joint.CENTRE, "drag": joint.DRAG, "stops": joint.STOPS}
+"""Where the derivatives by numbers of the equation stand, see `viscoelastic_joint.NUMBER`."""
+_KINDS = {
+    "rate": joint.RATE,
+    "slip_force": joint.SLIP_FORCE,
+    "slip_length": joint.SLIP_LENGTH,
+    "inertia": joint.NUMBER,
+    "inertia_centre": joint.NUMBER,
+    "drag": joint.NUMBER,
+    "stops": joint.NUMBER,
+    "input_offset": joint.INPUT_SHAPE,
+    "input_lag": joint.INPUT_SHAPE,
+    "input_delay": joint.INPUT_SHAPE,
+    "input_bend": joint.INPUT_SHAPE,
+    "input_zone": joint.INPUT_SHAPE,
+}

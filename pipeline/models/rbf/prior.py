@@ -1,0 +1,311 @@
+"""Priors of the data-driven joint: smooth curves, small hidden states, equal sides, and a population of joints.
+
+The mirror image of a joint exchanges its left and right sides. The population prior of a bistable joint is a normal
+distribution of θ over simulated joints, in units of each joint's own scales. `benchmarks/population_estimate.py`
+estimates the distribution, `benchmarks/joint_population.py` writes the file of the package, and
+docs/explanation/identification.md states its value.
+
+A curve that was measured on a test stand enters the prior, too: rows say that the curve passes each measured point,
+within a small share of its largest value (§4.2). Elsewhere the data decide.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from scipy.optimize import lsq_linear
+
+from pipeline.fitting.descent import Prior
+from pipeline.models.kind import KnownCurves
+from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf.parameter_layout import ParameterLayout, kind_of
+from pipeline.models.rbf.structure import JointScales, JointStructure
+from pipeline.numerics.arrays import FloatArray, IntArray
+
+GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
+SLOW_DAMPING = 0.05  # mean of the damping, in units of the frequency scale
+ARM_BUMP = 0.2  # how much less than another joint a turning arm is expected to deviate from its sine
+CUBIC_SPREAD = 1.0  # of the logarithm of the confining cubic about the stiffness scale
+STOP_SPREADS = 0.1, 0.1, 1.5, 1.5  # of both places [half ranges], and of the logarithms of stiffness and resistance
+SPREADS = {
+    "rate": 0.5, "slip_force": 1.0, "slip_length": 1.0, "inertia": 1.0, "inertia_centre": 0.3, "drag": 1.5,
+    "input_offset": 0.01, "input_lag": 1.0, "input_delay": 1.0, "input_bend": 0.7,
+    "input_zone": 1.0,
+}  # fmt: skip
+"""Prior standard deviations of single numbers about where they start."""
+
+UNLIKENESS = {"force": 2.5, "damping": 2.0}
+"""How far these may be from their mirror images, over what other curves may."""
+
+
+def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -> Prior:
+    """Gaussian prior of the parameters: smooth curves, small hidden states, and mirror symmetry if asked for.
+
+    Parameters
+    ----------
+    p : ParameterLayout
+        Names and scales.
+    start : FloatArray, shape (P,)
+        The mean of gains, rates, friction and inertia.
+    symmetry : float, optional
+        Relative standard deviation of left/right differences about q = 0: F odd, d even, g_2(x) = −g_1(−x).
+        None for a device without a mirror plane.
+    """
+    rows = _PriorRows(p.count)
+    at, s = p.slices, p.units
+    size = 2.5 * s.stiffness
+    force = np.arange(at["force"].start, at["force"].stop)
+    for i in force[: joint.POLYNOMIALS - 1]:
+        rows.add([i], [1.0], 0.0, 3.0 * size)
+    for i in force[joint.POLYNOMIALS - 1 : joint.POLYNOMIALS]:
+        rows.add([i], [1.0], np.log(s.stiffness), CUBIC_SPREAD)
+    bells = force[joint.POLYNOMIALS :]
+    bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
+    rows.each(bells, np.zeros(len(bells)), 0.5 * bump)
+    rows.smooth(bells, 0.3 * bump)
+    damping = np.arange(at["damping"].start, at["damping"].stop)
+    rows.smooth(damping, 0.7)
+    usual = start[damping] if p.structure.overdamped else np.full(len(damping), np.log(SLOW_DAMPING * s.frequency))
+    rows.each(damping, usual, 2.0)
+    for k, sign in enumerate(p.signs):
+        gain = np.arange(at[f"input{k}"].start, at[f"input{k}"].stop)
+        unit = 1.0 if sign else float(np.abs(start[gain]).max())
+        rows.smooth(gain, 0.3 * unit)
+        rows.each(gain, start[gain], GAIN_SPREAD * unit)
+    for i in range(len(p.structure.rates)):
+        coupling = np.arange(at[f"coupling{i}"].start, at[f"coupling{i}"].stop)
+        spread = 0.5 if i < p.structure.shape_elements else 0.3
+        rows.smooth(coupling, 0.1 * np.sqrt(s.stiffness))
+        rows.each(coupling, np.zeros(len(coupling)), spread * np.sqrt(s.stiffness))
+    _shapes(rows, p, start)
+    for i, spread in zip(range(at["stops"].start, at["stops"].stop), STOP_SPREADS, strict=False):
+        rows.add([i], [1.0], float(start[i]), spread)
+    for name, spread in SPREADS.items():
+        index = np.arange(at[name].start, at[name].stop)
+        rows.each(index, start[index], spread)
+    if symmetry is not None and s.middle == 0.0:
+        _mirror(rows, p, symmetry)
+    return rows.prior()
+
+
+def _mirror(rows: "_PriorRows", p: ParameterLayout, symmetry: float) -> None:
+    """The joint is about its own mirror image; plain relaxing elements may be as they are."""
+    image, (_, scale) = mirror_image(p), p.dimensionless
+    blocks = ["force", "damping", "inertia_centre"]
+    blocks += [f"{name}{i}" for i in range(p.structure.shape_elements) for name in ("relaxation", "coupling")]
+    if p.signs in ((1, -1), (-1, 1)):
+        blocks += ["input0", *(f"pull{i}_0" for i in range(p.structure.shape_elements))]
+    for name in blocks:
+        spread = symmetry * UNLIKENESS.get(name, 1.0)
+        for i in range(p.slices[name].start, p.slices[name].stop):
+            j = int(np.argmax(np.abs(image[i])))
+            if i < j:
+                rows.add([i, j], [1.0, -image[i, j]], 0.0, spread * scale[i])
+            elif i == j and image[i, i] < 0.0:
+                rows.add([i], [1.0], 0.0, spread * scale[i])
+
+
+def _shapes(rows: "_PriorRows", p: ParameterLayout, start: FloatArray) -> None:
+    """Shape elements relax about as fast as they start, and inputs pull little at them."""
+    at, unit = p.slices, np.sqrt(p.units.stiffness)
+    for i in range(p.structure.shape_elements):
+        relaxation = np.arange(at[f"relaxation{i}"].start, at[f"relaxation{i}"].stop)
+        rows.smooth(relaxation, 0.3)
+        rows.each(relaxation, start[relaxation], 1.0)
+        for k in range(len(p.signs)):
+            pull = np.arange(at[f"pull{i}_{k}"].start, at[f"pull{i}_{k}"].stop)
+            rows.smooth(pull, 0.1 * unit)
+            rows.each(pull, np.zeros(len(pull)), 0.5 * unit)
+
+
+class _PriorRows:
+    """Rows of a Gaussian prior, collected one by one; each is divided by its standard deviation."""
+
+    def __init__(self, parameters: int) -> None:
+        self.parameters = parameters
+        self.rows: list[FloatArray] = []
+        self.right: list[float] = []
+
+    def add(self, index: Sequence[int], factors: Sequence[float], mean: float, spread: float) -> None:
+        row = np.zeros(self.parameters)
+        row[list(index)] += np.array(factors)
+        self.rows.append(row / spread)
+        self.right.append(mean / spread)
+
+    def each(self, index: FloatArray, means: FloatArray, spread: float) -> None:
+        for i, mean in zip(index, means, strict=True):
+            self.add([int(i)], [1.0], float(mean), spread)
+
+    def smooth(self, index: FloatArray, spread: float) -> None:
+        """Second differences along the centres are small."""
+        for a, b, c in zip(index, index[1:], index[2:], strict=False):
+            self.add([int(a), int(b), int(c)], [-1.0, 2.0, -1.0], 0.0, spread)
+
+    def prior(self) -> Prior:
+        return Prior(np.array(self.rows), np.array(self.right))
+
+
+def mirror_image(p: ParameterLayout) -> FloatArray:
+    """Matrix (P, P) that takes dimensionless θ to that of the joint mirrored at q = 0, its two inputs exchanged.
+
+    A hidden shape changes its sign in the mirror, so that couplings are even and pulls change sides and sign. What
+    belongs to one of one or three inputs has no image: zeros.
+    """
+    image, at = np.zeros((p.count, p.count)), {name: np.arange(p.count)[where] for name, where in p.slices.items()}
+
+    def put(name: str, other: str, factor: float, *, turned: bool) -> None:
+        """Make a block of the image from another, end for end if it is a curve along the centres."""
+        image[at[name], at[other][::-1] if turned else at[other]] = factor
+
+    for name, index in at.items():
+        kind = kind_of(name)
+        if kind == "force":
+            powers = index[: joint.POLYNOMIALS]
+            image[powers, powers] = (-1.0, 1.0, -1.0, 1.0)[: len(powers)]  # the last is the confining cubic's logarithm
+            image[index[joint.POLYNOMIALS :], index[joint.POLYNOMIALS :][::-1]] = -1.0
+        elif kind in ("input", "pull"):
+            if len(p.signs) == 2:
+                put(name, f"{name[:-1]}{1 - int(name[-1])}", 1.0 if kind == "input" else -1.0, turned=True)
+        elif name == "input_offset":
+            put(name, name, 1.0, turned=True)
+        else:
+            curve = kind in ("damping", "coupling", "relaxation")
+            put(name, name, -1.0 if name == "inertia_centre" else 1.0, turned=curve)
+    return image
+
+
+@dataclass(frozen=True)
+class Population:
+    """A normal distribution of dimensionless θ.
+
+    Attributes
+    ----------
+    blocks : dict of str to int
+        Names and lengths of the blocks of θ, in order.
+    smoothing : float
+        σ_n of its curves.
+    mean : FloatArray, shape (P,)
+    root : FloatArray, shape (P, P)
+        A of the precision AᵀA.
+    """
+
+    blocks: dict[str, int]
+    smoothing: float
+    mean: FloatArray
+    root: FloatArray
+
+    def knows(self, structure: JointStructure) -> bool:
+        """Whether it is one of this structure, whose two inputs pull opposite ways by their squares."""
+        p = ParameterLayout(structure, JointScales(0.0, 1.0, 1.0, 1.0), "squared", (1, -1))
+        return blocks_of(p) == self.blocks and structure.smoothing == self.smoothing and not structure.overdamped
+
+    def prior(self, p: ParameterLayout) -> Prior:
+        """The prior of a joint of a structure that it knows, whose mirror plane is q = 0."""
+        offset, scale = p.dimensionless
+        matrix = self.root / scale
+        right = self.root @ self.mean + matrix @ offset
+        order = np.arange(p.count) if p.signs == (1, -1) else _exchanged(p)
+        return Prior(matrix[:, order], right)
+
+
+def blocks_of(p: ParameterLayout) -> dict[str, int]:
+    """Names and lengths of the blocks of θ, in order."""
+    return {name: where.stop - where.start for name, where in p.slices.items()}
+
+
+def _exchanged(p: ParameterLayout) -> IntArray:
+    """Where each parameter stands in θ of a joint whose inputs have the numbers of each other, shape (P,)."""
+    order, at = np.arange(p.count), p.slices
+    for name in at:
+        if kind_of(name) in ("pull", "input"):
+            order[at[name]] = np.arange(p.count)[at[f"{name[:-1]}{1 - int(name[-1])}"]]
+    order[at["input_offset"]] = order[at["input_offset"]][::-1]
+    return order
+
+
+ASSET = Path(__file__).with_name("assets") / "joint_population.npz"
+
+
+@cache
+def population() -> Population:
+    """The population of 70 joints of the virtual rig, half of each physics."""
+    with np.load(ASSET, allow_pickle=False) as held:
+        blocks = dict(zip(held["blocks"].tolist(), held["lengths"].tolist(), strict=True))
+        return Population(blocks, float(held["smoothing"]), held["mean"], held["root"].astype(np.float64))
+
+
+KEPT = 5e-3
+"""Standard deviation of a measured point, as a share of its curve's largest value."""
+
+SLIGHT_CUBIC = 0.02  # of the stiffness scale: the confining cubic that stays whatever was measured
+PINNED = 1e-3  # standard deviation of the logarithm of that cubic
+RIDGE = 1e-4
+
+
+def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, known: KnownCurves) -> tuple[FloatArray, Prior]:
+    """Start vector and prior that keep the known curves.
+
+    Parameters
+    ----------
+    p : ParameterLayout
+        Gains of inputs whose curve is known are free of a sign.
+    start : FloatArray, shape (P,)
+        Where the estimation would start without them.
+    prior : Prior
+        What is believed without them.
+    known : KnownCurves
+        Per unit mass.
+    """
+    start, s, rows, right = start.copy(), p.scales, [prior.matrix], [prior.right]
+    c, at = p.coefficients(start), p.slices
+    if known.force is not None:
+        basis, y = _points(p, c, known.q, -known.force / s.half)
+        high = np.full(basis.shape[1], np.inf)
+        high[joint.POLYNOMIALS - 1] = -SLIGHT_CUBIC * s.stiffness
+        weights = _fitted(basis, y, high)
+        cubic = at["force"].start + joint.POLYNOMIALS - 1
+        start[at["force"]] = weights
+        start[cubic] = np.log(-weights[joint.POLYNOMIALS - 1])
+        others = [i for i in range(basis.shape[1]) if i != joint.POLYNOMIALS - 1]
+        linear = y - basis[:, joint.POLYNOMIALS - 1] * weights[joint.POLYNOMIALS - 1]
+        _add(
+            rows, right, p.count, at["force"].start + np.array(others), basis[:, others], linear, KEPT * np.abs(y).max()
+        )
+        _add(rows, right, p.count, np.array([cubic]), np.ones((1, 1)), start[[cubic]], PINNED)
+    for k, gain in enumerate(known.gains):
+        if gain is not None:
+            per_unit = gain / s.half * (s.volts**2 if p.law == "squared" else s.volts)
+            basis, y = _points(p, c, known.q, per_unit)
+            bells, where = basis[:, joint.POLYNOMIALS :], at[f"input{k}"]
+            start[where] = _fitted(bells, y, np.full(bells.shape[1], np.inf))
+            _add(rows, right, p.count, np.arange(where.start, where.stop), bells, y, KEPT * np.abs(y).max())
+    return start, Prior(np.vstack(rows), np.concatenate(right))
+
+
+def _points(
+    p: ParameterLayout, c: joint.Coefficients, q: FloatArray, values: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Basis and values at the measured points."""
+    kept = np.isfinite(values)
+    x = (q[kept] - p.scales.middle) / p.scales.half
+    return joint.basis(np.ascontiguousarray(x), c), values[kept]
+
+
+def _fitted(basis: FloatArray, y: FloatArray, high: FloatArray) -> FloatArray:
+    norms = np.linalg.norm(basis, axis=0) + np.finfo(float).tiny
+    matrix = np.vstack((basis / norms, RIDGE * np.eye(basis.shape[1])))
+    right = np.concatenate((y, np.zeros(basis.shape[1])))
+    weights: FloatArray = lsq_linear(matrix, right, (-np.inf, high * norms)).x / norms
+    return weights
+
+
+def _add(
+    rows: list[FloatArray], right: list[FloatArray], count: int, index: Sequence[int] | FloatArray,
+    factors: FloatArray, values: FloatArray, spread: float,
+) -> None:  # fmt: skip
+    block = np.zeros((len(values), count))
+    block[:, np.asarray(index, dtype=np.int64)] = factors / spread
+    rows.append(block)
+    right.append(values / spread)

@@ -1,0 +1,356 @@
+"""The data-driven joint coupled to its training logs by an observer: residuals, Jacobians and their effort.
+
+The effort of a fit is counted in evaluations, not taken by a clock. So the same data and settings end at the same point
+on every machine. A cost model of a reference machine (one core of a 2.5 GHz server with other work beside it, and
+slower kernels) turns simulations into seconds. Searches for a propeller and a soft arm take 0.5 and 0.6 times this
+estimate, fits of a DE joint 0.9 to 1.1 times.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from pipeline.errors import InputError
+from pipeline.models.rbf.dynamics import basis, no_sensitivities, observed_run
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.structure import drive_at_nodes, known_inputs, spline_through
+from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.signals.noise import noise_std
+from pipeline.signals.trajectory import Record
+
+PER_SIMULATION = 0.7e-3
+"""Cost of a simulation beside its steps: inputs, sums, the solution of the normal equations [s]."""
+
+PER_STEP = 0.45e-6
+"""Cost of a step of the data-driven joint [s]."""
+
+PER_DELAYED_STEP = 0.35e-6
+"""Cost of a step's inputs where a delay makes them anew for each run [s]."""
+
+PER_SENSITIVITY = 0.054e-6
+"""Cost of a step per parameter that is derived by [s]."""
+
+
+def simulation_effort(steps: int, sensitivities: int = 0, *, delayed: bool = False) -> float:
+    """Seconds of a simulation of so many integration steps, with so many sensitivities and perhaps a delay."""
+    return PER_SIMULATION + steps * (PER_STEP + PER_SENSITIVITY * sensitivities + PER_DELAYED_STEP * delayed)
+
+
+@dataclass
+class Effort:
+    """What may be spent and what was, in seconds of processor time by the cost model.
+
+    Attributes
+    ----------
+    limit : float
+        Seconds after which work that can wait is left out.
+    spent : float
+        Seconds so far.
+    """
+
+    limit: float = float("inf")
+    spent: float = 0.0
+
+    def spend(self, steps: int, sensitivities: int = 0, *, delayed: bool = False) -> None:
+        """Count a simulation, as `simulation_effort`."""
+        self.spent += simulation_effort(steps, sensitivities, delayed=delayed)
+
+    def exhausted(self, share: float = 1.0) -> bool:
+        """Whether a share of the limit is spent."""
+        return self.spent >= share * self.limit
+
+
+STEP = 0.2
+"""Longest integration step, in units of the inverse frequency scale: at least 30 per period."""
+
+COARSE_STEP = 0.4
+"""The same where candidates are only compared."""
+
+STABLE = 1.5
+"""Longest step in units of the inverse of the fastest relaxation rate; Runge-Kutta would be unstable at 2.8."""
+
+
+IMPACT = 2.0
+"""Steps against an end stop, in units of its own period, may be so many times as long as those of the joint: it is
+touched softly."""
+
+MOST_STEPS = 2000
+"""Steps in a sample interval; a device that is faster than that by its frequency scale was not identified from it."""
+
+FASTEST = 100.0
+"""Relaxations per sample interval beyond which no step follows; such an element does nothing but damp."""
+
+
+def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, step: float = STEP) -> int:
+    """Integration steps per sample interval [s] that are no longer than `step` and resolve what decays: the velocity
+    by its damping, and the hidden elements.
+    """
+    c = p.coefficients(theta)
+    decays = ["damping", *(f"relaxation{i}" for i in range(p.structure.shape_elements))]
+    curves = c.curves[[p.rows[name] for name in decays]]
+    fastest = max(float((basis(p.centres, c) @ curves.T).max()), float(c.rates.max(initial=0.0)))
+    touching = 0.0
+    if p.structure.stops:
+        stiffness, resistance = c.stops[2:]
+        touching = float(np.sqrt(stiffness)) / (IMPACT * step)
+        fastest = max(fastest, float(resistance))
+    fastest = min(fastest, FASTEST / interval) / STABLE
+    rate = max(p.scales.frequency / step, min(touching, FASTEST / interval), fastest)
+    if interval * rate > MOST_STEPS:
+        raise InputError(
+            f"the model moves {interval * rate:.3g} steps in a sample interval of {interval:g} s; resample"
+        )
+    return max(1, int(np.ceil(interval * rate)))
+
+
+def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:
+    """`values` with the samples that are not valid replaced by a line across them."""
+    samples = np.arange(len(values))
+    keep = valid > 0.0
+    return np.interp(samples, samples[keep], values[keep])
+
+
+_NUDGE = 1e-9
+"""How far the second run starts beside the first, a share of the range of q."""
+_PARTED = 1e-2
+"""Share of the range at which two runs have parted: no pulse near a separatrix brings that about by chance."""
+
+
+@dataclass(frozen=True)
+class _Log:
+    """A log as it is simulated: every so-many-th sample.
+
+    measured, followed, observe (N,): x, what the observer follows, and the share of it that acts · start: velocity
+    [1/s] · interval [s] · split: samples in the residual · travel (N − 1,), weight: mean measured velocity [1/s] of
+    each interval, NaN where it is not known, and the time [s] that makes it a displacement; no travel without such a
+    channel · known: inputs, those of `past` intervals before included for a lag · every: their samples per interval ·
+    spacing: their interval [s] · nodes: scaled inputs at every half step, by steps per interval and delay.
+    """
+
+    measured: FloatArray
+    followed: FloatArray
+    observe: FloatArray
+    start: float
+    interval: float
+    split: int
+    travel: FloatArray | None
+    weight: float
+    known: FloatArray
+    past: int
+    every: int
+    spacing: float
+    nodes: dict[tuple[int, float], FloatArray]
+
+    @cached_property
+    def spline(self) -> CubicSpline:
+        """Through the inputs; a delay asks for it at other times in every run."""
+        return spline_through(known_inputs(self.known))
+
+    @property
+    def kept(self) -> BoolArray:
+        """Which rows of `compared` are measured."""
+        seen = self.observe[: self.split] > 0.0
+        return seen if self.travel is None else np.concatenate((seen, np.isfinite(self.travel[: self.split - 1])))
+
+    def compared(self, x: FloatArray) -> FloatArray:
+        """What is compared of a simulation or its sensitivities, row by row: x, then its weighted mean velocity."""
+        if self.travel is None:
+            return x
+        return np.concatenate((x, self.weight / self.interval * np.diff(x, axis=0)))
+
+    def error(self, x: FloatArray) -> FloatArray:
+        """Simulated minus measured, the rows that are kept."""
+        seen = self.measured[: self.split]
+        if self.travel is not None:
+            seen = np.concatenate((seen, self.weight * self.travel[: self.split - 1]))
+        difference: FloatArray = (self.compared(x) - seen)[self.kept]
+        return difference
+
+    def at_nodes(self, p: ParameterLayout, steps: int, delay: float) -> FloatArray:
+        """The scaled inputs at every half step, `delay` [s] later."""
+        if (steps, delay) in self.nodes:
+            return self.nodes[steps, delay]
+        hold, rows = p.structure.hold, self.past + len(self.measured)
+        spline = self.spline if hold == "cubic" else None
+        if self.every == 1:
+            drive = drive_at_nodes(self.known, self.spacing, steps, hold, delay, spline)
+        else:
+            drive = drive_at_nodes(self.known, self.spacing, 1, hold, delay, spline)
+            drive = _averaged(drive, self.every)[: 2 * rows - 1]
+            if steps > 1:
+                drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
+        drive = np.ascontiguousarray(drive / p.scales.volts)
+        if not p.structure.input_delay:
+            self.nodes[steps, delay] = drive
+        return drive
+
+
+class JointProblem:
+    """Simulated minus measured x over all valid samples of the training logs (an `ObservedProblem`).
+
+    Observer gains are in units of the joint's frequency scale.
+
+    Parameters
+    ----------
+    parameters : ParameterLayout
+        The structure.
+    records : sequence of Record
+        Training logs.
+    free_after : float, optional
+        Share of each log after which the observer is off whatever its gain: what lies behind is held out of the
+        residual, and `held_out` compares it with a free run that starts from the observed state.
+    step : float
+        Longest integration step, as `STEP`.
+    thinning : int
+        Where samples are closer than a step, at most every so-many-th is simulated; inputs are then averaged over the
+        samples between. A log that moves slowly says little of how fast its device could, so this needs care.
+    effort : Effort, optional
+        Counts the simulations.
+    """
+
+    def __init__(
+        self,
+        parameters: ParameterLayout,
+        records: Sequence[Record],
+        free_after: float | None = None,
+        *,
+        step: float = STEP,
+        thinning: int = 1,
+        effort: Effort | None = None,
+    ) -> None:
+        self.parameters, self.step, self.effort = parameters, step, effort or Effort()
+        self.logs = [_log(parameters, r, free_after, step, thinning) for r in records]
+
+    def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
+        """See `ObservedProblem`; dimensionless."""
+        parts = []
+        for log in self.logs:
+            states, _, valid = self._run(theta, log, gain, stop=log.split, sensitive=False)
+            if valid < log.split:
+                return None
+            parts.append(log.error(states[:, 0]))
+        return np.concatenate(parts)
+
+    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
+        """See `ObservedProblem`."""
+        parts, rows = [], []
+        for log in self.logs:
+            states, sensitivity, _ = self._run(theta, log, gain, stop=log.split, sensitive=True)
+            parts.append(log.error(states[:, 0]))
+            rows.append(log.compared(sensitivity)[log.kept])
+        return np.concatenate(parts), np.concatenate(rows)
+
+    def jacobian_effort(self, theta: FloatArray) -> float:
+        """Seconds of a Jacobian by the cost model."""
+        p, seconds = self.parameters, 0.0
+        for log in self.logs:
+            steps = log.split * steps_per_sample(p, log.interval, theta, self.step)
+            seconds += simulation_effort(steps, p.count, delayed=p.structure.input_delay)
+        return seconds
+
+    def parts(self, theta: FloatArray) -> bool:
+        """Whether the free run of any log parts from one that starts beside it: then the motion is chaotic."""
+        for log in self.logs:
+            beside = replace(log, start=log.start + _NUDGE * self.parameters.scales.frequency)
+            first, second = (
+                self._run(theta, one, 0.0, stop=log.split, sensitive=False)[0][:, 0] for one in (log, beside)
+            )
+            apart = np.abs(second - first) / 2.0
+            if np.isfinite(apart).all() and np.any(apart > _PARTED):
+                return True
+        return False
+
+    @property
+    def of_displacement(self) -> BoolArray:
+        """Which rows of the residual are errors of x; the others are weighted errors of the velocity."""
+        kinds = []
+        for log in self.logs:
+            rows = np.count_nonzero(log.observe[: log.split] > 0.0)
+            kinds.append(np.arange(np.count_nonzero(log.kept)) < rows)
+        return np.concatenate(kinds)
+
+    def held_out(self, theta: FloatArray, gain: float, coupled: float = 0.0) -> list[FloatArray]:
+        """Errors behind the split of each log, free or at an observer gain `coupled`; infinite where a run diverged."""
+        errors = []
+        for log in self.logs:
+            observe = log.observe.copy()
+            observe[log.split :] *= coupled / gain
+            states, _, _ = self._run(theta, log, gain, stop=len(log.measured), sensitive=False, observe=observe)
+            error = (states[:, 0] - log.measured)[log.split :][log.observe[log.split :] > 0.0]
+            errors.append(np.where(np.isfinite(error), error, np.inf))
+        return errors
+
+    def _run(
+        self,
+        theta: FloatArray,
+        log: _Log,
+        gain: float,
+        *,
+        stop: int,
+        sensitive: bool,
+        observe: FloatArray | None = None,
+    ) -> tuple[FloatArray, FloatArray, int]:
+        p, seen = self.parameters, log.observe if observe is None else observe
+        steps = steps_per_sample(p, log.interval, theta, self.step)
+        skipped, count = 2 * steps * log.past, 2 * steps * (stop - 1) + 1
+        volts = log.at_nodes(p, steps, p.delay(theta))[: skipped + count]
+        u, du = p.acting(volts, log.interval / steps / 2.0, theta)
+        if skipped:
+            u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
+        wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
+        self.effort.spend(stop * steps, len(wrt.kind), delayed=p.structure.input_delay)
+        return observed_run(
+            u, du, log.followed[:stop], seen[:stop], gain * p.scales.frequency, (float(log.measured[0]), log.start),
+            log.interval, steps, p.coefficients(theta), wrt, p.at_rest(u, theta, begins=log.past == 0),
+            p.held and log.every == 1,
+        )  # fmt: skip
+
+
+def _log(p: ParameterLayout, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:
+    s, hold, past = p.scales, p.structure.hold, 0
+    every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
+    observe = record.valid[::every].astype(np.float64)
+    measured = bridged((record.q - s.middle) / s.half, record.valid.astype(np.float64))[::every]
+    known = record.drive if hold == "record" else record.v
+    if record.past is not None and (p.structure.input_lag or p.structure.input_delay):
+        before = record.past if hold == "record" or record.past.ndim == 2 else record.past[:, 0]
+        past = len(before) // every
+        known = np.concatenate((before[len(before) - past * every :], known))
+    split = len(measured) if free_after is None else int(free_after * len(measured))
+    start, interval = float(record.qdot[0] / s.half), every * record.interval
+    travel, weight = _travel(p, record, every)
+    # The observer follows lines between samples, whose mean is that of the motion if each corner is cut by a twelfth.
+    followed = measured.copy()
+    followed[1:-1] -= np.diff(measured, 2) / 12.0
+    return _Log(
+        measured, followed, observe, start, interval, split, travel, weight, known, past, every, record.interval, {}
+    )
+
+
+def _travel(p: ParameterLayout, record: Record, every: int) -> tuple[FloatArray | None, float]:
+    """Mean measured velocity [1/s] over each simulated interval, NaN where it is not known; and its weight [s].
+
+    It is the integral of the cubic with the measured velocity and its slope at the samples. The weight makes errors of
+    velocity and displacement as large as each other where noise alone makes them, but no larger than those of a
+    vibration at the device's frequency scale: a model that errs is not to be judged by its velocity alone.
+    """
+    if record.velocity is None:
+        return None, 0.0
+    speed = np.where(record.valid, record.velocity, np.nan) / p.scales.half
+    slope = record.qddot / p.scales.half
+    mean = 0.5 * (speed[:-1] + speed[1:]) + record.interval / 12.0 * (slope[:-1] - slope[1:])
+    count = (len(mean) // every) * every
+    noise = noise_std(record.q[record.valid]), noise_std(record.velocity[record.valid])
+    weight = min(1.0 / p.scales.frequency, noise[0] / noise[1] if noise[1] > 0.0 else np.inf)
+    return mean[:count].reshape(-1, every).mean(axis=1), float(weight)
+
+
+def _averaged(values: FloatArray, every: int) -> FloatArray:
+    """Every so-many-th row of a centred average over as many, so that noise between the rows stays out."""
+    window = np.ones(every) if every % 2 else np.concatenate(([0.5], np.ones(every - 1), [0.5]))
+    reach = len(window) // 2
+    smooth = [np.convolve(np.pad(column, reach, "edge"), window / every, "valid") for column in values.T]
+    return np.column_stack(smooth)[::every]

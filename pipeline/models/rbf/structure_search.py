@@ -1,0 +1,364 @@
+"""Which structure a data-driven joint gets: candidates fitted on a part of the training logs, judged on the rest."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from pipeline.fitting.descent import Prior
+from pipeline.fitting.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
+from pipeline.fitting.posterior import surely_smaller
+from pipeline.fitting.regression import InputLaw
+from pipeline.models.kind import KnownCurves
+from pipeline.models.rbf.candidates import Candidate, Offer
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.prior import joint_prior, pin_curves, population
+from pipeline.models.rbf.problem import COARSE_STEP, Effort, JointProblem
+from pipeline.models.rbf.start import TIMES, data_scales, starting_joint
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import rms
+from pipeline.numerics.progress import Keep, OnProgress, Parts, make_anew, silent
+from pipeline.signals.trajectory import Record
+
+FITTED_SHARE = 0.65
+"""Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""
+
+QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
+"""Observer gains of the fits that only serve to compare candidates."""
+
+NEAR_GAINS = (0.3, 0.0)
+"""The same where a fit of a similar structure is there to start from."""
+
+QUICK_ITERATIONS = 10
+"""Steps of these fits per level, and half of those in free run."""
+
+MANY = 40
+"""Parameters beyond which they take half as many: each costs more, and the start knows less of each."""
+
+DIVERGED_ERROR_HALF_RANGES = 1.0
+"""Dimensionless error at which a diverged sample counts: half the operating range."""
+
+EXCERPT = 8_000
+"""Integration steps of a fit that only compares: longer logs are cut to the excerpt in which q ranges furthest."""
+
+SHORTEST = 500
+"""Samples of a log that no cut leaves less of."""
+
+LEAST_SAMPLES = 1_500
+"""Samples of all logs together below which none is left out where candidates are only compared."""
+
+FAR = 1.3
+"""Times the error in free run beyond which a smaller structure must not err surely more coupled to the measurement
+either: passages between two wells make free runs err so much that hardly anything is sure."""
+
+TOO_SIMPLE = 3.0
+"""Times the error over what was fitted beyond which a smaller structure does not replace a larger one whatever held-out
+data say: of a slow device they may hold too little to be sure of anything."""
+
+ROUNDS = 4
+"""Times that offers are made which depend on other fields, at most: fields could change in turns."""
+
+SEARCH_SHARE = 0.6
+"""Share of the effort after which nothing more is offered: the rest is for the fit of the chosen structure."""
+
+IDLE = 0.01
+"""Share of a sample interval below which a lag or a delay does nothing that the samples could tell."""
+
+
+Begun = tuple[ParameterLayout, FloatArray, Prior]
+"""Parameterisation, start and prior."""
+
+Fit = tuple[ParameterLayout, FloatArray]
+"""Parameterisation and θ."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
+    at most how many samples of each is left for comparisons, the smallest observer gain that fits may have (0, the
+    free run, but for a chaotic and for a bistable device), and what keeps finished work.
+    """
+
+    inputs: InputLaw
+    known: KnownCurves | None
+    effort: Effort = field(default_factory=Effort)
+    on_progress: OnProgress = silent
+    thinning: int = 1
+    coupled: float = 0.0
+    keep: Keep = make_anew
+
+    def kept(self, name: str, make: Callable[[], Parts]) -> Parts:
+        """What `make` gives, as `keep` has it, with the effort that it took, which counts either way."""
+        parts = dict(self.keep(name, lambda: {**make(), "spent": self.effort.spent}))
+        self.effort.spent = parts.pop("spent")
+        return parts
+
+    def begin(self, records: Sequence[Record], one: Candidate, like: Fit | None = None) -> Begun:
+        """Parameterisation, start and prior of a candidate; lag and delay start as in another fit of it."""
+        gains = {i for i, gain in enumerate(self.known.gains) if gain is not None} if self.known else set()
+        structure = replace(one.structure, shape_elements=0) if gains else one.structure
+        if self.known:
+            structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
+            structure = replace(structure, stops=structure.stops and self.known.force is None)
+        p, start = starting_joint(
+            records, structure, self.inputs, centred=one.centred, known_gains=gains,
+            reach=self.known.reach if self.known else (np.inf, -np.inf),
+            timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
+        )  # fmt: skip
+        prior = population().prior(p) if one.population else joint_prior(p, start, one.symmetry)
+        return (p, *pin_curves(p, start, prior, self.known)) if self.known else (p, start, prior)
+
+    def progress(self, what: str, half: float) -> Callable[[float, float], None]:
+        """Tells of a fit: level and present error in millimetres or milliradians."""
+
+        def told(gain: float, rms: float) -> None:
+            """Tell of a level: observer gain, error in half ranges."""
+            level = f"observer {gain:g}" if gain else "free run"
+            self.on_progress(
+                f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit)
+            )
+
+        return told
+
+    @property
+    def limit(self) -> float:
+        """Seconds of the effort, for shares."""
+        return self.effort.limit
+
+
+def search(
+    records: Sequence[Record],
+    setting: Setting,
+    first: Candidate,
+    once: Sequence[Offer],
+    again: Sequence[Offer] = (),
+) -> tuple[Candidate, Fit | None, dict[str, float], bool]:
+    """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
+
+    The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. A
+    candidate with more parameters replaces the one before only if its free run errs less, and it errs less by more than
+    a standard error (`surely_smaller`) there or coupled to the measurement; one with fewer unless its free run errs
+    more by that, or `FAR` times as much and coupled more by that, or `TOO_SIMPLE` times as much, and surely, over what
+    it was fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is
+    worth few independent samples, where coupled ones forget.
+
+    Returns
+    -------
+    Candidate
+    Fit or None
+        Of it, by which it was judged; None if nothing was offered.
+    dict of str to float
+        RMS held-out error of each that was tried, in the unit of q; empty if nothing was offered.
+    bool
+        Whether all was offered and judged before `SEARCH_SHARE` of the effort was spent.
+    """
+    setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
+    records = excerpts(records)
+    scales = data_scales(records, centred=False)
+    tried: dict[str, _Judged] = {}
+
+    def judged(one: Candidate) -> _Judged:
+        if one.label not in tried:
+            tried[one.label] = _judge(records, setting, one, tried.get(best.label))
+        return tried[one.label]
+
+    def better(one: Candidate, than: Candidate) -> bool:
+        if any(not getattr(than.structure, time) for time in judged(one).idle):
+            return False
+        return _preferred(judged(one), judged(than), smaller=size(one) < size(than))
+
+    def size(one: Candidate) -> int:
+        return ParameterLayout(one.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
+
+    best, since, complete = first, len(once), True
+    for number, offer in enumerate((*once, *ROUNDS * tuple(again))):
+        if number - since >= len(again) > 0:
+            break
+        if setting.effort.exhausted(SEARCH_SHARE):
+            complete = False
+            break
+        others = offer(best)
+        if others and not tried:
+            setting, tried = _coupled(records, setting, first)
+        tested = [one for one in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(one)]
+        complete = complete and len(tested) == len(others)
+        for one in sorted(tested, key=lambda one: rms(judged(one).errors[-1])):
+            if better(one, best):
+                best, since = one, max(number + 1, len(once))
+    like = tried[best.label].fits[0] if best.label in tried else None
+    return best, like, {label: rms(found.errors[-1]) for label, found in tried.items()}, complete
+
+
+@dataclass(frozen=True)
+class _Judged:
+    """A candidate's held-out errors (2, N) in the unit of q, coupled to the measurement at `COUPLED` and free (coupled
+    both times for a chaotic device), its errors over what the first of its fits was fitted to, and these fits, fold by
+    fold; whether one of them was chaotic, and which times of its drive do nothing in any: what it errs less than
+    without them is the luck of another way to the same minimum.
+    """
+
+    errors: FloatArray
+    fitted: FloatArray
+    fits: tuple[Fit, ...]
+    chaotic: bool
+    idle: tuple[str, ...]
+
+
+def _preferred(new: _Judged, old: _Judged, *, smaller: bool) -> bool:
+    """Whether one candidate is to be preferred to another: surely not worse if smaller, surely better if larger."""
+    if smaller:
+        far = rms(new.errors[-1]) > FAR * rms(old.errors[-1]) and surely_smaller(old.errors[0], new.errors[0])
+        follows_less = rms(new.fitted) > TOO_SIMPLE * rms(old.fitted) and surely_smaller(old.fitted, new.fitted)
+        return not (far or follows_less or surely_smaller(old.errors[-1], new.errors[-1]))
+    pairs = zip(new.errors, old.errors, strict=True)
+    return rms(new.errors[-1]) < rms(old.errors[-1]) and any(surely_smaller(*pair) for pair in pairs)
+
+
+def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
+    """The setting with the observer gain at which candidates are compared, and the first one judged at it.
+
+    Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
+    together, the better one errs less.
+    """
+    found = _judge(records, setting, first, None)
+    if not found.chaotic:
+        return setting, {first.label: found}
+    setting = replace(setting, coupled=COUPLED)
+    return setting, {first.label: _judge(records, setting, first, None)}
+
+
+def excerpts(records: Sequence[Record]) -> list[Record]:
+    """The logs, cut where together they take more than `EXCERPT` coarse steps."""
+    step = COARSE_STEP / data_scales(records, centred=False).frequency
+    total = sum(len(r.t) * max(1, np.ceil(r.interval / step)) for r in records)
+    thinning = max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES)
+    return cut(records, EXCERPT * max(1.0, min(thinning, min(step / r.interval for r in records))) / total)
+
+
+def cut(records: Sequence[Record], share: float) -> list[Record]:
+    """The logs, each cut to its most moving excerpt of a share below 1, but to `SHORTEST` at least."""
+    lengths = [max(int(share * len(r.t)), SHORTEST) for r in records]
+    return [r if length >= len(r.t) else _excerpt(r, length) for r, length in zip(records, lengths, strict=True)]
+
+
+def _excerpt(record: Record, length: int) -> Record:
+    """The stretch of so many samples in which q ranges furthest; it begins with a valid sample."""
+    q = np.where(record.valid, record.q, np.nan)
+    starts = range(0, len(q) - length + 1, max(1, length // 4))
+    spans = [np.nanmax(q[s : s + length]) - np.nanmin(q[s : s + length]) for s in starts]
+    start = starts[int(np.nanargmax(spans))]
+    start += int(np.argmax(record.valid[start:]))
+    return record.part(start, start + length)
+
+
+def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], float]]:
+    """What is fitted, what is judged, and after which share of it.
+
+    Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but one and
+    judged on that one, so that a structure must carry over to another excitation; with one log, fitted on its last
+    part and judged on what was before.
+    """
+    folds = [([r.part(0, int(FITTED_SHARE * len(r.t))) for r in records], list(records), FITTED_SHARE)]
+    if len(records) == 1:
+        only = records[0]
+        split = int((1.0 - FITTED_SHARE) * len(only.t))
+        split += int(np.argmax(only.valid[split:]))
+        folds.append(([only.part(split, len(only.t))], [only.part(0, split)], 0.0))
+        return folds
+    return folds + [([*records[:i], *records[i + 1 :]], [record], 0.0) for i, record in enumerate(records)]
+
+
+def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _Judged | None) -> _Judged:
+    """Errors of a candidate over data of the training logs that its fit has not seen.
+
+    Samples of a run that is lost count `DIVERGED_ERROR_HALF_RANGES`. The fits start from those of a candidate `near`
+    by, where that is given: what both have in common needs no second search.
+    """
+    folds, timed = _folds(records), one.structure.input_lag or one.structure.input_delay
+    first = setting.begin(folds[0][0], one)
+
+    def begin(i: int, thetas: Sequence[FloatArray]) -> Begun:
+        # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
+        return setting.begin(folds[i][0], one, (first[0], thetas[0]) if timed else None) if i else first
+
+    def make() -> Parts:
+        """Held-out errors and fitted θ of every fold."""
+        errors, thetas, chaotic, followed = list[FloatArray](), list[FloatArray](), False, np.empty(0)
+        for i, (fitted, judged, after) in enumerate(folds):
+            p, start, prior = begin(i, thetas)
+            fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
+            problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+            at = (COUPLED, setting.coupled)
+            both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in at]
+            errors.append(p.scales.half * np.minimum(np.abs(both), DIVERGED_ERROR_HALF_RANGES))
+            thetas.append(fit.theta)
+            chaotic = chaotic or fit.chaotic
+            followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
+        return {"errors": np.concatenate(errors, axis=1), "thetas": thetas, "chaotic": chaotic, "fitted": followed}
+
+    parts = setting.kept(one.label + ", coupled" * bool(setting.coupled), make)
+    fits = tuple((begin(i, parts["thetas"])[0], theta) for i, theta in enumerate(parts["thetas"]))
+    idle = _idle(fits, records[0].interval)
+    return _Judged(parts["errors"], parts["fitted"], fits, bool(parts["chaotic"]), idle)
+
+
+def _followed(problem: JointProblem, theta: FloatArray, gain: float) -> FloatArray:
+    """Errors over what was fitted, dimensionless; `DIVERGED_ERROR_HALF_RANGES` where the run diverged."""
+    found = problem.residual(theta, gain)
+    if found is None:
+        return np.full(sum(int(np.count_nonzero(log.kept)) for log in problem.logs), DIVERGED_ERROR_HALF_RANGES)
+    return np.minimum(np.abs(found), DIVERGED_ERROR_HALF_RANGES)
+
+
+def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:
+    """The times of the drive that are next to nothing in all fits, at samples every `interval` [s]."""
+    times = {name: np.exp([theta[p.slices[name]] for p, theta in fits]) for name in TIMES}
+    return tuple(name for name, time in times.items() if time.size and bool(np.all(time < IDLE * interval)))
+
+
+def _quick_fit(
+    p: ParameterLayout, records: Sequence[Record], start: FloatArray, prior: Prior, setting: Setting, one: Candidate,
+    near: Fit | None,
+) -> HomotopyFit:  # fmt: skip
+    """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""
+    problem = JointProblem(p, records, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+
+    steps = QUICK_ITERATIONS if p.count <= MANY else QUICK_ITERATIONS // 2
+
+    def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
+        """A quick homotopy from θ over the observer gains [frequency scale] that are strong enough."""
+        return fit_homotopy(
+            problem, theta, prior, gains=[gain for gain in gains if gain >= setting.coupled],
+            noise_inflation=one.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,
+            on_progress=setting.progress(one.label, p.scales.half), parts=problem.parts,
+        )  # fmt: skip
+
+    if near is not None and p.count > MANY and _alike(p, near[0]):
+        fit = fitted(_adopted(p, start, *near), NEAR_GAINS)
+        if fit.levels and fit.levels[-1].gain <= setting.coupled:
+            return fit
+    return fitted(start, QUICK_GAINS)
+
+
+def _alike(p: ParameterLayout, near: ParameterLayout) -> bool:
+    """Whether the fit of another structure is a good start; what the inputs do decides where all else must go."""
+    a, b = p.structure, near.structure
+    drive = (a.input_lag, a.input_delay, a.rest_at_zero) == (b.input_lag, b.input_delay, b.rest_at_zero)
+    return drive and near.scales == p.scales and near.signs == p.signs
+
+
+def _adopted(p: ParameterLayout, start: FloatArray, near: ParameterLayout, theta: FloatArray) -> FloatArray:
+    """The start with every block that the structure near by has in the same size."""
+    adopted = start.copy()
+    for name, where in p.slices.items():
+        other = near.slices.get(name)
+        basis = p.structure.basis_functions == near.structure.basis_functions
+        same = p.structure.smoothing == near.structure.smoothing and basis
+        if other is not None and other.stop - other.start == where.stop - where.start and (same or name in _PLAIN):
+            adopted[where] = theta[other]
+    return adopted
+
+
+_PLAIN = ("rate", "slip_force", "slip_length", "inertia", "inertia_centre", "drag", "stops", "input_offset",
+          "input_lag", "input_delay", "input_bend", "input_zone")  # fmt: skip
+"""Blocks that mean the same whatever the Gaussians are."""

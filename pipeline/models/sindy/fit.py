@@ -1,0 +1,282 @@
+"""Fits of SINDy by pysindy: the equation chosen by held-out free runs, and pysindy's own defaults.
+
+Weak form and sparse regression are pysindy's estimators.
+"""
+
+import importlib
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from pipeline.errors import InputError
+from pipeline.fitting.regression import triangular_factor
+from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, PolynomialDynamics, Q, free_run
+from pipeline.models.sindy.weak_form import LAG_SETS, Library, Problem, prepare_problem, seeded
+from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
+from pipeline.signals.trajectory import Trajectory, operating_range
+from pipeline.solvers.fixed_step import escape_bounds
+
+SearchStatus = Literal["completed", "limit"]
+
+MOST_INPUT_LAGS = 2
+"""Of a set whose inputs are lagged, too: more terms than a log of this length decides."""
+DEGREES = ((1, 0, 0), (3, 1, 1), (5, 2, 3), (7, 3, 4))
+"""Highest power of q alone, as a factor of velocities and lags, and as a factor of inputs."""
+TURNING = ((1, 0, 0), (1, 1, 1))
+"""The same where sin q and cos q stand in the place of powers."""
+THRESHOLDS = (0.01, 0.03, 0.1)
+LEAST_THRESHOLD = 1e-3
+RIDGE = 1e-6
+STARTS = 4
+"""Free runs over the parts of each held-out block: a single passage near a barrier decides less than in one run."""
+
+
+@dataclass(frozen=True)
+class Treatment:
+    """One treatment: library and threshold of pysindy's STLSQ.
+
+    Terms and acceleration are scaled to length 1 before the regression, so a term is dropped where it contributes less
+    than `threshold` of the acceleration.
+    """
+
+    library: Library
+    threshold: float
+
+
+@dataclass(frozen=True)
+class SindyFit:
+    """The chosen equation and how it was chosen.
+
+    Attributes
+    ----------
+    dynamics : PolynomialDynamics
+        Sparse right-hand side.
+    candidate : Treatment
+        The treatment chosen.
+    half_width : float
+        Of the test functions [s].
+    errors : dict of Treatment to FloatArray, shape (folds,)
+        Free-run NRMSE of q on the held-out blocks of every candidate, the mean over their parts; 1 stands for a run
+        that diverged or missed everything.
+    search_status : {"completed", "limit"}
+        What ended the search.
+    library_terms, rank : int
+        Columns and numerical rank of the scaled library on all training data.
+    condition_number : float
+        Of the scaled library.
+    acceleration_residual : float
+        RMS of the regression's residual over the RMS of its target.
+    """
+
+    dynamics: PolynomialDynamics
+    candidate: Treatment
+    half_width: float
+    errors: dict[Treatment, FloatArray]
+    search_status: SearchStatus
+    library_terms: int
+    rank: int
+    condition_number: float
+    acceleration_residual: float
+
+
+class _LimitReachedError(Exception):
+    """The search has tried as many candidates as it may."""
+
+
+def fit_sindy(
+    trajectories: Sequence[Trajectory], *, squared: bool = True, angle: bool = False, most: int | None = None
+) -> SindyFit:
+    """Fit the acceleration by pysindy's weak form, treated as held-out parts of the training data decide.
+
+    A coordinate search: lags, then the library, then the threshold. Each candidate is fitted on all blocks but
+    one and simulated freely over `STARTS` parts of the block left out, each from its measured first state. The
+    candidate of the lowest mean error is refitted on everything; among negligible errors the fewest terms decide.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        Gap-free training stretches, all with the same inputs; voltages as finely as they are known.
+    squared : bool
+        Inputs v² (electrostatic) or v.
+    angle : bool
+        Whether q is an angle [rad]: libraries of sin q and cos q are tried too.
+    most : int, optional
+        Candidates after which the search ends with what it has tried; it ends by itself if left out. Counted, so that
+        no machine decides.
+
+    Raises
+    ------
+    InputError
+        No data, differing inputs, a constant displacement, or stretches that are too short.
+    """
+    problem = prepare_problem(trajectories, squared, angle)
+    errors: dict[Treatment, FloatArray] = {}
+    terms: dict[Treatment, int] = {}
+
+    def error(candidate: Treatment) -> float:
+        """Mean error over the folds, computed once for each candidate."""
+        if candidate not in errors:
+            if most is not None and len(errors) >= most:
+                raise _LimitReachedError
+            errors[candidate], terms[candidate] = _cross_validate(problem, candidate)
+        return float(errors[candidate].mean())
+
+    status: SearchStatus = "completed"
+    try:
+        _search(error, angle, problem)
+    except _LimitReachedError:
+        status = "limit"
+    means = {candidate: float(values.mean()) for candidate, values in errors.items()}
+    limit = max(min(means.values()), NEGLIGIBLE)
+    chosen = min((c for c in means if means[c] <= limit), key=lambda c: (terms[c], means[c]))
+    return _refit(problem, chosen, errors, status)
+
+
+def _search(error: Callable[[Treatment], float], angle: bool, problem: Problem) -> None:
+    """Try candidates in order; each stage keeps the best of the one before."""
+    present = {lag.time for lag in problem.empty.lags}
+    sets = [tuple(ratio * problem.time_scale for ratio in ratios) for ratios in LAG_SETS]
+    sets = [times for times in sets if present.issuperset(times)]
+
+    def best_of(libraries: Iterable[Library]) -> Library:
+        """The library of least held-out error."""
+        return min(libraries, key=lambda library: error(Treatment(library, LEAST_THRESHOLD)))
+
+    shapes = [(degrees, False) for degrees in DEGREES] + [(degrees, True) for degrees in TURNING if angle]
+    library = best_of(
+        Library(*shape, True, times, lagged)
+        for shape in shapes[1::2]
+        for times in sets
+        for lagged in ((False, True) if 0 < len(times) <= MOST_INPUT_LAGS else (False,))
+    )
+    library = best_of(
+        replace(library, degrees=degrees, turning=turning, friction=friction)
+        for degrees, turning in shapes
+        for friction in (False, True)
+    )
+    for threshold in THRESHOLDS:
+        error(Treatment(library, threshold))
+
+
+def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> PolynomialDynamics:
+    """Fit a candidate on all folds, or on all but one."""
+    columns = problem.columns(candidate.library)
+    rows, target = problem.without(fold)
+    theta, scaled, norms, length = _scaled(rows[:, columns], target)
+    optimizer = importlib.import_module("pysindy").STLSQ(threshold=candidate.threshold, alpha=RIDGE)
+    with seeded():
+        optimizer.fit(theta, scaled[:, None])
+    coefficients = np.nan_to_num(np.asarray(optimizer.coef_, dtype=np.float64)[0]) * length / norms
+    kept, d = np.flatnonzero(coefficients), problem.empty
+    terms = problem.exponents[columns[kept]]
+    used = np.flatnonzero(terms[:, d.scales.size :].any(axis=0))
+    velocity = np.zeros((1, d.scales.size + used.size), dtype=np.int64)
+    velocity[0, QDOT] = 1
+    table = np.zeros((2, kept.size + 1))
+    table[0, 0], table[1, 1:] = d.scales[QDOT], coefficients[kept]  # q̇ = v, not regressed
+    columns_left = np.concatenate([np.arange(d.scales.size), d.scales.size + used])
+    return replace(
+        d,
+        exponents=np.vstack([velocity, terms[:, columns_left]]),
+        coefficients=table,
+        lags=tuple(d.lags[k] for k in used),
+    )
+
+
+def _scaled(rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, float]:
+    """Triangular factor of the columns and the target, all of length 1, which has the same fits, and their lengths.
+
+    Columns of nothing but zeros stay.
+    """
+    norms, length = np.linalg.norm(rows, axis=0), float(np.linalg.norm(target)) or 1.0
+    norms[norms == 0.0] = 1.0
+    factor, _ = triangular_factor([np.column_stack([rows / norms, target / length])])
+    return factor[:, :-1], factor[:, -1], norms, length
+
+
+def _cross_validate(problem: Problem, candidate: Treatment) -> tuple[FloatArray, int]:
+    """Free-run NRMSE of q for each held-out fold, and the most terms that any fold kept."""
+    folds = sorted({block.fold for block in problem.blocks})
+    errors, terms = [], 0
+    for fold in folds:
+        dynamics = _fitted(problem, candidate, fold if len(folds) > 1 else None)
+        terms = max(terms, len(dynamics.exponents) - 1)
+        blocks = [block for block in problem.blocks if block.fold == fold]
+        errors.append(float(np.mean([_error(problem, dynamics, block, i) for block in blocks for i in range(STARTS)])))
+    return np.array(errors), terms
+
+
+def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, part: int) -> float:
+    """Free-run NRMSE of q over one of the `STARTS` parts of a block."""
+    length = block.stop - block.start
+    first, last = (block.start + length * i // STARTS for i in (part, part + 1))
+    whole = problem.trajectories[block.source]
+    x = whole.part(first, last)
+    path, _ = free_run(dynamics, x.v, whole.interval, float(x.q[0]), float(x.qdot[0]))
+    return free_run_error(x.q, path[:, 0], problem.span)
+
+
+def _refit(problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray], status: SearchStatus) -> SindyFit:
+    rows, target = problem.without(None)
+    theta, scaled, _, _ = _scaled(rows[:, problem.columns(chosen.library)], target)
+    dynamics = _fitted(problem, chosen, None)
+    singular = np.linalg.svd(theta, compute_uv=False)
+    rank = int(np.sum(singular > singular[0] * max(theta.shape) * np.finfo(np.float64).eps))
+    residual = theta @ np.linalg.lstsq(theta, scaled, rcond=None)[0] - scaled
+    return SindyFit(
+        dynamics, chosen, problem.half_width, errors, status, theta.shape[1], rank,
+        float(singular[0] / singular[rank - 1]), float(np.linalg.norm(residual)),
+    )  # fmt: skip
+
+
+MILLI, KILO = 1e-3, 1e3
+
+
+def fit_default_sindy(
+    trajectories: Sequence[Trajectory], *, squared: bool = True, units: tuple[float, float] = (MILLI, KILO)
+) -> PolynomialDynamics:
+    """``pysindy.SINDy().fit(x, t=…, u=…)`` with x = [q, q̇] and u = v² (or v), everything else left alone.
+
+    The defaults are second-degree polynomials, STLSQ with a threshold of 0.1 on raw coefficients and second-order
+    finite differences; both equations are regressed, so q̇ = v is not guaranteed. The threshold makes the result
+    depend on the units, so those of the log are taken, which is what its owner would fit. In SI all input terms of a
+    rig in mm and kV would fall below the threshold at once.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        Gap-free training stretches; velocities are used, accelerations are not.
+    squared : bool
+        Inputs v² or v.
+    units : (float, float)
+        Units of the log for q and the inputs, in SI.
+
+    Raises
+    ------
+    InputError
+        No data, a constant displacement, or differing sample intervals or inputs.
+    """
+    pysindy = importlib.import_module("pysindy")
+    low, high = operating_range(trajectories)
+    if len({x.v.shape[1] for x in trajectories}) != 1 or np.ptp([x.interval for x in trajectories]) > 1e-9:
+        raise InputError("the training logs differ in inputs or sample interval; ingest them alike")
+    inputs = trajectories[0].v.shape[1]
+    length, volt = units
+    input_scale = volt**2 if squared else volt
+    model = pysindy.SINDy()
+    with seeded():
+        model.fit(
+            [np.column_stack([x.q, x.qdot]) / length for x in trajectories],
+            t=trajectories[0].interval,
+            u=[(np.square(x.v) if squared else x.v) / input_scale for x in trajectories],
+        )
+    powers = np.asarray(model.feature_library.powers_, dtype=np.int64)
+    exponents = np.zeros((len(powers), FIRST_INPUT + inputs), dtype=np.int64)
+    exponents[:, [Q, QDOT, *range(FIRST_INPUT, FIRST_INPUT + inputs)]] = powers
+    scales = np.array([length, length, 1.0, 1.0, 1.0, *[input_scale] * inputs])
+    coefficients = length * np.asarray(model.coefficients(), dtype=np.float64)
+    used = np.any(coefficients != 0.0, axis=0)
+    return PolynomialDynamics(exponents[used], coefficients[:, used], scales, (), squared, *escape_bounds(low, high))

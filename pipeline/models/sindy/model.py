@@ -1,0 +1,346 @@
+"""SINDy behind the model interface: a sparse polynomial equation, printed with units, simulated by our integrator."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Annotated, Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import BeforeValidator
+
+from pipeline.errors import CorruptArtifactError
+from pipeline.fitting.regression import InputLaw
+from pipeline.models.base import FreeRun, checked
+from pipeline.models.kind import Kind
+from pipeline.models.model_file import MOST_INPUTS, Exponents, ModelFile, Positive, PositiveRow, Sizes, Span, Table
+from pipeline.models.polynomial_dynamics import (
+    FIRST_INPUT,
+    FRICTION,
+    QDOT,
+    Lag,
+    PolynomialDynamics,
+    Q,
+    free_run,
+    monomials,
+    scaled_variables,
+)
+from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
+from pipeline.scoring.cross_validation import mean_over_folds
+from pipeline.signals.trajectory import Trajectory
+from pipeline.solvers.fixed_step import run_status
+from pipeline.units import DISPLACEMENT, INPUT
+
+Units = tuple[str, str]
+
+
+def _units(values: Any) -> Units:
+    length, voltage = (str(unit) for unit in values)
+    if length not in DISPLACEMENT or voltage not in INPUT:
+        raise ValueError("are no SI units of a displacement and an input")
+    return length, voltage
+
+
+MOST_LAGS = 9
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {
+        "P": (1, 500),
+        "X": (FIRST_INPUT + 1, FIRST_INPUT + MOST_INPUTS + MOST_LAGS),
+        "L": (0, MOST_LAGS),
+    }
+    name: Literal["sindy", "sindy-default"]
+    exponents: Exponents
+    coefficients: Annotated[FloatArray, Table("2 P")]
+    scales: PositiveRow
+    lag_s: Annotated[FloatArray, Table("L", 1e-9, 1e9)]
+    lag_source: Annotated[IntArray, Table("L", QDOT, FIRST_INPUT + MOST_INPUTS, whole=True)]
+    mass_kg: Positive
+    inputs: Literal["squared", "linear"]
+    bounds: Span
+    units: Annotated[Units, BeforeValidator(_units)] = ("m", "V")
+
+
+@dataclass(frozen=True)
+class SindyModel:
+    """A sparse polynomial equation of motion.
+
+    Attributes
+    ----------
+    dynamics : PolynomialDynamics
+        The right-hand side.
+    name : str
+        ``sindy`` (best fair treatment) or ``sindy-default`` (pysindy as it comes).
+    mass : float
+        Moving mass [kg], which only scales `curves`; 1 if unknown.
+    diagnostics : dict
+        How the treatment was chosen.
+    units : (str, str)
+        SI units of q and of the inputs, in which equations are printed.
+    """
+
+    dynamics: PolynomialDynamics
+    name: str = "sindy"
+    mass: float = 1.0
+    diagnostics: dict[str, Any] = field(default_factory=dict)
+    units: Units = ("m", "V")
+
+    @property
+    def input_count(self) -> int:
+        """Number of voltages that it takes."""
+        return self.dynamics.inputs
+
+    @property
+    def fine_voltages(self) -> bool:
+        """Whether it takes the voltages between the samples: pysindy as it comes does not."""
+        return self.name == "sindy"
+
+    @checked
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
+        """Free run; see `pipeline.models.base.DynamicModel.simulate`. Lag states start at what they follow."""
+        path, reached = free_run(self.dynamics, v, sample_interval(t), q0, qdot0)
+        status, diverged_at = run_status(t, reached)
+        return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
+
+    @checked
+    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
+        """Prediction after measured rows, lag states filtered from their signals; see `models.base.predictor`."""
+        last, dt, lags = len(seen) - 1, sample_interval(t), len(self.dynamics.lags)
+        followed = scaled_variables(self.dynamics, _at_samples(v[: last + 1]), seen, speed, dt)
+        z = followed[-1, followed.shape[1] - lags :]
+        path, _ = free_run(self.dynamics, v[last:], dt, float(seen[-1]), float(speed[-1]), z)
+        return path[:, 0]
+
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured gap-free path, lag states filtered from the measured signals."""
+        d = self.dynamics
+        library = monomials(d.exponents, scaled_variables(d, _at_samples(v), q, qdot, sample_interval(t)))
+        acceleration: FloatArray = library @ d.coefficients[1]
+        return acceleration
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
+
+        Returns
+        -------
+        dict
+            ``F`` restoring force [N] at rest without voltage, ``d`` damping [N s/m] of slow motion and,
+            for squared inputs, ``dC1_dq``, ``dC2_dq`` [F/m] = 2 g_k (eq. 33); for linear inputs ``g1``, ``g2`` [N/V].
+            Per unit mass where `mass` is 1 because it is unknown.
+        """
+        d, rest = self.dynamics, np.zeros_like(q)
+        x = scaled_variables(replace(d, lags=()), np.zeros((q.size, d.inputs)), q, rest, 1.0)
+        x = np.column_stack([x, np.zeros((q.size, len(d.lags)))])
+        damping = self._slope(x, QDOT) + self._slope(x, FRICTION)
+        curves = {"F": -self.mass * (monomials(d.exponents, x) @ d.coefficients[1]), "d": -self.mass * damping}
+        for k in range(d.inputs):
+            g = self.mass * self._slope(x, FIRST_INPUT + k)
+            curves |= {f"dC{k + 1}_dq": 2.0 * g} if d.squared else {f"g{k + 1}": g}
+        return curves
+
+    def _slope(self, x: FloatArray, variable: int) -> FloatArray:
+        """∂q̈/∂(variable) at rest, where all lags have followed it: its terms of first power, per unit of it."""
+        d = self.dynamics
+        followers = [d.scales.size + k for k, lag in enumerate(d.lags) if lag.source == variable]
+        slope = np.zeros(len(x))
+        for column in (variable, *followers):
+            linear = d.exponents[:, column] == 1
+            reduced = d.exponents[linear].copy()
+            reduced[:, column] = 0
+            slope += monomials(reduced, x) @ d.coefficients[1, linear] / d.scales[variable]
+        return slope
+
+    def equations(self) -> list[str]:
+        """The equations as text, one term per part, coefficients in SI with their units."""
+        d, length = self.dynamics, self.units[0]
+        lines = [f"q̇ [{length}/s] = {self._sum(0)}", f"q̈ [{length}/s²] = {self._sum(1)}"]
+        symbols = self._symbols()
+        for k, lag in enumerate(d.lags):
+            z, followed = symbols[d.scales.size + k], symbols[lag.source]
+            square = "²" if d.squared and lag.source >= FIRST_INPUT else ""
+            lines.append(f"d{z}/dt = ({followed}{square} − {z}) / ({lag.time:.4g} s)")
+        if np.any(d.exponents[:, FRICTION]):
+            lines.append(f"w = {d.scales[FRICTION]:.4g} {length}/s")
+        return lines
+
+    def _symbols(self) -> list[str]:
+        d = self.dynamics
+        voltages = [f"v{k + 1}" for k in range(d.inputs)]
+        return ["q", "q̇", "tanh(q̇/w)", "sin q", "cos q", *voltages, *(f"z{k + 1}" for k in range(len(d.lags)))]
+
+    def _sum(self, row: int) -> str:
+        d, symbols = self.dynamics, self._symbols()
+        sources = np.array([*range(d.scales.size), *(lag.source for lag in d.lags)])
+        scales = np.where(sources == FRICTION, 1.0, d.scales[sources])
+        orders = np.ones(sources.size, dtype=np.int64)
+        orders[FIRST_INPUT : d.scales.size] = 2 if d.squared else 1
+        parts = []
+        for powers, scaled in zip(d.exponents, d.coefficients[row], strict=True):
+            if scaled == 0.0:
+                continue
+            value = scaled / float(np.prod(scales**powers))
+            factors = [s if n == 1 else f"{s}^{n}" for s, n in zip(symbols, powers * orders, strict=True) if n]
+            unit = _unit(np.bincount(sources, powers, d.scales.size).astype(int), row, self.units, d.squared)
+            number = f"{value:+.4g}{unit}" if unit or value != 1.0 else ""
+            parts.append("·".join([number, *factors]).strip("·"))
+        return " ".join(parts) if parts else "0"
+
+    def describe(self) -> dict[str, Any]:
+        """Structure, equations and how they were chosen."""
+        return {"structure": "sparse polynomial", "equations": self.equations(), **self.diagnostics}
+
+    def to_tree(self) -> dict[str, Any]:
+        """The model as a dictionary of arrays, numbers and texts."""
+        d = self.dynamics
+        return {
+            "name": self.name,
+            "exponents": d.exponents,
+            "coefficients": d.coefficients,
+            "scales": d.scales[[*range(d.scales.size), *(lag.source for lag in d.lags)]],
+            "lag_s": np.array([lag.time for lag in d.lags], dtype=np.float64),
+            "lag_source": np.array([lag.source for lag in d.lags], dtype=np.int64),
+            "mass_kg": self.mass,
+            "inputs": "squared" if d.squared else "linear",
+            "bounds": np.array([d.low, d.high]),
+            "diagnostics": dict(self.diagnostics),
+            "units": list(self.units),
+        }
+
+    @classmethod
+    def from_tree(cls, tree: dict[str, Any]) -> "SindyModel":
+        """The model back from `to_tree`.
+
+        Raises
+        ------
+        CorruptArtifactError
+            An entry is missing, of another kind or shape, or beyond its range.
+        """
+        file = _File.read(tree, "sindy", "compare")
+        times, sources = file.lag_s.tolist(), file.lag_source.tolist()
+        scales = file.scales[: file.scales.size - len(times)]
+        if scales.size <= FIRST_INPUT or not {QDOT, *range(FIRST_INPUT, scales.size)}.issuperset(sources):
+            raise CorruptArtifactError("lag_source of the model sindy does not fit; run `debist compare` again")
+        dynamics = PolynomialDynamics(
+            file.exponents, file.coefficients, scales,
+            tuple(Lag(source, time) for source, time in zip(sources, times, strict=True)),
+            file.inputs == "squared", *file.bounds.tolist(),
+        )  # fmt: skip
+        return cls(dynamics, file.name, file.mass_kg, file.diagnostics, file.units)
+
+
+def _at_samples(v: FloatArray) -> FloatArray:
+    return v if v.ndim == 2 else v[:, 0]
+
+
+def _unit(powers: Any, row: int, units: Units, squared: bool) -> str:
+    """Unit of a coefficient: that of q̇ or q̈ over that of its monomial."""
+    metres = 1 - int(powers[Q] + powers[QDOT])
+    seconds = -1 - row + int(powers[QDOT])
+    volts = -int(powers[FIRST_INPUT:].sum()) * (2 if squared else 1)
+    named = ((units[0], metres), ("s", seconds), (units[1], volts))
+    parts = [f"{u}^{n}" if n != 1 else u for u, n in named if n and u != "1"]
+    return f" {' '.join(parts)}" if parts else ""
+
+
+def identify_sindy(
+    trajectories: Sequence[Trajectory],
+    *,
+    inputs: InputLaw = "squared",
+    mass: float = 1.0,
+    units: Units = ("m", "V"),
+    most: int | None = None,
+) -> SindyModel:
+    """SINDy at its best: see `pipeline.models.sindy.fit.fit_sindy`.
+
+    Parameters
+    ----------
+    trajectories : sequence of Trajectory
+        Gap-free stretches of the training logs, voltages as finely as they are known.
+    inputs : {"squared", "linear"}
+        Whether v² or v enters the equation.
+    mass : float
+        Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
+    units : (str, str)
+        SI units of q and of the inputs, for printing; where q is an angle [rad], sin q and cos q are candidates too.
+    most : int, optional
+        Candidates that the search tries, see `fit_sindy`.
+
+    Raises
+    ------
+    InputError
+        No data, differing inputs, or a constant displacement.
+    """
+    from pipeline.models.sindy.fit import fit_sindy
+
+    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", most=most)
+    errors = fit.errors[fit.candidate]
+    mean, band = mean_over_folds(errors)
+    return SindyModel(
+        fit.dynamics,
+        "sindy",
+        mass,
+        {
+            "library": str(fit.candidate.library),
+            "library_terms": fit.library_terms,
+            "terms_kept": _terms(fit.dynamics),
+            "test_function_half_width_s": fit.half_width,
+            "optimizer": "STLSQ",
+            "threshold_of_rms_acceleration": fit.candidate.threshold,
+            "inner_validation_nrmse": mean,
+            "inner_validation_nrmse_interval": np.array([mean, mean] if band is None else [band.low, band.high]),
+            "inner_validation_nrmse_of_folds": errors,
+            "candidates_tried": len(fit.errors),
+            "search_status": fit.search_status,
+            "rank": fit.rank,
+            "condition": fit.condition_number,
+            "acceleration_residual": fit.acceleration_residual,
+        },
+        units,
+    )
+
+
+def identify_default_sindy(
+    trajectories: Sequence[Trajectory],
+    *,
+    inputs: InputLaw = "squared",
+    mass: float = 1.0,
+    units: Units = ("m", "V"),
+    log_units: tuple[float, float] = (1e-3, 1e3),
+) -> SindyModel:
+    """SINDy as pysindy ships it: `pipeline.models.sindy.fit.fit_default_sindy`; parameters as above.
+
+    `log_units`: those of the log for q and the inputs, in SI.
+    """
+    from pipeline.models.sindy.fit import fit_default_sindy
+
+    dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
+    notes = {
+        "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",
+        "terms_kept": _terms(dynamics),
+    }
+    return SindyModel(dynamics, "sindy-default", mass, notes, units)
+
+
+def _terms(dynamics: PolynomialDynamics) -> int:
+    """Terms of the acceleration's equation."""
+    return int(np.count_nonzero(dynamics.coefficients[1]))
+
+
+SINDY = Kind(
+    lambda data: identify_sindy(
+        [stretch for record in data.records for stretch in record.stretches()],
+        inputs=data.inputs,
+        mass=data.mass,
+        units=data.units,
+        most=data.compare.candidates,
+    ),
+    SindyModel.from_tree,
+    "pipeline.export.lagged:realise_polynomial",
+)
+SINDY_DEFAULT = Kind(
+    lambda data: identify_default_sindy(
+        data.stretches, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
+    ),
+    SindyModel.from_tree,
+    "pipeline.export.lagged:realise_polynomial",
+)

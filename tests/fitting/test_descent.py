@@ -1,0 +1,74 @@
+"""Levenberg-Marquardt with several dampings at once finds minima of curved valleys."""
+
+import numpy as np
+import pytest
+
+from pipeline.fitting import descent
+from pipeline.fitting.descent import ParallelDescent, Prior
+from pipeline.fitting.homotopy import fit_homotopy
+from pipeline.numerics.arrays import FloatArray
+
+
+class Valley:
+    """Rosenbrock's valley as a least-squares problem with the minimum at (1, 1); lost where x < −2."""
+
+    def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
+        return self.residuals(theta[None], gain)[0]
+
+    def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
+        x, y = thetas.T
+        found = np.column_stack([10.0 * (y - x**2), 1.0 - x])
+        found[x < -2.0] = np.nan
+        return found
+
+    def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
+        return self.residuals(theta[None], gain)[0], np.array([[-20.0 * theta[0], 10.0], [-1.0, 0.0]])
+
+
+@pytest.mark.parametrize("start", [(-1.2, 1.0), (1.9, -4.0), (-1.9, 3.0)])
+def test_the_minimum_of_a_curved_valley_is_found(start: tuple[float, float]) -> None:
+    weak = Prior(1e-6 * np.eye(2), np.zeros(2))
+    fit = fit_homotopy(
+        Valley(), np.array(start), weak, gains=(0.0,), last_iterations=60, descent=ParallelDescent
+    )  # fmt: skip
+    np.testing.assert_allclose(fit.theta, [1.0, 1.0], atol=1e-3)
+    assert fit.reached_last
+
+
+def test_bent_steps_go_further_along_the_valley(monkeypatch: pytest.MonkeyPatch) -> None:
+    def left(bend: float) -> float:
+        monkeypatch.setattr(descent, "LARGEST_BEND", bend)
+        weak = Prior(1e-6 * np.eye(2), np.zeros(2))
+        start = np.array([-1.2, 1.0])
+        return fit_homotopy(
+            Valley(), start, weak, gains=(0.0,), last_iterations=3, descent=ParallelDescent
+        ).levels[-1].rms  # fmt: skip
+
+    assert left(0.75) < 0.5 * left(0.0)
+
+
+def test_no_damping_is_tried_twice(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Steps of nothing lower no cost, so every damping is tried."""
+    tried: list[float] = []
+
+    def bent(state: ParallelDescent, damped: descent._Damped, slope: FloatArray) -> FloatArray:
+        tried.extend(damped.dampings.tolist())
+        return np.tile(state.theta, (len(damped.dampings), 1))
+
+    monkeypatch.setattr(ParallelDescent, "_bent", bent)
+    fit_homotopy(Valley(), np.zeros(2), Prior(np.eye(2), np.zeros(2)), gains=(0.0,), descent=ParallelDescent)
+    assert len(tried) > 8
+    np.testing.assert_allclose(np.diff(np.log(tried)), np.log(descent.APART))
+
+
+def test_the_prior_decides_where_data_say_nothing() -> None:
+    class Blind(Valley):
+        def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
+            return np.column_stack([thetas[:, 0] - 3.0, 0.0 * thetas[:, 1] + 1.0])
+
+        def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
+            return self.residuals(theta[None], gain)[0], np.array([[1.0, 0.0], [0.0, 0.0]])
+
+    prior = Prior(1e-3 * np.eye(2), np.array([0.0, 1e-3 * 0.7]))
+    fit = fit_homotopy(Blind(), np.zeros(2), prior, gains=(0.0,), last_iterations=20, descent=ParallelDescent)
+    np.testing.assert_allclose(fit.theta, [3.0, 0.7], atol=1e-3)

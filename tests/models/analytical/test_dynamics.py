@@ -1,0 +1,201 @@
+"""Full-order and reduced motion: against SciPy, the energy balance, and each other."""
+
+import numpy as np
+import pytest
+from energy_balance import energy_balance
+from scipy.integrate import solve_ivp
+
+from pipeline.device_parameters import NOMINAL, VECTOR_NAMES
+from pipeline.errors import InputError
+from pipeline.generated import analytical_joint as kernels
+from pipeline.models.analytical.full_order import MOST_TRIES, REACH, integrate, rest_state, simulate, state_scale
+from pipeline.models.analytical.model import AnalyticalModel
+from pipeline.models.analytical.reduced_order import (
+    accelerate,
+    beam_modes,
+    beam_shapes,
+    maxwell_strains,
+    pulse_sequence,
+    reduce_joint,
+    simulate_both,
+    simulate_reduced,
+)
+from pipeline.models.analytical.statics import equilibria, static_path, unactuated_path
+from pipeline.numerics.arrays import FloatArray
+
+UNEQUAL = NOMINAL.with_values({"left.b": 23.2e-3, "right.Y": 1.15e6, "right.eps_r": 2.9, "kappa0": 0.02})
+START = float(equilibria(UNEQUAL, np.zeros(2))[0].q)
+
+
+def test_full_order_motion_agrees_with_radau() -> None:
+    t, v = pulse_sequence(count=1, pulse=0.1, pause=0.06, dt=0.01)
+    force = 0.02 * np.sin(20.0 * t)
+    start, p = rest_state(UNEQUAL, START, 0.0, v[0]), UNEQUAL.vector()
+    mass, tau, z_dot = np.empty((4, 4)), np.empty(4), np.empty(3)
+
+    def derivative(time: float, x: FloatArray) -> FloatArray:
+        now = np.array([np.interp(time, t, v[:, side]) for side in range(2)])
+        load = np.array([np.interp(time, t, force)])
+        x = np.ascontiguousarray(x)  # the solver also passes columns of a matrix
+        kernels.dynamics(x[:4], x[4:8], x[8:], now**2, load, p, mass, tau, z_dot)
+        return np.concatenate([x[4:8], np.linalg.solve(mass, tau), z_dot])
+
+    truth = solve_ivp(derivative, (0.0, t[-1]), start, "Radau", t, rtol=1e-7, atol=1e-9, max_step=1e-2)
+    motion = simulate(UNEQUAL, t, v, start, force=force, tolerance=1e-7)
+    q = truth.y[:3].T @ UNEQUAL.l ** np.arange(2, 5)
+    assert np.ptp(q) > 0.01
+    assert motion.q == pytest.approx(q, abs=1e-7)
+    assert motion.z[:, :2] == pytest.approx(truth.y[8:10].T, abs=1e-6)
+    # A step away from the kinks of the input, the acceleration is the slope of the velocity.
+    assert motion.q_ddot[0] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_default_tolerance_keeps_its_promise_at_both_sample_rates() -> None:
+    for dt in (1e-2, 1e-3):
+        t, v = pulse_sequence(count=4, dt=dt)
+        start = rest_state(UNEQUAL, START, 0.0, v[0])
+        tight, default = (simulate(UNEQUAL, t, v, start, tolerance=tolerance) for tolerance in (1e-8, 1e-5))
+        assert np.abs(default.q - tight.q).max() < 1e-6
+
+
+def test_local_error_estimate_gives_fourth_order() -> None:
+    t, v = pulse_sequence(count=2, dt=0.01)
+    start = rest_state(UNEQUAL, START, 0.0, v[0])
+    truth = simulate(UNEQUAL, t, v, start, tolerance=1e-9)
+    runs = [simulate(UNEQUAL, t, v, start, tolerance=tolerance) for tolerance in (1e-4, 1e-7)]
+    errors = [np.abs(run.q - truth.q).max() for run in runs]
+    assert errors[0] < 2e-6 and errors[1] < 1e-8
+
+
+def test_energy_balance_closes() -> None:
+    joint = UNEQUAL.with_values({"F_c": 2e-3, "s_c": 5e-4})
+    t = np.arange(0.0, 3.0, 2e-4)
+    v = 3000.0 * np.clip(np.stack([np.sin(5.0 * t), -np.sin(5.0 * t)], axis=1), 0.0, None) ** 2
+    force = 0.03 * np.sin(15.0 * t)
+    motion = simulate(joint, t, v, rest_state(joint, START, 0.0, v[0]), force=force, tolerance=1e-7)
+    balance = energy_balance(joint, motion, v, force)
+    assert balance.dissipated[-1] > 1e-3 and np.all(np.diff(balance.dissipated) >= 0.0)
+    assert np.abs(balance.defect).max() < 2e-4 * balance.dissipated[-1]
+
+
+def test_a_joint_at_rest_stays_at_rest() -> None:
+    t = np.linspace(0.0, 1.0, 101)
+    for well in equilibria(UNEQUAL, np.array([1000.0, 0.0])):
+        if well.stable:
+            v = np.tile([1000.0, 0.0], (t.size, 1))
+            motion = simulate(UNEQUAL, t, v, rest_state(UNEQUAL, well.q, 0.0, v[0]))
+            assert np.abs(motion.q - well.q).max() < 1e-10
+
+
+def test_divergence_is_reported_not_raised() -> None:
+    t = np.linspace(0.0, 1.0, 101)
+    push = np.where(t > 0.3, 5.0, 0.0)
+    motion = simulate(NOMINAL, t, np.zeros((t.size, 2)), rest_state(NOMINAL, 0.011, 0.0, np.zeros(2)), force=push)
+    assert motion.diverged_at is not None and 0.3 < motion.diverged_at < 0.5
+    assert np.isnan(motion.q[t > motion.diverged_at]).all() and np.isfinite(motion.q[t < motion.diverged_at]).all()
+
+
+def test_friction_stops_the_ring_down() -> None:
+    t = np.linspace(0.0, 4.0, 401)
+    v = np.zeros((t.size, 2))
+    rough = NOMINAL.with_values({"F_c": 5e-3})
+    ends = [np.ptp(simulate(joint, t, v, rest_state(joint, 0.014, 0.0, v[0])).q[-60:]) for joint in (NOMINAL, rough)]
+    assert ends[1] < 0.2 * ends[0]
+
+
+def test_reduced_model_follows_the_full_one() -> None:
+    t, v = pulse_sequence(count=4)
+    both = simulate_both(NOMINAL, t, v)
+    assert all(value is not None and value < 0.05 for value in both.nrmse.values())
+    assert (both.full.q[-1] > 0) == (both.reduced.q[-1] > 0)
+
+
+def test_reduced_model_equals_the_full_one_when_quasi_static() -> None:
+    t = np.linspace(0.0, 20.0, 2001)
+    force = 0.02 * np.sin(0.1 * np.pi * t)
+    v = np.zeros((t.size, 2))
+    full = simulate(UNEQUAL, t, v, rest_state(UNEQUAL, START, 0.0, v[0]), force=force)
+    reduced = simulate_reduced(reduce_joint(UNEQUAL), t, v, START, 0.0, force=force)
+    assert reduced.q == pytest.approx(full.q, abs=2e-5)
+
+
+def test_reduced_step_is_fine_enough_and_leaving_the_curves_is_divergence() -> None:
+    t, v = pulse_sequence(count=2, dt=0.01)
+    reduced = reduce_joint(UNEQUAL)
+    coarse, fine = (simulate_reduced(reduced, t, v, START, 0.0, max_step=step) for step in (1e-3, 1e-4))
+    assert coarse.q == pytest.approx(fine.q, abs=1e-8)
+    away = simulate_reduced(reduced, t, v, START, 0.0, force=np.full(t.size, 5.0))
+    assert away.diverged_at is not None and np.isnan(away.q[-1])
+
+
+def test_acceleration_along_a_reduced_motion_is_its_own() -> None:
+    t, v = pulse_sequence(count=1, dt=1e-3)
+    reduced = reduce_joint(UNEQUAL)
+    motion = simulate_reduced(reduced, t, v, START, 0.0)
+    along = accelerate(reduced, t, v, motion.q, motion.q_dot)
+    assert along == pytest.approx(motion.q_ddot, abs=1e-3 * np.abs(motion.q_ddot).max())
+    gap = motion.q.copy()
+    gap[50:60] = np.nan
+    assert np.isnan(accelerate(reduced, t, v, gap, motion.q_dot)[50:60]).all()
+
+
+def test_maxwell_strain_of_a_ramp_is_the_exact_exponential() -> None:
+    t = np.linspace(0.0, 1.0, 101)
+    rate = np.array([3.0, 7.0])
+    strains = maxwell_strains(np.stack([0.1 * t, -0.2 * t], axis=1), 0.01, rate)
+    assert strains[:, 0] == pytest.approx(0.1 / 3.0 * (1 - np.exp(-3.0 * t)), abs=1e-12)
+    assert strains[:, 1] == pytest.approx(-0.2 / 7.0 * (1 - np.exp(-7.0 * t)), abs=1e-12)
+
+
+def test_modes_rebuild_the_motion() -> None:
+    t, v = pulse_sequence(count=2, dt=0.01)
+    motion = simulate(UNEQUAL, t, v, rest_state(UNEQUAL, START, 0.0, v[0]))
+    modes = beam_modes(motion.qm, UNEQUAL.l)
+    _, w = beam_shapes(motion.qm, UNEQUAL.l)
+    assert modes.amplitudes @ modes.shapes == pytest.approx(w, abs=1e-12)
+    assert modes.energy_share.sum() == pytest.approx(1.0) and modes.energy_share[0] > 0.9
+    assert np.abs(modes.shapes).max(axis=1) == pytest.approx(1.0)
+
+
+def test_the_model_interface_starts_where_it_is_told() -> None:
+    t, v = pulse_sequence(count=1, dt=0.01)
+    model = AnalyticalModel(UNEQUAL)
+    run = model.simulate(t, v, -0.009, 0.05)
+    assert (run.status, run.q[0], run.qdot[0]) == ("ok", pytest.approx(-0.009), pytest.approx(0.05))
+    again = AnalyticalModel.from_tree(model.to_tree())
+    assert again.parameters == model.parameters
+    assert "E [Pa]" in model.describe()["parameters"]
+    assert np.isfinite(model.accelerate(t, v, run.q, run.qdot)).all()
+    with pytest.raises(InputError, match="cannot be held"):
+        model.simulate(t, v, 11.0, 0.0)
+
+
+def test_reduced_mass_contains_the_tip_mass() -> None:
+    reduced = reduce_joint(NOMINAL)
+    assert (reduced.curves[:, 0] > NOMINAL.m).all() and (reduced.curves[:, 0] < 1.3 * NOMINAL.m).all()
+    path = unactuated_path(NOMINAL)
+    value, slope = reduced.evaluate(path.q)
+    assert value[:, 2] == pytest.approx(path.force, abs=1e-9)
+    assert slope[:, 2] == pytest.approx(path.stiffness, rel=1e-4, abs=1e-3)
+
+
+def test_the_models_curves_are_those_of_the_held_joint() -> None:
+    q = np.linspace(-0.02, 0.02, 41)
+    curves, held = AnalyticalModel(NOMINAL).curves(q), static_path(NOMINAL, q, np.zeros(2))
+    np.testing.assert_allclose(curves["F"], held.force, atol=1e-5 * np.abs(held.force).max())
+    for side in range(2):
+        slope = held.capacitance_slope[:, side]
+        np.testing.assert_allclose(curves[f"dC{side + 1}_dq"], slope, atol=1e-3 * np.abs(slope).max())
+    assert np.all(curves["d"] > 0.0)
+
+
+def test_a_joint_that_blows_up_ends_its_run() -> None:
+    """Negative damping of the beam: no parameter set has it, and no number of steps would do."""
+    t, v = pulse_sequence(count=1, dt=0.01)
+    p = UNEQUAL.vector()
+    p[VECTOR_NAMES.index("eta")] *= -1.0
+    states, rates, counts = np.empty((len(t), 11)), np.empty((len(t), 11)), np.zeros(2, dtype=np.int64)
+    scale, start = 1e-6 * state_scale(UNEQUAL), rest_state(UNEQUAL, START, 0.0, v[0])
+    valid = integrate(t, v, np.zeros(len(t)), start, p, scale, REACH, states, rates, counts)
+    assert 0 < valid < len(t)
+    assert counts.sum() < MOST_TRIES * (valid + 1)

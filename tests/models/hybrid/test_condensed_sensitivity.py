@@ -1,0 +1,61 @@
+"""Derivatives of whole runs of the condensed joint against central differences of these runs."""
+
+import numpy as np
+import pytest
+
+from pipeline.device_parameters import NOMINAL
+from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
+from pipeline.models.hybrid.similarity import Similarity
+from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.trajectory import Record
+
+STEP = 3e-6  # widths
+ROUNDING = 1e-6  # mm in a width, of the differences
+DT = 0.01  # s
+
+
+def problem(centres: int, similarity: Similarity, *, fine: bool, seed: int) -> tuple[CondensedProblem, FloatArray]:
+    """A log of 0.8 s from rest on with a pulse on either side and a gap, and a joint somewhat off the drawing."""
+    rng, t = np.random.default_rng(seed), DT * np.arange(81)
+    finer = DT / 5 * np.arange(5 * len(t))
+    drives = [np.where((finer > begin) & (finer < begin + 0.3), 2300.0, 40.0) for begin in (0.1, 0.35)]
+    v = similarity.voltage * np.column_stack(drives).reshape(len(t), 5, 2)
+    q = similarity.origin + similarity.length * (0.0115 + 0.002 * np.sin(9.0 * np.maximum(t - 0.1, 0.0)))
+    valid = (t < 0.3) | (t > 0.38)
+    log = Record(t, q, np.zeros(len(t)), np.zeros(len(t)), v[:, 0], valid, v if fine else None)
+    basis = similarity.length * np.array([-0.02, 0.04 / max(centres - 1, 1), 0.008])
+    ratio = condensed_parameters.static_slope_ratio(NOMINAL)
+    joint = CondensedJoint(NOMINAL, basis, centres, 3000.0 * similarity.voltage, ratio, similarity)
+    return CondensedProblem(joint, [log]), 0.2 * rng.standard_normal(len(joint.start()))
+
+
+@pytest.mark.parametrize(
+    ("centres", "pole", "similarity", "fine"),
+    [
+        (0, 0.0, Similarity(), True),
+        (0, 30.0, Similarity(1.3, 0.8, 1.1, 0.9, 2e-3), False),
+        (9, 2.0, Similarity(), True),
+    ],
+)
+def test_derivatives_of_a_run_are_those_of_differences(
+    centres: int, pole: float, similarity: Similarity, fine: bool
+) -> None:
+    made, theta = problem(centres, similarity, fine=fine, seed=centres + 7)
+    errors, jacobian = made.jacobian(theta, pole)
+    moved = np.array([theta + sign * STEP * unit for unit in np.eye(len(theta)) for sign in (1.0, -1.0)])
+    runs = made.residuals(moved, pole)
+    differences = (runs[::2] - runs[1::2]).T / (2.0 * STEP)
+    assert np.allclose(errors, made.residual(theta, pole), rtol=0.0, atol=1e-9)
+    wrong = np.maximum(np.abs(jacobian - differences).max(axis=0) - ROUNDING, 0.0) / np.abs(differences).max(axis=0)
+    assert wrong.max() < 1e-3  # single precision, where a number hardly acts or a stop operator turns in a difference
+    assert np.median(wrong) < 1e-6
+
+
+def test_derivatives_of_two_logs_stand_one_behind_the_other() -> None:
+    made, theta = problem(0, Similarity(), fine=True, seed=3)
+    both = CondensedProblem(made.joint, [])
+    both.logs = made.logs * 2
+    (one, rows), (errors, jacobian) = made.jacobian(theta, 8.0), both.jacobian(theta, 8.0)
+    assert np.array_equal(errors, np.tile(one, 2))
+    assert np.array_equal(jacobian, np.tile(rows, (2, 1)))

@@ -1,0 +1,120 @@
+"""The NARX baseline finds a planted difference equation, predicts freely and names what it cannot do."""
+
+import numpy as np
+import pytest
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.models.narx.equation import NarxEquation, NarxStructure, narx_run
+from pipeline.models.narx.model import NarxModel, identify_narx
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import nrmse
+from pipeline.signals.trajectory import Trajectory
+from tests.file_columns import unknown_entries
+
+DT = 0.01
+STRUCTURE = NarxStructure(degree=3, increments=1, input_lags=1, inputs=1)
+#: A damped double well: δ_{n+1} = δ_n + (0.02 q − 200 q³ − 0.03 δ_n + 1e-11 v²), wells at ±10 mm.
+TRUTH = NarxEquation(
+    STRUCTURE,
+    np.array([[1, 0, 0], [3, 0, 0], [0, 1, 0], [0, 0, 1]]),
+    np.array([0.02, -200.0, -0.03, 1e-11]),
+    np.ones(3),
+    DT,
+    True,
+    -0.1,
+    0.1,
+)
+
+
+def pulses(samples: int, seed: int) -> FloatArray:
+    rng = np.random.default_rng(seed)
+    v = np.zeros((samples, 1))
+    for start in range(60, samples - 150, 150):
+        v[start : start + rng.integers(20, 90), 0] = rng.uniform(1000.0, 3000.0)
+    return v
+
+
+def motion(seed: int, samples: int = 2000) -> Trajectory:
+    v = pulses(samples, seed)
+    q, reached = narx_run(TRUTH, v, -0.01, 0.0)
+    assert reached == samples
+    qdot = np.gradient(q, DT)
+    return Trajectory(DT * np.arange(samples), q, qdot, np.gradient(qdot, DT), v)
+
+
+@pytest.fixture(scope="module")
+def model() -> NarxModel:
+    return identify_narx([motion(1)])
+
+
+def test_a_planted_equation_predicts_a_new_record_freely(model: NarxModel) -> None:
+    new = motion(9)
+    run = model.simulate(new.t, new.v, float(new.q[0]), float(new.qdot[0]))
+    assert run.status == "ok"
+    error = nrmse(new.q, run.q)
+    assert error is not None and error < 1e-3
+
+
+def test_one_step_prediction_is_the_second_difference(model: NarxModel) -> None:
+    new = motion(9)
+    predicted = model.accelerate(new.t, new.v, new.q, new.qdot)
+    exact = (new.q[2:] - 2 * new.q[1:-1] + new.q[:-2]) / DT**2
+    assert predicted.shape == new.q.shape
+    np.testing.assert_allclose(predicted[5:-1], exact[4:], atol=1e-3 * np.abs(exact).max())
+
+
+def test_round_trip_through_the_tree_changes_no_prediction(model: NarxModel) -> None:
+    again = NarxModel.from_tree(model.to_tree())
+    t, v = DT * np.arange(400), pulses(400, 3)
+    np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
+
+
+def test_another_sample_interval_is_refused(model: NarxModel) -> None:
+    with pytest.raises(InputError, match=r"steps at 0\.01 s"):
+        model.simulate(0.005 * np.arange(50), np.zeros((50, 1)), 0.0, 0.0)
+
+
+def test_a_damaged_tree_is_named(model: NarxModel) -> None:
+    tree = model.to_tree()
+    with pytest.raises(CorruptArtifactError, match="scales has 2 entries"):
+        NarxModel.from_tree(tree | {"scales": np.ones(2)})
+    del tree["coefficients"]
+    with pytest.raises(CorruptArtifactError, match="coefficients"):
+        NarxModel.from_tree(tree)
+
+
+def test_divergence_is_a_status_with_a_time() -> None:
+    """Q grows by 10 % a step: from 1 mm past 0.1 m after ln 100 / ln 1.1 = 48.3 steps."""
+    growing = NarxEquation(
+        STRUCTURE, np.array([[1, 0, 0], [0, 1, 0]]), np.array([0.1, -1.0]), np.ones(3), DT, True, -0.1, 0.1
+    )
+    run = NarxModel(growing).simulate(DT * np.arange(100), np.zeros((100, 1)), 1e-3, 0.0)
+    assert (run.status, run.diverged_at_s) == ("diverged", pytest.approx(0.49))
+    assert np.isnan(run.q[49:]).all() and np.isfinite(run.qddot[:49]).all()
+
+
+def test_stretches_too_short_for_any_lag_are_refused() -> None:
+    x = motion(1)
+    tiny = [
+        Trajectory(x.t[k : k + 4], x.q[k : k + 4], x.qdot[k : k + 4], x.qddot[k : k + 4], x.v[k : k + 4])
+        for k in (0, 90)
+    ]
+    with pytest.raises(InputError, match="too short"):
+        identify_narx(tiny)
+
+
+def test_a_search_that_may_try_one_structure_keeps_what_it_has_and_says_so() -> None:
+    hurried = identify_narx([motion(1)], most=1)
+    assert hurried.diagnostics["search_status"] == "limit"
+    assert hurried.diagnostics["candidates_tried"] < 20
+    assert np.isfinite(hurried.diagnostics["inner_validation_nrmse"])
+
+
+def test_a_prediction_goes_on_from_the_measured_past() -> None:
+    moving = motion(3)
+    found = NarxModel(TRUTH).predict(moving.t[50:300], moving.v[50:300], moving.q[50:180], moving.qdot[50:180])
+    np.testing.assert_allclose(found, moving.q[179:300], atol=1e-12)
+
+
+def test_its_file_tells_unit_and_meaning_of_every_entry(model: NarxModel) -> None:
+    assert not unknown_entries(model)

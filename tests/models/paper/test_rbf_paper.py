@@ -1,0 +1,144 @@
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.fitting.regression import basis_centres
+from pipeline.models.kind import model_from_tree
+from pipeline.models.paper.model import RbfPaperModel, identify_rbf_paper
+from pipeline.signals.trajectory import Trajectory
+
+MASS = 0.04
+
+
+def planted_model():
+    """A double well whose curves are exactly Gaussian networks, confined well past the visited range."""
+    centres = basis_centres(-0.02, 0.02, 8)
+    stiffness = 8.0 * (centres / 0.012) ** 2 - 8.0
+    damping = 0.1 + 5.0 * np.abs(centres)
+    gains = 4e-9 * (1.0 + 10.0 * centres), -4e-9 * (1.0 - 12.0 * centres)
+    return RbfPaperModel(centres, 1.0, np.array([stiffness, damping, *gains]), 0.03, MASS)
+
+
+def pulses(t, rng):
+    v = np.zeros((len(t), 2))
+    for start in np.arange(0.3, t[-1] - 1.0, 1.1):
+        v[(t >= start) & (t < start + 0.5), rng.integers(2)] = rng.uniform(1500, 3000)
+    return v
+
+
+def reference(model, t, v, start):
+    """The same equations written down with NumPy and solved by an adaptive integrator."""
+
+    def slope(s, y):
+        bells = np.exp(-((y[0] - model.centres) ** 2) / (2 * model.width**2))
+        c, d, g1, g2 = model.weights @ bells
+        volts = [np.interp(s, t, v[:, k]) for k in range(2)]
+        force = -c * y[0] - d * y[2] + g1 * volts[0] ** 2 + g2 * volts[1] ** 2
+        return y[1], force / model.mass, (y[1] - y[2]) / model.lag
+
+    return solve_ivp(slope, (t[0], t[-1]), [*start, start[1]], t_eval=t, rtol=1e-9, atol=1e-12, max_step=2e-3).y
+
+
+@pytest.fixture(scope="module")
+def log():
+    model = planted_model()
+    t = 5.0 + 0.01 * np.arange(2200)
+    v = pulses(t - 5.0, np.random.default_rng(5))
+    run = model.simulate(t, v, 0.0121, 0.0)
+    return Trajectory(t, run.q, run.qdot, run.qddot, v)
+
+
+def test_free_run_agrees_with_an_adaptive_integrator(log):
+    model, part = planted_model(), slice(0, 250)
+    run = model.simulate(log.t[part], log.v[part], log.q[0], 0.02)
+    truth = reference(model, log.t[part], log.v[part], (log.q[0], 0.02))
+    assert run.q == pytest.approx(truth[0], abs=2e-7)
+    assert run.qdot == pytest.approx(truth[1], abs=2e-5)
+
+
+def test_planted_curves_are_recovered_over_the_visited_range(log):
+    model, truth = identify_rbf_paper([log], basis_functions=12, smoothing=1.0, mass=MASS), planted_model()
+    run = model.simulate(log.t, log.v, log.q[0], log.qdot[0])
+    assert run.status == "ok"
+    assert np.std(run.q - log.q) < 0.01 * np.ptp(log.q)
+    assert model.lag == pytest.approx(truth.lag, rel=0.15)
+
+
+def test_bands_of_the_curves_cover_what_noise_does_to_them(log):
+    """Identify the same motion under many draws of noise: the spread of the curves must be what one fit claims."""
+    rng, q = np.random.default_rng(6), np.linspace(-0.012, 0.012, 8)
+    model, curves, part = None, [], slice(0, 800)
+    for _ in range(12):
+        qddot = log.qddot[part] + 0.3 * rng.standard_normal(800)
+        noisy = Trajectory(log.t[part], log.q[part], log.qdot[part], qddot, log.v[part])
+        model = identify_rbf_paper([noisy], basis_functions=12, smoothing=1.0, mass=MASS)
+        curves.append(model.curves(q)["F"])
+    claimed = model.curve_ensemble(q, 300)["F"].std(axis=0)
+    assert np.sqrt(np.mean(np.var(curves, axis=0) / claimed**2)) == pytest.approx(1.0, abs=0.4)
+
+
+def test_two_halves_of_a_log_identify_as_the_whole_but_for_the_restarted_lag(log):
+    halves = [
+        Trajectory(log.t[part], log.q[part], log.qdot[part], log.qddot[part], log.v[part])
+        for part in (slice(0, 1000), slice(1000, None))
+    ]
+    whole, split = (identify_rbf_paper(x, mass=MASS) for x in ([log], halves))
+    assert split.diagnostics["samples"] == whole.diagnostics["samples"]
+    assert split.lag == pytest.approx(whole.lag, rel=0.05)
+
+
+def test_the_lag_is_a_minimum_of_the_cost(log):
+    model = identify_rbf_paper([log], mass=MASS)
+    assert model.diagnostics["lag_converged"]
+    search = model.diagnostics["lag_search"]
+    assert search["lag_s"][-1] == model.lag and np.all(np.diff(search["cost"]) < 0.0)
+    assert search["rank"][-1] == model.diagnostics["rank"]
+    assert search["condition"][-1] == pytest.approx(model.diagnostics["condition"], rel=1e-3)
+
+    def residual(lag):
+        from pipeline.fitting.regression import basis_values, curve_signals, regressor
+        from pipeline.numerics.linear_filters import first_order_lag
+
+        z, _ = first_order_lag(log.qdot, log.interval, lag)
+        matrix = regressor(basis_values(log.q, model.centres, model.width), curve_signals(log.q, z, log.v**2))
+        scale = np.linalg.norm(matrix, axis=0)
+        weights = np.linalg.lstsq(matrix / scale, MASS * log.qddot, rcond=None)[0] / scale
+        return np.sqrt(np.mean((MASS * log.qddot - matrix @ weights) ** 2))
+
+    assert residual(model.lag) == pytest.approx(model.diagnostics["residual_rms"], rel=1e-6)
+    assert residual(model.lag) <= min(residual(0.9 * model.lag), residual(1.1 * model.lag))
+
+
+def test_a_run_that_escapes_ends_with_status_and_time(log):
+    model = planted_model()
+    run = model.simulate(log.t, np.full_like(log.v, 0.0), 0.05, 3.0)
+    assert run.status == "diverged"
+    assert log.t[0] < run.diverged_at_s <= log.t[-1]
+    late = run.t >= run.diverged_at_s
+    assert np.isnan(run.q[late]).all()
+    assert np.isfinite(run.q[~late]).all()
+
+
+def test_tree_round_trip(log):
+    model = identify_rbf_paper([log], mass=MASS)
+    again = model_from_tree("rbf-paper", model.to_tree())
+    before, after = (x.simulate(log.t, log.v, log.q[0], 0.0).q for x in (model, again))
+    assert (before == after).all()
+    assert again.describe().keys() == model.describe().keys()
+    assert model.describe()["visits_per_centre"].sum() == len(log.t)
+
+
+def test_a_tree_without_weights_is_a_corrupt_artifact():
+    tree = planted_model().to_tree()
+    del tree["weights"]
+    with pytest.raises(CorruptArtifactError, match="weights"):
+        model_from_tree("rbf-paper", tree)
+
+
+def test_no_data_and_constant_data_are_refused(log):
+    with pytest.raises(InputError, match="no training data"):
+        identify_rbf_paper([])
+    flat = Trajectory(log.t, 0 * log.q, log.qdot, log.qddot, log.v)
+    with pytest.raises(InputError, match="constant"):
+        identify_rbf_paper([flat])

@@ -1,0 +1,90 @@
+import numpy as np
+import pytest
+
+from pipeline.fitting.descent import Prior
+from pipeline.fitting.homotopy import fit_homotopy
+from pipeline.models.rbf.problem import Effort
+from pipeline.runs.checkpoints import Checkpoints
+from pipeline.runs.manifest import Recipe
+
+
+def test_effort_counts_simulations_and_not_the_clock():
+    effort = Effort(limit=1.0)
+    effort.spend(10_000)
+    alone = effort.spent
+    effort.spend(10_000, 20)
+    assert effort.spent - alone > 2.0 * alone
+    assert not effort.exhausted()
+    effort.spend(3_000_000)
+    assert effort.exhausted()
+
+
+class Exploding:
+    """A residual whose sensitivities overflow in free run, as over a long chaotic log."""
+
+    def residual(self, theta, gain):
+        return theta - 1.0
+
+    def jacobian(self, theta, gain):
+        return theta - 1.0, np.eye(len(theta)) * (1e300 if gain == 0.0 else 1.0)
+
+
+def test_exploding_sensitivities_end_at_the_last_level_that_did_not_explode():
+    fit = fit_homotopy(Exploding(), np.array([3.0, 2.0]), Prior(np.eye(2), np.zeros(2)), gains=(1.0, 0.0))
+    assert [level.gain for level in fit.levels] == [1.0]
+    assert np.isfinite(fit.hessian).all()
+    assert not fit.reached_last
+    assert not fit.converged
+
+
+class Parabola:
+    def __init__(self):
+        self.told = []
+
+    def residual(self, theta, gain):
+        return np.array([theta[0] ** 2 - 2.0, 0.1 * (theta[0] - 1.0)])
+
+    def jacobian(self, theta, gain):
+        return self.residual(theta, gain), np.array([[2.0 * theta[0]], [0.1]])
+
+
+def test_a_spent_effort_leaves_the_least_steps_of_the_last_level_and_progress_is_told():
+    told = []
+    fit = fit_homotopy(
+        Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), gains=(1.0, 0.1, 0.0),
+        enough=lambda: True, on_progress=lambda gain, rms: told.append((gain, rms)),
+    )  # fmt: skip
+    assert [(level.gain, level.iterations) for level in fit.levels] == [(0.0, 3)]
+    assert not fit.converged
+    assert [gain for gain, _ in told] == [0.0] * 3
+    assert told[0][1] > told[-1][1]
+    whole = fit_homotopy(Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), gains=(1.0, 0.1, 0.0))
+    assert whole.converged
+    assert whole.theta[0] == pytest.approx(np.sqrt(2.0), rel=1e-2)
+
+
+@pytest.mark.parametrize("finished", [1, 2, 3])
+def test_a_fit_that_is_stopped_goes_on_from_its_last_level(tmp_path, finished):
+    """Stopped while its next level is worked on, and continued through parts on the disk: equal to the last bit."""
+    start, prior = np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1))
+    parts, made = Checkpoints(tmp_path, Recipe("s", "1", {}, {})), []
+
+    def keep(name, make):
+        def watched():
+            made.append(name)
+            if len(made) == finished + 1:
+                raise KeyboardInterrupt
+            return make()
+
+        return parts.keep(name, watched)
+
+    with pytest.raises(KeyboardInterrupt):
+        fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0), keep=keep)
+    found = fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0), keep=keep)
+    whole = fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0))
+    assert [name.partition(",")[0] for name in made] == [
+        f"level {number}" for number in (*range(finished), finished, *range(finished, 4))
+    ]
+    assert found.levels == whole.levels and found.noise == whole.noise
+    for name in ("theta", "residual", "hessian"):
+        assert getattr(found, name).tobytes() == getattr(whole, name).tobytes()

@@ -1,0 +1,148 @@
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from pipeline.generated.terms import BENT
+from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.problem import JointProblem
+from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes, lagged
+from pipeline.signals.trajectory import Record
+
+INTERVAL = 0.1
+
+
+def wave(t):
+    return np.column_stack([np.sin(3.0 * t), np.cos(2.0 * t)])
+
+
+def test_every_hold_passes_through_the_samples_and_a_spline_between_them_is_nearest_to_a_smooth_drive():
+    t, steps = INTERVAL * np.arange(40), 2
+    nodes = np.arange(2 * steps * 39 + 1) * INTERVAL / 4
+    errors = {}
+    for hold in ("linear", "zero", "cubic"):
+        drive = drive_at_nodes(wave(t), INTERVAL, steps, hold)
+        assert drive[:: 2 * steps] == pytest.approx(wave(t))
+        errors[hold] = np.abs(drive - wave(nodes)).max()
+    assert errors["cubic"] < 0.1 * errors["linear"] < 0.1 * errors["zero"]
+
+
+def test_the_finer_record_is_followed_between_the_samples():
+    fine = INTERVAL / 5 * np.arange(200)
+    v = wave(fine).reshape(40, 5, 2)
+    drive = drive_at_nodes(v, INTERVAL, 5, "record")
+    assert drive[::2] == pytest.approx(wave(fine)[:196])
+
+
+def test_a_delay_shifts_the_drive_and_holds_its_first_value_before():
+    t = INTERVAL * np.arange(40)
+    drive = drive_at_nodes(wave(t), INTERVAL, 1, "linear", delay=2 * INTERVAL)
+    assert drive[4:] == pytest.approx(drive_at_nodes(wave(t), INTERVAL, 1, "linear")[:-4])
+    assert drive[0] == pytest.approx(wave(t)[0])
+
+
+def test_a_held_drive_moves_smoothly_with_its_delay_and_keeps_its_area():
+    v, steps = np.random.default_rng(3).standard_normal((40, 1)), 3
+    same = drive_at_nodes(v, INTERVAL, steps, "zero")
+    assert drive_at_nodes(v, INTERVAL, steps, "zero", delay=3 * INTERVAL)[18:] == pytest.approx(same[:-18])
+    delays = INTERVAL * np.linspace(0.3, 2.7, 200)
+    drives = np.array([drive_at_nodes(v, INTERVAL, steps, "zero", delay=d)[:-1:2, 0] for d in delays])
+    step = np.diff(delays)[0] * steps / INTERVAL  # of a step, at most this share of a jump comes in
+    assert np.abs(np.diff(drives, axis=0)).max() <= step * np.abs(np.diff(v[:, 0])).max() + 1e-12
+    early = v[0, 0] * delays + INTERVAL * np.interp(39.0 - delays / INTERVAL, range(41), np.append(0.0, np.cumsum(v)))
+    assert drives.sum(axis=1) * INTERVAL / steps == pytest.approx(early)
+
+
+def test_a_lag_from_rest_without_input_takes_a_held_input_up_exponentially():
+    half, lag = 0.01, 0.05
+    z, _ = lagged(np.ones((50, 1)), half, lag, held=True, rest_at_zero=True)
+    assert z[:, 0] == pytest.approx(1.0 - np.exp(-half * np.arange(50) / lag))
+    still, _ = lagged(np.ones((50, 1)), half, lag, held=True, rest_at_zero=False)
+    assert still == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("bend", [-1.0, 0.0, 1.5])
+def test_a_bent_drive_rises_monotonously_through_its_ends_and_goes_on_beyond_them(bend):
+    drive = np.linspace(-3.0, 3.0, 601)
+    found = BENT.evaluate(drive=drive[:, None], bend=np.array([bend]))
+    value, slope = found["value"][:, 0], found["slopes"][:, 0]
+    assert value[[200, 300, 400]] == pytest.approx([-1.0, 0.0, 1.0])
+    assert slope[300] == pytest.approx(np.exp(bend))
+    assert (np.diff(value) > 0.0).all()
+    assert np.diff(value[400:]) == pytest.approx(0.01)
+    assert value == pytest.approx(-value[::-1])
+
+
+def mass(**changes):
+    """A free mass with constant damping and gain, one held input."""
+    structure = JointStructure(
+        4, rates=(), shape_elements=0, slips=0, arc=False, force="offset", constant_damping=True, constant_gain=True,
+        **changes,
+    )  # fmt: skip
+    p = ParameterLayout(structure, JointScales(0.0, 1.0, 1.0, 10.0), "linear", (0,))
+    theta = np.zeros(p.count)
+    theta[p.slices["damping"]], theta[p.slices["input0"]] = np.log(0.7), 3.0
+    if p.structure.input_lag:
+        theta[p.slices["input_lag"]] = np.log(0.3)
+    return RbfModel(p, theta, *np.zeros((2, p.count, 1)))
+
+
+@pytest.mark.parametrize("rest_at_zero", [False, True])
+def test_a_held_input_behind_a_lag_moves_a_mass_as_an_integrator_says(rest_at_zero):
+    rng, t = np.random.default_rng(1), INTERVAL * np.arange(30)
+    v = rng.uniform(-0.5, 1.0, (30, 1))
+    model = mass(hold="zero", input_lag=True, rest_at_zero=rest_at_zero)
+    run = model.simulate(t, v, 0.0, 0.0)
+    state = np.array([0.0, 0.0, 0.0 if rest_at_zero else v[0, 0]])
+    for n in range(29):
+        step = solve_ivp(
+            lambda _, y, n=n: [y[1], 3.0 * y[2] - 0.7 * y[1], (v[n, 0] - y[2]) / 0.3],
+            (0.0, INTERVAL), state, rtol=1e-9, atol=1e-12,
+        )  # fmt: skip
+        state = step.y[:, -1]
+        assert run.q[n + 1] == pytest.approx(state[0], abs=2e-5)
+
+
+def test_thinning_keeps_what_a_slow_device_does():
+    model = mass(hold="linear")
+    t = 0.002 * np.arange(4000)
+    v = np.sin(2.0 * t)[:, None]
+    run = model.simulate(t, v, 0.0, 0.0)
+    log = Record(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+    for thinning in (2, 3, 20):
+        problem = JointProblem(model.parameters, [log], thinning=thinning)
+        error = problem.residual(model.theta, 0.0)
+        assert error.size == -(-len(t) // min(thinning, problem.logs[0].every))
+        assert np.abs(error).max() < 2e-4, thinning
+    assert error.size < 0.1 * len(t)
+
+
+@pytest.mark.parametrize("every", [2, 3])
+def test_a_thinned_drive_neither_leads_nor_lags(every):
+    """A ramp stays itself under a centred average; a delay shifts it whether it is thinned or not."""
+    t = 0.01 * np.arange(400)
+    log = Record(t, np.sin(t), np.cos(t), -np.sin(t), t[:, None], np.ones(len(t), dtype=bool))
+    for model, delay in ((mass(), 0.0), (mass(input_delay=True), 0.05)):
+        (seen,) = JointProblem(model.parameters, [log], thinning=every).logs
+        assert seen.every == every
+        nodes = seen.at_nodes(model.parameters, 1, delay)[20:-20, 0]
+        assert nodes == pytest.approx((np.arange(len(nodes)) + 20) * seen.interval / 2 - delay)
+
+
+def test_the_measured_velocity_is_part_of_the_residual_and_vanishes_for_the_truth():
+    model = mass(hold="linear")
+    t = 0.02 * np.arange(300)
+    v = np.sin(3.0 * t)[:, None]
+    run, rng = model.simulate(t, v, 0.0, 0.0), np.random.default_rng(1)
+    valid = np.ones(len(t), dtype=bool)
+    valid[100:110] = False
+    coarse = run.q + 0.02 * rng.standard_normal(len(t))
+    log = Record(t, coarse, run.qdot, run.qddot, v, valid, velocity=np.where(valid, run.qdot, np.nan))
+    problem = JointProblem(model.parameters, [log])
+    error, rows = problem.residual(model.theta, 0.0), problem.of_displacement
+    assert (np.count_nonzero(rows), np.count_nonzero(~rows)) == (290, 299 - 11)
+    assert np.abs(error[~rows]).max() < 1e-4 < 0.01 < error[rows].std()
+    nudged = model.theta + 1e-6 * np.eye(len(model.theta))[-1]
+    same, jacobian = problem.jacobian(model.theta, 0.0)
+    assert same == pytest.approx(error)
+    assert jacobian[:, -1] == pytest.approx((problem.residual(nudged, 0.0) - error) / 1e-6, abs=1e-5)

@@ -1,0 +1,52 @@
+"""What bounds the work of SINDy's search, and that it leaves the results as they are."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, Lag, PolynomialDynamics, Q, free_run
+from pipeline.models.polynomial_dynamics import steps_between_samples as steps
+from pipeline.models.sindy.fit import fit_sindy
+from pipeline.signals.trajectory import Trajectory
+from pipeline.solvers.fixed_step import steps_per_sample
+
+
+def _oscillator(rate: float, damping: float) -> PolynomialDynamics:
+    """``q̈ = −ω² q − 2 ζ ω q̇ + u``, ω a rate [1/s]."""
+    exponents = np.zeros((3, FIRST_INPUT + 1), dtype=np.int64)
+    exponents[[0, 1, 2], [QDOT, Q, FIRST_INPUT]] = 1
+    table = np.array([[1.0, 0.0, 0.0], [-2.0 * damping * rate, -(rate**2), 1.0]])
+    return PolynomialDynamics(exponents, table, np.ones(FIRST_INPUT + 1), (), False, -1e9, 1e9)
+
+
+def test_a_slow_log_takes_few_steps_and_a_fast_one_as_many_as_ever() -> None:
+    joint = _oscillator(1.0, 0.1)
+    for interval in (1e-4, 0.01, 0.05, 0.1):
+        assert steps(joint, interval) == steps_per_sample(interval, np.inf)
+        assert steps(replace(joint, lags=(Lag(QDOT, 0.02),)), interval) == steps_per_sample(interval, 0.02)
+    assert steps(joint, 6.0) == 20
+    assert steps(replace(joint, lags=(Lag(QDOT, 6.0),)), 60.0) == 20
+    assert steps(replace(joint, lags=(Lag(QDOT, 0.5),)), 60.0) == 240  # which Runge-Kutta needs to be stable
+
+
+@pytest.mark.parametrize(("rate", "damping"), [(0.2, 0.1), (0.4, 2.0)])
+def test_a_slow_device_is_simulated_as_exactly(rate: float, damping: float) -> None:
+    """Decay from a displacement, at 6 s a sample, against the exact solution."""
+    t = 6.0 * np.arange(60)
+    found, reached = free_run(_oscillator(rate, damping), np.zeros((t.size, 1)), 6.0, 1.0, 0.0)
+    slow, fast = np.roots([1.0, 2.0 * damping * rate, rate**2])
+    exact = ((fast * np.exp(slow * t) - slow * np.exp(fast * t)) / (fast - slow)).real
+    assert reached == t.size
+    assert np.abs(found[:, 0] - exact).max() < 1e-4
+
+
+@pytest.mark.parametrize("interval", [0.01, 6.0])
+def test_a_device_of_any_speed_is_found(interval: float) -> None:
+    """An oscillator of one linear input, sampled 100 times in a period: lags follow its time scale."""
+    rng, t = np.random.default_rng(1), interval * np.arange(900)
+    rate, v = 0.05 / interval, np.repeat(rng.standard_normal(45), 20)[:, None]
+    path, _ = free_run(_oscillator(rate, 0.5), rate**2 * v, interval, 0.0, 0.0)
+    fit = fit_sindy([Trajectory(t, *path.T.copy(), v)], squared=False)
+    assert float(fit.errors[fit.candidate].mean()) < 1e-2
+    assert all(lag.time >= 0.25 * interval for lag in fit.dynamics.lags)
