@@ -13,6 +13,7 @@ from pipeline.loading.parameter_sets import parameter_values
 from pipeline.names import with_true_names
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
+from pipeline.runs.columns import NOTED_COLUMNS
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
@@ -83,7 +84,7 @@ def _score(
                 of_model = _band("above_lowest", above[row["signal"]].get(model))
                 head = {"log": log, "role": role, "model": model, "headline": model == models[0]}
                 rows.append(head | row | of_model)
-    columns = {column.name: [row.get(column.name) for row in rows] for column in schemas.SCORES.columns}
+    columns = {column.key: [row.get(column.key) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 
 
@@ -144,7 +145,7 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     scores = score_run(
         made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
     )
-    more: dict[str, Any] = {name: made.notes.get(name) for name in ("outside_training", "basis_functions")}
+    more: dict[str, Any] = {column.key: made.notes.get(column.key) for column in NOTED_COLUMNS}
     outcomes = made.notes.get("outcomes")
     if outcomes:
         more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
