@@ -93,7 +93,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "sections": _sections(bool(charts["study"]), bool(charts["control"])),
         "viewer_json": json_for_script(viewer_data(interactive, models)),
     }
-    return render("report.html.j2", ("tables.js", "series.js", "viewer.js"), context)
+    return render("report.html.j2", ("uplot.min.js", "tables.js", "series.js", "viewer.js"), context)
 
 
 def verdict(checks: Sequence[Check]) -> str:
