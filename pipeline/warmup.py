@@ -82,7 +82,7 @@ def _without_parameter_set() -> None:
 
 
 def _network() -> None:
-    from pipeline.identification.viscoelastic_joint import Coefficients, basis, no_sensitivities, observed_run, slid
+    from pipeline.models.rbf.dynamics import Coefficients, basis, no_sensitivities, observed_run, slid
 
     x, u, one = np.zeros(2), np.zeros((3, 2)), np.ones(1)
     joint = Coefficients(np.zeros((5, 5)), one, one, one, np.zeros(2), one, 1.0, -1.0, 1.0, np.zeros(2), 0.0, np.zeros(0))

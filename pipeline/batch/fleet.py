@@ -41,8 +41,8 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
             scores = load_scores(output / outcome.name) if outcome.exit_code == 0 else [{}]
         except DebistError as error:  # changed or damaged since it ended well
             scores, head = [{}], head | {"exit_code": error.exit_code, "reason": str(error)}
-        rows += [{column.name: None for column in schemas.SCORES.columns} | score | head for score in scores]
-    columns = {column.name: [row[column.name] for row in rows] for column in FLEET.columns}
+        rows += [{column.key: None for column in schemas.SCORES.columns} | score | head for score in scores]
+    columns = {column.key: [row[column.key] for row in rows] for column in FLEET.columns}
     tables.write_table(output / FLEET_TABLE, FLEET, columns)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")

@@ -269,7 +269,7 @@ def run_of(given: Path) -> Path:
     """The run folder that an argument means: itself, or that of a settings file."""
     if given.suffix.lower() != ".toml" or not given.is_file():
         return given
-    from pipeline.stages.belonging import run_folder
+    from pipeline.stages.run_place import run_folder
 
     return run_folder(given)
 

@@ -168,7 +168,7 @@ def paper(
 
 
 if TYPE_CHECKING:
-    from pipeline.runs.schemas import Sweep
+    from pipeline.runs.columns import Sweep
 
 study = group("Studies of alpha, the RBF basis, the data, and cross-validation.")
 

@@ -108,8 +108,8 @@ def run_command(
 
     NRMSE in percent. Example: debist run P1.toml -o runs/P1
     """
-    from pipeline.stages.belonging import place_of
     from pipeline.stages.run import dry_run, run_prototype
+    from pipeline.stages.run_place import place_of
 
     place = place_of(prototype, output)
     if only_plan:

@@ -13,6 +13,7 @@ from pipeline.device_facts.run_data import RunData
 from pipeline.errors import InputError
 from pipeline.models.base import DynamicModel, HasCurveDraws, HasCurves
 from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.runs.columns import STABLE
 from pipeline.scoring.wells import NoWells, Wells, outermost_pair
 
 COVERAGE = 0.9  # share of the draws inside a band or an interval
@@ -20,7 +21,6 @@ POINTS = 1201  # of the grid over the operating range
 DRAWS = 64  # of the model's curves
 STEEP = 5.0  # times the change of the force two grid points away, beyond which it jumps
 SMALL = 1e-3  # share of the range of the force that is no jump
-STABLE = "stable_"  # begins the names of stable states that are no two wells
 COARSER = 20  # grid of their deviation from the model's own curves; divides POINTS - 1
 
 

@@ -1,6 +1,6 @@
 """The datasheet of a device: facts with uncertainties, from the model and, beside it, from the measurement alone."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -8,7 +8,6 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import (
     COVERAGE,
-    STABLE,
     Curves,
     believed_wells,
     device_facts,
@@ -25,6 +24,7 @@ from pipeline.device_facts.run_data import RunData, wells_of_run
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
+from pipeline.runs.columns import FACT_COLUMNS, STABLE
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import quantity
 from pipeline.signals.inputs import voltages
@@ -33,30 +33,6 @@ FORMAT = "debist-datasheet/1"
 RING_TIME, RING_STEP = 2.0, 0.005  # s
 RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
 
-# Title and unit of every fact; {q}, {v}, {F}, {U}, {k} stand for the device's units.
-TITLES = {
-    "well_left": ("rest on the left", "{q}"),
-    "well_right": ("rest on the right", "{q}"),
-    "rest": ("rest position", "{q}"),
-    "stiffness": ("stiffness at rest", "{k}"),
-    "frequency": ("ring-down frequency", "Hz"),
-    "damping": ("damping ratio", "1"),
-    "saddle": ("unstable equilibrium", "{q}"),
-    "barrier_left": ("energy barrier out of the left well", "{U}"),
-    "barrier_right": ("energy barrier out of the right well", "{U}"),
-    "switch_v1_to_right": ("lowest steady v1 that switches to the right", "{v}"),
-    "switch_v1_to_left": ("lowest steady v1 that switches to the left", "{v}"),
-    "switch_v2_to_right": ("lowest steady v2 that switches to the right", "{v}"),
-    "switch_v2_to_left": ("lowest steady v2 that switches to the left", "{v}"),
-    "stiffness_left": ("stiffness in the left well", "{k}"),
-    "stiffness_right": ("stiffness in the right well", "{k}"),
-    "frequency_left": ("ring-down frequency in the left well", "Hz"),
-    "frequency_right": ("ring-down frequency in the right well", "Hz"),
-    "damping_left": ("damping ratio in the left well", "1"),
-    "damping_right": ("damping ratio in the right well", "1"),
-    "asymmetry_wells": ("asymmetry of the wells, (q₊ + q₋)/(q₊ − q₋)", "%"),
-    "asymmetry_barriers": ("asymmetry of the wells' depth, ΔU over the mean barrier", "%"),
-}
 SCATTERED = 0.1
 """Share of the range of q beyond which the standard deviation of rests says that they are not one."""
 LEAST_EVENTS = 3
@@ -336,8 +312,7 @@ def _facts(
     stiffness = f"{data.curve_units['F']}/{data.displacement}" if data.mass_known else "1/s²"
     units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
     facts = []
-    listed = {key: (f"stable state {key.removeprefix(STABLE)}", "{q}") for key in values if key.startswith(STABLE)}
-    for key, (title, unit) in (TITLES | listed).items():
+    for key, title, unit in _listed(values):
         seen = measured.get(key)
         if values.get(key) is None and seen is None:
             continue
@@ -359,6 +334,14 @@ def _facts(
             )
         )
     return tuple(facts)
+
+
+def _listed(values: Mapping[str, float | None]) -> Iterator[tuple[str, str, str]]:
+    """Key, title and unit of every fact that a device may have; stable states are numbered."""
+    stable = [key.removeprefix(STABLE) for key in values if key.startswith(STABLE)]
+    for column in FACT_COLUMNS:
+        for number in stable if column.key == STABLE else ("",):
+            yield column.key + number, f"{column.title} {number}".rstrip(), column.unit
 
 
 def _scattered(places: FloatArray, motions: Sequence[FloatArray]) -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 from pipeline.models.base import DynamicModel
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.runs.schemas import StudyName
+from pipeline.runs.columns import StudyName
 from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.units import curve_units, of_joint
 

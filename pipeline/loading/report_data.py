@@ -18,9 +18,9 @@ from pipeline.models.kind import model_from_tree
 from pipeline.names import log_title
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
+from pipeline.runs.columns import StudyName
 from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.runs.schemas import StudyName
 from pipeline.settings import Prototype, Role
 from pipeline.units import ALPHA_UNIT
 
@@ -83,7 +83,7 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
 def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
     """A study in SI units, but for the regularisation parameter, which is in the unit that the settings take."""
     columns = run.read_table(layout.study(name))
-    units = {column.name: column.unit for column in plant.schema(schemas.STUDIES[name]).columns}
+    units = {column.key: column.unit for column in plant.schema(schemas.STUDIES[name]).columns}
     if name == "alpha":
         symbol, factor = ALPHA_UNIT[plant.displacement.symbol]
         order = run.record(layout.study(name)).notes["order"]

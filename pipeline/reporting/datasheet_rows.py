@@ -5,33 +5,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from pipeline.device_facts.calibrated import Calibrated, calibrated
-from pipeline.device_facts.characteristics import STABLE
 from pipeline.device_facts.datasheet import Datasheet, Fact, doubt, is_refused
 from pipeline.device_facts.run_data import RunData
+from pipeline.runs.columns import FACT_COLUMNS, STABLE, FactColumn
 from pipeline.si_prefix import interval, percent, quantity
 
-# Row title, facts of the left well, facts of the right well. Single facts have no second list. A name that ends in _
-# stands for all that begin so.
-_ROWS: tuple[tuple[str, tuple[str, ...], tuple[str, ...]], ...] = (
-    ("rest position", ("well_left",), ("well_right",)),
-    ("energy barrier out of it", ("barrier_left",), ("barrier_right",)),
-    (
-        "lowest steady input that switches out of it",
-        ("switch_v1_to_right", "switch_v2_to_right"),
-        ("switch_v1_to_left", "switch_v2_to_left"),
-    ),
-    ("stiffness", ("stiffness_left",), ("stiffness_right",)),
-    ("ring-down frequency", ("frequency_left",), ("frequency_right",)),
-    ("damping ratio", ("damping_left",), ("damping_right",)),
-    ("rest position", ("rest",), ()),
-    ("stiffness at rest", ("stiffness",), ()),
-    ("ring-down frequency", ("frequency",), ()),
-    ("damping ratio", ("damping",), ()),
-    ("stable states", (STABLE,), ()),
-    ("unstable equilibrium", ("saddle",), ()),
-    ("asymmetry of rests (q₊\u00a0+\u00a0q₋)/(q₊\u00a0−\u00a0q₋)", ("asymmetry_wells",), ()),
-    ("asymmetry of depths, ΔU over mean barrier", ("asymmetry_barriers",), ()),
-)
 NOT_USED = " (a model not to be used)"
 """Said of what a model tells that the verdict says not to use."""
 WIDE = 2.0
@@ -79,6 +57,7 @@ class SheetRow:
     """A quantity: cells of the left and the right well, or one cell for the whole device."""
 
     title: str
+    help: str
     cells: tuple[SheetCell, ...]
 
 
@@ -86,17 +65,20 @@ def sheet_rows(sheet: Datasheet) -> list[SheetRow]:
     """The rows that have at least one value."""
     facts = {fact.key: fact for fact in sheet.facts}
     stroke = max((abs(f.value or f.measured or 0.0) for f in sheet.facts if f.key.startswith("well")), default=0.0)
+    grouped: dict[tuple[str, bool], dict[str, list[str]]] = {}
+    helps: dict[tuple[str, bool], FactColumn] = {}
+    for column in FACT_COLUMNS:
+        row = column.row, bool(column.side)
+        helps.setdefault(row, column)
+        keys = [key for key in facts if key.startswith(STABLE)] if column.key == STABLE else [column.key]
+        grouped.setdefault(row, {}).setdefault(column.side, []).extend(keys)
     rows = []
-    for title, left, right in _ROWS:
-        groups = [_named(keys, facts) for keys in (left, right) if keys]
-        if any(key in facts for keys in groups for key in keys):
-            like = stroke if left == ("saddle",) else _largest(facts, [key for keys in groups for key in keys])
-            rows.append(SheetRow(title, tuple(_cell(facts, keys, like) for keys in groups)))
+    for row, sides in grouped.items():
+        keys = [key for side in sides.values() for key in side if key in facts]
+        if keys:
+            like = stroke if keys == ["saddle"] else _largest(facts, keys)
+            rows.append(SheetRow(row[0], helps[row].help, tuple(_cell(facts, side, like) for side in sides.values())))
     return rows
-
-
-def _named(keys: Sequence[str], facts: Mapping[str, Fact]) -> tuple[str, ...]:
-    return tuple(each for key in keys for each in (facts if key.endswith("_") else keys) if each.startswith(key))
 
 
 def _largest(facts: Mapping[str, Fact], keys: Sequence[str]) -> float:
@@ -105,9 +87,8 @@ def _largest(facts: Mapping[str, Fact], keys: Sequence[str]) -> float:
 
 
 def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetCell:
-    known = [facts[key] for key in keys if key in facts]
     values, seen = [], ""
-    for fact in known:
+    for fact in (facts[key] for key in keys if key in facts):
         text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like)
         if fact.key.startswith("switch"):
             text = f"{fact.key.split('_')[1]} {text}"

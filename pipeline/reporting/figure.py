@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.si_prefix import significant
 
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
@@ -232,23 +232,29 @@ def line_kind(line: Line) -> Literal["line", "wide", "trace"]:
     return "wide" if line.wide else "trace" if is_path(line) else "line"
 
 
+def extreme_places(y: FloatArray, count: int) -> IntArray:
+    """Places of the least and the largest sample of every bucket of `count` samples, shape (2 ceil(N / count),).
+
+    A bucket without samples gives two places without one.
+    """
+    padded = np.full(-(-y.size // count) * count, np.nan)
+    padded[: y.size] = y
+    rows = padded.reshape(-1, count)
+    finite = np.isfinite(rows)
+    ends = (np.where(finite, rows, np.inf).argmin(axis=1), np.where(finite, rows, -np.inf).argmax(axis=1))
+    places = np.sort(np.stack(ends, axis=1), axis=1) + count * np.arange(len(rows))[:, None]
+    return np.minimum(places.ravel(), y.size - 1)
+
+
 def thinned(line: Line, buckets: int) -> Line:
     """The least and the largest sample of each bucket at their places, so that no peak is lost; short ones as they are.
 
     A bucket without samples interrupts the line.
     """
-    n = line.y.size
-    if n <= 4 * buckets or is_path(line):
+    if line.y.size <= 4 * buckets or is_path(line):
         return line
-    count = -(-n // buckets)
-    padded = np.full(-(-n // count) * count, np.nan)
-    padded[:n] = line.y
-    rows = padded.reshape(-1, count)
-    known = np.isfinite(rows)
-    ends = (np.where(known, rows, np.inf).argmin(axis=1), np.where(known, rows, -np.inf).argmax(axis=1))
-    places = np.sort(np.stack(ends, axis=1), axis=1) + count * np.arange(len(rows))[:, None]
-    kept = np.minimum(places.ravel(), n - 1)
-    return replace(line, x=line.x[kept], y=line.y[kept])
+    places = extreme_places(line.y, -(-line.y.size // buckets))
+    return replace(line, x=line.x[places], y=line.y[places])
 
 
 def x_range(figure: Figure, of: Panel | None = None) -> tuple[float, float]:

@@ -97,7 +97,7 @@ def _quantities(members: Sequence[Summary]) -> list[Quantity]:
         for key, (value, unit) in member.facts.items():
             kind = key.partition("_")[0], unit
             largest[kind] = float(np.fmax(largest.get(kind, 0.0), abs(value)))
-    for key in FACTS:
+    for key, heading in FACTS.items():
         units = Counter(m.facts[key][1] for m in members if key in m.facts)
         if not units:
             continue
@@ -106,21 +106,13 @@ def _quantities(members: Sequence[Summary]) -> list[Quantity]:
         values = np.array([m.facts[key][0] if key in m.facts and m.facts[key][1] == unit else np.nan for m in members])
         # A fact and its twin on the other side have one unit.
         shown, factor = scale(unit, largest[key.partition("_")[0], unit])
-        columns.append(Quantity(_title(key), shown, values * factor, outliers(values)))
+        columns.append(Quantity(heading, shown, values * factor, outliers(values)))
     return [q for q in columns if np.isfinite(q.values).any()]
 
 
 def _text(value: float, places: int | None) -> str:
     text = significant(value) if places is None else f"{value:.{places}f}"
     return text.replace("-", "−")
-
-
-def _title(key: str) -> str:
-    if key.startswith("switch"):
-        _, name, _, side = key.split("_")
-        return f"switching {name}, to {side}"
-    kind, side = key.split("_")
-    return f"{'rest' if kind == 'well' else kind} {side}"
 
 
 def _row(member: Summary, index: int, quantities: Sequence[tuple[Quantity, int | None]]) -> dict[str, Any]:

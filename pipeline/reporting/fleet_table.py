@@ -15,22 +15,11 @@ from markupsafe import Markup
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import linear_ticks, log_ticks, tick_label
+from pipeline.runs.columns import FACT_COLUMNS
 from pipeline.si_prefix import significant
 
-FACTS = (
-    "well_left",
-    "well_right",
-    "barrier_left",
-    "barrier_right",
-    "switch_v1_to_right",
-    "switch_v1_to_left",
-    "switch_v2_to_right",
-    "switch_v2_to_left",
-    "frequency_left",
-    "frequency_right",
-    "damping_left",
-    "damping_right",
-)
+FACTS = {column.key: column.fleet for column in FACT_COLUMNS if column.fleet}
+"""Facts of the fleet's table and their headings."""
 GRADES = ("", "good", "fair", "poor", "failed")
 _KEPT_BITS = 0xFFFFFC00
 """Of a 32-bit float: 13 bits of the fraction, a relative step of 1.2e-4, of which tables show three digits."""

@@ -8,7 +8,7 @@ import base64
 import hashlib
 import json
 import zlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from importlib.resources import files
 from typing import Any
 
@@ -17,7 +17,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import Figure, Line, axis_label
+from pipeline.reporting.figure import Figure, Line, Panel, axis_label, extreme_places
 from pipeline.reporting.legend import MARKS, dashes, slot
 from pipeline.si_prefix import axis_scale
 
@@ -34,41 +34,26 @@ def packed(y: FloatArray, longest: int = LONGEST) -> dict[str, Any]:
 
     Parameters
     ----------
-    y : FloatArray, shape (n,)
-        Samples; NaN where there is none.
+    y : FloatArray, shape (N,)
+        Samples at equal steps; NaN where there is none.
     longest : int
         Number of samples beyond which the least and the largest of every bucket are kept instead.
 
     Returns
     -------
     dict
-        ``n`` samples (or buckets), ``count`` samples to a bucket, ``low`` and ``step`` of the quantisation, ``data``
-        and, for buckets, ``high_data``.
+        ``n`` samples, ``low`` and ``step`` of the quantisation, and ``data``.
     """
-    if y.size <= longest:
-        return _quantised([y]) | {"count": 1}
-    count = -(-y.size // (longest // 2))
-    edges = np.arange(0, y.size, count)
+    y = y if y.size <= longest else y[extreme_places(y, -(-2 * y.size // longest))]
     finite = np.isfinite(y)
-    low = np.minimum.reduceat(np.where(finite, y, np.inf), edges)
-    high = np.maximum.reduceat(np.where(finite, y, -np.inf), edges)
-    low[~np.isfinite(low)], high[~np.isfinite(high)] = np.nan, np.nan
-    return _quantised([low, high]) | {"count": count}
-
-
-def _quantised(parts: list[FloatArray]) -> dict[str, Any]:
-    finite = np.concatenate([part[np.isfinite(part)] for part in parts])
-    low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+    low, high = (float(y[finite].min()), float(y[finite].max())) if finite.any() else (0.0, 0.0)
     step = (high - low) / LEVELS or 1.0
-    result: dict[str, Any] = {"n": int(parts[0].size), "low": low, "step": step}
-    for key, part in zip(("data", "high_data"), parts, strict=False):
-        known = np.isfinite(part)
-        codes = np.full(part.size, MISSING, dtype=np.int64)
-        codes[known] = np.rint((part[known] - low) / step)
-        change = np.diff(codes, prepend=0) % 65536
-        planes = np.concatenate((change & 255, change >> 8)).astype(np.uint8)
-        result[key] = base64.b64encode(_deflated(planes.tobytes())).decode("ascii")
-    return result
+    codes = np.full(y.size, MISSING, dtype=np.int64)
+    codes[finite] = np.rint((y[finite] - low) / step)
+    change = np.diff(codes, prepend=0) % 65536
+    planes = np.concatenate((change & 255, change >> 8)).astype(np.uint8)
+    data = base64.b64encode(_deflated(planes.tobytes())).decode("ascii")
+    return {"n": int(y.size), "low": low, "step": step, "data": data}
 
 
 def _deflated(data: bytes) -> bytes:
@@ -101,8 +86,10 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
         lstrip_blocks=True,
     )
     environment.filters |= {"limit": lambda number: f"{number:g}", "commands": _commands}
-    style = asset("style.css")
-    script = "\n".join(asset(name) for name in scripts)
+    plotted = "uplot.min.js" in scripts
+    style = (asset("uplot.min.css") if plotted else "") + asset("style.css")
+    licence = f"/*! {asset('uplot.LICENSE.txt')} */\n" if plotted else ""
+    script = licence + "\n".join(asset(name) for name in scripts)
     policy = (
         f"default-src 'none'; script-src '{csp_hash(script)}'; style-src '{csp_hash(style)}'; img-src data:; "
         "base-uri 'none'; form-action 'none'"
@@ -138,65 +125,66 @@ def json_for_script(document: Any) -> Markup:
 def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, Any]:
     """What the viewer's script reads: figures, and every distinct series once, in SI."""
     series: dict[str, Any] = {}
-    known: dict[bytes, str] = {}
+    names: dict[bytes, str] = {}
 
     def store(values: FloatArray) -> str:
         """The name under which a series is stored."""
         content = hashlib.blake2b(values.tobytes()).digest()
-        if content not in known:
-            known[content] = f"s{len(known)}"
-            series[known[content]] = packed(values)
-        return known[content]
+        if content not in names:
+            names[content] = f"s{len(names)}"
+            series[names[content]] = packed(values)
+        return names[content]
 
     return {"figures": {f.name: _viewer_figure(f, models, store) for f in figures}, "packed": series}
 
 
 def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[FloatArray], str]) -> dict[str, Any]:
     first = figure.panels[0].lines[0].x
-    panels = []
-    for panel in figure.panels:
-        shown = [line for line in panel.lines if line.label not in figure.hidden]
-        largest = max((abs(float(v)) for line in shown for v in _ends(line.y)), default=0.0)
-        unit, factor = axis_scale(panel.unit, largest)
-        lines = [
-            {
-                "label": line.label,
-                "slot": slot(line.role, models),
-                "dash": list(dashes(line.role, models)),
-                "start": float(line.x[0]),
-                "stop": float(line.x[-1]),
-                "wide": line.wide,
-                "samples": int(line.x.size),
-                "factor": factor,
-                **_stored(line, store),
-            }
-            for line in panel.lines
-        ]
-        panels.append({"label": axis_label(panel.name, unit), "series": lines})
     marks = [
-        {"name": name, "at": [round(float(t), 6) for t in at], "colour": kind, "dash": _DASHES[kind]}
+        {"at": [round(float(t), 6) for t in at], "colour": kind, "dash": _DASHES[kind]}
         for name, at in figure.marks.items()
         if (kind := MARKS[name].kind)
     ]
     return {
         "axis": f"{figure.x_name} in {figure.x_unit}",
         "unit": figure.x_unit,
-        "factor": 1,
         "start": float(first[0]),
         "stop": float(first[-1]),
-        "panels": panels,
+        "panels": [_viewer_panel(panel, figure.hidden, models, store) for panel in figure.panels],
         "marks": marks,
         "gaps": [list(gap) for gap in figure.gaps],
     }
 
 
+def _viewer_panel(
+    panel: Panel, hidden: Collection[str], models: Sequence[str], store: Callable[[FloatArray], str]
+) -> dict[str, Any]:
+    """A panel, all of whose lines have one time grid."""
+    visible = [line for line in panel.lines if line.label not in hidden]
+    largest = max((abs(float(v)) for line in visible for v in _ends(line.y)), default=0.0)
+    unit, factor = axis_scale(panel.unit, largest)
+    lines = [
+        {
+            "label": line.label,
+            "slot": slot(line.role, models),
+            "dash": list(dashes(line.role, models)),
+            "wide": line.wide,
+            "factor": factor,
+            **_stored(line, store),
+        }
+        for line in panel.lines
+    ]
+    x = panel.lines[0].x
+    return {"label": axis_label(panel.name, unit), "start": float(x[0]), "stop": float(x[-1]), "series": lines}
+
+
 def _stored(line: Line, store: Callable[[FloatArray], str]) -> dict[str, str]:
-    # The extremes of a bucket's difference do not follow from those of its parts.
+    # The extremes of a difference do not follow from those of its parts.
     if line.parts is None or line.y.size > LONGEST:
         return {"data": store(line.y)}
     return {"data": store(line.parts[0]), "minus": store(line.parts[1])}
 
 
 def _ends(values: Any) -> list[float]:
-    known = values[values == values]  # without NaN
-    return [float(known.min()), float(known.max())] if known.size else []
+    finite = values[values == values]  # without NaN
+    return [float(finite.min()), float(finite.max())] if finite.size else []

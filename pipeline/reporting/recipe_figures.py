@@ -11,7 +11,7 @@ from pipeline.fitting.regression import basis_values
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points
-from pipeline.runs.schemas import StudyName
+from pipeline.runs.columns import StudyName
 from pipeline.signals.differentiate import AlphaStudy
 from pipeline.units import curve_units
 

@@ -28,7 +28,6 @@ from pipeline.reporting.tables import (
     NrmseTable,
     behaviour_table,
     nrmse_table,
-    with_unit,
 )
 from pipeline.scoring.wells import Wells
 from pipeline.si_prefix import short
@@ -94,7 +93,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "sections": _sections(bool(charts["study"]), bool(charts["control"])),
         "viewer_json": json_for_script(viewer_data(interactive, models)),
     }
-    return render("report.html.j2", ("tables.js", "series.js", "viewer.js"), context)
+    return render("report.html.j2", ("uplot.min.js", "tables.js", "series.js", "viewer.js"), context)
 
 
 def verdict(checks: Sequence[Check]) -> str:
@@ -160,7 +159,7 @@ def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
     return {
         "score_tables": [
             _score_table("nrmse", nrmse_table(scores)),
-            _score_table("behaviour", behaviour_table(scores, free_run=False)),
+            _score_table("behaviour", behaviour_table(scores)),
         ],
         "worst": headline_table([row for row in scores if row["model"] in data.model_names]),
     }
@@ -174,9 +173,9 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
             if cell["bad"]:
                 cell |= {"number": "–", "interval": ""}  # when it diverged stands in the first cell
         rows.append({"log": log_title(row.role, row.log), "model": row.model, "cells": cells})
-    headings = (*(HEADINGS[s] for s in table.signals), *table.extras)
-    columns = ["log", "model", *map(with_unit, headings)]
-    return {"name": name, "headings": columns, "rows": rows, "caption": table.explanation}
+    errors = ((f"{HEADINGS[s]} [%]", "") for s in table.signals)
+    headings = [("log", ""), ("model", ""), *errors, *((column.heading, column.help) for column in table.extras)]
+    return {"name": name, "headings": headings, "rows": rows, "caption": table.explanation}
 
 
 def _cell(cell: Cell) -> dict[str, Any]:

@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pipeline.reporting.tables import BEST, HEADINGS, RBFS_EXPLANATION, TIED, ScoreRow, basis_functions
+from pipeline.reporting.tables import BEST, HEADINGS, TIED, ScoreRow, notes_of
+from pipeline.runs.columns import SCORE_COLUMNS, Column
 from pipeline.scoring.cross_validation import NRMSE_COLUMNS
 
-_SHARES = {"well_agreement": "well", "switch_accuracy": "pulses"}
-_SHARES_SAID = {"well": "Well: share of time in the measured well.", "pulses": "Pulses: share that ends in it."}
+_EXTRAS = tuple(column for column in SCORE_COLUMNS if column.cell and column.cell.table == "errors")
 FOLD_EXPLANATION = (
     "Free-run NRMSE in % of the range in all data, each stretch of a fold from its measured first state; a run that "
     "diverged counts as 100. Mean over folds [95 % interval, t-test corrected for shared training data]. * lowest, all "
@@ -22,16 +22,21 @@ class Headline:
     """The table as text: where the errors were measured, the headings, and a line of cells for each model."""
 
     where: str
-    heading: tuple[str, ...]
+    signals: tuple[str, ...]
+    extras: tuple[Column, ...]
     rows: tuple[tuple[str, ...], ...]
+
+    @property
+    def heading(self) -> tuple[str, ...]:
+        """The headings of its columns."""
+        errors = (f"{HEADINGS[signal]} [%]" for signal in self.signals)
+        return ("model", *errors, *(column.title for column in self.extras))
 
     @property
     def explanation(self) -> str:
         """What its columns mean; that of errors is a line of its own."""
         errors = "NRMSE in % of the measured range, free run from the first sample, worst log."
-        shares = " ".join(text for name, text in _SHARES_SAID.items() if name in self.heading)
-        acting = RBFS_EXPLANATION if "RBFs" in self.heading else ""
-        return "\n".join(line for line in (errors, shares, acting) if line)
+        return "\n".join(part for part in (errors, " ".join(notes_of(self.extras))) if part)
 
 
 def headline_table(scores: Sequence[ScoreRow]) -> Headline:
@@ -46,9 +51,8 @@ def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     """
     role = "validation" if any(row["role"] == "validation" for row in scores) else "train"
     judged = [row for row in scores if row["role"] == role]
-    shares = [share for share in _SHARES if any(r.get(share) is not None for r in judged if r["signal"] == "q")]
+    extras = tuple(column for column in _EXTRAS if any(row.get(column.key) is not None for row in judged))
     signals = tuple(signal for signal in HEADINGS if any(row["signal"] == signal for row in judged))
-    acting = ["RBFs"] * any(row.get("basis_functions") is not None for row in judged)
     rows = []
     for model in dict.fromkeys(str(row["model"]) for row in judged):
         own = [row for row in judged if row["model"] == model]
@@ -56,24 +60,24 @@ def headline_table(scores: Sequence[ScoreRow]) -> Headline:
         of_q = [row for row in own if row["signal"] == "q"]
         if any(row["status"] != "ok" for row in of_q):
             errors[0] = "diverged"
-        least = (_least([row.get(share) for row in of_q]) for share in shares)
-        rows.append((model, *errors, *least, *(basis_functions(of_q[0]) for _ in acting)))
+        rows.append((model, *errors, *(_least(of_q, column) for column in extras)))
     logs = list(dict.fromkeys(str(row["log"]) for row in judged))
     named = f"log {logs[0]}" if len(logs) == 1 else f"logs {', '.join(logs)}"
     word = "validation" if role == "validation" else "training"
-    errors_of = (f"{HEADINGS[signal]} [%]" for signal in signals)
-    heading = ("model", *errors_of, *(_SHARES[share] for share in shares), *acting)
-    return Headline(f"free runs on the {word} {named}", heading, tuple(rows))
+    return Headline(f"free runs on the {word} {named}", signals, extras, tuple(rows))
 
 
 def _worst(errors: Sequence[float | None]) -> str:
-    known = [error for error in errors if error is not None]
-    return f"{100.0 * max(known):.2f}" if known and len(known) == len(errors) else "–"
+    defined = [error for error in errors if error is not None]
+    return f"{100.0 * max(defined):.2f}" if defined and len(defined) == len(errors) else "–"
 
 
-def _least(shares: Sequence[float | None]) -> str:
-    known = [share for share in shares if share is not None]
-    return f"{100.0 * min(known):.0f} %" if known else "–"
+def _least(rows: Sequence[ScoreRow], column: Column) -> str:
+    """The least value of a column over the logs, without decimals."""
+    values = [row[column.key] for row in rows if row.get(column.key) is not None]
+    if not values or column.cell is None:
+        return "–"
+    return f"{column.cell.factor * min(values):.0f}" + (" %" if column.cell.unit == "%" else "")
 
 
 def fold_table(summary: Sequence[Mapping[str, Any]]) -> tuple[list[str], list[list[str]]]:

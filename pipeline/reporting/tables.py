@@ -3,15 +3,14 @@
 import csv
 import io
 import re
-from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, Literal
 
 from pipeline.names import log_title
+from pipeline.runs.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
 from pipeline.scoring.horizons import SHORTEST_HORIZON, WARM_UP, WARM_UP_SAMPLES
-from pipeline.scoring.intervals import BLOCK, FEWEST, FEWEST_BLOCKS, MEMORIES
-from pipeline.scoring.step_responses import SETTLED
-from pipeline.scoring.wells import SURE
+from pipeline.scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
 from pipeline.si_prefix import moment
 from pipeline.units import HORIZONS, SIGNALS
 
@@ -34,35 +33,27 @@ _LISTED = f"{', '.join([_SOON, *_AHEAD[:-1]])} and {_AHEAD[-1]}"
 _HORIZONS = (
     f"NRMSE of q after {_LISTED} (none of less than {SHORTEST_HORIZON:g} samples or more than the log) from restarts "
     f"in the measured state, hidden states from up to {WARM_UP:g} s or {WARM_UP_SAMPLES} samples of the measurement "
-    "before"
+    "before."
 )
-_WELLS, _SWITCHES, _OUTSIDE, _AMBIGUOUS = "wells", "switches", "outside", "ambiguous [pulses]"
-_RBFS = "RBFs [per curve]"
-RBFS_EXPLANATION = "RBFs: basis functions that act; hybrid with 0 is its fitted equations alone."
-_TIMES = ("rise [ms]", "settling [ms]")
-_COLUMNS = {
-    (_WELLS,): "Wells: share of samples in the measured well.",
-    (_SWITCHES,): "Switches: share of pulses after which both rest in the same well, interval by Bayesian bootstrap of "
-    "the pulses.",
-    (_RBFS,): RBFS_EXPLANATION,
-    _TIMES: f"Rise (10–90 %) and settling time (±{100.0 * SETTLED:.0f} %): median error over the switches that the "
-    f"model follows, interval by bootstrap of the switches (none with fewer than {FEWEST}).",
-    (_OUTSIDE,): "Outside: share of samples in states (q, q̇) that no training sample was near.",
-    (_AMBIGUOUS,): "Ambiguous: pulses that end so close to the barrier that, among runs drawn from the model's own "
-    f"uncertainty, fewer than {10.0 * SURE:.0f} in ten come to rest in one well.",
-}
-"""What columns mean that not every device has; one without a number in any row is left out with its sentence."""
-
 TIED, BEST = " ≈", " *"
 
 
-def _said(of: str, extras: Collection[str]) -> str:
-    """What a table is `of`, and what its further columns mean."""
-    return " ".join([of, *(text for names, text in _COLUMNS.items() if not set(names).isdisjoint(extras))])
+def notes_of(columns: Iterable[Column]) -> list[str]:
+    """The sentences that explain these columns, each once."""
+    return list(dict.fromkeys(column.cell.note for column in columns if column.cell and column.cell.note))
 
 
-EXPLANATION = _said(_ERRORS, (_WELLS, _SWITCHES, _RBFS))
-BEHAVIOUR_EXPLANATION = _said(f"{_HORIZONS}, and of the free run.", (*_TIMES, _OUTSIDE, _AMBIGUOUS))
+def _columns(table: str, rows: Sequence[ScoreRow] | None = None) -> tuple[Column, ...]:
+    """The columns of a table; with its rows, without those that not every device has and no row has a value of."""
+    columns = (column for column in SCORE_COLUMNS if column.cell and column.cell.table == table)
+    return tuple(
+        column for column in columns
+        if rows is None or not notes_of([column]) or any(row.get(column.key) is not None for row in rows)
+    )  # fmt: skip
+
+
+EXPLANATION = " ".join([_ERRORS, *notes_of(_columns("errors"))])
+BEHAVIOUR_EXPLANATION = " ".join([_HORIZONS, *notes_of(_columns("behaviour"))])
 
 
 @dataclass(frozen=True)
@@ -99,29 +90,13 @@ class NrmseTable:
     """Rows grouped by log, in the order of the records; `signals` head the first cells, `extras` the others."""
 
     signals: tuple[str, ...]
-    extras: tuple[str, ...]
+    extras: tuple[Column, ...]
     rows: tuple[Row, ...]
 
     @property
     def explanation(self) -> str:
         """What its columns mean."""
-        if self.signals:
-            return _said(_ERRORS, self.extras)
-        return _said(
-            f"{_HORIZONS}, and of the free run." if "free run" in self.extras else f"{_HORIZONS}.", self.extras
-        )
-
-    def without_empty(self) -> "NrmseTable":
-        """The same without columns, of those that not every device has, that no row has a number in."""
-        first = len(self.signals)
-        may_go = {name for names in _COLUMNS for name in names}
-        kept = [
-            k
-            for k, name in enumerate(self.extras)
-            if name not in may_go or any(row.cells[first + k].text != "–" for row in self.rows)
-        ]
-        rows = [replace(r, cells=(*r.cells[:first], *(r.cells[first + k] for k in kept))) for r in self.rows]
-        return replace(self, extras=tuple(self.extras[k] for k in kept), rows=tuple(rows))
+        return " ".join([_ERRORS if self.signals else _HORIZONS, *notes_of(self.extras)])
 
 
 def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None = None) -> NrmseTable:
@@ -135,6 +110,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
         ``fit_s`` and ``simulate_s``: processor time [s] of the fit and of one free run; either may be None.
     """
     signals = tuple(s for s in SIGNALS if any(r["signal"] == s for r in scores))
+    extras = _columns("errors", scores) + (TIME_COLUMNS if times is not None else ())
     groups: dict[tuple[str, str], dict[str, dict[str, ScoreRow]]] = {}
     for r in scores:
         groups.setdefault((r["role"], r["log"]), {}).setdefault(r["model"], {})[r["signal"]] = r
@@ -142,31 +118,18 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
     for (role, log), models in groups.items():
         front = {s: leaders({m: by[s] for m, by in models.items() if s in by}) for s in signals}
         for model, by_signal in models.items():
-            cells = [_cell(by_signal.get(s), model, front[s]) for s in signals]
-            cells += [_share(by_signal["q"], key) for key in ("well_agreement", "switch_accuracy")]
-            cells.append(Cell(basis_functions(by_signal["q"])))
-            if times is not None:
-                cells += [Cell(_seconds(times.get(model, {}).get(key))) for key in ("fit_s", "simulate_s")]
-            rows.append(Row(role, log, model, tuple(cells)))
-    extras = (_WELLS, _SWITCHES, _RBFS) + (("fit [s]", "run [s]") if times is not None else ())
-    return NrmseTable(signals, extras, tuple(rows)).without_empty()
+            of_q = {**by_signal["q"], **(times or {}).get(model, {})}
+            errors = (_error(by_signal.get(s), model, front[s]) for s in signals)
+            rows.append(Row(role, log, model, (*errors, *(Cell(shown(of_q, column)) for column in extras))))
+    return NrmseTable(signals, extras, tuple(rows))
 
 
-def behaviour_table(scores: Sequence[ScoreRow], *, free_run: bool = True) -> NrmseTable:
-    """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`.
-
-    The `free_run` is left out where another table beside has it.
-    """
-    rows = []
-    for r in (r for r in scores if r["signal"] == "q"):
-        steps = [_quantity(r, f"nrmse_{horizon}", 100.0) for horizon in HORIZONS]
-        whole = [_cell(r, r["model"], set())] if free_run else []
-        times = [_quantity(r, f"{name}_error", 1e3, "_s", digits=0) for name in ("rise", "settling")]
-        trust = [_quantity(r, "outside_training", 100.0, digits=1), _ambiguous(r)]
-        rows.append(Row(r["role"], r["log"], r["model"], (*steps, *whole, *times, *trust)))
-    longest = ("free run",) if free_run else ()
-    extras = (*(words for _, words in HORIZONS.values()), *longest, *_TIMES, _OUTSIDE, _AMBIGUOUS)
-    return NrmseTable((), extras, tuple(rows)).without_empty()
+def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
+    """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`."""
+    of_q = [row for row in scores if row["signal"] == "q"]
+    columns = _columns("behaviour", of_q)
+    rows = (Row(r["role"], r["log"], r["model"], tuple(Cell(shown(r, column)) for column in columns)) for r in of_q)
+    return NrmseTable((), columns, tuple(rows))
 
 
 def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
@@ -185,44 +148,34 @@ def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
     return {lowest} | {m for m, low in above.items() if low is not None and low <= 0.0}
 
 
-def _cell(record: ScoreRow | None, model: str, front: set[str]) -> Cell:
+def _error(record: ScoreRow | None, model: str, front: set[str]) -> Cell:
     if record is None:
         return Cell("–")
     if record["status"] == "diverged":
         return Cell(f"diverged at t = {moment(record['diverged_at_s'])}")
     if record["nrmse"] is None:
         return Cell("undefined")
-    text = _quantity(record, "nrmse", 100.0).text
+    text = _number(record, "nrmse", 100.0, 2)
     return Cell(text, best=front == {model}, tied=len(front) > 1 and model in front)
 
 
-def _quantity(record: ScoreRow, key: str, factor: float, unit: str = "", digits: int = 2) -> Cell:
-    """A number of a record with its interval, such as ``2.31 [1.90, 2.84]``."""
-    value, low, high = (record.get(f"{key}{part}{unit}") for part in ("", "_low", "_high"))
+def shown(record: ScoreRow, column: Column) -> str:
+    """A score as the tables print it, with its interval, such as ``2.31 [1.90, 2.84]``; a dash for none."""
+    if column.cell is None:
+        raise ValueError(f"the column {column.key} is not for tables that people read")
+    if column.cell.out_of and record.get(column.key) is not None:
+        return f"{record[column.key]} of {record[column.cell.out_of]}"
+    return _number(record, column.key, column.cell.factor, column.cell.digits)
+
+
+def _number(record: ScoreRow, key: str, factor: float, digits: int | None) -> str:
+    name, unit = (key.removesuffix("_s"), "_s") if key.endswith("_s") else (key, "")
+    value, low, high = (record.get(k) for k in (key, f"{name}_low{unit}", f"{name}_high{unit}"))
     if value is None:
-        return Cell("–")
-    band = f" [{factor * low:.{digits}f}, {factor * high:.{digits}f}]" if low is not None and high is not None else ""
-    return Cell(f"{factor * value:.{digits}f}{band}")
-
-
-def _share(record: ScoreRow, key: str) -> Cell:
-    return _quantity(record, key, 100.0, digits=1)
-
-
-def basis_functions(record: ScoreRow) -> str:
-    """How many basis functions act in each curve of a model; a dash for one that has none by its nature."""
-    count = record.get("basis_functions")
-    return "–" if count is None else str(count)
-
-
-def _ambiguous(record: ScoreRow) -> Cell:
-    """How many outcomes hinge on less than the model knows, such as ``2 of 14``."""
-    count = record.get("outcomes")
-    return Cell(f"{record['ambiguous_outcomes']} of {count}") if count else Cell("–")
-
-
-def _seconds(value: float | None) -> str:
-    return "–" if value is None else f"{value:.3g}"
+        return "–"
+    form = ".3g" if digits is None else f".{digits}f"
+    band = f" [{factor * low:{form}}, {factor * high:{form}}]" if low is not None and high is not None else ""
+    return f"{factor * value:{form}}{band}"
 
 
 def render(table: NrmseTable, form: Form) -> str:
@@ -232,14 +185,14 @@ def render(table: NrmseTable, form: Form) -> str:
 
 def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
     """Heading and rows as strings; `best` wraps or follows the best ones through ``{}``."""
-    heading = ["log", "model", *(f"{HEADINGS[s]} [%]" for s in table.signals), *map(with_unit, table.extras)]
+    heading = [
+        "log",
+        "model",
+        *(f"{HEADINGS[s]} [%]" for s in table.signals),
+        *(column.heading for column in table.extras),
+    ]
     rows = [[log_title(r.role, r.log), r.model, *(_marked(c, best) for c in r.cells)] for r in table.rows]
     return [heading, *rows]
-
-
-def with_unit(heading: str) -> str:
-    """The heading with the unit of its numbers: per cent where it names none."""
-    return heading if "[" in heading else f"{heading} [%]"
 
 
 def _marked(cell: Cell, best: str) -> str:
@@ -253,7 +206,7 @@ def scores_csv(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow]) -> str
     """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    names = [*scores[0], "fit_s", "simulate_s"]
+    names = [*scores[0], *(column.key for column in TIME_COLUMNS)]
     writer.writerow(map(disarmed, names))
     for score in scores:
         row = {**times.get(score["model"], {}), **score}
@@ -287,7 +240,7 @@ def _one_line(text: str) -> str:
 def _latex(table: NrmseTable) -> str:
     """A booktabs table, one block per log."""
     columns = "ll" + "r" * (len(table.signals) + len(table.extras))
-    extras = [_escape(with_unit(extra)) for extra in table.extras]
+    extras = [_escape(column.heading) for column in table.extras]
     heading = ["log", "model", *(rf"{LATEX_HEADINGS[s]} [\%]" for s in table.signals), *extras]
     body, last = [], ""
     for r in table.rows:

@@ -10,8 +10,9 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError, memory_failure
 from pipeline.plain_files import open_plain
 from pipeline.runs.atomic import atomic_path, reading
+from pipeline.runs.columns import SCHEMA_VERSION
 from pipeline.runs.hashing import ColumnDigest, digests_hash
-from pipeline.runs.schemas import SCHEMA_VERSION, Schema
+from pipeline.runs.schemas import Schema
 
 Table = dict[str, np.ndarray[Any, Any]]
 
@@ -69,7 +70,7 @@ def write_pieces(
     from pipeline.arrow_columns import to_numpy
 
     columns = _arrow_schema(schema, note or {})
-    digests = {column.name: ColumnDigest() for column in schema.columns}
+    digests = {column.key: ColumnDigest() for column in schema.columns}
     with (
         atomic_path(target, within=within) as temporary,
         pq.ParquetWriter(
@@ -80,10 +81,10 @@ def write_pieces(
             writer.write_table(table, row_group_size=_ROW_GROUP)
             for name, digest in digests.items():
                 digest.update(to_numpy(table[name]))
-        if not digests[schema.columns[0].name].length:
+        if not digests[schema.columns[0].key].length:
             writer.write_table(columns.empty_table())
     return digests_hash(
-        (c.name, c.dtype, c.unit, (digests[c.name].length,), digests[c.name].hexdigest()) for c in schema.columns
+        (c.key, c.dtype, c.unit, (digests[c.key].length,), digests[c.key].hexdigest()) for c in schema.columns
     )
 
 
@@ -98,7 +99,7 @@ def _arrow_schema(schema: Schema, note: Mapping[str, str]) -> Any:
         "bool": pa.bool_(),
     }
     fields = [
-        pa.field(column.name, kinds[column.dtype], metadata={"unit": column.unit, "meaning": column.meaning})
+        pa.field(column.key, kinds[column.dtype], metadata={"unit": column.unit, "meaning": column.help})
         for column in schema.columns
     ]
     return pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **note})

@@ -1,4 +1,4 @@
-"""Compare: baselines fitted to the same training logs, simulated and scored by the same code."""
+"""Compare: baselines fitted to the training logs; stage `validate` runs them as it runs the identified models."""
 
 import json
 import time
@@ -14,7 +14,6 @@ from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import FILM, Prototype
-from pipeline.stages import validate
 
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
@@ -22,19 +21,8 @@ if TYPE_CHECKING:
 ALGORITHM = "12"
 
 
-def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
-    """Two tasks per baseline: its fit and its free runs."""
-    return [
-        task
-        for name in prototype.baselines
-        for task in (
-            _fit(prototype, parameters, name),
-            validate.task(prototype, parameters, "compare", name, layout.baseline(name)),
-        )
-    ]
-
-
-def _fit(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
+def task(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
+    """The fit of one baseline."""
     settings = {
         "model": name,
         "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),

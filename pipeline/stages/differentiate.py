@@ -40,30 +40,45 @@ def _task(prototype: Prototype, role: Role, log: str, title: str) -> Task:
 def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Mapping[str, Written]:
     signals = run.read_table(layout.signals(role, log))
     fine = run.read_table(layout.record(role, log)) if prototype.differentiate.rate == "record" else signals
-    plant = device(prototype)
-    qdot, qddot, notes = derivatives(fine, signals["t"], prototype, ALPHA_UNIT[plant.displacement.symbol][1])
-    if "velocity" in signals and (said := contradiction(signals)):
-        notes["warnings"] = [said]
-    masked = signals["segment"] < 0
-    columns = signals | {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}
+    columns, notes = kinematics(signals, fine, prototype)
     name = layout.kinematics(role, log)
-    return {name: run.write_table(name, plant.schema(schemas.KINEMATICS), columns, notes)}
+    return {name: run.write_table(name, device(prototype).schema(schemas.KINEMATICS), columns, notes)}
+
+
+def kinematics(signals: Table, fine: Table, prototype: Prototype) -> tuple[Table, dict[str, Any]]:
+    """The signals with velocity and acceleration, NaN where masked, and notes on how they were differentiated.
+
+    Parameters
+    ----------
+    signals : Table
+        At the sample interval.
+    fine : Table
+        The record that is differentiated, whose grid holds the times of the signals.
+    prototype : Prototype
+        Its settings of the stage.
+    """
+    unit = ALPHA_UNIT[device(prototype).displacement.symbol][1]
+    qdot, qddot, notes = derivatives(fine, signals["t"], prototype, unit)
+    if "velocity" in signals and (warning := contradiction(signals)):
+        notes["warnings"] = [warning]
+    masked = signals["segment"] < 0
+    return signals | {"qdot": np.where(masked, np.nan, qdot), "qddot": np.where(masked, np.nan, qddot)}, notes
 
 
 def contradiction(signals: Table) -> str | None:
-    """What is wrong if q does not go the way that its measured velocity says; None if it does.
+    """A warning if q does not move as its measured velocity, else None.
 
     Ways over `_WAY` samples are compared, so that neither the steps of an encoder nor the noise of a velocity matter.
     """
     interval = sample_interval(signals["t"])
     steps = 0.5 * interval * (signals["velocity"][1:] + signals["velocity"][:-1])
-    said = np.convolve(steps, np.ones(_WAY), "valid")
-    went = signals["q"][_WAY:] - signals["q"][:-_WAY]
-    known = np.isfinite(said) & np.isfinite(went)
-    power = float(said[known] @ said[known])
+    by_velocity = np.convolve(steps, np.ones(_WAY), "valid")
+    by_q = signals["q"][_WAY:] - signals["q"][:-_WAY]
+    both = np.isfinite(by_velocity) & np.isfinite(by_q)
+    power = float(by_velocity[both] @ by_velocity[both])
     if power == 0.0:
         return "qdot is always zero; take the channel out of [channels], or name another"
-    factor = float(went[known] @ said[known]) / power
+    factor = float(by_q[both] @ by_velocity[both]) / power
     if abs(factor - 1.0) <= _AGREES:
         return None
     return f"q goes {factor:.3g} times the way that qdot says; check unit, scale and sign of both in [channels]"

@@ -67,18 +67,13 @@ def _task(prototype: Prototype, role: Role, log: str, path: Path, title: str) ->
 def _ingest(
     run: RunFolder, on_progress: OnProgress, *, prototype: Prototype, role: Role, log: str, path: Path
 ) -> Mapping[str, Written]:
-    from pipeline.signals.uniform_record import Resampling
-
-    plant, settings = device(prototype), prototype.ingest
+    plant = device(prototype)
     written = {}
     signals = read_si(path, prototype, plant, partial(on_progress, "reading"))
     on_progress("examining", 0.0)
     log_seen = examined(signals, prototype, str(path))
-    for name, schema, interval in (
-        (layout.record(role, log), schemas.RECORD, record_interval(settings, log_seen.raw_step)),
-        (layout.signals(role, log), schemas.SIGNALS, settings.sample_interval),
-    ):
-        resampling = Resampling(log_seen.usable, interval)
+    tables = ((layout.record(role, log), schemas.RECORD), (layout.signals(role, log), schemas.SIGNALS))
+    for (name, schema), resampling in zip(tables, resamplings(log_seen, prototype.ingest), strict=True):
         notes = asdict(resampling.report) | log_seen.notes
         written[name] = run.write_pieces(
             name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), on_progress), notes
@@ -307,7 +302,13 @@ def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") ->
     return found
 
 
-def record_interval(settings: Ingest, raw_step: float) -> float:
-    """Interval [s] of the fine record: a whole fraction of the sample interval, never finer than the log."""
-    finest = max(settings.record_interval, raw_step * (1.0 - 1e-3))
-    return settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
+def resamplings(examined_log: Examined, settings: Ingest) -> "tuple[Resampling, Resampling]":
+    """A log brought to two uniform grids: that of the fine record, and that of the signals.
+
+    The interval of the fine record is a whole fraction of the sample interval, and never finer than the log.
+    """
+    from pipeline.signals.uniform_record import Resampling
+
+    finest = max(settings.record_interval, examined_log.raw_step * (1.0 - 1e-3))
+    fine = settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))
+    return Resampling(examined_log.usable, fine), Resampling(examined_log.usable, settings.sample_interval)

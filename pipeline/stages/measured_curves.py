@@ -7,9 +7,10 @@ from pathlib import Path
 from pipeline.loading.device import Device, device
 from pipeline.loading.measured_curves import MEANINGS, column_units, named_curves, read_measured_curves
 from pipeline.runs import layout
+from pipeline.runs.columns import Column
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.schemas import Column, Schema
+from pipeline.runs.schemas import Schema
 from pipeline.settings import Prototype
 
 ALGORITHM = "1"
@@ -41,8 +42,6 @@ def _work(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mappin
     units = column_units(plant)
     schema = Schema(
         "curves",
-        tuple(
-            Column(name, "float64", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns
-        ),
+        tuple(Column(name, "", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns),
     )
     return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}

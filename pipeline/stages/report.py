@@ -10,9 +10,9 @@ from pipeline.choices import Typeface
 from pipeline.loading.held_models import control_documents
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.runs import layout, schemas
+from pipeline.runs.columns import StudyName
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.schemas import StudyName
 from pipeline.settings import Prototype
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 
-ALGORITHM = "27"
+ALGORITHM = "28"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

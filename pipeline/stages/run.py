@@ -18,7 +18,7 @@ from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.settings import Prototype, load_prototype
 from pipeline.stages import check, compare, differentiate, identify, ingest, measured_curves, report, scores, validate
-from pipeline.stages.belonging import Place, before_any_work, edited, place_of, run_folder
+from pipeline.stages.run_place import Place, before_any_work, edited, place_of, run_folder
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES = ("ingest", "check", "differentiate", "identify", "validate", "compare", "scores", "report")
@@ -36,19 +36,25 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
         The settings name a parameter set that is not there.
     """
     parameters = parameter_set(prototype, prototype_file)
-    yield from ingest.tasks(prototype, prototype_file)
-    yield from measured_curves.tasks(prototype, prototype_file)
+    yield from _reading_tasks(prototype, prototype_file)
     yield from check.tasks(prototype)
     yield from differentiate.tasks(prototype)
     yield from identify.tasks(prototype, parameters)
     identified = identified_models(run, prototype)
     models = (*identified, *prototype.baselines)
     yield from validate.tasks(prototype, parameters, identified)
-    yield from compare.tasks(prototype, parameters)
+    for name in prototype.baselines:
+        yield compare.task(prototype, parameters, name)
+        yield validate.task(prototype, parameters, "compare", name, layout.baseline(name))
     yield scores.task(prototype, parameters, models)
     yield from report.tasks(
         prototype, parameters, models, report.made_studies(run), report.made_figures(run), made_control(run)
     )
+
+
+def _reading_tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
+    """The tasks that read raw files."""
+    return [*ingest.tasks(prototype, prototype_file), *measured_curves.tasks(prototype, prototype_file)]
 
 
 def run_prototype(
@@ -83,8 +89,8 @@ def run_prototype(
         Bad settings or data, another prototype's run folder, a damaged manifest, or a run that is locked.
     """
     place = given if isinstance(given, Place) else place_of(given, output)
-    before_any_work(place, replace=replace)
     prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
+    before_any_work(place, _reading_tasks(prototype, prototype_file), replace=replace)
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
@@ -213,8 +219,8 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
     DebistError
         What `run_prototype` would raise before any work.
     """
-    before_any_work(place, replace=replace)
     prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
+    before_any_work(place, _reading_tasks(prototype, prototype_file), replace=replace)
     if (root / MANIFEST).is_file():
         return in_snapshot(root, lambda run: status(run, plan(run, prototype, prototype_file)))
     with TemporaryDirectory(prefix="debist-plan-") as empty:
@@ -237,13 +243,13 @@ def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True)
 
 def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], str]]:
     """What is stale in each of many runs; where a run cannot be read, why not instead."""
-    found: list[tuple[Path, list[TaskStatus], str]] = []
+    statuses: list[tuple[Path, list[TaskStatus], str]] = []
     for root in roots:
         try:
-            found.append((root, run_status(root), ""))
+            statuses.append((root, run_status(root), ""))
         except DebistError as error:
-            found.append((root, [], str(error)))
-    return found
+            statuses.append((root, [], str(error)))
+    return statuses
 
 
 def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:

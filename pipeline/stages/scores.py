@@ -13,6 +13,7 @@ from pipeline.loading.parameter_sets import parameter_values
 from pipeline.names import with_true_names
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
+from pipeline.runs.columns import NOTED_COLUMNS
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
@@ -75,15 +76,15 @@ def _score(
         runs = {}
         for model in models:
             name = layout.predictions(role, log, model)
-            runs[model] = _Run(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
+            runs[model] = ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
         interval = sample_interval(measured["t"])
         above = {signal: _above_lowest(runs, signal, interval, joint=plant.joint) for signal in SIGNALS}
         for model, made in runs.items():
-            for row in _score_one(plant, measured, made, wells):
+            for row in score_rows(plant, measured, made, wells):
                 of_model = _band("above_lowest", above[row["signal"]].get(model))
                 head = {"log": log, "role": role, "model": model, "headline": model == models[0]}
                 rows.append(head | row | of_model)
-    columns = {column.name: [row.get(column.name) for row in rows] for column in schemas.SCORES.columns}
+    columns = {column.key: [row.get(column.key) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 
 
@@ -99,8 +100,8 @@ def _wells(
 
 
 @dataclass(frozen=True)
-class _Run:
-    """A free run: measured and calculated by signal, and what was noted when it was made."""
+class ComparedRun:
+    """A free run: measured and calculated by signal, and its notes (``status`` and ``diverged_at_s`` at least)."""
 
     pairs: Mapping[str, tuple[FloatArray, FloatArray]]
     notes: Mapping[str, Any]
@@ -116,7 +117,7 @@ def _pairs(
 
 
 def _above_lowest(
-    runs: Mapping[str, _Run], signal: str, interval: float, *, joint: bool
+    runs: Mapping[str, ComparedRun], signal: str, interval: float, *, joint: bool
 ) -> "dict[str, Interval | None]":
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
     from pipeline.numerics.metrics import signal_range
@@ -131,7 +132,11 @@ def _above_lowest(
     return excess_over_lowest(errors, interval, SEED, joint=joint)
 
 
-def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWells") -> list[dict[str, Any]]:
+def score_rows(plant: Device, measured: Table, made: ComparedRun, wells: "Wells | NoWells") -> list[dict[str, Any]]:
+    """The scores of a free run over kinematics, one row per signal, by the columns of ``scores.parquet``.
+
+    Errors by horizon, outcomes and what else a stage noted of the run are columns where its notes hold them.
+    """
     from pipeline.scoring.intervals import SEED
     from pipeline.scoring.scores import score_run
     from pipeline.scoring.step_responses import response_errors
@@ -144,11 +149,11 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
     scores = score_run(
         made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
     )
-    more: dict[str, Any] = {name: made.notes.get(name) for name in ("outside_training", "basis_functions")}
+    more: dict[str, Any] = {c.key: made.notes[c.key] for c in NOTED_COLUMNS if c.key in made.notes}
     outcomes = made.notes.get("outcomes")
     if outcomes:
         more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
-    for name, error in made.notes["horizons"].items():
+    for name, error in made.notes.get("horizons", {}).items():
         band = error["interval"] or {"low": None, "high": None}
         more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
     if isinstance(wells, Wells):
@@ -157,11 +162,11 @@ def _score_one(plant: Device, measured: Table, made: _Run, wells: "Wells | NoWel
         more |= _band("rise_error", switches.rise_interval, "_s")
         more |= _band("settling_error", switches.settling_interval, "_s")
     return [
-        score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
+        _score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
     ]
 
 
-def score_row(score: "Score") -> dict[str, Any]:
+def _score_row(score: "Score") -> dict[str, Any]:
     """A score by the columns of ``scores.parquet``, its intervals as their two ends."""
     row: dict[str, Any] = {}
     for name, value in vars(score).items():

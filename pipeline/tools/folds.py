@@ -164,7 +164,7 @@ def _work(
         raise DataRefusedError(f"none of {split.count} folds can be judged: {results[0][1]}; give fewer (--folds)")
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
     schema = device(prototype).schema(schemas.STUDIES["folds"])
-    columns = {column.name: [row[column.name] for row in rows] for column in schema.columns}
+    columns = {column.key: [row[column.key] for row in rows] for column in schema.columns}
     warnings = [f"fold {k} was refused: {why}" for k, (_, why, _) in enumerate(results) if why]
     notes = {"warnings": warnings, TIMES: {"fit_s": sum(seconds for _, _, seconds in results)}}
     return {layout.folds(model): run.write_table(layout.folds(model), schema, columns, notes)}

@@ -16,18 +16,16 @@ from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
 from pipeline.loading.trajectories import motion
 from pipeline.models.base import DynamicModel, real_numbers
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.signals.inputs import voltages
 from pipeline.signals.missing_codes import codes_in, masked, said_of
 from pipeline.stages.check import declared, log_signals
-from pipeline.stages.differentiate import derivatives
+from pipeline.stages.differentiate import kinematics
 from pipeline.stages.identify import identified
-from pipeline.stages.ingest import examined, record_columns, record_interval
-from pipeline.stages.scores import score_row
-from pipeline.units import ALPHA_UNIT, signal_units
+from pipeline.stages.ingest import examined, record_columns, resamplings
+from pipeline.stages.scores import ComparedRun, score_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -106,8 +104,6 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     DataRefusedError
         The quality gates refuse them; the text begins with `where`.
     """
-    from pipeline.signals.uniform_record import Resampling
-
     stamps = np.ascontiguousarray(signals.t)
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
@@ -115,19 +111,13 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in said_of(counts))
     log = SiLog(q, tuple(inputs), notes=of_codes)
     seen = examined(log, prototype, where)
-    ingest = prototype.ingest
     fine, coarse = (
-        record_columns(Resampling(seen.usable, interval).record(), tuple(log.beside))
-        for interval in (record_interval(ingest, seen.raw_step), ingest.sample_interval)
+        record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(seen, prototype.ingest)
     )
-    source = fine if prototype.differentiate.rate == "record" else coarse
-    unit = ALPHA_UNIT[device(prototype).displacement.symbol][1]
-    qdot, qddot, _ = derivatives(source, coarse["t"], prototype, unit)
-    left_out = coarse["segment"] < 0
-    rates = {"qdot": np.where(left_out, np.nan, qdot), "qddot": np.where(left_out, np.nan, qddot)}
+    moved, _ = kinematics(coarse, fine if prototype.differentiate.rate == "record" else coarse, prototype)
     notes = {**seen.notes, "raw_step": seen.raw_step}
-    said = tuple(f"{where}: {text}" for text in seen.notes["warnings"])
-    return Cleaned(motion({**coarse, **rates}, fine, prototype, notes), log_signals(where, fine, notes), said)
+    remarks = tuple(f"{where}: {text}" for text in seen.notes["warnings"])
+    return Cleaned(motion(moved, fine, prototype, notes), log_signals(where, fine, notes), remarks)
 
 
 def identify_signals(
@@ -156,23 +146,15 @@ def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[s
     percent as MATLAB's ``compare`` states it.
     """
     from pipeline.numerics.metrics import fit_percent
-    from pipeline.scoring.intervals import SEED
-    from pipeline.scoring.scores import score_run
 
-    made, t, v = free_run(table, model), table["t"], voltages(table)
-    interval = sample_interval(t)
+    made = free_run(table, model)
     pairs = {name: (table[name], getattr(made, name)) for name in ("q", "qdot", "qddot")}
     rests = stable_rests(model, [table["q"]])
     wells = believed_wells(wells_of([table], joint=plant.joint), model.name, rests, joint=plant.joint)
-    scores = score_run(
-        pairs, v, interval, status=made.status, diverged_at_s=made.diverged_at_s, wells=wells,
-        joint=plant.joint, rng=np.random.default_rng(SEED),
-    )  # fmt: skip
-    units = signal_units(plant.displacement.symbol)
+    compared = ComparedRun(pairs, {"status": made.status, "diverged_at_s": made.diverged_at_s})
     return [
-        {"signal": score.signal, "fit_percent": fit_percent(*pairs[score.signal]), "unit": units[score.signal]}
-        | score_row(score)
-        for score in scores
+        {"signal": row["signal"], "fit_percent": fit_percent(*pairs[row["signal"]]), "unit": row["unit"]} | row
+        for row in score_rows(plant, table, compared, wells)
     ]
 
 

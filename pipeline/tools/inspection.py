@@ -22,8 +22,8 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, load_prototype
 from pipeline.si_prefix import scale
 from pipeline.stages import ingest
-from pipeline.stages.belonging import load_settings
 from pipeline.stages.check import examine
+from pipeline.stages.run_place import load_settings
 
 if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow

@@ -15,11 +15,11 @@ from pipeline.loading.trajectories import load_motion, sources, training_traject
 from pipeline.numerics.arrays import sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.atomic import refuse_link, write_bytes
+from pipeline.runs.columns import StudyName, Sweep
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.schemas import StudyName, Sweep
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
 from pipeline.units import ALPHA_UNIT

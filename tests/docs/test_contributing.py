@@ -1,5 +1,6 @@
 """The worked examples of CONTRIBUTING.md: written into a copy of the tree as the page says, and run."""
 
+import csv
 import json
 import os
 import re
@@ -46,19 +47,42 @@ def _debist(tree: Path, *arguments: object) -> str:
     return done.stdout
 
 
-def test_a_new_log_format_and_a_new_baseline(tree: Path, tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def run(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A run by the new log format with the new baseline."""
+    folder = tmp_path_factory.mktemp("run")
     t, q, v = motion(8.0, 200.0, 3)
     log = np.rec.fromarrays([t, 1e3 * q, 1e-3 * v[:, 0], 1e-3 * v[:, 1]], names="time,q,v1,v2")
-    np.save(tmp_path / "log.npy", np.asarray(log), allow_pickle=False)
+    np.save(folder / "log.npy", np.asarray(log), allow_pickle=False)
     text = settings(QUICK.replace("models = []", 'models = ["rest"]'), train="log.npy")
-    (tmp_path / "P.toml").write_text(text, encoding="utf-8")
-    inspected = json.loads(_debist(tree, "inspect", tmp_path / "log.npy", "--json"))
+    (folder / "P.toml").write_text(text, encoding="utf-8")
+    _debist(tree, "run", folder / "P.toml", "-o", folder / "run", "--quiet")
+    return folder / "run"
+
+
+def test_a_new_log_format_and_a_new_baseline(tree: Path, run: Path) -> None:
+    inspected = json.loads(_debist(tree, "inspect", run.parent / "log.npy", "--json"))
     assert inspected["format"] == "NumPy"
-    scores = json.loads(_debist(tree, "run", tmp_path / "P.toml", "-o", tmp_path / "run", "--no-report", "--json"))[
-        "scores"
-    ]
+    scores = json.loads(_debist(tree, "validate", run, "--json"))["scores"]
     error = next(row["nrmse"] for row in scores if row["model"] == "rest" and row["signal"] == "q")
+    q = motion(8.0, 200.0, 3)[1]
     assert error == pytest.approx(np.sqrt(np.mean((q - q[0]) ** 2)) / np.ptp(q), rel=0.02)
+
+
+def test_a_new_column_is_in_every_table(tree: Path, run: Path) -> None:
+    import pyarrow.parquet as pq
+
+    field = pq.read_schema(run / "scores.parquet").field("stable_rests")
+    assert (str(field.type), field.metadata[b"meaning"]) == ("int64", b"stable rests of the model (q only)")
+    rows = list(csv.DictReader(_debist(tree, "validate", run, "--format", "csv").splitlines()))
+    rests = {row["model"]: row["stable_rests"] for row in rows if row["signal"] == "q"}
+    assert rests == {"rbf-paper": "2", "rest": ""}
+    heading = next(
+        line for line in _debist(tree, "validate", run, "--format", "markdown").splitlines() if "outside" in line
+    )
+    assert "| rests |" in heading
+    page = (run / "report.html").read_text(encoding="utf-8")
+    assert '<th scope="col" title="stable rests of the model (q only)" class="number">rests</th>' in page
 
 
 @pytest.fixture(scope="module")

@@ -82,7 +82,7 @@ def _log(writer: _Writer, role: str, name: str, truth: FreeRun, v: FloatArray, m
         free["phi"] = 800.0 * free["q"]
         notes = {"status": "ok", "diverged_at_s": None}
         writer.table(layout.predictions(role, name, model), schemas.PREDICTIONS, free, notes)
-        score = {column.name: None for column in schemas.SCORES.columns}
+        score = {column.key: None for column in schemas.SCORES.columns}
         score |= {"log": name, "role": role, "model": model, "signal": "q", "nrmse": 0.01 * (number + 1)}
         rows.append(score | {"unit": "m", "n": len(t), "status": "ok", "switch_accuracy": 1.0})
     return rows
@@ -107,7 +107,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
         if name not in identified:
             artifact = layout.baseline(name)
             written[artifact] = folder.write_tree(artifact, {name: models[name].to_tree()}, models[name].describe())
-    scores = {column.name: [row[column.name] for row in rows] for column in schemas.SCORES.columns}
+    scores = {column.key: [row[column.key] for row in rows] for column in schemas.SCORES.columns}
     written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})
     # Free runs belong to the kinematics that they were made from.
     made_from = {name: made.content_hash for name, made in written.items() if name.endswith("kinematics.parquet")}

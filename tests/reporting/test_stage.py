@@ -59,12 +59,12 @@ def unreported(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
             (layout.predictions(role, name, "rbf-paper"), schemas.PREDICTIONS, free, log.outcomes["rbf"]),
         ):
             written[artifact] = folder.write_table(artifact, plant.schema(schema), columns, notes)
-        score = {column.name: None for column in schemas.SCORES.columns}
+        score = {column.key: None for column in schemas.SCORES.columns}
         score |= {"log": name, "role": role, "model": "rbf-paper", "signal": "q", "nrmse": 0.01, "rmse": 1e-4}
         rows.append(score | {"unit": "m", "n": 3000, "status": "ok", "switch_accuracy": 1.0})
     tree = {"rbf-paper": double_well().to_tree()}
     written[layout.MODELS] = folder.write_tree(layout.MODELS, tree, {"rbf-paper": {"rank": 40}})
-    scores = {column.name: [row[column.name] for row in rows] for column in schemas.SCORES.columns}
+    scores = {column.key: [row[column.key] for row in rows] for column in schemas.SCORES.columns}
     written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})
     folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64}), written)
     bring_up_to_date(folder, check.tasks(prototype), Silent())

@@ -8,6 +8,7 @@ import pytest
 
 from pipeline.reporting.short_tables import fold_table, headline_table
 from pipeline.reporting.tables import (
+    BEHAVIOUR_EXPLANATION,
     EXPLANATION,
     NrmseTable,
     behaviour_table,
@@ -16,6 +17,9 @@ from pipeline.reporting.tables import (
     render,
     scores_csv,
 )
+from pipeline.scoring.intervals import FEWEST
+from pipeline.scoring.step_responses import SETTLED
+from pipeline.scoring.wells import SURE
 
 
 def record(model: str, nrmse: float | None, above: float | None = None, **changes: Any) -> dict[str, Any]:
@@ -77,9 +81,9 @@ def test_horizons_and_times_of_switches_stand_with_their_intervals() -> None:
     }  # fmt: skip
     table = behaviour_table([record("rbf", 0.05, **changes), record("rbf", 0.4, signal="qdot")])
     assert [cell.text for cell in table.rows[0].cells] == [
-        "0.01", "–", "3.10 [2.00, 4.00]", "5.00 [4.90, 5.10]", "4 [1, 10]", "2.1", "2 of 14",
+        "0.01", "–", "3.10 [2.00, 4.00]", "4 [1, 10]", "2.1", "2 of 14",
     ]  # fmt: skip
-    assert "settling [ms]" not in table.extras
+    assert "settling [ms]" not in [column.heading for column in table.extras]
     assert len(table.rows) == 1
 
 
@@ -90,15 +94,23 @@ def test_columns_of_wells_and_their_sentences_go_where_no_row_has_any() -> None:
         assert not any(word in table.explanation.lower() for word in ("well", "switch", "pulse", "rise", "ambiguous"))
     assert nrmse_table(rows).extras == ()
     assert headline_table(rows).heading == ("model", "q [%]")
-    assert headline_table([rows[0], record("sindy", 0.02)]).heading == ("model", "q [%]", "well", "pulses")
-    assert nrmse_table([rows[0], record("sindy", 0.02, basis_functions=3)]).explanation == EXPLANATION
+    assert headline_table([rows[0], record("sindy", 0.02)]).heading == ("model", "q [%]", "wells", "switches")
+    every = nrmse_table([rows[0], record("sindy", 0.02, basis_functions=3)])
+    assert every.explanation == EXPLANATION
+    assert [column.heading for column in every.extras] == ["wells [%]", "switches [%]", "RBFs [per curve]"]
+
+
+def test_the_sentences_name_the_limits_that_the_scores_use() -> None:
+    assert f"±{100.0 * SETTLED:.0f} %" in BEHAVIOUR_EXPLANATION
+    assert f"fewer than {FEWEST})" in BEHAVIOUR_EXPLANATION
+    assert f"fewer than {10.0 * SURE:.0f} in ten" in BEHAVIOUR_EXPLANATION
 
 
 def test_how_many_basis_functions_act_stands_beside_the_errors() -> None:
     rows = [record("hybrid", 0.01, basis_functions=0), record("rbf", 0.02, basis_functions=12), record("sindy", 0.03)]
     short, long = headline_table(rows), nrmse_table(rows)
     assert [row[-1] for row in short.rows] == ["0", "12", "–"] == [row.cells[-1].text for row in long.rows]
-    assert short.heading[-1] == "RBFs" and long.extras[-1] == "RBFs [per curve]"
+    assert short.heading[-1] == "RBFs" and long.extras[-1].heading == "RBFs [per curve]"
     assert "equations alone" in short.explanation and "equations alone" in long.explanation
 
 

@@ -30,7 +30,7 @@ def _signals(n: int = 5000) -> dict[str, np.ndarray]:
 
 
 def _content_hash(schema: Schema, columns: dict[str, np.ndarray]) -> str:
-    return table_hash((c.name, c.dtype, c.unit, columns[c.name]) for c in schema.columns)
+    return table_hash((c.key, c.dtype, c.unit, columns[c.key]) for c in schema.columns)
 
 
 @given(arrays(np.float64, 7, elements=st.floats(allow_nan=True)))
@@ -125,7 +125,7 @@ def test_the_hash_survives_another_codec_layout_and_other_row_groups(tmp_path: P
 
 
 def test_nulls_are_kept(tmp_path: Path) -> None:
-    row = {column.name: [None] for column in SCORES.columns}
+    row = {column.key: [None] for column in SCORES.columns}
     tables.write_table(tmp_path / "scores.parquet", SCORES, row)
     assert pq.read_table(tmp_path / "scores.parquet").to_pylist() == [dict.fromkeys(row)]
 

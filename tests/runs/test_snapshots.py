@@ -9,15 +9,16 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError, SupersededError
+from pipeline.runs.columns import Column
 from pipeline.runs.engine import Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.runs.schemas import Column, Schema
+from pipeline.runs.schemas import Schema
 from pipeline.tools.verify import verify_everything
 from tests.prototypes import Silent
 
-SCHEMA = Schema("one", (Column("x", "int64", "1", "number of the commit"),))
+SCHEMA = Schema("one", (Column("x", "x", "1", "number of the commit", dtype="int64"),))
 READS = 300
 
 

@@ -9,7 +9,7 @@ from cli import app
 from pipeline.errors import SeveralMistakesError
 from pipeline.settings import parse_prototype
 from pipeline.stages import ingest
-from pipeline.stages.belonging import load_settings
+from pipeline.stages.run_place import load_settings
 
 _WRONG = """
 name = "P"

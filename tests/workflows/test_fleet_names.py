@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from pipeline.stages.belonging import run_folder
 from pipeline.stages.run import STAGES
+from pipeline.stages.run_place import run_folder
 
 WORKFLOWS = Path(__file__).resolve().parents[2] / "workflows"
 TOML = """

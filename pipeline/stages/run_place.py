@@ -1,4 +1,4 @@
-"""Which run folder belongs to which settings file, and what is known to be wrong before any work."""
+"""Which run folder belongs to which settings file, and the mistakes that can be named before any work."""
 
 import stat
 from collections.abc import Iterator, Sequence
@@ -15,7 +15,6 @@ from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
 from pipeline.runs.run_folder import RunFolder, holds_run
 from pipeline.settings import ROLES, Channels, Prototype, load_prototype, parse_prototype, read_document
-from pipeline.stages import ingest, measured_curves
 from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
 
 _ALLOWED = {"time": TIME, "q": DISPLACEMENT, "qdot": tuple(VELOCITY.values())}
@@ -44,15 +43,18 @@ def load_settings(prototype_file: Path) -> Prototype:
 
 
 def _table(document: Any, key: str) -> dict[str, Any]:
-    found = document.get(key) if isinstance(document, dict) else None
-    return found if isinstance(found, dict) else {}
+    table = document.get(key) if isinstance(document, dict) else None
+    return table if isinstance(table, dict) else {}
 
 
 def _wrong_units(document: dict[str, Any]) -> Iterator[str]:
     """Every unit of a channel, and of the mass, that is none or measures something else."""
     channels = _table(document, "channels")
-    known = [key for key in channels if key in Channels.model_fields]
-    stated = [(f"channels.{key}", _table(channels, key), _ALLOWED.get(key, INPUT)) for key in known]
+    stated = [
+        (f"channels.{key}", _table(channels, key), _ALLOWED.get(key, INPUT))
+        for key in channels
+        if key in Channels.model_fields
+    ]
     stated += [(f"{key}.time", _table(table, "time"), _ALLOWED["time"]) for key, table, _ in stated]
     for key, table, allowed in [
         *stated,
@@ -81,22 +83,22 @@ def require_sources(tasks: Sequence[Task]) -> None:
     InputError
         Some are not, or are no files; each is named.
     """
-    found = []
+    mistakes = []
     sources = {path: task for task in tasks for path in (task.sources or {}).values()}
     for path, task in sources.items():
         try:
             regular = stat.S_ISREG(path.stat().st_mode)
         except FileNotFoundError:
-            found.append(missing_source(path, task))
+            mistakes.append(missing_source(path, task))
         except OSError as error:
-            found.append(unreadable_source(path, error))
+            mistakes.append(unreadable_source(path, error))
         else:
             if not regular:
-                found.append(f"{path}: cannot be read: is no regular file; correct its name in {task.named_in}")
-    if len(found) == 1:
-        raise InputError(found[0])
-    if found:
-        raise SeveralMistakesError("logs", found)
+                mistakes.append(f"{path}: cannot be read: is no regular file; correct its name in {task.named_in}")
+    if len(mistakes) == 1:
+        raise InputError(mistakes[0])
+    if mistakes:
+        raise SeveralMistakesError("logs", mistakes)
 
 
 def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) -> None:
@@ -159,14 +161,20 @@ def run_folder(given: Path) -> Path:
     return place_of(given).root if given.suffix.lower() == ".toml" and given.is_file() else given
 
 
-def before_any_work(place: Place, *, replace: bool) -> None:
-    """Everything that would make the work worthless and is known before it."""
+def before_any_work(place: Place, reading_tasks: Sequence[Task], *, replace: bool) -> None:
+    """Refuse what would make the work worthless; `reading_tasks` are those that read raw files.
+
+    Raises
+    ------
+    InputError
+        The folder holds another prototype's run, a raw file is missing, or a validation log is a training log.
+    """
     prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
     with reading(root):
-        kept = holds_run(root) and (root / MANIFEST).is_file() and not replace
-    if kept:
+        continued = holds_run(root) and (root / MANIFEST).is_file() and not replace
+    if continued:
         _refuse_foreign(load_manifest(root), prototype, prototype_file, root)
-    require_sources([*ingest.tasks(prototype, prototype_file), *measured_curves.tasks(prototype, prototype_file)])
+    require_sources(reading_tasks)
     refuse_training_as_validation(prototype, prototype_file)
 
 
