@@ -42,11 +42,13 @@ EXAMPLES = {
 }
 FOLD_MODELS = ("rbf-paper", "sindy", "narx")  # seconds per fold; the others cost 10 to 30 s per fold
 PAGE, FIGURES = ROOT / "docs" / "measured" / "comparison.md", ROOT / "docs" / "figures"
-MEANING = """Rows are of the validation logs, which no fit has seen. [How models are compared](../explanation/comparison.md) defines the
-numbers. `debist validate RUN --details` prints the training logs too.
+MEANING = """Rows are of the validation logs, which no fit has seen.
+[How models are compared](../explanation/comparison.md) defines the numbers.
+`debist validate RUN --details` prints the training logs too.
 
 - NRMSE is in % of the measured range, in free run, with its 95 % interval.
-- **Bold** is the lowest error where every other one is higher in the paired bootstrap; ≈ marks errors that are not told apart from it.
+- **Bold** is the lowest error where every other one is higher in the paired bootstrap.
+- ≈ marks errors that the bootstrap does not tell apart from the lowest.
 - Fit and run are seconds of processor time on one core; a run is the whole log.
 - Folds: a run that diverged counts as 100; mean over the folds with its 95 % interval.
 """
