@@ -49,9 +49,10 @@ MEANING = """Rows are of the validation logs, which no fit has seen.
 - NRMSE is in % of the measured range, in free run, with its 95 % interval.
 - **Bold** is the lowest error where every other one is higher in the paired bootstrap.
 - ≈ marks errors that the bootstrap does not tell apart from the lowest.
-- Fit and run are seconds of processor time on one core; a run is the whole log.
+- Fit is in seconds of processor time on one core.
 - Folds: a run that diverged counts as 100; mean over the folds with its 95 % interval.
 """
+SHOWN = ("model", "q [%]", "q̇ [%]", "wells [%]", "switches [%]", "fit [s]", "one step [%]", "0.1 s [%]", "1 s [%]")
 STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 MODELS = ("hybrid", "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
 COLOUR = dict(zip(MODELS, MODEL_COLOURS, strict=False))
@@ -82,9 +83,22 @@ def page(runs: Path) -> Iterator[str]:
     yield "".join(f"debist {' '.join(c)}\n" for name in EXAMPLES for c in commands(name, "RUNS", 1))
     yield f"```\n\n{MEANING}"
     for name, title in EXAMPLES.items():
-        rows = score_text(runs / name, "markdown").splitlines()
-        yield f"\n## {title}\n\n" + "\n".join(row for row in rows if not row.startswith("| training log")) + "\n"
+        yield f"\n## {title}\n\n{shown(score_text(runs / name, 'markdown'))}\n"
         yield from folds(RunFolder.open(runs / name))
+
+
+def shown(text: str) -> str:
+    """Rows of validation logs and the columns that the page has, of the tables that `debist validate` prints."""
+    lines, places = [], []
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if cells[0] == "log":
+            places = [place for place, cell in enumerate(cells) if cell in SHOWN]
+        if not line.startswith("|"):
+            lines.append(line)
+        elif not line.startswith("| training log"):
+            lines.append("| " + " | ".join(cells[place] if place < len(cells) else "" for place in places) + " |")
+    return "\n".join(lines)
 
 
 def folds(run: RunFolder) -> Iterator[str]:
