@@ -1,7 +1,7 @@
 """Tables and figures of the comparison in docs/: `python benchmarks/comparison_tables.py -o RUNS [--jobs 2]`.
 
 Brings the runs of benchmarks/prototypes/*.toml in RUNS up to date (`debist run`, `debist study folds`, `debist study
-data`), then writes docs/explanation/comparison-tables.md and docs/figures/comparison-*.svg from what they hold.
+data`), then writes docs/measured/comparison.md and docs/figures/comparison-*.svg from what they hold.
 `--no-run` writes only. Processor times are those of the machine; everything else is the same wherever it is run.
 """
 
@@ -11,8 +11,8 @@ import re
 import shutil
 import subprocess
 import sys
-import textwrap
 from collections.abc import Iterator, Sequence
+from datetime import date
 from pathlib import Path
 from typing import Any
 
@@ -29,10 +29,7 @@ import numpy as np  # noqa: E402
 
 from pipeline.loading.report_data import load_scores  # noqa: E402
 from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402
-from pipeline.reporting.model_facts import terms  # noqa: E402
-from pipeline.reporting.short_tables import FOLD_EXPLANATION as FOLDS_EXPLAINED  # noqa: E402
 from pipeline.reporting.short_tables import fold_table  # noqa: E402
-from pipeline.reporting.tables import BEHAVIOUR_EXPLANATION, EXPLANATION  # noqa: E402
 from pipeline.runs import layout  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
 from pipeline.stages.scores import score_text  # noqa: E402
@@ -44,7 +41,18 @@ EXAMPLES = {
     "quarter-drone": "Quarter drone, measured",
 }
 FOLD_MODELS = ("rbf-paper", "sindy", "narx")  # seconds per fold; the others cost 10 to 30 s per fold
-PAGE, FIGURES = ROOT / "docs" / "explanation" / "comparison-tables.md", ROOT / "docs" / "figures"
+PAGE, FIGURES = ROOT / "docs" / "measured" / "comparison.md", ROOT / "docs" / "figures"
+MEANING = """Rows are of the validation logs, which no fit has seen.
+[How models are compared](../explanation/comparison.md) defines the numbers.
+`debist validate RUN --details` prints the training logs too.
+
+- NRMSE is in % of the measured range, in free run, with its 95 % interval.
+- **Bold** is the lowest error where every other one is higher in the paired bootstrap.
+- ≈ marks errors that the bootstrap does not tell apart from the lowest.
+- Fit is in seconds of processor time on one core.
+- Folds: a run that diverged counts as 100; mean over the folds with its 95 % interval.
+"""
+SHOWN = ("model", "q [%]", "wells [%]", "switches [%]", "fit [s]", "one step [%]", "0.1 s [%]", "1 s [%]")
 STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 MODELS = ("hybrid", "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
 COLOUR = dict(zip(MODELS, MODEL_COLOURS, strict=False))
@@ -68,48 +76,40 @@ def commands(name: str, runs: Path | str, jobs: int) -> Iterator[list[str]]:
 
 
 def page(runs: Path) -> Iterator[str]:
-    yield "# Comparison: every table\n\nWritten by `python benchmarks/comparison_tables.py -o RUNS` from:\n\n"
+    commit = subprocess.run(["git", "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True, cwd=ROOT).stdout
+    yield "# Measured: every model on the example logs\n\nWritten by `python benchmarks/comparison_tables.py -o RUNS` "
+    yield f"({date.today():%-d %B %Y}, commit {commit.strip()}) from:\n\n"
     yield "<!-- not run: minutes, and logs that lie elsewhere -->\n```sh\n"
     yield "".join(f"debist {' '.join(c)}\n" for name in EXAMPLES for c in commands(name, "RUNS", 1))
-    yield "```\n\nHow the numbers are meant stands in [How models are compared](comparison.md). "
-    yield "`debist validate RUN --format csv` gives\nthem all as numbers, `--format latex` as tables for a paper.\n"
-    times = "Fit and run: seconds of processor time on one core; a run is the whole of the longest log."
-    for text in (EXPLANATION, BEHAVIOUR_EXPLANATION, times, f"Folds: {FOLDS_EXPLAINED}"):
-        yield f"\n{textwrap.fill(text.replace('* lowest', 'Bold: lowest'), 118)}\n"
+    yield f"```\n\n{MEANING}"
     for name, title in EXAMPLES.items():
-        yield f"\n## {title}\n\n{score_text(runs / name, 'markdown')}\n"
+        yield f"\n## {title}\n\n{shown(score_text(runs / name, 'markdown'))}\n"
         yield from folds(RunFolder.open(runs / name))
-        yield from equations(RunFolder.open(runs / name))
+
+
+def shown(text: str) -> str:
+    """Rows of validation logs and the columns that the page has, of the tables that `debist validate` prints."""
+    lines, places = [], []
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if cells[0] == "log":
+            places = [place for place, cell in enumerate(cells) if cell in SHOWN]
+        if not line.startswith("|"):
+            lines.append(line)
+        elif not line.startswith("| training log"):
+            lines.append("| " + " | ".join(cells[place] if place < len(cells) else "" for place in places) + " |")
+    return "\n".join(lines)
 
 
 def folds(run: RunFolder) -> Iterator[str]:
     notes = run.record("studies/folds.parquet").notes
     header, rows = fold_table(notes["summary"])
+    places = [place for place, cell in enumerate(header) if cell not in ("q̇ [%]", "q̈ [%]")]
+    header, rows = [header[place] for place in places], [[row[place] for place in places] for row in rows]
     rows = [[re.sub(r"^(.*) \*$", r"**\1**", cell) for cell in row] for row in rows]
     yield f"{notes['count']} folds over {notes['by']} of all logs:\n\n"
     for line in (header, ["---", *["---:"] * (len(header) - 1)], *rows):
         yield "| " + " | ".join(line) + " |\n"
-
-
-def equations(run: RunFolder) -> Iterator[str]:
-    notes = run.record(layout.baseline("sindy")).notes
-    yield f"\nThe equation of `sindy`: {notes['terms_kept']} of {notes['library_terms']} terms of\n"
-    yield f"{notes['library']}, by {notes['optimizer']} with threshold {notes['threshold_of_rms_acceleration']:g}, "
-    yield f"test functions of half width {1e3 * notes['test_function_half_width_s']:.0f} ms;\nthe choice of "
-    yield f"{notes['candidates_tried']} candidates.\n\n```text\n"
-    for equation in notes["equations"]:
-        yield from wrapped(terms(equation))
-    yield "```\n"
-
-
-def wrapped(parts: Sequence[str], width: int = 116) -> Iterator[str]:
-    line = parts[0]
-    for part in parts[1:]:
-        if len(line) + 1 + len(part) > width:
-            yield f"{line}\n"
-            line = "   "
-        line += f" {part}"
-    yield f"{line}\n"
 
 
 def save(figure: plt.Figure, name: str) -> None:

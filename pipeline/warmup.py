@@ -84,8 +84,8 @@ def _without_parameter_set() -> None:
 def _network() -> None:
     from pipeline.models.rbf.dynamics import Coefficients, basis, no_sensitivities, observed_run, slid
 
-    x, u, one = np.zeros(2), np.zeros((3, 2)), np.ones(1)
-    joint = Coefficients(np.zeros((5, 5)), one, one, one, np.zeros(2), one, 1.0, -1.0, 1.0, np.zeros(2), 0.0, np.zeros(0))
+    x, u, one, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
+    joint = Coefficients(np.zeros((5, 5)), one, one, one, np.zeros(2), one, 1.0, -1.0, 1.0, np.zeros(2), 0.0, none)
     wrt = no_sensitivities()
     observed_run(u, np.zeros((0, 3, 2)), x, x, 0.0, (0.0, 0.0), 0.01, 1, joint, wrt, np.zeros(2), False)
     basis(x, joint)

@@ -1,7 +1,8 @@
 """Code blocks of the documentation, with the marks that say how they are tested.
 
 A line `<!-- not run: reason -->` right before a block keeps it from being executed; `<!-- file: NAME -->` says that the
-block is the content of that file.
+block is the content of that file. `<!-- copy: FILE:SECTION -->` says that it repeats a section of a script, which other
+tests run.
 """
 
 import re
@@ -9,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-_MARK = re.compile(r"<!-- (?P<kind>not run|file): (?P<text>.+) -->$")
+_MARK = re.compile(r"<!-- (?P<kind>not run|file|copy): (?P<text>.+) -->$")
 _GENERATED = {"docs/reference/commands.md", "docs/reference/settings.md"}
 
 
@@ -23,6 +24,7 @@ class Block:
     text: str
     not_run: str | None
     file: str | None
+    copy: str | None
 
     @property
     def place(self) -> str:
@@ -45,7 +47,17 @@ def blocks(page: str) -> list[Block]:
         if opened is not None:
             if line.strip() == "```":
                 start, language, own = opened
-                found.append(Block(page, start, language, "\n".join(text) + "\n", own.get("not run"), own.get("file")))
+                found.append(
+                    Block(
+                        page,
+                        start,
+                        language,
+                        "\n".join(text) + "\n",
+                        own.get("not run"),
+                        own.get("file"),
+                        own.get("copy"),
+                    )
+                )
                 opened, text = None, []
             else:
                 text.append(line)

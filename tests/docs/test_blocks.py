@@ -18,13 +18,15 @@ from tests.docs.pages import ROOT, Block, blocks, commands, pages
 
 BIN = Path(sys.executable).parent
 SHELL = [block for page in pages() for block in blocks(page) if block.language == "sh"]
+COPIES = [block for page in pages() for block in blocks(page) if block.copy is not None]
 TOML = [block for page in pages() for block in blocks(page) if block.language == "toml"]
 OF_PROGRAM = "CONTRIBUTING.md"
 """Its blocks change the program itself: `test_contributing` runs them."""
 RUN = [
     page
     for page in pages()
-    if page != OF_PROGRAM and any(b.language in ("sh", "python") and b.not_run is None for b in blocks(page))
+    if page != OF_PROGRAM
+    and any(b.language in ("sh", "python") and b.not_run is None and b.copy is None for b in blocks(page))
 ]
 MAKES_ITS_RUN = re.compile(r"debist (?:run|ingest) (\S+)\.toml -o runs/\1(?!\S)")
 """A page that makes a run of its own begins without one."""
@@ -78,6 +80,15 @@ def test_settings_are_such_as_the_program_takes(block: Block) -> None:
     parse_prototype(whole, block.place)
 
 
+@pytest.mark.parametrize("block", COPIES, ids=lambda block: block.place)
+def test_code_in_a_page_is_that_of_its_script(block: Block) -> None:
+    name, _, section = str(block.copy).partition(":")
+    text = (ROOT / name).read_text(encoding="utf-8")
+    if section:
+        text = text.partition(f"# --8<-- [start:{section}]\n")[2].partition(f"# --8<-- [end:{section}]")[0]
+    assert text.strip() and block.text.strip() == text.strip()
+
+
 SIMULATED = "debist rig simulate -o {} --rate 2000 --kind nominal --excitation mixed --seed 4"
 BEFORE = {"docs/how-to/control.md": SIMULATED.format("rig")}
 """What a page takes from the tutorial, beside the workshop."""
@@ -129,6 +140,6 @@ def test_the_blocks_of_a_page_run_in_order(page: str, workshop: Path, tmp_path: 
             (folder / block.file).write_text(block.text, encoding="utf-8")
         elif block.not_run is None and block.language == "sh":
             shell(folder, block.text)
-        elif block.not_run is None and block.language == "python":
+        elif block.not_run is None and block.copy is None and block.language == "python":
             (folder / "block.py").write_text(block.text, encoding="utf-8")
             shell(folder, "python block.py")
