@@ -12,7 +12,7 @@ import typer
 
 from pipeline.commands import control, integrity, outcome, physics, raw_logs, results, rig, stages, whole_run
 from pipeline.commands.boundary import ErrorBoundary, Program
-from pipeline.commands.console import Json, Quiet, Report
+from pipeline.commands.console import Json, Quiet, Report, emit_json
 from pipeline.commands.inspection import check
 from pipeline.errors import BatchFailedError, InputError
 from pipeline.machine import settle_machine
@@ -62,11 +62,24 @@ def _version(requested: bool) -> None:
         raise typer.Exit()
 
 
+def _capabilities(requested: bool) -> None:
+    if requested:
+        from pipeline.capabilities import capabilities
+
+        emit_json(capabilities())
+        raise typer.Exit()
+
+
 @app.callback()
 def main(
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
     ] = False,
+    capabilities: Annotated[
+        bool,
+        typer.Option("--capabilities", callback=_capabilities, help="Print what goes in, what comes out, as JSON."),
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", hidden=True)] = False,
 ) -> None:
     """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
     settle_machine()
