@@ -18,6 +18,7 @@ demo: $(VENV)/.run-ready
 
 # The tests of a file share its fixtures, so they stay in one process
 test: $(VENV)/.dev-ready
+	$(BIN)/debist warmup
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile
 
 # What may differ between versions of Python and of libraries, in a minute or two

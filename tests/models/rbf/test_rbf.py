@@ -273,6 +273,7 @@ def test_the_hold_of_the_input_is_found_and_makes_the_free_run_exact():
     assert model.diagnostics["converged"]
 
 
+@pytest.mark.long
 def test_a_drive_that_was_off_before_the_log_is_seen():
     model = identify_rbf([slider(3, n=400, off_before=True)], inputs="linear", choice=RbfChoice(friction="viscous"))
     assert model.parameters.structure.input_lag
@@ -282,6 +283,7 @@ def test_a_drive_that_was_off_before_the_log_is_seen():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
 
 
+@pytest.mark.long
 def test_a_hysteresis_over_a_long_way_is_found():
     """Friction that sets in over half the range: the descent starts at the length that fits the accelerations best."""
     log = slider(10, n=800, hysteresis=0.5)
@@ -291,6 +293,7 @@ def test_a_hysteresis_over_a_long_way_is_found():
     assert model.diagnostics["training_rms_m"] < 1e-3 * np.ptp(log.q)
 
 
+@pytest.mark.long
 def test_the_drag_of_a_fluid_is_seen():
     """Planted as κ |q̇| q̇ over 10 mm; without it curves of the displacement cannot make up for it."""
     model = identify_rbf([slider(11, n=600, drag=2.0)], inputs="linear")
@@ -301,6 +304,7 @@ def test_the_drag_of_a_fluid_is_seen():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
 
 
+@pytest.mark.long
 def test_a_dead_zone_is_seen():
     """Planted over a fifth of the largest drive."""
     model = identify_rbf([slider(15, n=600, zone=0.2)], inputs="linear")
@@ -311,6 +315,7 @@ def test_a_dead_zone_is_seen():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
 
 
+@pytest.mark.long
 def test_end_stops_are_seen():
     """Planted on either side, where a soft spring ends."""
     model = identify_rbf([slider(13, n=800, stop=(-0.3, 0.4))], inputs="linear")
@@ -422,6 +427,7 @@ def test_a_chaotic_log_teaches_what_a_calm_one_does_and_is_said_to_be_chaotic():
     assert quiet.diagnostics["reached_free_run"]
 
 
+@pytest.mark.long
 def test_a_measured_velocity_makes_up_for_a_coarse_encoder():
     """Steps of 2 mm of 10: with a velocity beside them the fit errs half as much on a log that it has not seen."""
     truth, errors = oscillator(6, 0.2, n=600), []
@@ -617,6 +623,7 @@ def test_what_has_no_inertia_looks_overdamped_and_what_swings_does_not():
     assert not looks_overdamped([seen(21)], "squared")
 
 
+@pytest.mark.long
 def test_a_device_without_inertia_is_followed():
     choice = RbfChoice(friction="viscous", drive="direct", effect="plain", gain="constant", drag=False, stops=False)
     model = identify_rbf([level(1)], inputs="linear", choice=choice)
@@ -654,6 +661,7 @@ def test_opposed_muscles_are_followed():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 4e-3 * np.ptp(fresh.q), model.diagnostics["chosen"]
 
 
+@pytest.mark.long
 def test_a_lag_a_relaxation_and_a_gain_by_place_are_found_together():
     """Each alone takes the others' part; offered one at a time, friction and a bent input stood in for them."""
     once, _ = offers(RbfChoice(), fine=False, slow=False, driven=True)
