@@ -6,6 +6,7 @@ between it and a file that is written may be a link. What the system refuses is 
 
 import errno
 import os
+import shutil
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -178,7 +179,7 @@ def _sync(folder: Path) -> None:
 
 
 def sweep(folder: Path, mark: str = TEMPORARY_MARK) -> None:
-    """Remove what a killed process left behind: files below `folder` that start with a dot and end with `mark`.
+    """Remove what a killed process left behind: what lies below `folder`, starts with a dot and ends with `mark`.
 
     Raises
     ------
@@ -186,7 +187,8 @@ def sweep(folder: Path, mark: str = TEMPORARY_MARK) -> None:
         The system does not let it.
     """
     with reading(folder):
-        for place, _, files in os.walk(folder):  # links to folders are not followed
-            for name in files:
+        for place, folders, files in os.walk(folder):  # links to folders are not followed
+            for name in (*folders, *files):
                 if name.startswith(".") and name.endswith(mark):
-                    (Path(place) / name).unlink()
+                    path = Path(place) / name
+                    shutil.rmtree(path) if name in folders and not path.is_symlink() else path.unlink()

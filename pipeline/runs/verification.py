@@ -120,6 +120,6 @@ def _others(run: RunFolder) -> Iterator[str]:
 
 
 def _is_leftover(path: str) -> bool:
-    name = path.rpartition("/")[2]
-    temporary = name.startswith(".") and name.endswith((TEMPORARY_MARK, STAGED_MARK))
+    marks = (TEMPORARY_MARK, STAGED_MARK)
+    temporary = any(name.startswith(".") and name.endswith(marks) for name in path.split("/"))
     return temporary or path == HOLDER or path.startswith(f"{CHECKPOINTS}/")

@@ -1,6 +1,7 @@
 """Export: an identified model, or the whole run, in the form another tool reads."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -14,6 +15,7 @@ from pipeline.loading.run_models import subject
 from pipeline.runs import layout
 from pipeline.runs.atomic import refuse_link
 from pipeline.runs.hashing import file_sha256
+from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import ROLES, Prototype
@@ -69,7 +71,10 @@ def export_run(
     if output is None:
         refuse_link(root / layout.EXPORTS)
     folder = output or root / layout.EXPORTS
-    with new_outputs(folder, "export", force=force, made_from=_origin(run, prototype, target, model)) as staged:
+    with (
+        run_lock(root) if output is None else nullcontext(),
+        new_outputs(folder, "export", force=force, made_from=_origin(run, prototype, target, model)) as staged,
+    ):
         made = _write(target, run, prototype, model, staged)
     return replace(made, written=[rebased(path, staged, folder) for path in made.written])
 

@@ -87,7 +87,10 @@ PLANTED = (
     "notes.txt", "train/extra.parquet", "model.h5.corrupt-20200101T000000000000", ".debist-written.json",
     "exports/foreign.c", "figures/new.svg",
 )  # fmt: skip
-LEFT = (".model.h5.debist-staged", "train/.x.1.debist-tmp", ".checkpoints/0/1.json", ".lock-holder.json")
+LEFT = (
+    ".model.h5.debist-staged", "train/.x.1.debist-tmp", "exports/.a.debist-tmp/model.c", ".checkpoints/0/1.json",
+    ".lock-holder.json",
+)  # fmt: skip
 
 
 def test_what_does_not_belong_to_the_run_is_named(run, tmp_path):
