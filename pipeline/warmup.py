@@ -86,7 +86,9 @@ def _network() -> None:
     from pipeline.identification.viscoelastic_joint import Coefficients, basis, no_sensitivities, observed_run, slid
 
     x, u, one = np.zeros(2), np.zeros((3, 2)), np.ones(1)
-    joint = Coefficients(np.zeros((5, 5)), one, one, one, np.zeros(2), one, 1.0, -1.0, 1.0, np.zeros(2), 0.0, np.zeros(0))
+    joint = Coefficients(
+        np.zeros((5, 5)), one, one, one, np.zeros(2), one, 1.0, -1.0, 1.0, np.zeros(2), 0.0, np.zeros(0)
+    )
     wrt = no_sensitivities()
     observed_run(u, np.zeros((0, 3, 2)), x, x, 0.0, (0.0, 0.0), 0.01, 1, joint, wrt, np.zeros(2), False)
     basis(x, joint)
