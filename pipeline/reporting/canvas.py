@@ -105,10 +105,9 @@ def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typefa
 
 def page_chart(figure: Figure, models: Sequence[str]) -> list[Markup]:
     """The figure as one ``<svg>``, or as one for each of panels beside another."""
-    if figure.columns > 1 or figure.half:
-        parts = [_single(figure, number) for number in range(len(figure.panels))]
-        return [_svg(part, models, PART) for part in parts]
-    return [_svg(figure, models, WHOLE)]
+    if figure.columns > 1:
+        return [_svg(_single(figure, number), models, PART) for number in range(len(figure.panels))]
+    return [_svg(figure, models, PART if figure.half else WHOLE)]
 
 
 def _single(figure: Figure, number: int) -> Figure:

@@ -48,17 +48,15 @@ def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
 
 def _map(each: Mapping[str, Any]) -> Figure:
     probability = np.array(each["probability"])
-    index = np.digitize(probability, _LIKELY).astype(np.int8)
-    cells = Cells(
-        ("hardly", "open: 10 to 90 %", "nearly always"), np.array(each["durations"]), np.array(each["voltages"]), index
-    )
+    index = np.select([probability < _LIKELY[0], probability < _LIKELY[1]], [0, 3], 2).astype(np.int8)
+    labels = ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws")
+    cells = Cells(labels, np.array(each["durations"]), np.array(each["voltages"]), index)
     caption = (
-        "Share of the posterior draws that a plain pulse switches, from rest; in open cells the log does not tell."
+        "Share of the posterior draws that a plain pulse switches, from rest; where it may, the log does not decide."
     )
     title = f"Does a pulse switch to the {each['to']}?"
-    return Figure(
-        f"control-map-{each['to']}", title, caption, "duration", "s", (Panel("voltage", "V", cells=cells),), half=True
-    )
+    panel = Panel("voltage", "V", cells=cells)
+    return Figure(f"control-map-{each['to']}", title, caption, "duration", "s", (panel,), x_log=True, half=True)
 
 
 def _pulse(document: Mapping[str, Any]) -> Figure:

@@ -89,9 +89,9 @@ def _largest(facts: Mapping[str, Fact], keys: Sequence[str]) -> float:
 def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetCell:
     values, seen = [], ""
     for fact in (facts[key] for key in keys if key in facts):
-        text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like)
+        text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like).replace(" ", "\u00a0")
         if fact.key.startswith("switch"):
-            text = f"{fact.key.split('_')[1]} {text}"
+            text = f"{fact.key.split('_')[1]}\u00a0{text}"
         values.append(f"{text} ({fact.doubt})" if fact.doubt else text)
         if fact.measured is not None:
             spread = _shown(fact, fact.measured_spread)

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.si_prefix import significant
+from pipeline.si_prefix import power, significant
 
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
 MARGIN = 0.04  # of the range of y, above and below
@@ -18,6 +18,7 @@ MARGIN = 0.04  # of the range of y, above and below
 Role = str
 Dash = Literal["role", "solid", "dashed", "dotted"]
 MOST_POWERS = 6  # labels along a logarithmic axis
+MOST_PLAIN = 1e3  # ratio of its ends beyond which they are powers of ten
 
 
 def linear_ticks(low: float, high: float, about: int) -> tuple[FloatArray, int]:
@@ -41,6 +42,17 @@ def log_ticks(low: float, high: float) -> FloatArray:
     between = [m * 10.0**k for k in range(first, last + 1) for m in (1.0, 2.0, 5.0)]
     between = [v for v in between if inside[0] <= v <= inside[1]]
     return np.array(between) if len(between) > 1 else linear_ticks(low, high, 5)[0]
+
+
+def tick_labels(values: FloatArray) -> list[str]:
+    """Labels of a logarithmic axis: round numbers with at most three digits, or all as powers of ten.
+
+    They are powers of ten where the largest is more than a thousand times the smallest and all are such powers.
+    """
+    exponents = np.round(np.log10(values))
+    if values.size and values[-1] > MOST_PLAIN * values[0] and np.allclose(values, 10.0**exponents, rtol=1e-9):
+        return [f"10{power(int(exponent))}" for exponent in exponents]
+    return [tick_label(float(value)) for value in values]
 
 
 def tick_label(value: float) -> str:
@@ -114,6 +126,10 @@ class Panel:
         That axis is logarithmic.
     x_limits, y_limits : (float, float) or None
         What of the axes is shown, in SI; None: everything.
+    low : bool
+        Half as high as others.
+    whole : bool
+        The vertical axis counts things.
     """
 
     name: str
@@ -127,6 +143,8 @@ class Panel:
     x_log: bool = False
     x_limits: tuple[float, float] | None = None
     y_limits: tuple[float, float] | None = None
+    low: bool = False
+    whole: bool = False
 
 
 @dataclass(frozen=True)
@@ -151,6 +169,8 @@ class Figure:
         Height of a panel, over the usual one.
     half : bool
         On the page half as wide as the others.
+    whole : bool
+        The horizontal axis counts things.
     hidden : tuple of str
         Labels of lines that the viewer shows on request only and the paper figure leaves out.
     """
@@ -167,6 +187,7 @@ class Figure:
     columns: int = 1
     tall: float = 1.0
     half: bool = False
+    whole: bool = False
     hidden: tuple[str, ...] = ()
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from markupsafe import Markup
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import linear_ticks, log_ticks, tick_label
+from pipeline.reporting.figure import linear_ticks, log_ticks, tick_labels
 from pipeline.runs.columns import FACT_COLUMNS
 from pipeline.si_prefix import significant
 
@@ -256,7 +256,8 @@ def labelled(strip: Quantity, middle: float, parts: Sequence[Markup]) -> Markup:
 
 def _ticks(low: float, high: float, log: bool) -> list[tuple[FloatArray, str]]:
     if log:
-        return [(np.array(v), tick_label(float(v))) for v in log_ticks(low, high)]
+        places = log_ticks(low, high)
+        return [(np.array(v), text) for v, text in zip(places, tick_labels(places), strict=True)]
     values, decimals = linear_ticks(low, high, 6)
     return [(np.array(v), f"{v + 0.0:.{decimals}f}".replace("-", "−")) for v in values]
 

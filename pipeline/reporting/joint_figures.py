@@ -14,15 +14,17 @@ if TYPE_CHECKING:
     from pipeline.models.analytical.reduced_order import BeamModes, Motions
     from pipeline.models.analytical.statics import JointEquilibrium
 
-COLOURED = ("both", "left", "right", "fourth", "fifth")
-"""Whose roles have colours, in the order of those of the models; what is off is black."""
+COLOURED = ("first", "second", "both", "fourth", "fifth")
+"""Roles that take the colours of the models, in their order."""
+_ROLES = {"off": "measured", "left": "v1", "right": "v2"}
+"""What is off is black; the left and the right membrane have their colours in all figures."""
 _STATES = {"off": "no voltage", "left": "left on", "right": "right on", "both": "both on"}
 PATH_REACH, PATH_DEGREE = 0.02, 9
 """Displacement [m] to which figure 6b reaches, and the degree of its polynomials."""
 
 
 def _role(state: str) -> Role:
-    return "measured" if state == "off" else state
+    return _ROLES.get(state, state)
 
 
 def _by_stability(label: str, role: Role, x: FloatArray, y: FloatArray, stable: BoolArray) -> list[Line]:
@@ -66,7 +68,7 @@ def _energy(result: "Characteristics") -> Panel:
 def _capacitances(result: "Characteristics") -> tuple[Panel, Panel]:
     path = result.paths["off"]
     c, slope = (
-        tuple(Line(name, name, path.q, values[:, side], "solid") for side, name in enumerate(("left", "right")))
+        tuple(Line(name, _role(name), path.q, values[:, side], "solid") for side, name in enumerate(("left", "right")))
         for values in (path.capacitance, path.capacitance_slope)
     )
     return Panel("C", "F", c), Panel("dC/dq", "F/m", slope)
@@ -168,7 +170,7 @@ def _static_path(joint: "JointParameters") -> tuple[tuple[Line, ...], tuple[Line
 def motion_figure(motions: "Motions") -> Figure:
     """Figure 7: full-order and reduced motion under the same voltages."""
     full, reduced = motions.full, motions.reduced
-    voltages = tuple(Line(n, n, full.t, motions.v[:, k], "solid") for k, n in enumerate(("left", "right")))
+    voltages = tuple(Line(n, _role(n), full.t, motions.v[:, k], "solid") for k, n in enumerate(("left", "right")))
     panels = [Panel("v", "V", voltages)]
     for name, unit, a, b in (("q", "m", full.q, reduced.q), ("q̇", "m/s", full.q_dot, reduced.q_dot)):
         order = Line("full order, 10 states", "measured", full.t, a, "solid")

@@ -8,7 +8,9 @@ from markupsafe import Markup
 
 from pipeline.reporting.figure import Dash, Figure, Panel, line_kind
 
-Kind = Literal["mark", "snap", "cell0", "cell1", "cell2", "band", "line", "wide", "trace", "dot", "ring", "cross"]
+Kind = Literal[
+    "mark", "snap", "cell0", "cell1", "cell2", "cell3", "band", "line", "wide", "trace", "dot", "ring", "cross"
+]
 # Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
 MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A4FA3", "#8C6D31")
 MODEL_DASHES: tuple[tuple[float, ...], ...] = (
@@ -22,7 +24,7 @@ MODEL_DASHES: tuple[tuple[float, ...], ...] = (
     (3, 4),
 )
 # Black but for a trace: matplotlib writes no colour for a black inside, which the page then could not replace.
-FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#0072B2", "v2": "#D55E00", "reference": "#8C8C8C"}
+FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#56B4E9", "v2": "#E69F00", "reference": "#8C8C8C"}
 
 
 def slot(role: str, models: Sequence[str]) -> str:
@@ -126,6 +128,6 @@ def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> l
         names = " ".join(
             part for part in (style.kind, style.slot, "dash" if style.dash in ("dashed", "dotted") else "") if part
         )
-        shape = _SHAPES.get(style.kind.rstrip("012"), _LINE)
+        shape = _SHAPES.get(style.kind.rstrip("0123"), _LINE)
         found.append((entry.label, Markup(shape).format(names)))  # noqa: S704 - a literal above
     return found

@@ -81,13 +81,7 @@ def _masked(t: FloatArray, segment: FloatArray) -> tuple[tuple[float, float], ..
 
 def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t = log.record["t"]
-    sides = {"v1": " (left)", "v2": " (right)"} if data.joint else {}
-    shown = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
-    inputs = tuple(Line(name + sides.get(name, ""), name, t, values) for name, values in shown.items())
-    panels = [
-        Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)),
-        Panel(data.input_word + "s" * (len(inputs) > 1), data.voltage, inputs),
-    ]
+    panels = [Panel("q", data.displacement, (Line("q measured", "measured", t, log.record["q"]),)), _inputs(data, log)]
     notes = log.record_notes
     caption = f"Cleaned record; the zoom ends at its samples, {quantity(sample_interval(t), 's')} apart"
     if "raw_rows" in notes:
@@ -97,12 +91,20 @@ def _signals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     return _timeline(data, log, wells, "signals", "Measured signals", caption, panels)
 
 
+def _inputs(data: RunData, log: LogData, *, low: bool = False) -> Panel:
+    """The inputs over time, without stretches in which they are not known."""
+    t, sides = log.record["t"], {"v1": " (left)", "v2": " (right)"} if data.joint else {}
+    recorded = {name: np.where(_unknown(log, t), np.nan, log.record[name]) for name in data.inputs}
+    lines = tuple(Line(name + sides.get(name, ""), name, t, values) for name, values in recorded.items())
+    return Panel(data.input_word + "s" * (len(lines) > 1), data.voltage, lines, low=low)
+
+
 def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     table, unit = log.kinematics, signal_units(data.displacement)
     t, q = table["t"], table["q"]
     velocity = np.gradient(q, t)
     raw = {"qdot": velocity, "qddot": np.gradient(velocity, t)}
-    panels = [Panel("q", unit["q"], (Line("q measured", "measured", t, q),))]
+    panels = [Panel("q", unit["q"], (Line("q measured", "measured", t, q),), low=True)]
     for name in ("qdot", "qddot"):
         panels.append(
             Panel(
@@ -155,7 +157,7 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
         # No angle was measured: that of the frame follows from q.
         title = "φ from q" if name == "phi" else HEADINGS[name]
-        panels.append(Panel(title, unit[name], tuple(lines)))
+        panels.append(Panel(title, unit[name], tuple(lines), low=name == "phi"))
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
     inputs = f"{data.input_word}s"
     caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
@@ -177,12 +179,14 @@ def fit_note(measured: FloatArray, free: FloatArray) -> str:
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the headline model runs freely, with the fit that MATLAB's ``compare`` states."""
     headline, t, measured = data.model_names[0], log.kinematics["t"], log.kinematics["q"]
-    lines = [Line("measured", "measured", t, measured, wide=True)]
+    lines, below = [Line("measured", "measured", t, measured, wide=True)], [_inputs(data, log, low=True)]
     if headline in log.predictions:
         free = log.predictions[headline]["q"]
         lines.append(Line(f"{headline}: {fit_note(measured, free)}", headline, t, free))
+        error = Line("model − measured", "raw", t, free - measured, parts=(free, measured))
+        below.insert(0, Panel("error", data.displacement, (error,), low=True))
     caption = f"Free run from the first sample under the measured {data.input_word}s; {FIT}."
-    panels = [Panel("q", data.displacement, tuple(lines))]
+    panels = [Panel("q", data.displacement, tuple(lines)), *below]
     figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
     return replace(figure, hidden=())
 

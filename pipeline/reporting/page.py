@@ -175,7 +175,13 @@ def _viewer_panel(
         for line in panel.lines
     ]
     x = panel.lines[0].x
-    return {"label": axis_label(panel.name, unit), "start": float(x[0]), "stop": float(x[-1]), "series": lines}
+    return {
+        "label": axis_label(panel.name, unit),
+        "start": float(x[0]),
+        "stop": float(x[-1]),
+        "low": panel.low,
+        "series": lines,
+    }
 
 
 def _stored(line: Line, store: Callable[[FloatArray], str]) -> dict[str, str]:

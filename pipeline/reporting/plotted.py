@@ -21,7 +21,7 @@ from pipeline.reporting.figure import (
     log_ticks,
     shown,
     thinned,
-    tick_label,
+    tick_labels,
     writable,
     x_range,
     y_range,
@@ -34,7 +34,7 @@ from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.figure import Figure as Canvas  # noqa: E402
 from matplotlib.figure import SubFigure  # noqa: E402
-from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator  # noqa: E402
+from matplotlib.ticker import FixedFormatter, FixedLocator, MaxNLocator, NullLocator  # noqa: E402
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -48,7 +48,7 @@ BUCKETS = 700  # of a long record: about a pixel's width each
 BAND_OPACITY = 0.2
 INK, RULE, GRID = "#16191d", "#6a737f", "#dfe3e8"
 WIDTHS = {"line": 0.8, "wide": 1.7, "trace": 0.4}
-CELL_COLOURS = ("#dceaf5", "#fbe3d3", "#e4e4e4")
+CELL_COLOURS = ("#dceaf5", "#fbe3d3", "#e4e4e4", "#f0b088")
 SMOOTHING = 0.8  # cells over which the edge between two classes of cells is smoothed
 _MARK_COLOURS = {"mark": ("#b0b7c0", "-"), "snap": ("#8a5a9e", (0, (5, 4)))}
 _DASHES: dict[str, tuple[float, ...]] = {"solid": (), "dashed": (3.0, 2.0), "dotted": (1.0, 1.6)}
@@ -137,7 +137,10 @@ def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, can
         canvas = Canvas() if canvas is None else canvas
         canvas.set_layout_engine("constrained")
         own = any(panel.x is not None for panel in figure.panels)
-        axes = canvas.subplots(rows, columns, sharex=columns == 1 and not own, squeeze=False)
+        heights = [0.5 if panel.low else 1.0 for panel in figure.panels] if columns == 1 else [1.0] * rows
+        axes = canvas.subplots(
+            rows, columns, sharex=columns == 1 and not own, squeeze=False, gridspec_kw={"height_ratios": heights}
+        )
         for number, (panel, on) in enumerate(zip(figure.panels, axes.flat, strict=False)):
             bottom = number >= len(figure.panels) - 1 or columns > 1 or own
             _panel(figure, panel, on, models, labelled=bottom, wide=look.width / columns > 5.0)
@@ -147,7 +150,7 @@ def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, can
             spare.remove()
         lines = _legend(canvas, figure, models, look) if look.legend else 0
         above = 0.17 * lines + 0.16 * rows * (look.letters and len(figure.panels) > 1)
-        height = rows * look.panel_height * figure.tall + 0.45 * (rows - 1) * (columns > 1)
+        height = sum(heights) * look.panel_height * figure.tall + 0.45 * (rows - 1) * (columns > 1)
         canvas.set_size_inches(look.width, height + above + 0.5)
     return canvas
 
@@ -160,8 +163,8 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
     # A logarithmic axis has powers of ten anyway.
     x_unit, fx = (scale if x_log else axis_scale)(x_symbol, max(abs(low), abs(high)))
     y_unit, fy = (scale if panel.log else axis_scale)(panel.unit, max(abs(bottom), abs(top)))
-    _axis(on, "x", low * fx, high * fx, 10 if wide else 6, log=x_log)
-    _axis(on, "y", bottom * fy, top * fy, 5, log=panel.log)
+    _axis(on, "x", low * fx, high * fx, _Ticks(10 if wide else 6, x_log, figure.whole))
+    _axis(on, "y", bottom * fy, top * fy, _Ticks(3 if panel.low else 5, panel.log, panel.whole))
     on.set_ylabel(axis_label(panel.name, y_unit))
     if labelled:
         on.set_xlabel(axis_label(x_name, x_unit))
@@ -215,17 +218,28 @@ def _dashes(where: str, dash: Dash, width: float) -> Any:
     return tuple(each / width for each in points) if points else (None, None)
 
 
-def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, about: int, *, log: bool) -> None:
-    """Limits and about so many intervals between round ticks, of which every axis has at least three."""
+@dataclass(frozen=True)
+class _Ticks:
+    """About so many intervals between the ticks of an axis, and whether it is logarithmic or counts things."""
+
+    about: int
+    log: bool
+    whole: bool
+
+
+def _axis(on: Axes, which: Literal["x", "y"], low: float, high: float, ticks: _Ticks) -> None:
+    """Limits and round ticks, of which every axis has at least three."""
     axis = on.xaxis if which == "x" else on.yaxis
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
-    if log:
+    if ticks.log:
         (on.set_xscale if which == "x" else on.set_yscale)("log")
-        axis.set_major_locator(FixedLocator(log_ticks(low, high).tolist()))
+        places = log_ticks(low, high)
+        axis.set_major_locator(FixedLocator(places.tolist()))
         axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(FuncFormatter(lambda value, _: tick_label(value)))
+        axis.set_major_formatter(FixedFormatter(tick_labels(places)))
     else:
-        axis.set_major_locator(MaxNLocator(about, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3))
+        steps = [1, 2, 5, 10] if ticks.whole else [1, 2, 2.5, 5, 10]
+        axis.set_major_locator(MaxNLocator(ticks.about, steps=steps, min_n_ticks=3, integer=ticks.whole))
     (on.set_xlim if which == "x" else on.set_ylim)(low, high)
 
 

@@ -38,7 +38,7 @@ def lag_figure(search: Mapping[str, FloatArray]) -> Figure:
     for title, key in (("rank", "rank"), ("condition number", "condition")):
         path = Line("accepted steps", "measured", lag, search[key], "solid")
         taken = Points("taken", "rbf-paper", lag[-1:], search[key][-1:], "ring")
-        panels.append(Panel(title, "1", (path,), points=(taken,)))
+        panels.append(Panel(title, "1", (path,), points=(taken,), log=key == "condition", whole=key == "rank"))
     return Figure("lag-search", "Search for T_z", "", "T_z", "s", tuple(panels), columns=2, x_log=True)
 
 
@@ -158,7 +158,7 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
     )
     caption = "Training error of the acceleration, conditioning, and free-run error on the logs held out"
     caption += " (100 %: diverged, or missed everything)."
-    return Figure("study-basis", "Basis functions and smoothing", caption, "basis functions M", "1", panels)
+    return Figure("study-basis", "Basis functions and smoothing", caption, "basis functions M", "1", panels, whole=True)
 
 
 def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
@@ -169,7 +169,9 @@ def _data(columns: Columns, _: Mapping[str, str]) -> Figure:
     spread = (Points("smallest", "reference", x, low, "ring"), Points("largest", "reference", x, high, "cross"))
     panel = Panel("NRMSE of q", "%", (Line("median", "v1", x, median),), points=spread)
     caption = "Free-run error on the logs held out against the amount of training data; repeats at random places."
-    return Figure("study-data", "Amount of training data", caption, "training samples", "1", (panel,), x_log=True)
+    return Figure(
+        "study-data", "Amount of training data", caption, "training samples", "1", (panel,), x_log=True, whole=True
+    )
 
 
 def _online(columns: Columns, _: Mapping[str, str]) -> Figure:
@@ -221,4 +223,4 @@ def _folds(columns: Columns, _: Mapping[str, str]) -> Figure:
     )
     caption = "Each model fitted without the fold and run freely over it (100 %: diverged, or missed everything). "
     caption += "Dashed: mean."
-    return Figure("study-folds", "Cross-validation", caption, "fold left out", "1", panels)
+    return Figure("study-folds", "Cross-validation", caption, "fold left out", "1", panels, whole=True)

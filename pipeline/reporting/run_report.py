@@ -76,7 +76,6 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "facts": rows,
         "two_wells": any(len(row.cells) == 2 for row in rows),
         "thresholds": _thresholds(sheet),
-        "marks": _marks_said(interactive),
         "facts_caption": _facts_caption(sheet),
         "log_checks": _log_checks(data),
         **_scores(data, sheet),
@@ -131,11 +130,10 @@ def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
     return {name: limit for name, limit in THRESHOLDS.items() if two or name in judged or name not in OF_WELLS}
 
 
-def _marks_said(figures: Sequence[Figure]) -> str:
-    """What the upright lines of the figures along time are, as a sentence; empty where there are none."""
-    names = list(dict.fromkeys(name for figure in figures for name in figure.marks))
-    told = [f"dashed: {name}" if MARKS[name].kind == "snap" else name for name in names]
-    return f"Upright lines: {'; '.join(told)}." if told else ""
+def _marks_explained(figure: Figure) -> str:
+    """What the upright lines of a figure are, as a sentence; empty where there are none."""
+    kinds = [f"dashed: {name}" if MARKS[name].kind == "snap" else name for name in figure.marks]
+    return f"Upright lines: {'; '.join(kinds)}." if kinds else ""
 
 
 def _facts_caption(sheet: Datasheet) -> str:
@@ -156,11 +154,17 @@ def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
     """The tables of the scores; without wells, what these say of wells is of rests that are none."""
     none = {} if isinstance(sheet.wells, Wells) else dict.fromkeys(SCORES_OF_WELLS)
     scores = with_true_names(({**row, **none} for row in data.scores), [(log.role, log.source) for log in data.logs])
+    tables: list[dict[str, Any]] = []
+    for role in ("validation", "train"):
+        rows = [row for row in scores if row["role"] == role]
+        for name, table in (("nrmse", nrmse_table(rows)), ("behaviour", behaviour_table(rows))) if rows else ():
+            made = _score_table(name, table)
+            if role == "train" and tables:
+                title = "Errors" if name == "nrmse" else "Horizons and switches"
+                made |= {"name": f"{name}-train", "caption": "", "repeats": f"{title} on the training logs"}
+            tables.append(made)
     return {
-        "score_tables": [
-            _score_table("nrmse", nrmse_table(scores)),
-            _score_table("behaviour", behaviour_table(scores)),
-        ],
+        "score_tables": tables,
         "worst": headline_table([row for row in scores if row["model"] in data.model_names]),
     }
 
@@ -175,7 +179,7 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
         rows.append({"log": log_title(row.role, row.log), "model": row.model, "cells": cells})
     errors = ((f"{HEADINGS[s]} [%]", "") for s in table.signals)
     headings = [("log", ""), ("model", ""), *errors, *((column.heading, column.help) for column in table.extras)]
-    return {"name": name, "headings": headings, "rows": rows, "caption": table.explanation}
+    return {"name": name, "headings": headings, "rows": rows, "caption": table.explanation, "repeats": ""}
 
 
 def _cell(cell: Cell) -> dict[str, Any]:
@@ -187,12 +191,16 @@ def _cell(cell: Cell) -> dict[str, Any]:
 
 
 def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[str, Any]:
-    views = [_view(figures[f"{log.key}-{kind}"], data.model_names, log.key) for log in data.logs]
-    return {"id": kind, "title": SECTION_TITLES[kind], "views": views}
+    views, repeats = (
+        [_view(figures[f"{log.key}-{kind}"], data.model_names, log.key) for log in data.role(role)]
+        for role in ("validation", "train")
+    )
+    open_views, folded = (views, repeats) if views else (repeats, [])
+    return {"id": kind, "title": SECTION_TITLES[kind], "views": open_views, "repeats": folded}
 
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
-    return {"figure": figure, "legend": swatches(figure, models), "axis": axis}
+    return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "marks": _marks_explained(figure)}
 
 
 def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:

@@ -33,6 +33,12 @@ class Headline:
         return ("model", *errors, *(column.title for column in self.extras))
 
     @property
+    def best(self) -> str:
+        """The model with the lowest error of q; empty where no model has one."""
+        errors = {row[0]: float(row[1]) for row in self.rows if row[1].replace(".", "", 1).isdigit()}
+        return min(errors, key=lambda model: errors[model], default="")
+
+    @property
     def explanation(self) -> str:
         """What its columns mean; that of errors is a line of its own."""
         errors = "NRMSE in % of the measured range, free run from the first sample, worst log."

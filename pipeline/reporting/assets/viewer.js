@@ -48,7 +48,7 @@ class Viewer {
       show: !this.hidden(line.label),
     }));
     const plot = new uPlot({
-      width: this.width(), height: PANEL + (last ? AXIS : 6), ms: 1, legend: { show: false },
+      width: this.width(), height: (panel.low ? 0.55 : 1) * PANEL + (last ? AXIS : 6), ms: 1, legend: { show: false },
       padding: [6, 10, 0, 0],
       scales: { x: { time: false, range: () => [axis.from, axis.to] }, y: { range: Viewer.range } },
       axes: [
@@ -202,16 +202,19 @@ class Viewer {
 
   resize() {
     for (const { plot } of this.panels) if (plot.width !== this.width()) plot.setSize({ width: this.width(), height: plot.height });
+    if (this.late) this.request();
   }
 
   draw() {
+    this.late = this.plots.clientWidth === 0;  // folded away: drawn when it is opened
+    this.state();
+    if (this.late) return;
     for (const { plot, panel } of this.panels) {
       // Dashes only while samples are apart: through thousands of them they would be noise.
       const dense = panel.x.length * (this.axis.to - this.axis.from) / (this.axis.stop - this.axis.start) > 4 * plot.width;
       panel.series.forEach((line, i) => { plot.series[i + 1].dash = dense ? [] : line.dash.map((x) => x * devicePixelRatio); });
       plot.redraw();  // its time scale is the shared one, by `range`
     }
-    this.state();
   }
 
   state() {
