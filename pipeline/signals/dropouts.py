@@ -8,10 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.columns import Signal, chunks
-from pipeline.signals.lost_target import goes_with_inputs
-from pipeline.signals.noise import is_stepped
 from pipeline.signals.signal_quality import SignalQuality, span
 
 _NOISES, _LEAST = 12.0, 0.01
@@ -28,10 +26,13 @@ _FLAT = 6.0
 """Standard deviations of the noise within which a burst stays at its level."""
 _BACK = 0.5
 """Share of a jump by which the sample behind a burst may differ from the sample before."""
-_HELD = 3
-"""Samples of one value, before a jump, from which they are a value that was held."""
-_OF_INPUT = 0.05
-"""Share of the range of an input that its steps exceed."""
+_HELD, _BEFORE = 3, 64
+"""Times the longest run of one value among so many samples before, from which one before a jump was held."""
+_OF_INPUT, _ANSWER = 0.05, 0.03
+"""Share of the range of an input that its change exceeds, and time [s] that a device which jumps takes to answer."""
+_TOGETHER, _BY_CHANCE, _PLACES = 0.75, 0.01, 2000
+"""Share of the jumps that answer an input where the device makes them, the probability below which that is no chance,
+and at how many places it is seen how often an input changes."""
 _MOST_JUMPS = 10_000
 """Jumps beyond which a signal is one that jumps, as a command does."""
 
@@ -95,8 +96,8 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     jumps = jumps[stamps[jumps + 1] - stamps[jumps] < _USUAL_STEP * step]
     if not 0 < jumps.size <= _MOST_JUMPS:
         return NONE
-    times, acting = stamps[jumps + 1], [signal for signal in inputs if not _lost_too(signal, q, jumps)]
-    if goes_with_inputs(times[np.isfinite(times)], acting, step, step * samples.size):
+    times = stamps[jumps + 1]
+    if _answers_inputs(times[np.isfinite(times)], inputs, q, step):
         return NONE
     bursts, levels = _bursts(samples, jumps, round(_LONGEST / step) + 1, _FLAT * quality.roughness)
     left = jumps[~np.isin(jumps, bursts.ravel() - 1)]
@@ -111,13 +112,29 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     return Dropouts(bursts, held, _ranked(levels), cuts, (first[0], first[1]))
 
 
-def _lost_too(signal: Signal, q: Signal, jumps: IntArray) -> bool:
-    """Whether an input steps nowhere but where q jumps, as one does that moves steadily and lost the same rows."""
-    if signal[0] is not q[0] or is_stepped(signal[1]):
-        return False
+def _answers_inputs(times: FloatArray, inputs: Sequence[Signal], q: Signal, step: float) -> bool:
+    """Whether an input has changed just before most of these times [s], more of them than by chance."""
+    from scipy.special import bdtrc
+
+    anywhere = q[0][:: max(1, q[0].size // _PLACES)]
+    answers, chance = np.zeros(times.size, dtype=np.bool_), np.zeros(anywhere.size, dtype=np.bool_)
+    for signal in inputs:
+        answers |= _changed(signal, times, step)
+        chance |= _changed(signal, anywhere, step)
+    count = int(np.count_nonzero(answers))
+    likely = count > 0 and count >= _TOGETHER * times.size
+    return likely and bool(bdtrc(count - 1, times.size, float(np.mean(chance))) < _BY_CHANCE)
+
+
+def _changed(signal: Signal, times: FloatArray, step: float) -> BoolArray:
+    """Whether an input differs at these times [s] from what it was shortly before."""
     smallest, largest = span(signal[1])
-    steps = _jumps(signal[1], _OF_INPUT * (largest - smallest))
-    return bool(steps.size) and bool(np.mean(np.isin(steps, jumps)) > _BACK)
+    before = np.searchsorted(signal[0], times - max(5.0 * step, _ANSWER))
+    now = np.searchsorted(signal[0], times + step)
+    last = signal[1].size - 1
+    change = np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)])
+    found: BoolArray = change > _OF_INPUT * (largest - smallest)
+    return found
 
 
 def _jumps(samples: FloatArray, least: float) -> IntArray:
@@ -172,7 +189,8 @@ def _held(samples: FloatArray, jumps: IntArray, longest: int) -> IntArray:
         before = samples[max(0, end - longest) : end]
         other = np.flatnonzero(before != samples[end])
         count = before.size - (int(other[-1]) + 1 if other.size else 0)
-        if count >= _HELD - 1:
+        usual = _longest_run(before[max(0, before.size - count - _BEFORE) : before.size - count])
+        if count + 1 >= _HELD * usual:
             spans.append((end - count + 1, end + 1))
     return np.array(spans, dtype=np.int64).reshape(-1, 2)
 
@@ -199,6 +217,12 @@ def dropout_remarks(found: Dropouts, factor: float = 1.0, unit: str = "") -> lis
 def _several(spans: IntArray, one: str, several: str = "") -> str:
     """How many spans and samples."""
     return f"{len(spans)} {one if len(spans) == 1 else several or one + 's'} of {int(np.diff(spans).sum())} samples"
+
+
+def _longest_run(values: FloatArray) -> int:
+    """Samples in the longest run of one value, one at least."""
+    edges = np.flatnonzero(np.diff(values, prepend=np.nan, append=np.nan) != 0.0)
+    return int(np.diff(edges).max(initial=1))
 
 
 def _ranked(levels: FloatArray) -> tuple[float, ...]:

@@ -83,7 +83,7 @@ def _bound(
         return None
     ends = np.unique(runs)
     times = stamps[ends[(ends > 0) & (ends < samples.size)]]
-    return None if goes_with_inputs(times[np.isfinite(times)], inputs, step, step * samples.size) else bound
+    return None if _goes_with(times[np.isfinite(times)], inputs, step, step * samples.size) else bound
 
 
 def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, step: float, sign: float) -> float | None:
@@ -117,7 +117,7 @@ def _runs_beyond(samples: FloatArray, bound: float, sign: float) -> IntArray:
     return np.concatenate(edges).reshape(-1, 2)
 
 
-def goes_with_inputs(times: FloatArray, inputs: Sequence[Signal], step: float, duration: float) -> bool:
+def _goes_with(times: FloatArray, inputs: Sequence[Signal], step: float, duration: float) -> bool:
     """Whether jumps at these times [s] answer steps of the inputs, more of them than by chance.
 
     step: of time [s] · duration: of the log [s].

@@ -304,12 +304,11 @@ def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") ->
     found, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
         return found
-    columns = [("q", signals.q[1], plant.displacement)] + [
-        (f"v{k}", column, unit)
+    ends = [("q", (quality.smallest, quality.largest), plant.displacement)] + [
+        (f"v{k}", span(column), unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
     ]
-    for name, values, unit in columns:
-        smallest, largest = span(values)
+    for name, (smallest, largest), unit in ends:
         factor = scale_suspicion(largest - smallest, unit.symbol, joint=prototype.may_be_a_joint)
         if factor is not None:
             size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"

@@ -146,7 +146,7 @@ def identify_signals(
     seen, stated = [part.signals for part in parts], declared(prototype)
     rows = [*check_logs(seen, stated), *shared_rows(seen, shared_recordings(seen, stated.sample_interval))]
     contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
-    for text in contradictions:
+    for text in (*contradictions, *remarks(rows)):
         warnings.warn(f"debist: {text}", stacklevel=_CALLER)
     models, notes = identified(tables, prototype, parameter_set(prototype, Path.cwd() / "settings.toml"))
     told = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
