@@ -232,7 +232,8 @@ def identify(
     Warns
     -----
     UserWarning
-        The signals contradict the arguments in what `debist check` refuses: sides exchanged, a wrong unit, a delay.
+        The signals contradict the arguments in what `debist check` refuses or marks by (!): sides exchanged, a wrong
+        unit, a delay, an input that was left out.
 
     Notes
     -----

@@ -76,6 +76,8 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
     lags = [fact.lag for fact in facts if fact.lag is not None]  # what one log tells of a device is so in all
     facts = [replace(fact, lag=lags[0]) if lags and fact.lag is None else fact for fact in facts]
     rows = [row for fact in facts for row in _of_log(fact, declared)]
+    if sum(fact.starts.size for fact in facts) >= limits.UNDRIVEN_STARTS:
+        rows += [_start_row(fact) for fact in facts if fact.starts.size]
     return rows + [_device_row(facts[0], other, declared) for other in facts[1:]]
 
 
@@ -170,11 +172,25 @@ def _ring_row(fact: LogFacts) -> CheckRow:
 
 
 def _undriven_row(fact: LogFacts) -> CheckRow:
-    inputs = len(fact.inputs)
-    named = "the input is" if inputs == 1 else "all inputs are"
-    missing = "name the channel of the second input as v2 in [channels]" if inputs == 1 else "find out what does"
-    advice = f"what moves q there is not among the inputs: {missing}"
-    return CheckRow(fact.signals.name, f"snaps while {named} off", str(fact.undriven), "", "note", None, advice)
+    named = "the input is" if len(fact.inputs) == 1 else "all inputs are"
+    found = str(fact.undriven)
+    return CheckRow(fact.signals.name, f"snaps while {named} off", found, "", "note", None, _not_named(fact))
+
+
+def _start_row(fact: LogFacts) -> CheckRow:
+    places = ", ".join(f"{start:.4g}" for start in fact.starts[: limits.MOST_PLACES].tolist())
+    found = f"{fact.starts.size}, at {places}{' …' if fact.starts.size > limits.MOST_PLACES else ''} s"
+    return CheckRow(
+        fact.signals.name, "leaves rest though no input changes", found, "", "note", None, _not_named(fact)
+    )  # fmt: skip
+
+
+def _not_named(fact: LogFacts) -> str:
+    missing = (
+        "name the second input as v2 (in [channels], or as an argument)" if len(fact.inputs) == 1
+        else "find out what does"
+    )  # fmt: skip
+    return f"what moves q there is not among the inputs: {missing}"
 
 
 def _natural_row(fact: LogFacts, declared: Declared) -> CheckRow:

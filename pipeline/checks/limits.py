@@ -83,6 +83,10 @@ UNDRIVEN_SNAPS = 2
 """Crossings of the barrier without any input from which on one is told: the logs of P1 to P3 have none, and 2 to 7
 where one of their voltages is left out."""
 
+UNDRIVEN_STARTS, MOST_PLACES = 2, 3
+"""Starts from rest without a change of an input, over all logs, from which on they are told, and how many places are.
+No log of twenty prototypes has one; P1 to P3 have 2 to 5 in each log where one of their voltages is left out."""
+
 LEAST_PER_PERIOD = 8.0
 """Uniform samples in a period of the ring-down: with fewer, the accelerations between them are not seen."""
 

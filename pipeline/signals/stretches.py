@@ -17,6 +17,7 @@ from pipeline.signals.resampling import decimated
 from pipeline.signals.timebase import advancing, default_gap_limit, nominal_step, segments
 
 TimeReversal = Literal["refuse", "split"]
+NO_CUTS: FloatArray = np.empty(0)
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,8 @@ class TimeRows:
         Rows with a finite stamp later than all before.
     turns : FloatArray
         Stamps [s] after which time stepped back.
+    ends : FloatArray
+        These, and the stamps [s] after which rows are missing though time goes on: a stretch ends there.
     step : float
         Nominal step [s] of the rows kept.
     not_finite, repeated, backward : int
@@ -40,6 +43,7 @@ class TimeRows:
     time: FloatArray
     keep: BoolArray
     turns: FloatArray
+    ends: FloatArray
     step: float
     not_finite: int
     repeated: int
@@ -82,8 +86,8 @@ class Stretches:
         return np.stack((self.edges[:-1, 1], self.edges[1:, 0]), axis=1)
 
 
-def advancing_rows(time: FloatArray, time_reversal: TimeReversal) -> TimeRows:
-    """Find the rows whose stamps advance.
+def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArray = NO_CUTS) -> TimeRows:
+    """Find the rows whose stamps advance; behind `cuts` [s] rows are missing though they do.
 
     Raises
     ------
@@ -122,7 +126,7 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal) -> TimeRows:
         )
     advanced = select(time, keep)
     left = time.size - usable, repeated, usable - advanced.size - repeated
-    return TimeRows(time, keep, back, nominal_step(advanced), *left)
+    return TimeRows(time, keep, back, np.concatenate((back, cuts)), nominal_step(advanced), *left)
 
 
 def finite_stretches(
@@ -167,7 +171,7 @@ def finite_stretches(
         if not valid.any():
             raise DataRefusedError(f"{names[members[0]]} holds no finite sample at all: no sensor, or another channel")
         stamps = select(rows.time, valid)
-        bounds = _cut(segments(stamps, default_gap_limit(rows.step)), stamps, rows.turns)
+        bounds = _cut(segments(stamps, default_gap_limit(rows.step)), stamps, rows.ends)
         edges = stamps[np.stack((bounds[:, 0], bounds[:, 1] - 1), axis=1)]
         picked = tuple(select(columns[j], valid) for j in members)
         kinds, missed = tuple(smooth[j] for j in members), tuple(not_finite[j] for j in members)
@@ -180,11 +184,11 @@ def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
     return column(samples.size, (np.isfinite(samples[rows]) & keep[rows] for rows in chunks(samples.size)), np.bool_)
 
 
-def _cut(bounds: IntArray, stamps: FloatArray, turns: FloatArray) -> IntArray:
-    """Stretches also end where time stepped back, however small the hole is that this leaves."""
-    if turns.size == 0:
+def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
+    """Stretches also end where time stepped back or rows are missing, however small the hole is that this leaves."""
+    if ends.size == 0:
         return bounds
-    edges = np.unique(np.concatenate((bounds.ravel(), np.searchsorted(stamps, turns, side="right"))))
+    edges = np.unique(np.concatenate((bounds.ravel(), np.searchsorted(stamps, ends, side="right"))))
     return np.stack((edges[:-1], edges[1:]), axis=1)
 
 

@@ -11,7 +11,15 @@ from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.signals.decimation_kernel import REACH
 from pipeline.signals.resampling import LEAST_RATIO, uniform_grid
-from pipeline.signals.stretches import Stream, Stretches, TimeReversal, TimeRows, advancing_rows, finite_stretches
+from pipeline.signals.stretches import (
+    NO_CUTS,
+    Stream,
+    Stretches,
+    TimeReversal,
+    TimeRows,
+    advancing_rows,
+    finite_stretches,
+)
 from pipeline.signals.timebase import LOCATED, default_gap_limit
 
 Method = Literal["decimated", "interpolated"]
@@ -117,6 +125,7 @@ def survey(
     *,
     gaps: Literal["split", "refuse"] = "split",
     time_reversal: TimeReversal = "refuse",
+    cuts: FloatArray = NO_CUTS,
 ) -> Survey:
     """Find the usable stretches of a log.
 
@@ -135,6 +144,8 @@ def survey(
         Number the stretches, or refuse a log with gaps.
     time_reversal : {"refuse", "split"}
         Refuse a log whose time steps back; or leave out what does not advance and treat the place as a gap.
+    cuts : FloatArray
+        Stamps [s] behind which rows are missing though time goes on: treated as gaps too.
 
     Raises
     ------
@@ -145,14 +156,14 @@ def survey(
     -----
     Cost: two passes over the stamps and one over every column, in chunks.
     """
-    rows = [advancing_rows(q[0], time_reversal)]
+    rows = [advancing_rows(q[0], time_reversal, cuts)]
     groups: list[Stretches] = []
     together: list[FloatArray] = [q[1]]
     names = ["q"]
     for name, (time, column) in beside.items():
         if time is not rows[-1].time:
             groups += finite_stretches(rows[-1], together, [name in _SMOOTH for name in names], names)
-            rows.append(advancing_rows(time, time_reversal))
+            rows.append(advancing_rows(time, time_reversal, cuts))
             together, names = [], []
         together.append(column)
         names.append(name)

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.columns import Signal, chunks, column
+from pipeline.signals.dropouts import NONE, Dropouts, dropouts
 from pipeline.signals.lost_target import UNBOUNDED, lost_bounds
-from pipeline.signals.signal_quality import SignalQuality, rail_share, spikes_in, three_in_a_row, usual_span
+from pipeline.signals.signal_quality import SignalQuality, examine_signal, spikes_in, three_in_a_row
 
 _NEAR = 2
 
@@ -30,7 +31,9 @@ class Trusted:
     bounds : (float, float)
         Values beyond which the sensor has lost its target.
     quality : SignalQuality
-        Of the samples as measured, its rails those between the bounds.
+        Of the samples that the sensor and the recorder did not lose; its counts are those of all.
+    dropouts : Dropouts
+        Bursts and held values, which are left out with those without a target; and places where rows are missing.
     """
 
     samples: FloatArray
@@ -38,6 +41,31 @@ class Trusted:
     rails: tuple[float, ...]
     bounds: tuple[float, float]
     quality: SignalQuality
+    dropouts: Dropouts = NONE
+
+
+def _within(samples: FloatArray, bounds: tuple[float, float]) -> FloatArray:
+    """The samples, NaN beyond the bounds."""
+    if bounds == UNBOUNDED:
+        return samples
+    parts = (
+        np.where((samples[r] < bounds[0]) | (samples[r] > bounds[1]), np.nan, samples[r]) for r in chunks(samples.size)
+    )
+    return column(samples.size, parts, np.float64)
+
+
+def _without(samples: FloatArray, spans: IntArray) -> FloatArray:
+    """The samples, NaN in these rows."""
+    parts = (np.where(_in_spans(spans, r.start, r.stop - r.start), np.nan, samples[r]) for r in chunks(samples.size))
+    return column(samples.size, parts, np.float64)
+
+
+def _in_spans(spans: IntArray, first: int, count: int) -> BoolArray:
+    """Which of `count` rows from `first` on lie in one of the spans."""
+    inside = np.zeros(count, dtype=np.bool_)
+    for begin, end in spans[(spans[:, 0] < first + count) & (spans[:, 1] > first)].tolist():
+        inside[max(begin - first, 0) : end - first] = True
+    return inside
 
 
 def _at_rail(part: FloatArray, rails: Sequence[float]) -> BoolArray:
@@ -55,7 +83,15 @@ def _spikes(part: FloatArray, noise: float | None) -> BoolArray:
 
 
 def trusted(
-    q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float, *, rails: bool, lost: bool, spikes: bool
+    q: Signal,
+    inputs: Sequence[Signal],
+    quality: SignalQuality,
+    step: float,
+    *,
+    rails: bool,
+    lost: bool,
+    spikes: bool,
+    inert: bool = True,
 ) -> Trusted:
     """The signal without what is no measurement.
 
@@ -71,18 +107,22 @@ def trusted(
         Nominal sampling step [s].
     rails, lost, spikes : bool
         What to leave out.
+    inert : bool
+        Whether the device has inertia, as a circuit need not: then it cannot jump.
     """
     samples = q[1]
     bounds = lost_bounds(q, inputs, quality, step) if lost and not quality.constant else UNBOUNDED
-    if bounds != UNBOUNDED:
-        usual = usual_span(samples, *bounds)
-        low, high = (rail_share(samples, usual, end) for end in (0, 1))
-        quality = replace(quality, usual=usual, low_rail=low, high_rail=high)
+    fallen = dropouts((q[0], _within(samples, bounds)), inputs, quality, step) if lost and inert else NONE
+    spans = fallen.spans
+    if bounds != UNBOUNDED or spans.size:  # what they are tells nothing of the motion
+        left = _without(_within(samples, bounds), spans)
+        as_measured = {key: getattr(quality, key) for key in ("n", "not_finite", "lost", "not_finite_at")}
+        quality = replace(examine_signal(q[0], left, step), **as_measured)
     ends = zip(quality.usual, (quality.low_rail, quality.high_rail), strict=True)
     at = tuple(end for end, share in ends if share > 0.0) if rails and not quality.constant else ()
     noise = quality.roughness if spikes and quality.spikes else None
-    if not at and noise is None and bounds == UNBOUNDED:
-        return Trusted(samples, (0, 0, 0), at, bounds, quality)
+    if not at and noise is None and bounds == UNBOUNDED and not spans.size:
+        return Trusted(samples, (0, 0, 0), at, bounds, quality, fallen)
     counts = np.zeros(3, dtype=np.int64)
 
     def parts() -> Iterator[FloatArray]:
@@ -91,6 +131,7 @@ def trusted(
             first = max(rows.start - _NEAR, 0)
             part, own = samples[first : rows.stop + _NEAR], slice(rows.start - first, rows.stop - first)
             missed: BoolArray = (part < bounds[0]) | (part > bounds[1])
+            missed |= _in_spans(spans, first, part.size)
             at_rail = _at_rail(part, at) & ~missed
             left_out = np.stack((at_rail, missed, _spikes(part, noise) & ~at_rail & ~missed))[:, own]
             counts[:] += np.count_nonzero(left_out, axis=1)
@@ -98,4 +139,4 @@ def trusted(
 
     masked = column(samples.size, parts(), np.float64)
     rail, lost_target, spike = counts.tolist()
-    return Trusted(masked, (rail, lost_target, spike), at, bounds, quality)
+    return Trusted(masked, (rail, lost_target, spike), at, bounds, quality, fallen)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
     from pipeline.checks.weak_form import LogSignals
 
-ALGORITHM = "14"
+ALGORITHM = "15"
 
 
 def tasks(prototype: Prototype) -> list[Task]:
@@ -52,7 +52,6 @@ def tasks(prototype: Prototype) -> list[Task]:
 def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
     from pipeline.checks.rows import remarks
 
-    _refuse_equal_records(run, prototype)
     rows = examine(run, prototype)
     accepted = verdict(rows, prototype)
     document = {"rows": [asdict(row) for row in rows], "accepted": accepted}
@@ -61,24 +60,26 @@ def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
     return {layout.CHECK: run.write_text(layout.CHECK, text, notes)}
 
 
-def _refuse_equal_records(run: RunFolder, prototype: Prototype) -> None:
-    """A training log in another format is no validation log either: the records have one content."""
-    train = {
-        run.record(layout.record(role, log)).content_hash: path
-        for role, log, path in layout.logs(prototype)
-        if role == "train"
-    }
-    for role, log, path in layout.logs(prototype):
-        other = train.get(run.record(layout.record(role, log)).content_hash)
-        if role == "validation" and other is not None:
-            raise InputError(f"logs.validation: {path!r} holds the samples of the training log {other!r}; remove one")
-
-
 def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
-    """Look at the ingested logs of a run; nothing is written."""
-    from pipeline.checks.check import check_logs
+    """Look at the ingested logs of a run; nothing is written.
 
-    return check_logs(*signals(run, prototype))
+    Raises
+    ------
+    InputError
+        A validation log holds a recording that a training log holds too.
+    """
+    from pipeline.checks.check import check_logs
+    from pipeline.checks.overlap import shared_recordings, shared_rows
+
+    logs, stated = signals(run, prototype)
+    shared, named = shared_recordings(logs, stated.sample_interval), layout.logs(prototype)
+    for i, k, span in shared:
+        if named[i][0] != named[k][0]:
+            raise InputError(
+                f"logs.validation: {named[k][2]!r} holds the recording of the training log {named[i][2]!r}: "
+                f"{span.spans}; validate on a recording of its own, or cut what both hold"
+            )
+    return [*check_logs(logs, stated), *shared_rows(logs, shared)]
 
 
 def signals(run: RunFolder, prototype: Prototype) -> "tuple[list[LogSignals], Declared]":

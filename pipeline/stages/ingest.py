@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
-ALGORITHM = "11"
+ALGORITHM = "12"
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -105,14 +105,15 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     settings = prototype.ingest
     try:
         raw_step = nominal_step(signals.q[0])
-        kept = _trusted(signals, settings, raw_step)
+        kept = _trusted(signals, prototype, raw_step)
         warnings = [*signals.notes, *_warnings(signals, prototype, kept.quality)]
         usable = survey(
-            (signals.q[0], kept.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal
-        )
+            (signals.q[0], kept.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal,
+            cuts=kept.dropouts.cuts[:, 0],
+        )  # fmt: skip
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
-    quality, left_out = kept.quality, _left_out(kept, warnings)
+    quality, left_out = kept.quality, _left_out(kept, warnings, prototype)
     masked = Resampling(usable, settings.sample_interval).report
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
@@ -134,17 +135,18 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         findings = [one for one in findings if one.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
     said = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
-    said |= left_out | {"cut_off_s": ends, UNKNOWN: unknown}
+    said |= left_out | {"cut_off_s": ends, UNKNOWN: _with_cuts(unknown, kept, settings.sample_interval)}
     return Examined(usable, raw_step, said | _sensor(signals, quality))
 
 
-def _trusted(signals: SiLog, settings: Ingest, raw_step: float) -> "Trusted":
+def _trusted(signals: SiLog, prototype: Prototype, raw_step: float) -> "Trusted":
     """The displacement without what is masked by the settings."""
     from pipeline.signals.signal_quality import examine_signal
     from pipeline.signals.untrusted import trusted
 
-    masked = {name: getattr(settings, name) == "mask" for name in ("rails", "lost", "spikes")}
-    return trusted(signals.q, signals.inputs, examine_signal(*signals.q, raw_step), raw_step, **masked)
+    masked = {name: getattr(prototype.ingest, name) == "mask" for name in ("rails", "lost", "spikes")}
+    inert = device(prototype).displacement.symbol != "V"
+    return trusted(signals.q, signals.inputs, examine_signal(*signals.q, raw_step), raw_step, inert=inert, **masked)
 
 
 def _few_samples(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]"]:
@@ -243,11 +245,21 @@ def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[
     return said
 
 
-def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
+def _with_cuts(unknown: Sequence[tuple[float, float]], kept: "Trusted", interval: float) -> list[tuple[float, float]]:
+    """The spans [s] in which the inputs are not known, and those around places where rows are missing."""
+    return sorted([*unknown, *((a - interval, b + interval) for a, b in kept.dropouts.cuts.tolist())])
+
+
+def _left_out(kept: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
     from pipeline.rig_logs.remarks import counted
+    from pipeline.signals.dropouts import dropout_remarks
 
     rails, lost, spikes = kept.left_out
+    unit = prototype.channels.q.unit
+    said = dropout_remarks(kept.dropouts, 1.0 / device(prototype).displacement.factor, unit)
+    warnings += [f"q: {text}: {'split there' if 'jump' in text else 'masked'} ([ingest] lost)" for text in said]
+    lost -= int(np.diff(kept.dropouts.spans).sum())
     if rails:
         warnings.append(f"q: {counted(rails, 'sample')} at the ends of its range masked ([ingest] rails)")
     if lost:
@@ -257,7 +269,7 @@ def _left_out(kept: "Trusted", warnings: list[str]) -> dict[str, int]:
         )
     if spikes:
         warnings.append(f"q: {counted(spikes, 'single-sample spike')} masked ([ingest] spikes)")
-    return {"masked_at_rails": rails, "masked_without_target": lost, "masked_spikes": spikes}
+    return {"masked_at_rails": rails, "masked_without_target": kept.left_out[1], "masked_spikes": spikes}
 
 
 def _pieces(
@@ -287,12 +299,11 @@ def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") ->
     found, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
         return found
-    columns = [("q", signals.q[1], plant.displacement)] + [
-        (f"v{k}", column, unit)
+    ends = [("q", (quality.smallest, quality.largest), plant.displacement)] + [
+        (f"v{k}", span(column), unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
     ]
-    for name, values, unit in columns:
-        smallest, largest = span(values)
+    for name, (smallest, largest), unit in ends:
         factor = scale_suspicion(largest - smallest, unit.symbol, joint=prototype.may_be_a_joint)
         if factor is not None:
             size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"

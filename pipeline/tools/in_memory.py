@@ -128,13 +128,15 @@ def identify_signals(
     What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
     """
     from pipeline.checks.check import check_logs
+    from pipeline.checks.overlap import shared_recordings, shared_rows
     from pipeline.checks.rows import findings, remarks
 
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
     tables = [part.motion for part in parts]
-    rows = check_logs([part.signals for part in parts], declared(prototype))
+    seen, stated = [part.signals for part in parts], declared(prototype)
+    rows = [*check_logs(seen, stated), *shared_rows(seen, shared_recordings(seen, stated.sample_interval))]
     contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
-    for text in contradictions:
+    for text in (*contradictions, *remarks(rows)):
         warnings.warn(f"debist: {text}", stacklevel=_CALLER)
     models, notes = identified(tables, prototype, parameter_set(prototype, Path.cwd() / "settings.toml"))
     told = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]

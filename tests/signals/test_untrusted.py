@@ -73,9 +73,10 @@ def test_chunks_do_not_change_what_is_masked(seam):
     t, q = log(CHUNK + 50)
     q[seam - 1 : seam + 2] = 3.0  # three at the upper rail, across the seam of two chunks
     q[seam - 20] += 0.5
-    kept, seen = masked(t, q)
-    assert np.flatnonzero(np.isnan(seen)).tolist() == [seam - 20, seam - 1, seam, seam + 1]
-    assert kept.left_out == (3, 0, 1)
+    for lost, counts in ((False, (3, 0, 1)), (True, (0, 3, 1))):  # which are a burst too
+        kept, seen = masked(t, q, lost=lost)
+        assert np.flatnonzero(np.isnan(seen)).tolist() == [seam - 20, seam - 1, seam, seam + 1]
+        assert kept.left_out == counts
 
 
 def test_a_laser_without_its_target_is_masked_with_the_samples_of_the_jumps():

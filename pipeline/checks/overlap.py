@@ -1,0 +1,253 @@
+"""Whether two logs hold one recording: the same motion down to its noise, at any offset, rate or rounding."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from pipeline.checks.rows import CheckRow
+from pipeline.checks.weak_form import LogSignals
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, samples_of
+from pipeline.numerics.metrics import robust_std
+from pipeline.signals.noise import rounding
+
+_WINDOW = 128
+"""Least sample intervals of the excerpts that are looked for, longer than a ring-down after one pulse; they are twice
+as long, and so on, where the device is too slow to move within them."""
+_LEAST_MOVING = 8
+_MOST_WINDOWS = 64
+_MOVES = 0.2
+"""Share of the range of q that an excerpt must run through: logs of one device are alike at rest."""
+_ALIKE = 0.2
+"""Energy of the difference over that of the excerpt, up to which a place is looked at more closely; half an interval
+between two grids makes 0.05."""
+_PLACES = 3
+_SHARED_NOISE = 0.6
+"""Noise of the difference of two logs over that of both: 1 for two recordings, 0.0 to 0.4 for one."""
+_WITHIN = 1.5
+"""Times the noise of both up to which logs agree, where digits or rates hide whether they share it."""
+_FLOOR = 2e-3
+"""Share of an excerpt's standard deviation that interpolation may cost. Two runs of a real device differ by more."""
+_LEAST = 4
+"""Excerpts that a span must last where only the motion tells it: two logs may begin with the same pulse."""
+_CLOSE = 0.08
+"""Share of an excerpt's standard deviation by which a sixteenth of the grid may be off at the best offset."""
+_SAME_RATE = 0.01
+_ORDER, _SMOOTHED = 4, 3
+_GAIN = 6.32
+"""Standard deviation that these differences make of white noise of 1."""
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """What two logs have in common.
+
+    Attributes
+    ----------
+    here, there : (float, float)
+        The span [s] in the clock of the first and of the second log.
+    share : float
+        Share of the second log that it is.
+    """
+
+    here: tuple[float, float]
+    there: tuple[float, float]
+    share: float
+
+    @property
+    def spans(self) -> str:
+        """Both spans, that in the second log first."""
+        here, there = (f"{start:.4g} to {stop:.4g} s" for start, stop in (self.here, self.there))
+        return f"{there} is {here} of it" if here != there else here
+
+
+def shared_recordings(logs: Sequence[LogSignals], sample_interval: float) -> list[tuple[int, int, Overlap]]:
+    """Every pair of logs that hold one recording, by their places, with what they share."""
+    pairs = ((i, k, overlap(logs[i], logs[k], sample_interval)) for i, k in combinations(range(len(logs)), 2))
+    return [(i, k, shared) for i, k, shared in pairs if shared is not None]
+
+
+def shared_rows(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int, Overlap]]) -> list[CheckRow]:
+    """What to look at where logs of one role share a recording."""
+    advice = "what both hold counts twice in fits and scores: leave one of them out, or cut it"
+    return [
+        CheckRow(logs[k].name, f"shared with {logs[i].name}", each.spans, "none", "note", None, advice)
+        for i, k, each in shared
+    ]
+
+
+def overlap(first: LogSignals, second: LogSignals, sample_interval: float) -> Overlap | None:
+    """The span in which two logs hold one recording; None where there is none of 128 sample intervals and more.
+
+    Excerpts of the shorter log that move are looked for in the longer one on the grid of the identification. The
+    offset is then refined on the finer records, and the difference compared with the noise of both.
+
+    Cost: up to 64 Fourier transforms of the longer log: 0.1 to 0.4 s for two
+    logs of 37.5 s at 10 ms, most of it for places where the device moves alike.
+    """
+    if np.isfinite(second.q).sum() * second.interval > np.isfinite(first.q).sum() * first.interval:
+        turned = overlap(second, first, sample_interval)
+        share = 0.0 if turned is None else (turned.here[1] - turned.here[0]) / float(np.ptp(second.t))
+        return None if turned is None else Overlap(turned.there, turned.here, min(share, 1.0))
+    for place, offset in _candidates(first, second, sample_interval):
+        if (span := _agreement(first, second, place, offset, sample_interval)) is not None:
+            begin, end, exact = span
+            share = (end - begin) / float(np.ptp(second.t))
+            return Overlap((begin + exact, end + exact), (begin, end), min(share, 1.0))
+    return None
+
+
+def _candidates(
+    first: LogSignals, second: LogSignals, sample_interval: float
+) -> Iterator[tuple[tuple[float, float], float]]:
+    """Excerpts of the second log [s], each with an offset [s] at which the first one looks alike."""
+    t, whole = _coarse(first, sample_interval)
+    stamps, short = _coarse(second, sample_interval)
+    begins, window = _moving(short)
+    if not begins.size:
+        return
+    filled = np.interp(t, t[np.isfinite(whole)], whole[np.isfinite(whole)])
+    filled = filled - filled.mean()
+    size = 1 << int(filled.size + window).bit_length()
+    spectrum = np.fft.rfft(filled, size)
+    sums = [np.concatenate(([0.0], np.cumsum(filled**k))) for k in (1, 2)]
+    total, squares = (each[window:] - each[:-window] for each in sums)
+    energy = squares - total**2 / window
+    for begin in begins.tolist():
+        part = short[begin : begin + window] - short[begin : begin + window].mean()
+        along = np.fft.irfft(spectrum * np.conj(np.fft.rfft(part, size)), size)[: energy.size]
+        apart = (energy + part @ part - 2.0 * along) / (part @ part)
+        for _ in range(_PLACES):
+            best = int(np.argmin(apart))
+            if apart[best] > _ALIKE:
+                break
+            yield (float(stamps[begin]), float(stamps[begin + window - 1])), float(t[best] - stamps[begin])
+            apart[max(0, best - 2) : best + 3] = np.inf
+
+
+def _coarse(log: LogSignals, sample_interval: float) -> tuple[FloatArray, FloatArray]:
+    step = samples_of(sample_interval, log.interval)
+    return log.t[::step], log.q[::step]
+
+
+def _moving(q: FloatArray) -> tuple[IntArray, int]:
+    """First rows of the excerpts that move and are measured throughout, at most `_MOST_WINDOWS` evenly spread, and how
+    many rows they have.
+    """
+    least, window = _MOVES * (np.nanmax(q) - np.nanmin(q)), _WINDOW
+    while True:
+        starts = np.arange(0, q.size - window + 1, window // 2)
+        spans = np.array([np.ptp(q[i : i + window]) for i in starts])  # NaN where masked
+        usable: IntArray = starts[spans > least] if starts.size else starts
+        if usable.size >= _LEAST_MOVING or 4 * window > q.size:
+            spread = np.linspace(0, usable.size - 1, min(usable.size, _MOST_WINDOWS)).astype(np.int64)
+            return usable[np.unique(spread)], window
+        window *= 2
+
+
+def _agreement(
+    first: LogSignals, second: LogSignals, place: tuple[float, float], offset: float, sample_interval: float
+) -> tuple[float, float, float] | None:
+    """Begin and end [s] of the span around an excerpt in which the logs agree, and the exact offset [s]."""
+    from scipy.optimize import minimize_scalar
+
+    grid = _grid(first, second)
+    t = grid[(grid >= place[0]) & (grid <= place[1])]
+
+    def apart(shift: float) -> float:
+        """Standard deviation of the difference at an offset."""
+        return float(np.nanstd(_difference(first, second, t, shift)))
+
+    shifts, few = offset + np.linspace(-1.0, 1.0, 17) * sample_interval, t[:: max(1, t.size // _WINDOW)]
+    tried = [float(np.nanstd(_difference(first, second, few, shift))) for shift in shifts]
+    best, reach = float(shifts[int(np.nanargmin(tried))]), 0.125 * sample_interval
+    if not min(tried) <= _CLOSE * float(np.nanstd(_interpolated(second, few))):
+        return None
+    exact = float(
+        minimize_scalar(apart, bounds=(best - reach, best + reach), options={"xatol": 1e-6 * sample_interval}).x
+    )
+    exact = min((exact, *_whole_steps(exact, first, second)), key=apart)
+    limit, surely = _limit(first, second, t, exact)
+    if not apart(exact) <= limit:
+        return None
+    difference = _difference(first, second, grid, exact)
+    inside = grid[~np.isnan(difference)]
+    if not inside.size:
+        return None
+    near = _agreeing(difference, limit, max(1, round(0.25 * (place[1] - place[0]) / (grid[1] - grid[0]))))
+    row = int(np.searchsorted(grid, 0.5 * (place[0] + place[1])))
+    run = next((rows for rows in runs_of(near) if rows.start <= row < rows.stop), None)
+    if run is None:
+        return None
+    begin, end = max(float(grid[run.start]), float(inside[0])), min(float(grid[run.stop - 1]), float(inside[-1]))
+    return (begin, end, exact) if surely or end - begin > _LEAST * (place[1] - place[0]) else None
+
+
+def _whole_steps(offset: float, first: LogSignals, second: LogSignals) -> tuple[float, ...]:
+    """The offset at which both grids coincide that is next to this one [s]."""
+    step, phase = first.interval, float(first.t[0] - second.t[0])
+    return (phase + step * round((offset - phase) / step),)
+
+
+def _grid(first: LogSignals, second: LogSignals) -> FloatArray:
+    """The stamps of the second log at which both are compared: those of the coarser record."""
+    return second.t[:: max(1, round(first.interval / second.interval))]
+
+
+def _difference(first: LogSignals, second: LogSignals, t: FloatArray, offset: float) -> FloatArray:
+    """First less second log at stamps of the second [s]; NaN where one is not measured."""
+    step = round((t[1] - t[0]) / second.interval) if t.size > 1 else 1
+    row = round((t[0] - second.t[0]) / second.interval)
+    return _interpolated(first, t + offset) - second.q[row : row + step * t.size : step][: t.size]
+
+
+def _interpolated(log: LogSignals, t: FloatArray) -> FloatArray:
+    """Cubic interpolation through the four samples around each time [s]; NaN where one of them is none."""
+    place = (t - log.t[0]) / log.interval
+    row = np.floor(place + 1e-6).astype(np.int64)
+    x, inside = place - row, (row >= 1) & (row < log.q.size - 2)
+    row = np.where(inside, row, 1)
+    a, b, c, d = (log.q[np.minimum(row + k, log.q.size - 1)] for k in (-1, 0, 1, 2))
+    value = b + 0.5 * x * (c - a + x * (2.0 * a - 5.0 * b + 4.0 * c - d + x * (3.0 * (b - c) + d - a)))
+    result: FloatArray = np.where(inside, np.where(np.abs(x) < 1e-5, b, value), np.nan)
+    return result
+
+
+def _limit(first: LogSignals, second: LogSignals, t: FloatArray, offset: float) -> tuple[float, bool]:
+    """The standard deviation [m or rad] of the difference up to which both hold one recording, 0 where they share no
+    noise though they would; and whether they do share it.
+    """
+    own = _interpolated(first, t + offset)
+    other, size = own - _difference(first, second, t, offset), float(np.nanstd(own))
+    steps = [rounding(log.resolution) for log in (first, second)]
+    noises = [max(log.noise or 0.0, step) for log, step in zip((first, second), steps, strict=True)]
+    rough = [min(robust_std(_detail(q)), _GAIN * noise) for q, noise in zip((own, other), noises, strict=True)]
+    within = float(math.hypot(math.hypot(*noises) * _WITHIN, _FLOOR * size))
+    if abs(first.raw_step / second.raw_step - 1.0) > _SAME_RATE:
+        return within, False
+    if robust_std(_detail(own - other)) <= _SHARED_NOISE * math.hypot(*rough):
+        return within, True
+    hidden = max(steps) > 0.5 * min(noises) or math.hypot(*noises) < 0.1 * _FLOOR * size
+    return within if hidden else 0.0, False
+
+
+def _detail(q: FloatArray) -> FloatArray:
+    """Fourth differences of running means, in which noise outweighs the motion."""
+    found = np.diff(q, _ORDER)
+    for _ in range(_SMOOTHED):
+        found = found[1:] + found[:-1]
+    usable: FloatArray = found[np.isfinite(found)]
+    return usable if usable.size else np.zeros(1)
+
+
+def _agreeing(difference: FloatArray, limit: float, width: int) -> BoolArray:
+    """Rows around which the difference, but for a constant, stays within three times the limit or is not known."""
+    from scipy.ndimage import uniform_filter1d
+
+    known = ~np.isnan(difference)
+    square = np.where(known, difference - np.median(difference[known]), 0.0) ** 2
+    weight = uniform_filter1d(known.astype(np.float64), width)
+    near: BoolArray = (uniform_filter1d(square, width) <= (3.0 * limit) ** 2 * weight) | (weight < 1e-9)
+    return near
