@@ -162,6 +162,8 @@ _OF_NUMBERS = {"add", "sub", "mul", "neg", "le", "lt"}
 class Value:
     """A number in a graph that is being traced."""
 
+    __array_ufunc__ = None  # so that a number of numpy leaves the operation to this class
+
     def __init__(self, builder: Builder, place: int) -> None:
         self.builder, self.place = builder, place
 
@@ -268,7 +270,11 @@ def inline(graph: Graph, **arrays: list[Any]) -> dict[str, list[Any]]:
 
 
 def apply(graph: Graph, *numbers: Any) -> list[Any]:
-    """The outputs' entries of a generated graph for the entries of its inputs, in order."""
+    """The outputs' entries of a generated graph for the entries of its inputs, in order: traced values, or numbers."""
     given = iter(numbers)
     arrays = {name: [next(given) for _ in range(size)] for name, size in graph.inputs.items()}
-    return [value for values in inline(graph, **arrays).values() for value in values]
+    if any(isinstance(x, Value) for x in numbers):
+        outputs = inline(graph, **arrays)
+    else:
+        outputs = graph.inline(lambda name, operands: NUMPY[name](*operands), float, **arrays)
+    return [value for values in outputs.values() for value in values]

@@ -134,13 +134,13 @@ def _basis_functions() -> str:
     values = {name: one.law(square) for name, one in known.items()}
     outputs = {name: {"found": ca.vertcat(value, ca.gradient(value, square))} for name, value in values.items()}
     found = {name.upper(): graph({"square": square}, output) for name, output in outputs.items()}
-    imports = "from pipeline.codegen.numba_writer import formula\nfrom pipeline.compiled import compiled\n"
+    imports = "from pipeline.codegen.numba_writer import formula\nfrom pipeline.compiled import shared\n"
     # An infinite reach is written as a number whose square is one.
     constants = {"NAMES": tuple(known), "REACHES": tuple(min(one.reach, 1e150) for one in known.values())}
     text = _module("Radial basis functions: values and slopes.", found, constants, imports)
     text += "\nGRAPHS = {" + ", ".join(f"{name!r}: {name.upper()}" for name in known) + "}\n"
     text += "".join(f"\n_{name} = formula({name.upper()})\n" for name in known)
-    text += "\n\n@compiled\ndef basis_function(kind: int, square: float) -> tuple[float, float]:\n"
+    text += "\n\n@shared\ndef basis_function(kind: int, square: float) -> tuple[float, float]:\n"
     text += '    """Value of the function `NAMES[kind]`, and its slope along `square`, ((q − ξ)/σ)²."""\n'
     for kind, name in enumerate(known):
         case = "    " if kind == len(known) - 1 else f"    if kind == {kind}:\n        "

@@ -3,7 +3,10 @@
 The number of steps per sample follows from the lag, the fastest known time constant of the model.
 """
 
-from typing import NamedTuple
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -11,7 +14,7 @@ from pipeline.codegen.numba_writer import formula
 from pipeline.generated.basis_functions import NAMES, REACHES, basis_function
 from pipeline.generated.terms import LAGGED_RATES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, between_samples, bounded_run, integrator, no_begin, no_finish
+from pipeline.solvers.fixed_step import Methods, between_samples, bounded_run, inlined, integrator, no_begin, no_finish
 
 _lagged_rates = formula(LAGGED_RATES)
 
@@ -20,39 +23,59 @@ class LaggedJoint(NamedTuple):
     """A joint of eqs. 37 to 40 in a run, see `lagged_rbf_run`.
 
     `parts` are half steps in a sample interval, `kind` counts the basis functions, `farthest` is the square of the
-    function's reach, `inverse` is 1/σ, `values` has room for the curves.
+    function's reach (None: no term is left out), `inverse` is 1/σ, `u` and `values` have room for inputs and curves.
     """
 
     v: FloatArray
     squared: bool
     parts: int
     kind: int
-    farthest: float
+    farthest: float | None
     centres: FloatArray
     weights: FloatArray
     inverse: float
     lag: float
+    u: FloatArray
     values: FloatArray
 
 
-def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
+def _rates(system, x, node, dx, acceleration):
+    """The law under the inputs of the half step."""
+    n, following, share = between_samples(node, system.parts, len(system.v))
+    for k in range(system.v.shape[1]):
+        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
+        system.u[k] = u * u if system.squared else u
+    _move(system, x, system.u, dx)
+    acceleration[0] = dx[1]
+
+
+@inlined
+def _move(system, x, u, dx):
     """Curves at q as sums over the basis, without what is negligible; then the law."""
     for s in range(len(system.values)):
         system.values[s] = 0.0
     for i in range(len(system.centres)):
-        square = ((x[0] - system.centres[i]) * system.inverse) ** 2
-        if square < system.farthest:
+        distance = (x[0] - system.centres[i]) * system.inverse
+        square = distance * distance
+        if system.farthest is None or square < system.farthest:
             value = basis_function(system.kind, square)[0]
             for s in range(len(system.values)):
                 system.values[s] += system.weights[i, s] * value
-    n, following, share = between_samples(node, system.parts, len(system.v))
     push = 0.0
-    for k in range(system.v.shape[1]):
-        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
-        push += system.values[2 + k] * (u * u if system.squared else u)
+    for k in range(len(u)):
+        push += system.values[2 + k] * u[k]
     dx[0] = x[1]
     dx[1], dx[2] = _lagged_rates((x[0], x[1], x[2], system.values[0], system.values[1], push, system.lag))
-    acceleration[0] = dx[1]
+
+
+def lagged_rates(
+    x: Sequence[Any], u: Sequence[Any], centres: FloatArray, weights: FloatArray, width: float, lag: float, basis: str
+) -> list[Any]:
+    """Rates of q, q̇ and z under the inputs u (K,): the law of a run for traced values; see `lagged_rbf_run`."""
+    values, nothing, dx = np.empty(2 + len(u), dtype=object), np.empty(0), np.empty(3, dtype=object)
+    kind = NAMES.index(basis)
+    _move(LaggedJoint(nothing, False, 1, kind, None, centres, weights, 1.0 / width, lag, nothing, values), x, u, dx)
+    return list(dx)
 
 
 _integrate = integrator(LaggedJoint, lambda kind: Methods(no_begin, _rates, no_finish))
@@ -101,6 +124,7 @@ def lagged_rbf_run(
     kind = NAMES.index(basis)
     system = LaggedJoint(
         np.ascontiguousarray(v), squared, 2 * steps, kind, REACHES[kind] ** 2, np.ascontiguousarray(centres),
-        np.ascontiguousarray(weights), 1.0 / width, float(time_constant), np.zeros(2 + v.shape[1]),
+        np.ascontiguousarray(weights), 1.0 / width, float(time_constant), np.zeros(v.shape[1]),
+        np.zeros(2 + v.shape[1]),
     )  # fmt: skip
     return bounded_run(_integrate, system, np.array([start[0], start[1], start[-1]]), len(v), steps, interval, bounds)

@@ -141,10 +141,10 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
         False,
     )
     assert valid == n
-    basis, unused = np.empty(c.curves.shape[1]), np.empty(c.curves.shape[1])
+    basis, unused, bends = np.empty(c.curves.shape[1]), np.empty(c.curves.shape[1]), np.empty(len(c.centres))
 
     def force(x):
-        joint.basis_at(x, c, basis, unused)
+        joint.basis_at(x, c, basis, unused, bends)
         stopped = STOP_FORCE.evaluate(x=np.full((1, 1), x), p=np.zeros((1, 1)), stops=c.stops[None])
         return c.curves[0] @ basis + float(stopped["value"][0, 0])
 
@@ -180,9 +180,9 @@ def test_friction_states_do_not_depend_on_how_fast_the_way_is_travelled():
     c = p.coefficients(double_well(p, np.random.default_rng(5)))
     wrt, nothing = joint.no_sensitivities(), np.empty(0)
     once, thrice = np.array([[0.3]]), np.array([[0.3]])
-    joint._slide(once, 1.0, 0.03, nothing, c, wrt, once)
+    joint.slide(once, 1.0, 0.03, nothing, c, wrt, once)
     for _ in range(3):
-        joint._slide(thrice, 0.5, 0.02, nothing, c, wrt, thrice)
+        joint.slide(thrice, 0.5, 0.02, nothing, c, wrt, thrice)
     assert once[0, 0] == pytest.approx(thrice[0, 0], rel=1e-12)
 
 
