@@ -43,10 +43,10 @@ def kernel(
             name: context.make_array(kind)(context, builder, array).data
             for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
-        found = builder.call(
+        result = builder.call(
             _function(builder.module, graph, names, width, value, common, real), list(pointers.values())
         )
-        return context.get_dummy_value() if value is None else found
+        return context.get_dummy_value() if value is None else result
 
     @intrinsic
     def run(typing_context, arrays):

@@ -232,9 +232,9 @@ class _Search:
         problem.hold_lost(theta, pole)
         places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows)
         residual, jacobian = problem.jacobian(theta, pole)
-        found = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
-        spread = np.zeros((len(theta), found.shape[1]))
-        spread[places] = found
+        factor = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
+        spread = np.zeros((len(theta), factor.shape[1]))
+        spread[places] = factor
         return spread
 
     def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:

@@ -314,8 +314,8 @@ def _correlation_time(stretches: Sequence[LagStretch], weights: FloatArray) -> f
 
 
 def _visits(centres: FloatArray, trajectories: Sequence[Trajectory]) -> dict[str, Any]:
-    found = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
-    return {"visits_per_centre": found.visits, "driven_visits_per_centre": found.driven}
+    covered = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
+    return {"visits_per_centre": covered.visits, "driven_visits_per_centre": covered.driven}
 
 
 def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:

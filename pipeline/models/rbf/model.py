@@ -278,8 +278,8 @@ class RbfModel:
     def _of_stops(self, c: joint.Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
         """Force of the end stops, shape (n,)."""
         stops = np.tile(c.stops, (len(x), 1))
-        found: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
-        return found
+        forces: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
+        return forces
 
     def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
         """All curves at x, in the order of `Coefficients.curves`."""
