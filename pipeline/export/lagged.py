@@ -17,15 +17,14 @@ Values = list[Any]
 
 def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Realisation:
     """The paper's model at the sample interval [s] of its run; `unit` is that of q."""
-    weights = model.weights / model.mass
     low, high = escape_bounds(float(model.centres[0]), float(model.centres[-1]))
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
         """The law of a run."""
-        return {"dx": lagged_rates(x, u, model.centres, weights.T, model.width, model.lag, model.basis)}
+        return {"dx": lagged_rates(model.law, x, u)}
 
     squared, bend = model.inputs == "squared", 0.5 / model.width**2
-    constants = {"basis": model.basis, "centres": model.centres, "weights": weights.T, "bend": bend}
+    constants = {"basis": model.basis, "centres": model.centres, "weights": model.law.weights, "bend": bend}
     return Realisation(
         functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),
         constants=constants | {"lag": model.lag, "low": low, "high": high, "squared": int(squared)},

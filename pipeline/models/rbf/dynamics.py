@@ -437,36 +437,54 @@ def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
     )  # fmt: skip
 
 
+class Drive(NamedTuple):
+    """Inputs of a run.
+
+    u (n, K) at every half step, n = 2·steps·(N−1)+1 · du (R, n, K): their derivatives with respect to the R parameters
+    of kind `INPUT_SHAPE` · rested (K,): those under which the relaxing elements were at rest before the first sample ·
+    held: whether inputs are constant from node to node and jump there, instead of continuous.
+    """
+
+    u: FloatArray
+    du: FloatArray
+    rested: FloatArray
+    held: bool
+
+
+class Coupling(NamedTuple):
+    """Coupling of a run to a measurement.
+
+    measured (N,): x, finite, linear between samples · share (N,) of the gain that acts, 0 in gaps · gain λ [1/s]; 0 for
+    the free run.
+    """
+
+    measured: FloatArray
+    share: FloatArray
+    gain: float
+
+
 def observed_run(
-    u: FloatArray, du: FloatArray, measured: FloatArray, observe: FloatArray, gain: float, start: tuple[float, float],
-    interval: float, steps: int, c: Coefficients, wrt: SensitivityParameters, rested: FloatArray, held: bool,
+    c: Coefficients, drive: Drive, coupling: Coupling, start: tuple[float, float], interval: float, steps: int,
+    wrt: SensitivityParameters,
 ) -> tuple[FloatArray, FloatArray, int]:  # fmt: skip
-    """Integrate the joint over a record, coupled to the measurement with the observer gain λ.
+    """Integrate the joint over a record, coupled to the measurement by an observer.
 
     Parameters
     ----------
-    u : FloatArray, shape (2·steps·(N−1)+1, K)
-        Inputs at every half step.
-    du : FloatArray, shape (R, 2·steps·(N−1)+1, K)
-        Their derivatives with respect to the R parameters of kind `INPUT_SHAPE`.
-    measured, observe : FloatArray, shape (N,)
-        Measured x (finite; linear between samples) and the share of the gain that acts (0 in gaps).
-    gain : float
-        λ [1/s]; 0 for the free run.
+    c : Coefficients
+        The joint.
+    drive : Drive
+        Its inputs.
+    coupling : Coupling
+        The measurement.
     start : (float, float)
         x(0), p(0) [1/s].
     interval : float
         Sample interval [s].
     steps : int
         Runge-Kutta steps per interval.
-    c : Coefficients
-        The joint.
     wrt : SensitivityParameters
         P parameters; `no_sensitivities()` for a plain simulation.
-    rested : FloatArray, shape (K,)
-        Inputs under which the relaxing elements were at rest before the first sample.
-    held : bool
-        Whether inputs are constant from node to node and jump there, instead of continuous.
 
     Returns
     -------
@@ -479,6 +497,7 @@ def observed_run(
         3·(2+L+D)·P products for the sensitivities: with one input and M = 8 0.3 µs per step, 0.5 with P = 14; with two
         inputs, two shapes and M = 12 1.0 µs, 5.9 with P = 169.
     """
+    (u, du, rested, held), (measured, observe, gain) = drive, coupling
     count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(wrt.kind)
     states = np.full((count, 3 + elements + slips), np.nan)
     sensitivity = np.zeros((count, parameters))

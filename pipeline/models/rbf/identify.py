@@ -14,7 +14,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.fitting.coverage import coverage
 from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
+from pipeline.fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
 from pipeline.fitting.regression import InputLaw
 from pipeline.model_list import RBF_TIME_LIMIT
@@ -213,10 +213,12 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, option: Candidate, 
     def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         """θ after a homotopy over the observer gains [frequency scale], within a share of the effort."""
         return fit_homotopy(
-            problem, theta, prior, gains=gains, noise_inflation=option.noise_inflation, iterations=ITERATIONS,
-            last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), on_progress=report,
-            parts=problem.parts,
-            keep=kept_under(setting.stored, f"final of {option.label} from {gains[0]:g}"),
+            problem, theta, prior,
+            Schedule(gains, ITERATIONS, LAST_ITERATIONS, noise_inflation=option.noise_inflation),
+            callbacks=Callbacks(
+                enough=lambda: setting.effort.exhausted(share), on_progress=report, parts=problem.parts,
+                keep=kept_under(setting.stored, f"final of {option.label} from {gains[0]:g}"),
+            ),
         )  # fmt: skip
 
     def within(logs: Sequence[Record], theta: FloatArray, jacobians: int) -> JointProblem:

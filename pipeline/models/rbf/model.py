@@ -270,9 +270,8 @@ class RbfModel:
         u, du = p.inputs(v, interval, steps, theta)
         begin = (float(start[0]), float(start[1]))
         c, observe = p.coefficients(theta), np.ones(len(t)) if observe is None else observe
-        states, _, valid = joint.observed_run(
-            u, du, x, observe, gain, begin, interval, steps, c, joint.no_sensitivities(), p.at_rest(u, theta), p.held
-        )
+        drive, coupling = joint.Drive(u, du, p.at_rest(u, theta), p.held), joint.Coupling(x, observe, gain)
+        states, _, valid = joint.observed_run(c, drive, coupling, begin, interval, steps, joint.no_sensitivities())
         return states, valid
 
     def _of_stops(self, c: joint.Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.errors import InputError
-from pipeline.models.rbf.dynamics import basis, no_sensitivities, observed_run
+from pipeline.models.rbf.dynamics import Coupling, Drive, basis, no_sensitivities, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import drive_at_nodes, known_inputs, spline_through
 from pipeline.numerics.arrays import BoolArray, FloatArray
@@ -191,7 +191,7 @@ class _Log:
 class JointProblem:
     """Simulated minus measured x over all valid samples of the training logs (an `ObservedProblem`).
 
-    Observer gains are in units of the joint's frequency scale.
+    Coupling gains are in units of the joint's frequency scale.
 
     Parameters
     ----------
@@ -302,11 +302,10 @@ class JointProblem:
             u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
         self.effort.spend(stop * steps, len(wrt.kind), delayed=p.structure.input_delay)
-        return observed_run(
-            u, du, log.followed[:stop], seen[:stop], gain * p.scales.frequency, (float(log.measured[0]), log.start),
-            log.interval, steps, p.coefficients(theta), wrt, p.at_rest(u, theta, begins=log.past == 0),
-            p.held and log.every == 1,
-        )  # fmt: skip
+        drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
+        coupling = Coupling(log.followed[:stop], seen[:stop], gain * p.scales.frequency)
+        start = (float(log.measured[0]), log.start)
+        return observed_run(p.coefficients(theta), drive, coupling, start, log.interval, steps, wrt)
 
 
 def _log(p: ParameterLayout, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:

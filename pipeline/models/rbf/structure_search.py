@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
+from pipeline.fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from pipeline.fitting.posterior import surely_smaller
 from pipeline.fitting.regression import InputLaw
 from pipeline.models.kind import KnownCurves
@@ -327,10 +327,10 @@ def _quick_fit(
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         """A quick homotopy from θ over the observer gains [frequency scale] that are strong enough."""
+        strong = [gain for gain in gains if gain >= setting.coupled]
         return fit_homotopy(
-            problem, theta, prior, gains=[gain for gain in gains if gain >= setting.coupled],
-            noise_inflation=option.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,
-            on_progress=setting.progress(option.label, p.scales.half), parts=problem.parts,
+            problem, theta, prior, Schedule(strong, steps, 2 * steps, 1e-3, option.noise_inflation),
+            callbacks=Callbacks(on_progress=setting.progress(option.label, p.scales.half), parts=problem.parts),
         )  # fmt: skip
 
     if near is not None and p.count > MANY and _alike(p, near[0]):

@@ -50,8 +50,9 @@ def record(p, theta, n=700, interval=0.01, seed=1):
     v = pulses(n, interval, rng)
     u, du = p.inputs(v, interval, 1, theta)
     still = np.zeros(n)
+    drive, free = joint.Drive(u, du, u[0], p.held), joint.Coupling(still, still, 0.0)
     states, _, valid = joint.observed_run(
-        u, du, still, still, 0.0, (0.6, 0.0), interval, 1, p.coefficients(theta), joint.no_sensitivities(), u[0], p.held
+        p.coefficients(theta), drive, free, (0.6, 0.0), interval, 1, joint.no_sensitivities()
     )
     assert valid == n
     q, qdot, qddot = (SCALES.half * states[:, i] for i in range(3))
@@ -126,20 +127,8 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
     theta[p.slices["stops"]] += -0.9, 0.8, np.log(300.0), np.log(3.0)
     c, n = p.coefficients(theta), 800
     still, none = np.zeros(n), np.zeros((2 * (n - 1) * 2 + 1, 2))
-    states, _, valid = joint.observed_run(
-        none,
-        np.zeros((2, *none.shape)),
-        still,
-        still,
-        0.0,
-        (2.0, 0.0),
-        0.005,
-        2,
-        c,
-        joint.no_sensitivities(),
-        none[0],
-        False,
-    )
+    drive, free = joint.Drive(none, np.zeros((2, *none.shape)), none[0], False), joint.Coupling(still, still, 0.0)
+    states, _, valid = joint.observed_run(c, drive, free, (2.0, 0.0), 0.005, 2, joint.no_sensitivities())
     assert valid == n
     basis, unused, bends = np.empty(c.curves.shape[1]), np.empty(c.curves.shape[1]), np.empty(len(c.centres))
 
