@@ -17,6 +17,7 @@ extending: Any = import_configured("numba.extending")
 types, TypingError = numba.types, numba.TypingError
 njit: Any = numba.njit
 intrinsic, implement, inlinable = extending.intrinsic, extending.overload, extending.register_jitable
+type_callable, lower_builtin = extending.type_callable, extending.lower_builtin
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 _kernels: dict[Any, Path] = {}
@@ -41,6 +42,11 @@ def compiled(function: Any = None, /, *, with_module_of: type | None = None, **o
     if function is None:
         return partial(_kernel, with_module_of=with_module_of, options=options)
     return _kernel(function, with_module_of, options)
+
+
+def shared(function: Kernel) -> Kernel:
+    """For a law that kernels call, and that plain Python calls with traced values."""
+    return inlinable(error_model="numpy", _nrt=False)(function)  # type: ignore[no-any-return]
 
 
 def _kernel(function: Callable[..., Any], with_module_of: type | None, options: dict[str, Any]) -> Any:

@@ -69,11 +69,11 @@ def _hybrid() -> None:
 
 def _without_parameter_set() -> None:
     from pipeline.models.narx.equation import NarxEquation, NarxStructure, narx_run
-    from pipeline.models.paper.lagged_free_run import lagged_rbf_run
+    from pipeline.models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
     from pipeline.models.polynomial_dynamics import PolynomialDynamics, free_run
 
     v = np.zeros((3, 2))
-    lagged_rbf_run(v, True, 0.01, 1, (0.0, 0.0), np.zeros(2), np.zeros((2, 4)), 1.0, 1.0, (-1.0, 1.0))
+    lagged_rbf_run(LaggedLaw(np.zeros(2), np.zeros((2, 4)), 1.0, 1.0), v, 0.01, 1, (0.0, 0.0), (-1.0, 1.0))
     still = PolynomialDynamics(np.zeros((1, 7), dtype=np.int64), np.zeros((2, 1)), np.ones(7), (), True, -1.0, 1.0)
     free_run(still, v, 0.01, 0.0, 0.0)
     structure = NarxStructure(inputs=2, increments=1, input_lags=1, degree=1)

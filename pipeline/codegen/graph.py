@@ -47,7 +47,7 @@ class Graph:
     def inline(self, functions: Callable[[str, list[Any]], Any], number: Callable[[float], Any], **arrays: Any) -> Any:
         """The outputs as lists, with inputs of any kind: `functions` does an operation, `number` makes a constant."""
         values: list[Any] = []
-        found: dict[str, list[Any]] = {name: [number(0.0)] * size for name, size in self.outputs.items()}
+        outputs: dict[str, list[Any]] = {name: [number(0.0)] * size for name, size in self.outputs.items()}
         for operation in self.operations:
             array, entry = operation.place
             if operation.name == "input":
@@ -57,19 +57,19 @@ class Graph:
             elif operation.name == "fetch":
                 values.append(functions("fetch", [arrays[array], entry, values[operation.operands[0]]]))
             elif operation.name == "store":
-                found[array][entry] = values[operation.operands[0]]
+                outputs[array][entry] = values[operation.operands[0]]
             else:
                 values.append(functions(operation.name, [values[i] for i in operation.operands]))
-        return found
+        return outputs
 
     def evaluate(self, **arrays: FloatArray) -> dict[str, FloatArray]:
         """The outputs, shape (…, n), for inputs of shape (…, n) by numpy: a few microseconds an operation."""
         shape = np.broadcast_shapes(*(np.shape(a)[:-1] for a in arrays.values()))
         columns = {name: np.moveaxis(np.asarray(a), -1, 0) for name, a in arrays.items()}
-        found = self.inline(lambda name, operands: NUMPY[name](*operands), float, **columns)
+        outputs = self.inline(lambda name, operands: NUMPY[name](*operands), float, **columns)
         return {
             name: np.stack([np.broadcast_to(value, shape) for value in values], axis=-1)
-            for name, values in found.items()
+            for name, values in outputs.items()
         }
 
 
@@ -131,8 +131,8 @@ def reachable(operations: list[Operation], stores: list[Operation]) -> list[Oper
             needed.update(operations[i].operands)
     order = sorted(needed)
     place = {old: new for new, old in enumerate(order)}
-    kept = [operations[i]._replace(operands=tuple(place[j] for j in operations[i].operands)) for i in order]
-    return kept + [store._replace(operands=(place[store.operands[0]],)) for store in stores]
+    renumbered = [operations[i]._replace(operands=tuple(place[j] for j in operations[i].operands)) for i in order]
+    return renumbered + [store._replace(operands=(place[store.operands[0]],)) for store in stores]
 
 
 _COMMUTE = {"add", "mul", "and", "or"}
@@ -161,6 +161,8 @@ _OF_NUMBERS = {"add", "sub", "mul", "neg", "le", "lt"}
 
 class Value:
     """A number in a graph that is being traced."""
+
+    __array_ufunc__ = None  # so that a number of numpy leaves the operation to this class
 
     def __init__(self, builder: Builder, place: int) -> None:
         self.builder, self.place = builder, place
@@ -194,9 +196,9 @@ def function(name: str, *operands: Number) -> "Value":
     return _done(name, *operands)
 
 
-def choose(condition: Number, one: Number, other: Number) -> "Value":
-    """`one` where the condition holds."""
-    return _done("choose", condition, one, other)
+def choose(condition: Number, first: Number, other: Number) -> "Value":
+    """`first` where the condition holds."""
+    return _done("choose", condition, first, other)
 
 
 def fetch(table: str, entry: int, index: Value) -> Value:
@@ -217,13 +219,13 @@ def square(x: "Value") -> "Value":
 def _done(name: str, *operands: Number) -> "Value":
     builder = next(operand.builder for operand in operands if isinstance(operand, Value))
     places = [x.place if isinstance(x, Value) else builder.constant(float(x)) for x in operands]
-    known = [builder.operations[i].value if builder.operations[i].name == "constant" else None for i in places]
-    if name in _OF_NUMBERS and None not in known:
-        return Value(builder, builder.constant(float(NUMPY[name](*known))))
-    if name == "mul" and 0.0 in known:
+    constants = [builder.operations[i].value if builder.operations[i].name == "constant" else None for i in places]
+    if name in _OF_NUMBERS and None not in constants:
+        return Value(builder, builder.constant(float(NUMPY[name](*constants))))
+    if name == "mul" and 0.0 in constants:
         return Value(builder, builder.constant(0.0))
     for i, neutral in enumerate((0.0, 0.0) if name == "add" else (None, 0.0) if name == "sub" else (1.0, 1.0)):
-        if name in ("add", "sub", "mul") and neutral is not None and known[i] == neutral:
+        if name in ("add", "sub", "mul") and neutral is not None and constants[i] == neutral:
             return Value(builder, places[1 - i])
     return Value(builder, builder.add(name, *places))
 
@@ -261,14 +263,18 @@ def inline(graph: Graph, **arrays: list[Any]) -> dict[str, list[Any]]:
         name: [x if isinstance(x, Value) else Value(builder, builder.constant(float(x))) for x in array]
         for name, array in arrays.items()
     }
-    found: dict[str, list[Any]] = graph.inline(
+    outputs: dict[str, list[Any]] = graph.inline(
         lambda name, operands: _done(name, *operands), lambda x: Value(builder, builder.constant(x)), **given
     )
-    return found
+    return outputs
 
 
 def apply(graph: Graph, *numbers: Any) -> list[Any]:
-    """The outputs' entries of a generated graph for the entries of its inputs, in order."""
+    """The outputs' entries of a generated graph for the entries of its inputs, in order: traced values, or numbers."""
     given = iter(numbers)
     arrays = {name: [next(given) for _ in range(size)] for name, size in graph.inputs.items()}
-    return [value for values in inline(graph, **arrays).values() for value in values]
+    if any(isinstance(x, Value) for x in numbers):
+        outputs = inline(graph, **arrays)
+    else:
+        outputs = graph.inline(lambda name, operands: NUMPY[name](*operands), float, **arrays)
+    return [value for values in outputs.values() for value in values]

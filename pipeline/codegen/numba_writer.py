@@ -13,8 +13,8 @@ from typing import Any
 
 from llvmlite import ir
 
-from pipeline.codegen.graph import Graph, Operation
-from pipeline.compiled import TypingError, intrinsic, types
+from pipeline.codegen.graph import Graph, Operation, apply
+from pipeline.compiled import TypingError, intrinsic, lower_builtin, type_callable, types
 from pipeline.numerics.inner_loops import FAST
 
 _FLAGS = tuple(sorted(FAST))
@@ -43,10 +43,10 @@ def kernel(
             name: context.make_array(kind)(context, builder, array).data
             for name, kind, array in zip(names, kinds, arrays, strict=True)
         }
-        found = builder.call(
+        result = builder.call(
             _function(builder.module, graph, names, width, value, common, real), list(pointers.values())
         )
-        return context.get_dummy_value() if value is None else found
+        return context.get_dummy_value() if value is None else result
 
     @intrinsic
     def run(typing_context, arrays):
@@ -86,10 +86,31 @@ def function_of(module: Any, kind: Any, name: str) -> Any:
 
 
 def formula(graph: Graph) -> Any:
-    """A function for compiled code of one tuple of numbers, the inputs' entries in order; it returns the outputs'."""
+    """A function of one tuple of numbers, the inputs' entries in order; it returns the outputs' as a tuple.
+
+    Compiled code has the operations in place. Plain Python calls it with traced values or numbers.
+    """
     entries = [(name, i) for name, size in graph.inputs.items() for i in range(size)]
     results = [(name, i) for name, size in graph.outputs.items() for i in range(size)]
+    given_type, result_type = types.UniTuple(types.float64, len(entries)), types.UniTuple(types.float64, len(results))
 
+    def run(numbers):
+        """The formula."""
+        return tuple(apply(graph, *numbers))
+
+    @type_callable(run)
+    def typed(context):
+        """Its type."""
+
+        def of(numbers):
+            """The signature for a tuple of numbers."""
+            if not isinstance(numbers, types.BaseTuple) or len(numbers) != len(entries):
+                raise TypingError(f"a formula takes {len(entries)} numbers of {', '.join(graph.inputs)}, not {numbers}")
+            return result_type(given_type)
+
+        return of
+
+    @lower_builtin(run, given_type)
     def generate(context, builder, signature, arguments):
         """LLVM code: the graph's operations, in place."""
         given = {place: builder.extract_value(arguments[0], i) for i, place in enumerate(entries)}
@@ -97,14 +118,6 @@ def formula(graph: Graph) -> Any:
         writer.write(graph)
         values = [writer.found.get(place, ir.Constant(_REAL, 0.0)) for place in results]
         return context.make_tuple(builder, signature.return_type, values)
-
-    @intrinsic
-    def run(typing_context, numbers):
-        """The formula."""
-        if not isinstance(numbers, types.BaseTuple) or len(numbers) != len(entries):
-            raise TypingError(f"a formula takes {len(entries)} numbers of {', '.join(graph.inputs)}, not {numbers}")
-        of = types.UniTuple(types.float64, len(results))
-        return of(types.UniTuple(types.float64, len(entries))), generate
 
     return run
 

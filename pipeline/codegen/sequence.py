@@ -47,13 +47,13 @@ class GraphSequence:
     @cached_property
     def local(self) -> dict[str, int]:
         """Length of every array that is not given."""
-        found: dict[str, int] = {}
+        sizes: dict[str, int] = {}
         for name, other in self.calls:
             for array, size in self.graphs[name].outputs.items():
                 place = other.get(array, array)
                 if place not in self.given:
-                    found[place] = size
-        return found
+                    sizes[place] = size
+        return sizes
 
     def changed(self) -> list[str]:
         """Given arrays that are written."""
@@ -96,16 +96,16 @@ def sequence_kernel(sequence: GraphSequence) -> Any:
 
 def _function(module: Any, name: str, graph: Graph) -> Any:
     """The function of one graph in a module that is being made."""
-    known = f"graph_{name}"
-    if known not in module.globals:
+    symbol = f"graph_{name}"
+    if symbol not in module.globals:
         names = arguments(graph)
         kind = ir.FunctionType(ir.VoidType(), [ir.DoubleType().as_pointer()] * len(names))
-        function = ir.Function(module, kind, known)
+        function = ir.Function(module, kind, symbol)
         function.linkage = "internal"
         builder = ir.IRBuilder(function.append_basic_block("entry"))
         write_graph(graph, builder, dict(zip(names, function.args, strict=True)))
         builder.ret_void()
-    return module.globals[known]
+    return module.globals[symbol]
 
 
 def c_sequence(name: str, sequence: GraphSequence) -> Code:

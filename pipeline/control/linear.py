@@ -6,21 +6,25 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.control.plant import NAMES, UNITS, Constants, ControlledJoint, forces, slow_rates
+from pipeline.codegen.numba_writer import formula, kernel
+from pipeline.compiled import compiled
+from pipeline.control.plant import NAMES, UNITS, Constants, ControlledJoint, forces
 from pipeline.errors import InputError
-from pipeline.generated.condensed_joint import DRY_LEVELS, STATES
-from pipeline.models.hybrid.kernels import INDEX, prepare
+from pipeline.generated.condensed_joint import DRY_LEVELS, STATES, STOPS
+from pipeline.generated.condensed_joint_jacobian import JACOBIAN, PREPARE
+from pipeline.generated.terms import BELL_SHAPE
+from pipeline.models.hybrid.kernels import CURVES, INDEX, VALUES, prepare
 from pipeline.models.hybrid.statics import rest_state, still
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import outermost_pair
 
-_STEPS = np.where(np.isin(np.arange(STATES), (1, 3, 5)), 1e-5, 1e-7)
-_STEPS[3] = 1e-4
-_VOLTS_SQUARED = 1e4  # V², of the differences in the inputs
 _SAME = 1e-5  # m
 _TOLERANCE = 1e-9  # m
 _FARTHEST, _LOST = 0.2, 0.45
 """Shares of the beam's length: displacement up to which equilibria are looked for, and at which a search has failed."""
+
+_prepare, _slopes, _bell = kernel(PREPARE), kernel(JACOBIAN), formula(BELL_SHAPE)
+_PREPARED, _RATES, _BY_CORRECTIONS = PREPARE.outputs["p"], JACOBIAN.outputs["f"], JACOBIAN.outputs["by_c"]
 
 ComplexArray = np.ndarray[Any, np.dtype[np.complex128]]
 
@@ -110,25 +114,30 @@ class LinearModel:
 
 
 def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, FloatArray]:
-    """∂ẋ/∂x, shape (STATES, STATES), and ∂ẋ/∂(v²), shape (STATES, 2), friction left out, by central differences.
+    """∂ẋ/∂x, shape (STATES, STATES), and ∂ẋ/∂(v²), shape (STATES, 2), friction left out, from the generated graph.
 
-    Their error is less than 1e-6 of the exact ones' largest entry. Cost: 2 (STATES + 2) evaluations of the rates, 6 µs.
+    Cost: 10 µs.
     """
-    a, b = np.empty((STATES, STATES)), np.empty((STATES, 2))
-    ahead, behind = np.zeros(STATES), np.zeros(STATES)
-    for j in range(STATES):
-        y = x.copy()
-        y[j] += _STEPS[j]
-        slow_rates(y, u[0], u[1], c, ahead)
-        y[j] -= 2.0 * _STEPS[j]
-        slow_rates(y, u[0], u[1], c, behind)
-        a[:, j] = (ahead - behind) / (2.0 * _STEPS[j])
-    for j in range(2):
-        step = _VOLTS_SQUARED * np.eye(2)[j]
-        slow_rates(x, u[0] + step[0], u[1] + step[1], c, ahead)
-        slow_rates(x, u[0] - step[0], u[1] - step[1], c, behind)
-        b[:, j] = (ahead - behind) / (2.0 * _VOLTS_SQUARED)
-    return a, b
+    rows = STATES + STOPS  # the stop operators, which are held, come last
+    a, b = np.zeros((rows, rows)), np.zeros((rows, 2))
+    _differentiate(x, u, c, a.reshape(-1), b.reshape(-1))
+    return a[:STATES, :STATES].copy(), b[:STATES]
+
+
+@compiled
+def _differentiate(x: FloatArray, u: FloatArray, c: Constants, a: FloatArray, b: FloatArray) -> None:
+    """Fill derivatives by states and stop operators, and by squared voltages, row by row."""
+    prepared, values, slopes = np.empty(_PREPARED), np.zeros(VALUES), np.zeros(VALUES)
+    for i in range(c.weights.shape[1]):
+        bell, slope, bend = _bell((x[0] - i * c.basis[1], c.basis[0], c.basis[1], c.basis[2]))
+        for row in range(CURVES):
+            values[row] += c.weights[row, i] * bell
+            slopes[row] += c.weights[row, i] * slope
+        for row in range(VALUES - CURVES):
+            values[CURVES + row] += c.weights[4 + row, i] * slope
+            slopes[CURVES + row] += c.weights[4 + row, i] * bend
+    _prepare((c.k, prepared))
+    _slopes((x, u, values, np.zeros(STOPS), slopes, prepared, np.empty(_RATES), a, b, np.empty(_BY_CORRECTIONS)))
 
 
 def linearise(plant: ControlledJoint, x: FloatArray, v: FloatArray) -> LinearModel:

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import BRANCHES, ELEMENT_STATES, STOPS
-from pipeline.models.hybrid.kernels import VALUES, corrections_at, joint_rates, mass_matrix, prepare, rest_forces
+from pipeline.generated.condensed_joint import BRANCHES, ELEMENT_STATES
+from pipeline.models.hybrid.kernels import VALUES, corrections_at, mass_matrix, prepare, rest_forces
 from pipeline.numerics.arrays import FloatArray
 
 if TYPE_CHECKING:
@@ -98,15 +98,6 @@ def inertia(x: FloatArray, p: FloatArray) -> FloatArray:
     upper = np.zeros(6)
     mass_matrix(x, p, upper)
     return np.array([[upper[0], upper[1], upper[3]], [upper[1], upper[2], upper[4]], [upper[3], upper[4], upper[5]]])
-
-
-@compiled
-def slow_rates(x: FloatArray, u1: float, u2: float, c: Constants, rates: FloatArray) -> None:
-    """Rates of the state, shape (STATES,), with friction left out; u = v² [V²]."""
-    u, values, begin = np.zeros(2), np.zeros(VALUES), np.zeros(2)
-    u[0], u[1], begin[0], begin[1] = u1, u2, x[0], x[2]
-    corrections_at(x[0], c.basis, c.weights, values)
-    joint_rates(x, u, values, np.zeros(STOPS), begin, c.p, rates)
 
 
 @compiled

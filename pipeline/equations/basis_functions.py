@@ -50,12 +50,12 @@ def kernels() -> dict[str, tuple[dict[str, ca.SX], dict[str, ca.SX]]]:
     (r, value, ratio, shrink), law = ca.vertsplit(bell), GAUSSIAN.law
     first, step, width = (q - basis[0]) / basis[2], basis[1] / basis[2], basis[2]
     at_first = law(first * first)
-    found = ca.vertcat(first, at_first, law(step * (step - 2.0 * first)), law(2.0 * step * step))
+    first_bell = ca.vertcat(first, at_first, law(step * (step - 2.0 * first)), law(2.0 * step * step))
     exponent = ca.substitute(ca.gradient(law(square), square), square, 0.0)
     by_q = ca.gradient(at_first, q)
     return {
         "BELL_SHAPE": ({"q": q, "basis": basis}, {"shape": ca.vertcat(at_first, by_q, ca.gradient(by_q, q))}),
-        "FIRST_BELL": ({"q": q, "basis": basis}, {"bell": found}),
+        "FIRST_BELL": ({"q": q, "basis": basis}, {"bell": first_bell}),
         "NEXT_BELL": (
             {"bell": bell, "basis": basis},
             {

@@ -58,20 +58,20 @@ def shortening_density(slope: Any) -> Any:
 
 def _derived(order: int) -> list[list[int]]:
     """Coefficients of the derivatives of `_SHAPES`."""
-    found = [list(shape) for shape in _SHAPES]
+    shapes = [list(shape) for shape in _SHAPES]
     for _ in range(order):
-        found = [[k * c for k, c in enumerate(shape)][1:] for shape in found]
-    return found
+        shapes = [[k * c for k, c in enumerate(shape)][1:] for shape in shapes]
+    return shapes
 
 
 def products(order: int) -> tuple[tuple[float, ...], ...]:
     """∫ hᵢ⁽ⁿ⁾ hⱼ⁽ⁿ⁾ dξ over the beam, (3, 3), for derivatives of this order n; exact to the last bit."""
 
-    def integral(one: list[int], two: list[int]) -> float:
-        return float(sum(Fraction(a * b, i + j + 1) for i, a in enumerate(one) for j, b in enumerate(two)))
+    def integral(first: list[int], second: list[int]) -> float:
+        return float(sum(Fraction(a * b, i + j + 1) for i, a in enumerate(first) for j, b in enumerate(second)))
 
     derived = _derived(order)
-    return tuple(tuple(integral(one, two) for two in derived) for one in derived)
+    return tuple(tuple(integral(first, second) for second in derived) for first in derived)
 
 
 (STIFFNESS_QQ, STIFFNESS_QT, _), (_, STIFFNESS_TT, _), (_, _, STIFFNESS_BB) = products(2)
@@ -110,9 +110,9 @@ class Powers:
 
     def __mul__(self, other: "Powers | float") -> "Powers":
         product: dict[tuple[int, ...], float] = {}
-        for one, a in self.terms.items():
-            for two, b in _terms(other, self).items():
-                powers = tuple(i + j for i, j in zip(one, two, strict=True))
+        for first, a in self.terms.items():
+            for second, b in _terms(other, self).items():
+                powers = tuple(i + j for i, j in zip(first, second, strict=True))
                 product[powers] = product.get(powers, 0.0) + a * b
         return Powers(product)
 
@@ -120,12 +120,12 @@ class Powers:
 
     def derivative(self, variable: int) -> "Powers":
         """The derivative with respect to one variable."""
-        found = {}
+        terms = {}
         for powers, value in self.terms.items():
             if powers[variable] > 0:
                 lower = (*powers[:variable], powers[variable] - 1, *powers[variable + 1 :])
-                found[lower] = powers[variable] * value
-        return Powers(found)
+                terms[lower] = powers[variable] * value
+        return Powers(terms)
 
     def at(self, moving: list[Expression], constant: list[Expression]) -> Expression:
         """The value for expressions: the last variables are `constant` and gathered into one factor of each power."""
@@ -149,8 +149,8 @@ def _terms(value: "Powers | float", like: Powers) -> dict[tuple[int, ...], float
 
 
 def _product(powers: tuple[int, ...], values: list[Expression]) -> Expression:
-    found = ca.SX(1)
+    product = ca.SX(1)
     for value, power in zip(values, powers, strict=True):
         for _ in range(power):
-            found = found * value
-    return found
+            product = product * value
+    return product

@@ -164,17 +164,17 @@ def rates(s: CondensedSymbols, friction: Expression) -> Expression:
     inertia = frame_inertia(s)
     pushed = ca.vertcat(acting.force, acting.moment, acting.interior) + inertia.centrifugal
     accelerations = ca.mtimes(ca.inv_minor(inertia.mass), pushed)
-    found = [each for i in range(3) for each in (s.speeds[i], accelerations[i])]
+    derivatives = [each for i in range(3) for each in (s.speeds[i], accelerations[i])]
     for i in range(BRANCHES):
         for side in range(2):
-            found.append(
+            derivatives.append(
                 elements.maxwell_rate(acting.thinning[side], k(f"relaxation_{i}"), x[FIRST_STRAIN + 2 * i + side])
             )
     for i in range(CREEPS):
-        found.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_ELEMENT + i]))
+        derivatives.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_ELEMENT + i]))
     for element in tip_elements():
-        found += [state.rate(*_tip(s, element)) for state in element.states]
-    return ca.vertcat(*found)
+        derivatives += [state.rate(*_tip(s, element)) for state in element.states]
+    return ca.vertcat(*derivatives)
 
 
 def _tip(

@@ -132,7 +132,7 @@ def beam_gradient(s: CondensedSymbols) -> list[Expression]:
     by_q, by_slope, by_b = (energy.derivative(i).at(moving, constant) for i in range(3))
     slender = (by_q + k("slope_by_q") * by_slope, k("slope_by_tau") * by_slope, by_b + k("slope_by_beta") * by_slope)
     added = _hardening_gradient(s, _near(s))
-    return [k("bending") * (one + more) for one, more in zip(slender, added, strict=True)]
+    return [k("bending") * (force + more) for force, more in zip(slender, added, strict=True)]
 
 
 def shortening(s: CondensedSymbols) -> tuple[Expression, Expression]:
@@ -156,7 +156,7 @@ def raised(s: CondensedSymbols) -> Expression:
 
 def bends(s: CondensedSymbols) -> Expression:
     """The matrix R, (3, 3)."""
-    names = [["".join(sorted(one + two, key=_ORDER.index)) for two in _ORDER] for one in _ORDER]
+    names = [["".join(sorted(row + column, key=_ORDER.index)) for column in _ORDER] for row in _ORDER]
     return ca.vertcat(*(ca.horzcat(*(s.constant(f"rise_{name}") for name in row)) for row in names))
 
 
@@ -188,10 +188,10 @@ class _Near:
 def _near(s: CondensedSymbols) -> _Near:
     """They level off beyond `_FAR`, so that no sign of a term lets the energy fall for ever, with continuous slopes."""
     values, slopes = {}, []
-    for one, x, far in zip(_ORDER, (s.x[0] / s.constant("l"), s.x[2], s.x[4]), _FAR, strict=True):
-        kept = ca.fmin(1.5 * far, ca.fmax(-1.5 * far, x))
-        above, below = ca.fmax(0.0, kept - far), ca.fmax(0.0, -far - kept)
-        values[one] = kept - (above * above - below * below) / far
+    for letter, x, far in zip(_ORDER, (s.x[0] / s.constant("l"), s.x[2], s.x[4]), _FAR, strict=True):
+        limited = ca.fmin(1.5 * far, ca.fmax(-1.5 * far, x))
+        above, below = ca.fmax(0.0, limited - far), ca.fmax(0.0, -far - limited)
+        values[letter] = limited - (above * above - below * below) / far
         slopes.append(1.0 - (above + below) * (2.0 / far))
     pairs: _Products = {two: values[two[0]] * values[two[1]] for two in combinations_with_replacement(_ORDER, 2)}
     threes = combinations_with_replacement(_ORDER, 3)
@@ -202,26 +202,28 @@ def _hardening_gradient(s: CondensedSymbols, near: _Near) -> list[Expression]:
     """∂/∂(Q, τ, β) of Σ quartic Q^i τ^j β^k + β³ Σ sextic Q^i τ^j β^k, i + j + k = 4 and 3."""
     square, cube = near.pairs["b", "b"], near.triples["b", "b", "b"]
     sextic = sum(s.constant(f"sextic_{''.join(three)}bbb") * at for three, at in near.triples.items())
-    found = []
-    for one, slope, quartic in zip(_ORDER, near.slopes, _quartic_gradient(s, near, "quartic"), strict=True):
-        by = sum(_coefficient(s, one, two, "bbb", "sextic") * at for two, at in near.pairs.items()) * cube + quartic
-        if one == "b":
+    gradient = []
+    for letter, slope, quartic in zip(_ORDER, near.slopes, _quartic_gradient(s, near, "quartic"), strict=True):
+        by = sum(_coefficient(s, letter, two, "bbb", "sextic") * at for two, at in near.pairs.items()) * cube + quartic
+        if letter == "b":
             by += 3.0 * square * sextic
-        found.append(by * slope)
-    return found
+        gradient.append(by * slope)
+    return gradient
 
 
 def _quartic_gradient(s: CondensedSymbols, near: _Near, name: str) -> list[Expression]:
     """Slopes of Σ name Q^i τ^j β^k along the values of `near`."""
-    return [sum(_coefficient(s, one, three, "", name) * at for three, at in near.triples.items()) for one in _ORDER]
+    return [
+        sum(_coefficient(s, letter, three, "", name) * at for three, at in near.triples.items()) for letter in _ORDER
+    ]
 
 
-def _coefficient(s: CondensedSymbols, one: str, others: tuple[str, ...], factor: str, name: str) -> Expression:
-    """Coefficient in the slope along `one` of the term that is `one` times `others` times `factor`."""
-    powers = "".join(sorted((*others, one), key=_ORDER.index))
+def _coefficient(s: CondensedSymbols, letter: str, others: tuple[str, ...], factor: str, name: str) -> Expression:
+    """Coefficient in the slope along `letter` of the term that is `letter` times `others` times `factor`."""
+    powers = "".join(sorted((*others, letter), key=_ORDER.index))
     if name == "shortening" and powers not in SHORTENINGS:
         return 0.0
-    return powers.count(one) * s.constant(f"{name}_{powers}{factor}")
+    return powers.count(letter) * s.constant(f"{name}_{powers}{factor}")
 
 
 @dataclass(frozen=True)

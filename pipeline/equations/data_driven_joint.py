@@ -121,6 +121,7 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     p, push, arc, coupling, rate, load = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "load"))
     state, travel, length, drive = (ca.SX.sym(name) for name in ("state", "travel", "length", "drive"))
     drag, stops = ca.SX.sym("drag"), ca.SX.sym("stops", 4)
+    slope = ca.jacobian(bell(x, centre, bend), x)
     moved, relaxing = acceleration(p, curves, push, arm, arc, drag), element_rate(coupling, p, rate, load)
     slid = elements.dahl_move(state, travel, length)
     return {
@@ -129,7 +130,10 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
         "CLIPPED": ({"x": x, "low": low, "high": high}, _with_slopes(clipped(x, low, high), x)),
         "BENT": ({"drive": drive, "bend": bend}, _with_slopes(bent(drive, bend), ca.vertcat(drive, bend))),
         "PAST_ZONE": ({"drive": drive, "zone": bend}, _with_slopes(past_zone(drive, bend), ca.vertcat(drive, bend))),
-        "BELL": ({"inside": x, "centre": centre, "bend": bend}, _with_slopes(bell(x, centre, bend), x)),
+        "BELL": (
+            {"inside": x, "centre": centre, "bend": bend},
+            _with_slopes(bell(x, centre, bend), x) | {"curvature": ca.jacobian(slope, x)},
+        ),
         "ACCELERATION": (
             {"p": p, "curves": curves, "push": push, "arm": arm, "arc": arc, "drag": drag},
             _with_slopes(moved, ca.vertcat(p, curves, push, arm, arc, drag)),

@@ -61,8 +61,8 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     z, play, travel = (ca.SX.sym(name) for name in ("z", "play", "travel"))
     free = _unbounded(z, play, travel)
     slopes = ca.if_else(ca.fabs(free) < 1.0, ca.jacobian(free, ca.vertcat(z, play, travel)), 0.0)
-    found = {"value": stop_operator(z, play, travel), "slopes": slopes}
-    return {"STOP_OPERATOR": ({"z": z, "play": play, "travel": travel}, found)}
+    outputs = {"value": stop_operator(z, play, travel), "slopes": slopes}
+    return {"STOP_OPERATOR": ({"z": z, "play": play, "travel": travel}, outputs)}
 
 
 def length(

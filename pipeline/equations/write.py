@@ -52,14 +52,14 @@ def texts() -> dict[str, str]:
     }
 
 
-def _module(summary: str, found: dict[str, Graph], constants: dict[str, Any] | None = None, imports: str = "") -> str:
+def _module(summary: str, named: dict[str, Graph], constants: dict[str, Any] | None = None, imports: str = "") -> str:
     """The text of a module with constants and graphs."""
     parts = [_HEADER.format(summary=summary), _GRAPH, imports]
     for name, value in (constants or {}).items():
         parts.append(f"\n{name} = " + "\n    ".join(textwrap.wrap(repr(value), 110, break_long_words=False)) + "\n")
-    for name, one in found.items():
-        body = "\n".join(textwrap.wrap(one.text, 116, break_long_words=False, break_on_hyphens=False))
-        parts.append(f'\n{name} = Graph(\n    {one.inputs!r},\n    {one.outputs!r},\n    """\n{body}\n    """,\n)\n')
+    for name, each in named.items():
+        body = "\n".join(textwrap.wrap(each.text, 116, break_long_words=False, break_on_hyphens=False))
+        parts.append(f'\n{name} = Graph(\n    {each.inputs!r},\n    {each.outputs!r},\n    """\n{body}\n    """,\n)\n')
     return "".join(parts)
 
 
@@ -108,11 +108,11 @@ def _condensed_jacobian() -> str:
 
 def _full() -> str:
     kernels = full_joint.kernels(full_joint.symbols())
-    found = {name.upper(): graph(inputs, outputs) for name, (_, inputs, outputs) in kernels.items()}
-    functions = [_function(name, docstring, found[name.upper()]) for name, (docstring, _, _) in kernels.items()]
+    named = {name.upper(): graph(inputs, outputs) for name, (_, inputs, outputs) in kernels.items()}
+    functions = [_function(name, docstring, named[name.upper()]) for name, (docstring, _, _) in kernels.items()]
     imports = "from pipeline.codegen.numba_writer import kernel\nfrom pipeline.compiled import compiled\n"
     imports += "from pipeline.numerics.arrays import FloatArray\n"
-    return _module(_FULL, found, imports=imports) + "".join(functions)
+    return _module(_FULL, named, imports=imports) + "".join(functions)
 
 
 def _function(name: str, docstring: str, source: Graph) -> str:
@@ -130,20 +130,23 @@ def _function(name: str, docstring: str, source: Graph) -> str:
 
 
 def _basis_functions() -> str:
-    known, square = basis_functions(), ca.SX.sym("square")
-    values = {name: one.law(square) for name, one in known.items()}
+    functions, square = basis_functions(), ca.SX.sym("square")
+    values = {name: function.law(square) for name, function in functions.items()}
     outputs = {name: {"found": ca.vertcat(value, ca.gradient(value, square))} for name, value in values.items()}
-    found = {name.upper(): graph({"square": square}, output) for name, output in outputs.items()}
-    imports = "from pipeline.codegen.numba_writer import formula\nfrom pipeline.compiled import compiled\n"
+    named = {name.upper(): graph({"square": square}, output) for name, output in outputs.items()}
+    imports = "from pipeline.codegen.numba_writer import formula\nfrom pipeline.compiled import shared\n"
     # An infinite reach is written as a number whose square is one.
-    constants = {"NAMES": tuple(known), "REACHES": tuple(min(one.reach, 1e150) for one in known.values())}
-    text = _module("Radial basis functions: values and slopes.", found, constants, imports)
-    text += "\nGRAPHS = {" + ", ".join(f"{name!r}: {name.upper()}" for name in known) + "}\n"
-    text += "".join(f"\n_{name} = formula({name.upper()})\n" for name in known)
-    text += "\n\n@compiled\ndef basis_function(kind: int, square: float) -> tuple[float, float]:\n"
+    constants = {
+        "NAMES": tuple(functions),
+        "REACHES": tuple(min(function.reach, 1e150) for function in functions.values()),
+    }
+    text = _module("Radial basis functions: values and slopes.", named, constants, imports)
+    text += "\nGRAPHS = {" + ", ".join(f"{name!r}: {name.upper()}" for name in functions) + "}\n"
+    text += "".join(f"\n_{name} = formula({name.upper()})\n" for name in functions)
+    text += "\n\n@shared\ndef basis_function(kind: int, square: float) -> tuple[float, float]:\n"
     text += '    """Value of the function `NAMES[kind]`, and its slope along `square`, ((q − ξ)/σ)²."""\n'
-    for kind, name in enumerate(known):
-        case = "    " if kind == len(known) - 1 else f"    if kind == {kind}:\n        "
+    for kind, name in enumerate(functions):
+        case = "    " if kind == len(functions) - 1 else f"    if kind == {kind}:\n        "
         text += f"{case}return _{name}((square,))  # type: ignore[no-any-return]\n"
     return text
 
@@ -195,11 +198,11 @@ def graphs(kernels: Kernels, hoisted: str) -> dict[str, Graph]:
     operations = {name: _kernel(builder, stores[name], constant, prepared) for name in kernels}
     out = [Operation("store", (source,), ("p", place)) for source, place in prepared.items()]
     size = next(inputs[hoisted].numel() for inputs, _ in kernels.values() if hoisted in inputs)
-    found = {"PREPARE": Graph({hoisted: size}, {"p": len(out)}, text_of(reachable(builder.operations, out)))}
+    named = {"PREPARE": Graph({hoisted: size}, {"p": len(out)}, text_of(reachable(builder.operations, out)))}
     for name, (inputs, outputs) in kernels.items():
         sizes = {key: value.numel() for key, value in inputs.items() if key != hoisted} | {"p": len(out)}
-        found[name] = Graph(sizes, {k: value.numel() for k, value in outputs.items()}, text_of(operations[name]))
-    return found
+        named[name] = Graph(sizes, {k: value.numel() for k, value in outputs.items()}, text_of(operations[name]))
+    return named
 
 
 def graph(inputs: dict[str, Expression], outputs: dict[str, Expression]) -> Graph:
@@ -257,21 +260,21 @@ def _operation(builder: Builder, kind: int, operands: list[int]) -> int:
 
 def _sum(builder: Builder, a: int, b: int) -> int:
     """A + b, or a difference where one of them is a negative."""
-    for one, other in ((a, b), (b, a)):
+    for first, other in ((a, b), (b, a)):
         if builder.operations[other].name == "neg":
-            return builder.add("sub", one, builder.operations[other].operands[0])
+            return builder.add("sub", first, builder.operations[other].operands[0])
     return builder.add("add", a, b)
 
 
 def _constant_operations(builder: Builder, hoisted: str) -> list[bool]:
     """Whether each operation depends on numbers and the constants alone."""
-    found: list[bool] = []
+    constant: list[bool] = []
     for operation in builder.operations:
         if operation.name == "input":
-            found.append(operation.place[0] == hoisted)
+            constant.append(operation.place[0] == hoisted)
         else:
-            found.append(all(found[i] for i in operation.operands))
-    return found
+            constant.append(all(constant[i] for i in operation.operands))
+    return constant
 
 
 def _kernel(
@@ -299,8 +302,8 @@ def _kernel(
             moved[i] = own.add(operation.name, *(visit(j) for j in operation.operands), place=operation.place)
         return moved[i]
 
-    found = [Operation("store", (visit(store.operands[0]),), store.place) for store in stores]
-    return reachable(own.operations, found)
+    own_stores = [Operation("store", (visit(store.operands[0]),), store.place) for store in stores]
+    return reachable(own.operations, own_stores)
 
 
 if __name__ == "__main__":

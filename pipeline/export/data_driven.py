@@ -1,6 +1,6 @@
 """The data-driven joint for export, in its own dimensionless numbers.
 
-The laws of `pipeline.equations.data_driven_joint`, summed over the curves, elements and friction states of a joint.
+The law of a run, `pipeline.models.rbf.dynamics`, traced with the numbers of one joint.
 """
 
 from dataclasses import dataclass
@@ -11,21 +11,8 @@ import numpy as np
 from pipeline.codegen.graph import Graph, apply, function, trace
 from pipeline.export.input_lag import lagged_nodes
 from pipeline.export.subject import Realisation, Variable
-from pipeline.generated.terms import (
-    ACCELERATION,
-    BELL,
-    BENT,
-    CLIPPED,
-    DAHL_MOVE,
-    DAHL_RATE,
-    ELEMENT,
-    LAG,
-    PAST_ZONE,
-    POWERS,
-    STOP_FORCE,
-    TURNING_ARM,
-)
-from pipeline.models.rbf.dynamics import DAMPING, ESCAPE, FORCE, INPUT, POLYNOMIALS, Coefficients
+from pipeline.generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
+from pipeline.models.rbf.dynamics import ESCAPE, Coefficients, free_rates, no_sensitivities, resting_elements, slide
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.problem import steps_per_sample
 from pipeline.numerics.arrays import FloatArray
@@ -129,15 +116,12 @@ class _Joint:
         """Elements at rest, friction relaxed."""
         before = u if self.rested else [0.0] * self.inputs
         f, at = self._acting(before), (q0[0] - self.middle) / self.half
-        values = [_curve(row, _basis(at, self.c)) for row in self.c.curves]
-        pulls = [_dot(values[row + 1 : row + 1 + self.inputs], f) for row in self._shapes()]
-        strains = pulls + [0.0] * (len(self.c.rates) - len(pulls))
-        x = [at, qdot0[0] / self.half, *strains, *([0.0] * self.slips)]
+        x = [at, qdot0[0] / self.half, *resting_elements(self.c, at, f), *([0.0] * self.slips)]
         return {"x": x + (before if self.lagged else []), "z": []}
 
     def begin(self, x: Values, z: Values, h: Values) -> Outputs:
         """Friction states at the middle of the step, and where the step starts."""
-        return {"base": [*self._slid(x, 0.5 * h[0] * x[1]), x[0]]}
+        return {"base": [*self._slid(x, 0.5 * h[0], x[1]), x[0]]}
 
     def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """Friction holds its middle value, and `behind` has moved the lagged inputs."""
@@ -146,13 +130,13 @@ class _Joint:
     def finish(self, base: Values, x: Values, z: Values) -> Outputs:
         """Friction states moved with the step."""
         last = self.first + self.slips
-        return {"x": [*x[: self.first], *self._slid(x, x[0] - base[-1]), *x[last:]], "z": z}
+        return {"x": [*x[: self.first], *self._slid(x, 1.0, x[0] - base[-1]), *x[last:]], "z": z}
 
     def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """Rates of all states, friction as Dahl's differential equation."""
         last = self.first + self.slips
         slip, acts = x[self.first : last], x[last:] if self.lagged else u
-        sliding = [apply(DAHL_RATE, x[1], s, d)[0] for s, d in zip(slip, self._lengths(), strict=True)]
+        sliding = [apply(DAHL_RATE, x[1], s, float(d))[0] for s, d in zip(slip, self.c.slip_length, strict=True)]
         lagging = [apply(LAG, value, late, self.lag)[0] for value, late in zip(u, x[last:], strict=False)]
         return {"dx": self._moved(x, slip, self._acting(acts)) + sliding + lagging}
 
@@ -177,37 +161,16 @@ class _Joint:
         drives = [value if self.zone is None else apply(PAST_ZONE, value, self.zone)[0] for value in bent]
         return [value * value if self.squared else value for value in drives]
 
-    def _lengths(self) -> list[float]:
-        return [float(length) for length in self.c.slip_length]
-
-    def _slid(self, x: Values, travel: Any) -> Values:
-        """Friction states after a monotonous travel."""
-        return [apply(DAHL_MOVE, x[self.first + n], travel, d)[0] for n, d in enumerate(self._lengths())]
+    def _slid(self, x: Values, share: Any, way: Any) -> Values:
+        """Friction states after a monotonous travel, a `share` of the way."""
+        slip, moved = np.empty((2, self.slips, 1), dtype=object)
+        slip[:, 0] = x[self.first : self.first + self.slips]
+        slide(slip, share, way, np.empty(0), self.c, no_sensitivities(), moved)
+        return list(moved[:, 0])
 
     def _moved(self, x: Values, slip: Values, f: Values) -> Values:
         """Rates of the displacement, its velocity and the relaxing elements under the inputs f of the motion."""
-        c, inputs, p, basis = self.c, len(f), x[1], _basis(x[0], self.c)
-        values = [_curve(row, basis) for row in c.curves]
-        couplings, w = values[INPUT + inputs : INPUT + inputs + len(c.rates)], x[2 : self.first]
-        loads, rates = list(w), [float(rate) for rate in c.rates]
-        push, slopes = _dot(values[INPUT : INPUT + inputs], f), _bell_slopes(x[0], c)
-        for n, row in enumerate(self._shapes()):
-            loads[n], rates[n] = w[n] - _dot(values[row + 1 : row + 1 + inputs], f), rates[n] + values[row]
-            bent = [_curve(curve[POLYNOMIALS:], slopes) for curve in c.curves[row + 1 : row + 1 + inputs]]
-            push = push + w[n] * _dot(bent, f)
-        push = push - _dot(couplings, loads)
-        push = push - sum(float(force) * s for force, s in zip(c.slip_force, slip, strict=True))
-        if len(c.stops):
-            push = push + apply(STOP_FORCE, x[0], p, *map(float, c.stops))[0]
-        arm = x[0] - float(c.inertia[1])
-        moved = apply(ACCELERATION, p, values[FORCE], values[DAMPING], push, arm, float(c.inertia[0]), c.drag)[0]
-        elements = zip(couplings, rates, loads, strict=True)
-        return [p, moved, *(apply(ELEMENT, h, p, rate, load)[0] for h, rate, load in elements)]
-
-    def _shapes(self) -> range:
-        """Row of ρ of each shape element."""
-        first = INPUT + self.inputs + len(self.c.rates)
-        return range(first, len(self.c.curves), 1 + self.inputs)
+        return free_rates(self.c, x[: self.first], slip, f)
 
 
 def _joint(model: RbfModel) -> _Joint:
@@ -226,25 +189,3 @@ def _joint(model: RbfModel) -> _Joint:
         zone=float(np.exp(theta[p.slices["input_zone"]][0])) if p.structure.dead_zone else None,
         rested=not p.structure.rest_at_zero,
     )
-
-
-def _dot(a: Values, b: Values) -> Any:
-    return sum(one * other for one, other in zip(a, b, strict=True))
-
-
-def _curve(weights: FloatArray, basis: Values) -> Any:
-    """A curve where its basis has these values."""
-    return _dot([float(w) for w in weights], basis)
-
-
-def _bell_slopes(x: Any, c: Coefficients) -> Values:
-    """Slopes of the Gaussians."""
-    inside, moving = apply(CLIPPED, x, float(c.low), float(c.high))
-    return [apply(BELL, inside, float(centre), float(c.bend))[1] * moving for centre in c.centres]
-
-
-def _basis(x: Any, c: Coefficients) -> Values:
-    """See `pipeline.models.rbf.dynamics.basis_at`."""
-    head = apply(TURNING_ARM, x, float(c.arm[0]), float(c.arm[1])) if c.arm[1] != 0.0 else apply(POWERS, x)
-    inside = apply(CLIPPED, x, float(c.low), float(c.high))[0]
-    return head[:POLYNOMIALS] + [apply(BELL, inside, float(centre), float(c.bend))[0] for centre in c.centres]

@@ -4,12 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph, apply, function, trace
+from pipeline.codegen.graph import Graph, function, trace
 from pipeline.export.subject import Realisation, Variable
-from pipeline.generated.basis_functions import GRAPHS
-from pipeline.generated.terms import LAG, LAGGED_RATES, POLYNOMIAL_VARIABLES
+from pipeline.models.paper.lagged_free_run import lagged_rates
 from pipeline.models.paper.model import RbfPaperModel
-from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, steps_between_samples
+from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, polynomial_rates, steps_between_samples
 from pipeline.models.sindy.model import SindyModel
 from pipeline.solvers.fixed_step import escape_bounds, steps_per_sample
 
@@ -18,19 +17,14 @@ Values = list[Any]
 
 def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Realisation:
     """The paper's model at the sample interval [s] of its run; `unit` is that of q."""
-    weights = model.weights / model.mass
     low, high = escape_bounds(float(model.centres[0]), float(model.centres[-1]))
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
-        """Curves as sums over the basis, then the law."""
-        distances = [(x[0] - float(centre)) / model.width for centre in model.centres]
-        bells = [apply(GRAPHS[model.basis], distance * distance)[0] for distance in distances]
-        c, d, *gains = (sum(float(w) * bell for w, bell in zip(row, bells, strict=True)) for row in weights)
-        push = sum(gain * value for gain, value in zip(gains, u, strict=True))
-        return {"dx": [x[1], *apply(LAGGED_RATES, *x, c, d, push, model.lag)]}
+        """The law of a run."""
+        return {"dx": lagged_rates(model.law, x, u)}
 
     squared, bend = model.inputs == "squared", 0.5 / model.width**2
-    constants = {"basis": model.basis, "centres": model.centres, "weights": weights.T, "bend": bend}
+    constants = {"basis": model.basis, "centres": model.centres, "weights": model.law.weights, "bend": bend}
     return Realisation(
         functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),
         constants=constants | {"lag": model.lag, "low": low, "high": high, "squared": int(squared)},
@@ -50,18 +44,8 @@ def realise_polynomial(model: SindyModel, interval: float, unit: str = "m") -> R
     d = model.dynamics
 
     def rates(x: Values, z: Values, base: Values, u: Values) -> dict[str, Values]:
-        """Factors, then monomials."""
-        moving = apply(POLYNOMIAL_VARIABLES, *x[:2], *(float(scale) for scale in d.scales[:3]))
-        factors = [*moving, function("sin", x[0]), function("cos", x[0]), *u, *x[2:]]
-        found: Values = [0.0, 0.0]
-        for powers, coefficients in zip(d.exponents, d.coefficients.T, strict=True):
-            chosen = [value for value, power in zip(factors, powers, strict=True) for _ in range(power)]
-            for i in range(2):
-                term: Any = float(coefficients[i])
-                for factor in chosen if term else ():
-                    term = term * factor
-                found[i] = found[i] + term
-        return {"dx": found + [apply(LAG, factors[g.source], z, g.time)[0] for g, z in zip(d.lags, x[2:], strict=True)]}
+        """The law of a run."""
+        return {"dx": polynomial_rates(d, x, u)}
 
     def start(qdot0: Values, u: Values) -> Values:
         """Lag states begin at what they follow."""

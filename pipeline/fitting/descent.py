@@ -119,11 +119,11 @@ class Descent:
         cost, matrix = self._cost(self.residual, self.theta), self.prior.matrix
         full = self.hessian / self.noise**2 + matrix.T @ matrix
         slope = self._slope / self.noise**2 + matrix.T @ self.prior.residual(self.theta)
-        found = self._lower(full, slope, cost)
-        if found is None:
+        lowered = self._lower(full, slope, cost)
+        if lowered is None:
             self.damping = START
             return False
-        self.theta, self.residual, fall = found
+        self.theta, self.residual, fall = lowered
         self.iterations += 1
         lower = self.noise_inflation * self._rms()
         if lower < LOWERED * self.noise:
@@ -181,8 +181,8 @@ class ParallelDescent(Descent):
         steps = -damped.solutions(np.broadcast_to(slope, (len(damped.dampings), len(slope))))
         probed = self.problem.residuals(self.theta + PROBED * steps, self.gain)
         curvature = 2.0 / PROBED * ((probed - self.residual) / PROBED - steps @ self.jacobian.T)
-        known = ~np.any(~np.isfinite(curvature), axis=1, keepdims=True)
-        pull = np.where(known, curvature, 0.0) @ self.jacobian / self.noise**2
+        finite = ~np.any(~np.isfinite(curvature), axis=1, keepdims=True)
+        pull = np.where(finite, curvature, 0.0) @ self.jacobian / self.noise**2
         bends = -0.5 * damped.solutions(pull)
         trusted = damped.lengths(bends) <= LARGEST_BEND * damped.lengths(steps)
         ends: FloatArray = self.theta + steps + np.where(trusted[:, None], bends, 0.0)
@@ -200,8 +200,8 @@ class _Damped:
     def solutions(self, right: FloatArray) -> FloatArray:
         """Those for one right side of each damping, shape (B, P)."""
         projected = (right * self._scale) @ self._vectors / (self._values + self.dampings[:, None])
-        found: FloatArray = self._scale * (projected @ self._vectors.T)
-        return found
+        solutions: FloatArray = self._scale * (projected @ self._vectors.T)
+        return solutions
 
     def lengths(self, steps: FloatArray) -> FloatArray:
         """Of steps in units in which diag H is one, shape (B,)."""
@@ -211,5 +211,5 @@ class _Damped:
 
 def _damped_solution(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
     """Solution of (H + damping·diag H) x = right, shape (P,)."""
-    found: FloatArray = _Damped(matrix, np.array([damping])).solutions(right[None])[0]
-    return found
+    solution: FloatArray = _Damped(matrix, np.array([damping])).solutions(right[None])[0]
+    return solution

@@ -270,7 +270,7 @@ def excitation_findings(
         return [Finding("idle", "the displacement shows nothing but noise: no excitation", advice)]
     acting = input_signal(v, inputs)
     undriven = [k for k in range(v.shape[1]) if _idle(v[valid, k]) and not _moves(acting[:, k], q, segment)]
-    found = [
+    findings = [
         Finding(
             "undriven",
             f"input v{k + 1} never changes by more than its noise: nothing is known of its gain",
@@ -285,17 +285,17 @@ def excitation_findings(
         )  # fmt: skip
     except InputError as error:
         raise DataRefusedError(str(error)) from error
-    return found + _of_places(excitation, basis_functions, displacement, conditioned=not undriven, bistable=bistable)
+    return findings + _of_places(excitation, basis_functions, displacement, conditioned=not undriven, bistable=bistable)
 
 
 def _of_places(
     excitation: Excitation, centres: int, displacement: str, *, conditioned: bool, bistable: bool
 ) -> list[Finding]:
-    found = []
+    findings = []
     fewest, condition = int(excitation.visits.visits.min()), excitation.conditioning
     if fewest < LEAST_VISITS:
         place = quantity(float(excitation.centres[int(np.argmin(excitation.visits.visits))]), displacement)
-        found.append(
+        findings.append(
             Finding(
                 "visits",
                 f"the basis centre at q = {place} has {fewest} of at least {LEAST_VISITS} training samples",
@@ -304,15 +304,15 @@ def _of_places(
         )
     if conditioned and (condition.silent or condition.condition > LARGEST_CONDITION):
         text = f"condition number {condition.condition:.3g} (at most {LARGEST_CONDITION:g}), {condition.silent} zero"
-        found.append(
+        findings.append(
             Finding("rank", f"the regressor's columns cannot be told apart: {text}", "vary the inputs independently")
         )
     if bistable and isinstance(excitation.wells, NoWells) and excitation.wells.one_cluster:
         text = "only one well is visited: of the other half of every curve the data say nothing"
-        found.append(
+        findings.append(
             Finding("one-well", text, "add pulses that snap the joint to the other side (`debist rig excite`)")
         )
-    return found
+    return findings
 
 
 def _idle(samples: FloatArray) -> bool:
@@ -326,9 +326,9 @@ def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     """
     inner = (segment[:-2] == segment[2:]) & (segment[1:-1] >= 0) & np.isfinite(q[:-2] + q[1:-1] + q[2:])
     way, turn = (q[2:] - q[:-2])[inner], (q[2:] - 2.0 * q[1:-1] + q[:-2])[inner]
-    known = np.column_stack([np.ones(len(way)), q[1:-1][inner], way])
-    known, _ = np.linalg.qr(known)
-    left = [signal - known @ (known.T @ signal) for signal in (u[1:-1][inner], turn)]
+    regressors = np.column_stack([np.ones(len(way)), q[1:-1][inner], way])
+    regressors, _ = np.linalg.qr(regressors)
+    left = [signal - regressors @ (regressors.T @ signal) for signal in (u[1:-1][inner], turn)]
     size = float(np.linalg.norm(left[0]) * np.linalg.norm(left[1]))
     share = float(left[0] @ left[1]) / size if size > 0.0 else 0.0
     return bool(abs(share) * np.sqrt(len(way)) > CERTAINLY * np.sqrt(1.0 - min(1.0, share * share)))

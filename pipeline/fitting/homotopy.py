@@ -79,27 +79,62 @@ class HomotopyFit:
         return bool(self.levels) and (self.reached_last or self.chaotic) and self.levels[-1].converged
 
 
+@dataclass(frozen=True)
+class Schedule:
+    """Levels of a fit, and steps at each of them.
+
+    Attributes
+    ----------
+    gains : sequence of float
+        λ, falling, in the unit that the problem takes.
+    iterations, last_iterations : int
+        Steps per level, and at the last one.
+    tolerance : float
+        Relative fall of the cost below which the last level has converged.
+    noise_inflation : float
+        Factor on the noise level: above 1 where residuals are not independent, so that the prior weighs more.
+    """
+
+    gains: Sequence[float] = GAINS
+    iterations: int = 8
+    last_iterations: int = 25
+    tolerance: float = 1e-5
+    noise_inflation: float = 1.0
+
+
+@dataclass(frozen=True)
+class Callbacks:
+    """Functions that a fit calls.
+
+    Attributes
+    ----------
+    begin : callable
+        With θ and the gain, before each level.
+    enough : callable
+        Whether the effort is spent: then the last level follows at once, with `LEAST_STEPS` steps.
+    on_progress : callable
+        With the gain and the RMS of the residual, before each step.
+    parts : callable
+        Whether a free run with θ parts from one that starts beside it. It is called after the level `COUPLED`, which
+        then is the last: the error of a chaotic run is no cost to descend on.
+    keep : callable
+        Keeps each level when it is finished.
+    """
+
+    begin: Callable[[FloatArray, float], None] = lambda theta, gain: None
+    enough: Callable[[], bool] = lambda: False
+    on_progress: Callable[[float, float], None] = lambda gain, rms: None
+    parts: Callable[[FloatArray], bool] = lambda theta: False
+    keep: Keep = make_anew
+
+
 def fit_homotopy(
-    problem: ObservedProblem,
-    theta: FloatArray,
-    prior: Prior,
-    *,
-    gains: Sequence[float] = GAINS,
-    iterations: int = 8,
-    last_iterations: int = 25,
-    tolerance: float = 1e-5,
-    noise_inflation: float = 1.0,
-    descent: type[Descent] = Descent,
-    begin: Callable[[FloatArray, float], None] = lambda theta, gain: None,
-    enough: Callable[[], bool] = lambda: False,
-    on_progress: Callable[[float, float], None] = lambda gain, rms: None,
-    parts: Callable[[FloatArray], bool] = lambda theta: False,
-    keep: Keep = make_anew,
-) -> HomotopyFit:
+    problem: ObservedProblem, theta: FloatArray, prior: Prior, schedule: Schedule, *,
+    callbacks: Callbacks | None = None, descent: type[Descent] = Descent,
+) -> HomotopyFit:  # fmt: skip
     """Minimise ‖r(θ; λ)‖²/(2 s²) + ‖A θ − b‖²/2 for falling λ by Levenberg-Marquardt steps.
 
-    The noise level s is `noise_inflation` times the RMS of the residual itself, lowered as that falls; a factor above 1
-    says that residuals are not independent and lets the prior weigh more.
+    The noise level s is `Schedule.noise_inflation` times the RMS of the residual itself, lowered as that falls.
 
     Parameters
     ----------
@@ -108,28 +143,13 @@ def fit_homotopy(
     theta : FloatArray, shape (P,)
         Start.
     prior : Prior
-        What is known of θ.
-    gains : sequence of float
-        λ, falling, in the unit that the problem takes.
-    iterations, last_iterations : int
-        Steps per level, and at the last one.
-    tolerance : float
-        Relative fall of the cost below which the last level has converged.
-    noise_inflation : float
-        Factor on the noise level.
+        Prior of θ.
+    schedule : Schedule
+        Levels and steps.
+    callbacks : Callbacks, optional
+        Functions that the fit calls.
     descent : type of Descent
         How steps are taken: `ParallelDescent` where simulations run side by side.
-    begin : callable
-        Told θ and the gain before each level.
-    enough : callable
-        Whether the effort is spent: then the last level follows at once, with `LEAST_STEPS` steps.
-    on_progress : callable
-        Told the gain and the RMS of the residual before each step.
-    parts : callable
-        Whether a free run with θ parts from one that starts beside it; asked after the level `COUPLED`, which then is
-        the last: the error of a chaotic run is no cost to descend on.
-    keep : callable
-        Keeps each level when it is finished.
 
     Returns
     -------
@@ -137,38 +157,26 @@ def fit_homotopy(
         Levels end early where the simulation or its sensitivities overflow, and where simulations part (chaos).
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
-    count = len(theta)
-    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(gains), False)
-    levels = _Levels(
-        problem,
-        prior,
-        iterations,
-        last_iterations,
-        tolerance,
-        noise_inflation,
-        descent,
-        begin,
-        enough,
-        on_progress,
-        parts,
-    )
+    count, calls = len(theta), callbacks or Callbacks()
+    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(schedule.gains), False)
+    levels = _Levels(problem, prior, schedule, calls, descent)
     begun = zlib.crc32(theta.tobytes())  # two fits of a task may differ in their start alone
     while state.pending:
-        state = _State(**keep(f"level {len(state.levels)}, start {begun:08x}", partial(levels.next, state)))
+        state = _State(**calls.keep(f"level {len(state.levels)}, start {begun:08x}", partial(levels.next, state)))
     return HomotopyFit(
         state.theta,
         state.residual,
         state.hessian,
         state.noise,
         tuple(Level(*level) for level in state.levels),
-        float(gains[-1]),
+        float(schedule.gains[-1]),
         bool(state.chaotic),
     )
 
 
 @dataclass(frozen=True)
 class _State:
-    """A fit between two levels: what `HomotopyFit` says of it, and the gains of the levels to come."""
+    """A fit between two levels: the entries of `HomotopyFit`, and the gains of the levels to come."""
 
     theta: FloatArray
     damping: float
@@ -182,27 +190,21 @@ class _State:
 
 @dataclass(frozen=True)
 class _Levels:
-    """What `fit_homotopy` was asked."""
+    """Makes one level after another."""
 
     problem: ObservedProblem
     prior: Prior
-    iterations: int
-    last_iterations: int
-    tolerance: float
-    noise_inflation: float
+    schedule: Schedule
+    calls: Callbacks
     descent: type[Descent]
-    begin: Callable[[FloatArray, float], None]
-    enough: Callable[[], bool]
-    on_progress: Callable[[float, float], None]
-    parts: Callable[[FloatArray], bool]
 
     def next(self, before: _State) -> Parts:
         """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
         pending = list(before.pending)
-        if self.enough():
+        if self.calls.enough():
             pending = pending[-1:]
         gain = pending[0]
-        self.begin(before.theta, gain)
+        self.calls.begin(before.theta, gain)
         ahead = self.problem.residual(before.theta, gain)
         if ahead is None:
             return self._overflown(before)
@@ -210,7 +212,7 @@ class _Levels:
         if not state.linearise():
             return self._overflown(before)
         done = self._descend(state, gain, last=not following)
-        chaotic = bool(following) and gain == COUPLED and self.parts(state.theta)
+        chaotic = bool(following) and gain == COUPLED and self.calls.parts(state.theta)
         if chaotic:
             following, done = [], self._descend(state, gain, last=True)
         if not following:
@@ -223,7 +225,7 @@ class _Levels:
 
     def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
         return self.descent(
-            self.problem, self.prior, gain, self.noise_inflation, before.theta, before.damping, residual
+            self.problem, self.prior, gain, self.schedule.noise_inflation, before.theta, before.damping, residual
         )
 
     def _overflown(self, before: _State) -> Parts:
@@ -237,9 +239,9 @@ class _Levels:
     def _descend(self, state: Descent, gain: float, *, last: bool) -> bool:
         """Take the steps of a level; whether its cost had stopped falling."""
         done = False
-        while state.iterations < (self.last_iterations if last else self.iterations) and not done:
-            if self.enough() and state.iterations >= LEAST_STEPS:
+        while state.iterations < (self.schedule.last_iterations if last else self.schedule.iterations) and not done:
+            if self.calls.enough() and state.iterations >= LEAST_STEPS:
                 break
-            self.on_progress(gain, rms(state.residual))
-            done = not state.step(self.tolerance if last else 1e-3)
+            self.calls.on_progress(gain, rms(state.residual))
+            done = not state.step(self.schedule.tolerance if last else 1e-3)
         return done

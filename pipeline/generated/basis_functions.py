@@ -8,7 +8,7 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 
 from pipeline.codegen.graph import Graph
 from pipeline.codegen.numba_writer import formula
-from pipeline.compiled import compiled
+from pipeline.compiled import shared
 
 NAMES = ('gaussian',)
 
@@ -27,7 +27,7 @@ GRAPHS = {'gaussian': GAUSSIAN}
 _gaussian = formula(GAUSSIAN)
 
 
-@compiled
+@shared
 def basis_function(kind: int, square: float) -> tuple[float, float]:
     """Value of the function `NAMES[kind]`, and its slope along `square`, ((q − ξ)/σ)²."""
     return _gaussian((square,))  # type: ignore[no-any-return]

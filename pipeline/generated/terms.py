@@ -73,10 +73,11 @@ constant 0.5; input drive 0; input zone 0; sub 1 2; mul 3 3; constant 0.0001; ad
 
 BELL = Graph(
     {'inside': 1, 'centre': 1, 'bend': 1},
-    {'value': 1, 'slopes': 1},
+    {'value': 1, 'slopes': 1, 'curvature': 1},
     """
 constant -0.5; input bend 0; constant 2.0; mul 1 2; input inside 0; input centre 0; sub 4 5; mul 3 6; mul 6 7; mul 0
-8; exp 9; mul 7 10; neg 11; store value 0 10; store slopes 0 12
+8; exp 9; mul 7 10; neg 11; mul 3 10; mul 7 11; sub 13 14; neg 15; store value 0 10; store slopes 0 12; store
+curvature 0 16
     """,
 )
 

@@ -200,10 +200,10 @@ def real_numbers(values: Any, name: str) -> FloatArray:
     try:
         if np.iscomplexobj(values):
             raise TypeError
-        found: FloatArray = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan)
+        numbers: FloatArray = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan)
     except (TypeError, ValueError):
         raise InputError(f"{name} does not consist of numbers") from None
-    return found
+    return numbers
 
 
 def _time(t: FloatArray) -> FloatArray:

@@ -127,8 +127,10 @@ def choose(training: Training, hybrid: Fit, rbf: Fit) -> Choice:
     held_out = {"hybrid": _rms(errors)}
     interval = rms_interval(errors, _block(training, errors), np.random.default_rng(SEED))
     if (UNKNOWN_BOUND * held_out["hybrid"] if interval is None else interval.high) < NETWORK_ERROR:
-        said = f"to {100.0 * held_out['hybrid']:.2g} % of the range"
-        return Choice(model, f"the joint's equations predict held-out training data {said}", held_out, None, interval)
+        error_text = f"to {100.0 * held_out['hybrid']:.2g} % of the range"
+        return Choice(
+            model, f"the joint's equations predict held-out training data {error_text}", held_out, None, interval
+        )
     return _compared(training, model, rbf, errors, interval)
 
 
@@ -169,10 +171,12 @@ def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatAr
     parts = _first_parts(training)
     early = replace(training, records=parts)
     for limit, name, friction in JUDGED_NETWORKS:
-        asked = _within(early, limit)
-        if asked.identify.friction == "auto":
-            asked = replace(asked, identify=asked.identify.model_copy(update={"friction": friction}))
-        model = rbf(replace(asked, keep=kept_under(training.keep, name)))
+        training_part = _within(early, limit)
+        if training_part.identify.friction == "auto":
+            training_part = replace(
+                training_part, identify=training_part.identify.model_copy(update={"friction": friction})
+            )
+        model = rbf(replace(training_part, keep=kept_under(training.keep, name)))
         errors = _errors(model, training.records)
         fitted = _rms(_errors(model, parts, held_out=False))
         if _rms(errors) > HOPELESS * rival and fitted < FOLLOWED:

@@ -57,8 +57,8 @@ class KnownCurves:
     def reach(self) -> tuple[float, float]:
         """Smallest and largest q at which something was measured."""
         curves = [curve for curve in (self.force, *self.gains) if curve is not None]
-        known = self.q[np.any(np.isfinite(curves), axis=0)]
-        return float(known.min()), float(known.max())
+        measured = self.q[np.any(np.isfinite(curves), axis=0)]
+        return float(measured.min()), float(measured.max())
 
     def check(self, low: float, high: float) -> None:
         """Refuse curves that have next to nothing to do with data from `low` to `high`.
@@ -175,12 +175,12 @@ def kind(name: str) -> Kind:
     InputError
         A name that no model carries.
     """
-    known = entry(name)
-    if known is None:
+    listed = entry(name)
+    if listed is None:
         raise InputError(f"there is no model {name!r}; known are {', '.join(sorted(one.name for one in ENTRIES))}")
-    module, _, attribute = known.kind.partition(":")
-    found: Kind = getattr(importlib.import_module(module), attribute)
-    return found
+    module, _, attribute = listed.kind.partition(":")
+    made: Kind = getattr(importlib.import_module(module), attribute)
+    return made
 
 
 def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
@@ -223,7 +223,7 @@ def load_model(path: Path | str) -> DynamicModel:
     >>> load_model("runs/P1/model.h5").simulate(t, v, q0, qdot0)  # doctest: +SKIP
     """
     tree = read_tree(Path(path))
-    held = [one.name for one in ENTRIES if one.name in tree]
+    held = [each.name for each in ENTRIES if each.name in tree]
     if not held:
         raise CorruptArtifactError(f"{path}: holds no model; run `debist run` again")
     headline = str(tree.get(HEADLINE, held[0]))

@@ -322,8 +322,8 @@ def column_of(path: str, units: Mapping[str, str]) -> tuple[str, str]:
     if group == "parameters" and name in QUANTITIES:
         return QUANTITIES[name].unit, QUANTITIES[name].meaning
     if group == "diagnostics":
-        known = ((pattern, *column) for pattern, column in _DIAGNOSTICS.items() if fnmatchcase(name, pattern))
+        matches = ((pattern, *column) for pattern, column in _DIAGNOSTICS.items() if fnmatchcase(name, pattern))
     else:
-        known = (column for column in _COLUMNS if fnmatchcase(path, column[0]))
-    _, unit, meaning = next(known, ("", TEXT, name.replace("_", " ")))
+        matches = (column for column in _COLUMNS if fnmatchcase(path, column[0]))
+    _, unit, meaning = next(matches, ("", TEXT, name.replace("_", " ")))
     return unit.format_map(units), meaning

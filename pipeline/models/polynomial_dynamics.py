@@ -1,10 +1,14 @@
 """Dynamics whose right-hand side is a table of monomials: evaluation and free-run simulation."""
 
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from pipeline.codegen.graph import function, trace
 from pipeline.codegen.numba_writer import formula
 from pipeline.generated.terms import LAG as LAG_RATE
 from pipeline.generated.terms import POLYNOMIAL_VARIABLES
@@ -15,6 +19,7 @@ from pipeline.solvers.fixed_step import (
     Methods,
     between_samples,
     bounded_run,
+    inlined,
     integrator,
     no_begin,
     no_finish,
@@ -22,6 +27,7 @@ from pipeline.solvers.fixed_step import (
 )
 
 _variables, _lag_rate = formula(POLYNOMIAL_VARIABLES), formula(LAG_RATE)
+_turned = formula(trace(lambda q: {"of": [function("sin", q[0]), function("cos", q[0])]}, q=1))
 
 # Columns of an exponent table; one column per input follows, then one per lag.
 Q, QDOT, FRICTION, SINE, COSINE, FIRST_INPUT = 0, 1, 2, 3, 4, 5
@@ -100,18 +106,25 @@ class PolynomialJoint(NamedTuple):
     scaled: FloatArray
 
 
-def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
-    """C · monomials(x); powers by repeated multiplication."""
+def _rates(system, x, node, dx, acceleration):
+    """The law under the inputs of the half step."""
+    n, following, share = between_samples(node * system.refined, system.parts, len(system.v))
+    for k in range(system.v.shape[1]):
+        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
+        system.scaled[FIRST_INPUT + k] = (u * u if system.squared else u) / system.scales[FIRST_INPUT + k]
+    _move(system, x, dx)
+    acceleration[0] = dx[1]
+
+
+@inlined
+def _move(system, x, dx):
+    """C · monomials(x), the inputs being in `scaled`; powers by repeated multiplication."""
     scaled, s, lags = system.scaled, system.scales, len(system.sources)
     moving = _variables((x[0], x[1], s[0], s[1], s[2]))
     for i in range(3):
         scaled[i] = moving[i]
     if system.trigonometric:
-        scaled[SINE], scaled[COSINE] = np.sin(x[0]), np.cos(x[0])
-    n, following, share = between_samples(node * system.refined, system.parts, len(system.v))
-    for k in range(system.v.shape[1]):
-        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
-        scaled[FIRST_INPUT + k] = (u * u if system.squared else u) / s[FIRST_INPUT + k]
+        scaled[SINE], scaled[COSINE] = _turned((x[0],))
     for i in range(lags):
         scaled[len(s) + i] = x[2 + i]
         dx[2 + i] = _lag_rate((scaled[system.sources[i]], x[2 + i], system.lag_times[i]))[0]
@@ -124,7 +137,25 @@ def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
             factor += 1
         dx[0] += system.coefficients[0, p] * product
         dx[1] += system.coefficients[1, p] * product
-    acceleration[0] = dx[1]
+
+
+def polynomial_rates(dynamics: PolynomialDynamics, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
+    """Rates of q, q̇ and the lag states under the scaled inputs u (K,): the law of a run for traced values."""
+    scaled, dx = np.empty(dynamics.exponents.shape[1], dtype=object), np.empty(len(x), dtype=object)
+    scaled[FIRST_INPUT : FIRST_INPUT + len(u)] = u
+    _move(_system(dynamics, np.empty((0, 0)), 1, 1)._replace(scaled=scaled), x, dx)
+    return list(dx)
+
+
+def _system(d: PolynomialDynamics, v: FloatArray, refined: int, parts: int) -> PolynomialJoint:
+    """The dynamics under voltages v (N, K)."""
+    variables = np.tile(np.arange(d.exponents.shape[1]), len(d.exponents))
+    return PolynomialJoint(
+        np.repeat(variables, d.exponents.ravel()), np.cumsum(d.exponents.sum(axis=1)), d.coefficients, d.scales,
+        np.array([lag.source for lag in d.lags], dtype=np.int64),
+        np.array([lag.time for lag in d.lags], dtype=np.float64), d.squared,
+        bool(np.any(d.exponents[:, SINE : COSINE + 1])), v, refined, parts, np.zeros(d.exponents.shape[1]),
+    )  # fmt: skip
 
 
 MOST_STEPS = 20
@@ -175,15 +206,9 @@ def free_run(
     d, refined = dynamics, v.shape[1] if v.ndim == 3 else 1
     steps = steps_between_samples(d, interval, refined)
     flat = np.ascontiguousarray(v.reshape(-1, v.shape[-1]))
-    variables = np.tile(np.arange(d.exponents.shape[1]), len(d.exponents))
-    sources = np.array([lag.source for lag in d.lags], dtype=np.int64)
-    system = PolynomialJoint(
-        np.repeat(variables, d.exponents.ravel()), np.cumsum(d.exponents.sum(axis=1)), d.coefficients, d.scales,
-        sources, np.array([lag.time for lag in d.lags], dtype=np.float64), d.squared,
-        bool(np.any(d.exponents[:, SINE : COSINE + 1])), flat, refined, 2 * steps, np.zeros(d.exponents.shape[1]),
-    )  # fmt: skip
+    system = _system(d, flat, refined, 2 * steps)
     if z0 is None:
-        z0 = _followed(d, flat[:1], np.array([q0]), np.array([qdot0]))[0, sources]
+        z0 = _followed(d, flat[:1], np.array([q0]), np.array([qdot0]))[0, system.sources]
     start = np.concatenate([[q0, qdot0], z0]).astype(np.float64)
     return bounded_run(_integrate, system, start, len(v), steps, interval, (d.low, d.high))
 

@@ -138,9 +138,9 @@ def _follow(residual: Residual, start: _Point, bounds: tuple[float, float]) -> t
             if step < 1e-8:
                 break
             continue
-        found = _special(residual, old, new, step)
-        if found is not None and bounds[0] <= found.parameter <= bounds[1]:
-            special.append(found)
+        point = _special(residual, old, new, step)
+        if point is not None and bounds[0] <= point.parameter <= bounds[1]:
+            special.append(point)
         points.append(new)
         if not bounds[0] <= new.x[-1] <= bounds[1] or np.max(np.abs(new.x[:-1])) > FARTHEST:
             break

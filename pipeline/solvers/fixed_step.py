@@ -85,27 +85,27 @@ def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., i
     _implement(kind, methods)
     own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
     own.__qualname__ = own.__name__
-    found: Callable[..., int] = compiled(with_module_of=kind, fastmath=FAST, _nrt=False)(own)
-    return found
+    run: Callable[..., int] = compiled(with_module_of=kind, fastmath=FAST, _nrt=False)(own)
+    return run
 
 
 def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
-    known = cache(methods)
+    cached = cache(methods)
 
     def of(system) -> Methods | None:
-        return known(system) if isinstance(system, _NAMED) and system.instance_class is kind else None
+        return cached(system) if isinstance(system, _NAMED) and system.instance_class is kind else None
 
     @implement(begin, jit_options=_OPTIONS)
     def _begin(system, x, node):
-        return found.begin if (found := of(system)) else None
+        return own.begin if (own := of(system)) else None
 
     @implement(rates, jit_options=_OPTIONS)
     def _rates(system, x, node, dx, acceleration):
-        return found.rates if (found := of(system)) else None
+        return own.rates if (own := of(system)) else None
 
     @implement(finish, jit_options=_OPTIONS)
     def _finish(system, x):
-        return found.finish if (found := of(system)) else None
+        return own.finish if (own := of(system)) else None
 
 
 @njit(inline="always")

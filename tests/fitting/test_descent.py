@@ -5,7 +5,7 @@ import pytest
 
 from pipeline.fitting import descent
 from pipeline.fitting.descent import ParallelDescent, Prior
-from pipeline.fitting.homotopy import fit_homotopy
+from pipeline.fitting.homotopy import Schedule, fit_homotopy
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -29,7 +29,7 @@ class Valley:
 def test_the_minimum_of_a_curved_valley_is_found(start: tuple[float, float]) -> None:
     weak = Prior(1e-6 * np.eye(2), np.zeros(2))
     fit = fit_homotopy(
-        Valley(), np.array(start), weak, gains=(0.0,), last_iterations=60, descent=ParallelDescent
+        Valley(), np.array(start), weak, Schedule((0.0,), last_iterations=60), descent=ParallelDescent
     )  # fmt: skip
     np.testing.assert_allclose(fit.theta, [1.0, 1.0], atol=1e-3)
     assert fit.reached_last
@@ -41,7 +41,7 @@ def test_bent_steps_go_further_along_the_valley(monkeypatch: pytest.MonkeyPatch)
         weak = Prior(1e-6 * np.eye(2), np.zeros(2))
         start = np.array([-1.2, 1.0])
         return fit_homotopy(
-            Valley(), start, weak, gains=(0.0,), last_iterations=3, descent=ParallelDescent
+            Valley(), start, weak, Schedule((0.0,), last_iterations=3), descent=ParallelDescent
         ).levels[-1].rms  # fmt: skip
 
     assert left(0.75) < 0.5 * left(0.0)
@@ -56,7 +56,7 @@ def test_no_damping_is_tried_twice(monkeypatch: pytest.MonkeyPatch) -> None:
         return np.tile(state.theta, (len(damped.dampings), 1))
 
     monkeypatch.setattr(ParallelDescent, "_bent", bent)
-    fit_homotopy(Valley(), np.zeros(2), Prior(np.eye(2), np.zeros(2)), gains=(0.0,), descent=ParallelDescent)
+    fit_homotopy(Valley(), np.zeros(2), Prior(np.eye(2), np.zeros(2)), Schedule((0.0,)), descent=ParallelDescent)
     assert len(tried) > 8
     np.testing.assert_allclose(np.diff(np.log(tried)), np.log(descent.APART))
 
@@ -70,5 +70,5 @@ def test_the_prior_decides_where_data_say_nothing() -> None:
             return self.residuals(theta[None], gain)[0], np.array([[1.0, 0.0], [0.0, 0.0]])
 
     prior = Prior(1e-3 * np.eye(2), np.array([0.0, 1e-3 * 0.7]))
-    fit = fit_homotopy(Blind(), np.zeros(2), prior, gains=(0.0,), last_iterations=20, descent=ParallelDescent)
+    fit = fit_homotopy(Blind(), np.zeros(2), prior, Schedule((0.0,), last_iterations=20), descent=ParallelDescent)
     np.testing.assert_allclose(fit.theta, [3.0, 0.7], atol=1e-3)

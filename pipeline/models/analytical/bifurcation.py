@@ -176,8 +176,8 @@ def switchable_to(parameters: JointParameters, voltage: float = 3000.0) -> float
     """z_b,max [m]: the largest z_b at which `voltage` [V] on either side leaves one well; None if beyond 15 mm."""
     sides = np.array([voltage, 0.0]), np.array([0.0, voltage])
     limits = [_smallest_with_two_wells(parameters, v, 0.015) for v in sides]
-    known = [limit for limit in limits if limit is not None]
-    return min(known) if known else None
+    finite = [limit for limit in limits if limit is not None]
+    return min(finite) if finite else None
 
 
 def _smallest_with_two_wells(parameters: JointParameters, v: FloatArray, highest: float) -> float | None:

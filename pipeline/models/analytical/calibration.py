@@ -164,13 +164,13 @@ def calibrate(
             candidates.append(improve(f"start {index + 1} of {starts}", sample, x0, 6, 1e-2, rival))
         best = min(candidates, key=lambda result: result.cost)
         refined = improve("refining the best start", every, best.x, MOST_EVALUATIONS, 3e-2)
-        lost = _lost(wide, final.residuals(refined.x))
-        if lost.any():
-            followed = problem.at(wide.resolved(lost, short), SEARCH)
+        lost_windows = _lost(wide, final.residuals(refined.x))
+        if lost_windows.any():
+            followed = problem.at(wide.resolved(lost_windows, short), SEARCH)
             refined = improve("refining over windows that are followed", followed, refined.x, MOST_EVALUATIONS, 5e-2)
-        found = improve("refining over long windows", final, refined.x, MOST_EVALUATIONS, 1e-4)
+        improved = improve("refining over long windows", final, refined.x, MOST_EVALUATIONS, 1e-4)
         reached = np.array([_rmse(sample.windows, result.residuals) for result in candidates])
-        return _result(final, found, reached)
+        return _result(final, improved, reached)
 
 
 class _Share:

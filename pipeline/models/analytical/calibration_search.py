@@ -194,10 +194,10 @@ def search(
         if made.left <= limit // 2 and here.cost > HOPELESS * rival:
             break
         tick()
-        found, converged = made.step(here)
-        if found is None:
+        lower, converged = made.step(here)
+        if lower is None:
             break
-        here = found
+        here = lower
     return Ended(here.x, here.cost, here.residuals, converged, problem.problem.evaluations)
 
 
@@ -230,15 +230,19 @@ class _Search:
                 continue
             if predicted < enough:
                 return None, not raised  # a step that many failed ones have shortened says nothing
-            found = self.point(here.x + step)
-            if here.cost - found.cost < PREDICTED * predicted and found.cost < HOPELESS * here.cost and self.left > 2:
+            reached = self.point(here.x + step)
+            if (
+                here.cost - reached.cost < PREDICTED * predicted
+                and reached.cost < HOPELESS * here.cost
+                and self.left > 2
+            ):
                 bent = self._bent(here, step, free, matrix, weighted)
-                found = bent if bent is not None and bent.cost < found.cost else found
-            fall = here.cost - found.cost
+                reached = bent if bent is not None and bent.cost < reached.cost else reached
+            fall = here.cost - reached.cost
             if fall > 0.0:
                 surprise = (2.0 * fall / predicted - 1.0) ** 3
                 self.damping = max(self.damping * max(WEAKENED, min(1.0 - surprise, 2.0)), WEAKEST)
-                return found, fall < enough and self.damping <= UNDAMPED
+                return reached, fall < enough and self.damping <= UNDAMPED
             self.damping, raised = self.damping * STRENGTHENED, True
         return None, False
 

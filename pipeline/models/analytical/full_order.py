@@ -77,52 +77,52 @@ def rest_state(
     InputError
         No shape holds the tip at q0.
     """
-    known, internal = np.array([[q0, qdot0]]), np.zeros((1, 3)) if z is None else z[None]
+    measured, internal = np.array([[q0, qdot0]]), np.zeros((1, 3)) if z is None else z[None]
     try:
         path = unactuated_path(parameters)
     except InputError:
-        return np.ravel(_rest_states(parameters, known, v[None], internal, _walked(parameters, q0)[None]))
-    return np.ravel(rest_states(parameters, known, v[None], internal, path))
+        return np.ravel(_rest_states(parameters, measured, v[None], internal, _walked(parameters, q0)[None]))
+    return np.ravel(rest_states(parameters, measured, v[None], internal, path))
 
 
 def rest_states(
-    parameters: JointParameters, known: FloatArray, v: FloatArray, z: FloatArray, path: StaticPath
+    parameters: JointParameters, measured: FloatArray, v: FloatArray, z: FloatArray, path: StaticPath
 ) -> FloatArray:
     """The same for many: states (W, 11) for q0 and qdot0 (W, 2), `v` (W, 2) and `z` (W, 3).
 
     The search for a shape starts from the nearest of `path`.
     """
-    nearest = np.argmin(np.abs(path.q - known[:, :1]), axis=1)
-    shapes = path.qm[nearest] + path.tangent[nearest] * (known[:, :1] - path.q[nearest, None])
-    return _rest_states(parameters, known, v, z, shapes)
+    nearest = np.argmin(np.abs(path.q - measured[:, :1]), axis=1)
+    shapes = path.qm[nearest] + path.tangent[nearest] * (measured[:, :1] - path.q[nearest, None])
+    return _rest_states(parameters, measured, v, z, shapes)
 
 
 def _rest_states(
-    parameters: JointParameters, known: FloatArray, v: FloatArray, z: FloatArray, shapes: FloatArray
+    parameters: JointParameters, measured: FloatArray, v: FloatArray, z: FloatArray, shapes: FloatArray
 ) -> FloatArray:
     """Those found by Newton from `shapes` (W, 4)."""
-    found = np.empty((len(known), STATES))
-    held = _hold(known, v**2, z, shapes, parameters.vector(), found)
-    if held < len(known):
-        at = f"q = {1e3 * known[held, 0]:.2f} mm under {v[held]} V"
+    states = np.empty((len(measured), STATES))
+    held = _hold(measured, v**2, z, shapes, parameters.vector(), states)
+    if held < len(measured):
+        at = f"q = {1e3 * measured[held, 0]:.2f} mm under {v[held]} V"
         raise InputError(f"the joint cannot be held at {at}; check q0 and its unit")
-    return found
+    return states
 
 
 @compiled
 def _hold(
-    known: FloatArray, v_squared: FloatArray, z: FloatArray, shapes: FloatArray, p: FloatArray, found: FloatArray
+    measured: FloatArray, v_squared: FloatArray, z: FloatArray, shapes: FloatArray, p: FloatArray, states: FloatArray
 ) -> int:
-    """Fill the states `found` (W, 11) that begin at `known` (W, 2); how many can be held, the first ones."""
+    """Fill the `states` (W, 11) that begin at `measured` (W, 2); how many can be held, the first ones."""
     tangent, pivots, scale = np.empty(4), np.empty(5, np.int64), np.ones(4)
     gradient, hessian, system, right = np.empty(4), np.empty((4, 4)), np.empty((5, 5)), np.empty(5)
     damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
     scale[0], scale[1], scale[2] = p[0] ** -2, p[0] ** -3, p[0] ** -4
-    for w in range(len(known)):
-        x, qdot = found[w], known[w, 1]
+    for w in range(len(measured)):
+        x, qdot = states[w], measured[w, 1]
         for i in range(4):
             x[i] = shapes[w, i]
-        force, _, _ = hold_tip(known[w, 0], x[:4], v_squared[w], p, tangent)
+        force, _, _ = hold_tip(measured[w, 0], x[:4], v_squared[w], p, tangent)
         if not np.isfinite(force):
             return w
         for i in range(4):
@@ -149,7 +149,7 @@ def _hold(
             solve_factorised(system, pivots, right)
         for i in range(4):
             x[i] += right[i] * scale[i] if regular else np.nan
-    return len(known)
+    return len(measured)
 
 
 def _walked(parameters: JointParameters, q0: float) -> FloatArray:

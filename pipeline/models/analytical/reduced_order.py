@@ -68,8 +68,8 @@ class ReducedJoint:
     def evaluate(self, q: FloatArray) -> FloatArray:
         """All curves at `q` (M,), and their derivatives: shape (2, M, 7)."""
         cell = np.clip(((q - self.q[0]) / (self.q[1] - self.q[0])).astype(int), 0, self.q.size - 2)
-        found = CUBICS.evaluate(pieces=self.coefficients[cell].reshape(-1, 28), s=(q - self.q[cell])[:, None])
-        return np.stack([found["curves"], found["slopes"]])
+        cubics = CUBICS.evaluate(pieces=self.coefficients[cell].reshape(-1, 28), s=(q - self.q[cell])[:, None])
+        return np.stack([cubics["curves"], cubics["slopes"]])
 
 
 def reduce_path(parameters: JointParameters, path: StaticPath) -> ReducedJoint:
@@ -201,7 +201,7 @@ class ReducedSystem(NamedTuple):
     inputs (N, 3): voltages [V] and external force [N] at the samples · parts: half steps in an interval · sample (1,):
     the one before the step, filled · origin, spacing [m], pieces (cells, 4, 7) of the curves · gain, rate (2,) of the
     Maxwell elements · friction (2,): force [N] and length [m] · slip (2,): q at the start of the step, and Dahl's state
-    there · e (N, 2): strains, filled · s, load (1,), squares (2,), found (3,): room for what acts.
+    there · e (N, 2): strains, filled · s, load (1,), squares (2,), rates (3,): room for what acts.
     """
 
     inputs: FloatArray
@@ -218,7 +218,7 @@ class ReducedSystem(NamedTuple):
     s: FloatArray
     load: FloatArray
     squares: FloatArray
-    found: FloatArray
+    rates: FloatArray
 
 
 def _begin(system, x, node):
@@ -240,8 +240,8 @@ def _rates(system, x, node, dx, acceleration):
     if system.friction[0] > 0.0:
         system.load[0] -= system.friction[0] * _slid(x[0], system.slip[0], system.slip[1], system.friction[1])
     acting = (system.squares, system.load, system.gain, system.rate)
-    _motion((system.pieces[cell], system.s, x[1:2], x[2:], *acting, system.found))
-    dx[0], dx[1], dx[2], dx[3] = x[1], system.found[0], system.found[1], system.found[2]
+    _motion((system.pieces[cell], system.s, x[1:2], x[2:], *acting, system.rates))
+    dx[0], dx[1], dx[2], dx[3] = x[1], system.rates[0], system.rates[1], system.rates[2]
     acceleration[0] = dx[1]
 
 
@@ -337,17 +337,17 @@ def friction_state(q: FloatArray, s_c: float) -> FloatArray:
 
 def accelerate(reduced: ReducedJoint, t: FloatArray, v: FloatArray, q: FloatArray, q_dot: FloatArray) -> FloatArray:
     """q̈ [m/s²] of eq. 26 along a measured motion, shape (N,); NaN where q is NaN."""
-    known = np.isfinite(q)
-    filled = np.interp(t, t[known], q[known])
+    finite = np.isfinite(q)
+    filled = np.interp(t, t[finite], q[finite])
     value, slope = reduced.evaluate(filled)
     e = maxwell_strains(value[:, 3:5], float(t[1] - t[0]), reduced.creep_rate)
     parameters = reduced.parameters
     zeta = friction_state(filled, parameters.s_c) if parameters.F_c > 0.0 else np.zeros(t.size)
-    found = REDUCED_RATES.evaluate(
+    outputs = REDUCED_RATES.evaluate(
         q_dot=q_dot[:, None], e=e, curves=value, slopes=slope, v_squared=v**2, load=-parameters.F_c * zeta[:, None],
         gain=reduced.creep_gain, rate=reduced.creep_rate,
     )["rates"]  # fmt: skip
-    return np.where(known, found[:, 0], np.nan)
+    return np.where(finite, outputs[:, 0], np.nan)
 
 
 def pulse_sequence(

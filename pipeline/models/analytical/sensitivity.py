@@ -160,9 +160,9 @@ def integrate_sensitivities(
 
 
 @compiled
-def _parabola(w: float, points: FloatArray, row: int, found: FloatArray) -> None:
+def _parabola(w: float, points: FloatArray, row: int, values: FloatArray) -> None:
     """At the share w of a sample interval, the parabolas through the three tabulated rows of `points` from `row` on."""
     first, middle, last = (1.0 - w) * (1.0 - 2.0 * w), 4.0 * w * (1.0 - w), w * (2.0 * w - 1.0)
     begin, centre, end = points[row], points[row + 1], points[row + 2]
-    for i in range(found.size):
-        found[i] = first * begin[i] + middle * centre[i] + last * end[i]
+    for i in range(values.size):
+        values[i] = first * begin[i] + middle * centre[i] + last * end[i]

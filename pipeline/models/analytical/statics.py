@@ -89,11 +89,11 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
 @compiled
 def _converge_all(starts: FloatArray, v_squared: FloatArray, force: float, p: FloatArray) -> FloatArray:
     """Where Newton leads from each start (n, 4); rows that do not converge are NaN."""
-    found = starts.copy()
+    shapes = starts.copy()
     for i in range(starts.shape[0]):
-        if not newton_equilibrium(found[i], v_squared, force, p, 60):
-            found[i] = np.nan
-    return found
+        if not newton_equilibrium(shapes[i], v_squared, force, p, 60):
+            shapes[i] = np.nan
+    return shapes
 
 
 def _starts(length: float) -> FloatArray:
@@ -142,9 +142,9 @@ def find_equilibria(p: FloatArray, v: FloatArray, force: float) -> list[JointEqu
     """`equilibria` of the parameter vector `p` (41,)."""
     length = float(p[0])
     scale = length_scales(length)
-    found = _converge_all(_starts(length), v**2, force, p)
+    shapes = _converge_all(_starts(length), v**2, force, p)
     distinct: list[FloatArray] = []
-    for qm in found[np.isfinite(found).all(axis=1)]:
+    for qm in shapes[np.isfinite(shapes).all(axis=1)]:
         if all(np.max(np.abs(qm - other) / scale) > 1e-8 for other in distinct):
             distinct.append(qm)
     described = (equilibrium_at(p, qm, v, force) for qm in distinct)
@@ -316,14 +316,15 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
     start = lead_qm[-1]
     for part in (slice(middle, None), slice(middle, None, -1)):
         size = q[part].size
-        found = np.empty((size, 4)), np.empty((size, 4)), np.empty((size, 3))
-        _trace(np.ascontiguousarray(q[part]), start, v**2, p, *found)
-        qm[part], tangent[part], scalars[part] = found
+        room = np.empty((size, 4)), np.empty((size, 4)), np.empty((size, 3))
+        _trace(np.ascontiguousarray(q[part]), start, v**2, p, *room)
+        qm[part], tangent[part], scalars[part] = room
     path = describe_path(parameters, qm, v)
-    lost = ~np.isfinite(scalars).all(axis=1) | ~path.held
-    if lost.any():
+    missing = ~np.isfinite(scalars).all(axis=1) | ~path.held
+    if missing.any():
+        nearest = q[missing][np.argmin(np.abs(q[missing]))]
         raise InputError(
-            f"the beam snaps although its tip is held, at q = {1e3 * q[lost][np.argmin(np.abs(q[lost]))]:.1f} mm: "
+            f"the beam snaps although its tip is held, at q = {1e3 * nearest:.1f} mm: "
             "there is no map from q to its shape; check the parameters (b, E, Y, e_z)"
         )
     return path
@@ -339,9 +340,9 @@ def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) ->
     farads, slopes, hessians = np.empty((count, 2)), np.empty((count, 2)), np.empty((count, 4, 4))
     _describe(qm, v**2, parameters.vector(), tips, tangent, scalars, farads, slopes, hessians)
     scale = length_scales(parameters.l)
-    known = np.isfinite(qm).all(axis=1)
+    finite = np.isfinite(qm).all(axis=1)
     negative = np.full(count, 4)
-    negative[known] = (np.linalg.eigvalsh(hessians[known] * np.outer(scale, scale)) < 0.0).sum(axis=1)
+    negative[finite] = (np.linalg.eigvalsh(hessians[finite] * np.outer(scale, scale)) < 0.0).sum(axis=1)
     # Inertia is additive over the held shape and the tip's own stiffness (Haynsworth 1968).
     held = negative == (scalars[:, 1] < 0.0)
     return StaticPath(

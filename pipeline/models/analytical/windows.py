@@ -91,10 +91,10 @@ class Windows:
         """Every `by`-th window."""
         return Windows(self.motions, self.spans[::by], self.parts[::by])
 
-    def resolved(self, lost: BoolArray, finer: "Windows") -> "Windows":
-        """The same with the `lost` ones (W,) cut where `finer` windows are cut."""
-        spans = [(int(index), int(begin), int(end)) for index, begin, end in self.spans[~lost]]
-        for index, begin, end in self.spans[lost]:
+    def resolved(self, lost_windows: BoolArray, finer: "Windows") -> "Windows":
+        """The same with the `lost_windows` (W,) cut where `finer` windows are cut."""
+        spans = [(int(index), int(begin), int(end)) for index, begin, end in self.spans[~lost_windows]]
+        for index, begin, end in self.spans[lost_windows]:
             near = finer.spans[finer.spans[:, 0] == index]
             cuts = np.unique(np.clip(near[:, 1:], begin, end))
             spans.extend((int(index), int(a), int(b)) for a, b in itertools.pairwise(cuts))
@@ -267,12 +267,14 @@ def error_derivatives(
     def derivatives(run: WindowRun, part: Window, start: FloatArray) -> FloatArray:
         """Those of one window, zero behind a divergence."""
         t, v, rows = part.drive
-        found, known = np.zeros((rows.size, steps.size)), slice(0, run.valid)
+        by_parameter, simulated = np.zeros((rows.size, steps.size)), slice(0, run.valid)
         if run.valid > 1:
-            states = state_sensitivities(t[known], v[known], run.states[known], run.rates[known], points, steps, start)
+            states = state_sensitivities(
+                t[simulated], v[simulated], run.states[simulated], run.rates[simulated], points, steps, start
+            )
             reached = rows[rows < run.valid]
-            found[: reached.size] = np.tensordot(states[reached, :3], levers, (1, 0))
-        return found[1:]
+            by_parameter[: reached.size] = np.tensordot(states[reached, :3], levers, (1, 0))
+        return by_parameter[1:]
 
     by_window = np.ascontiguousarray(starts.transpose(1, 2, 0))
     return np.concatenate([*(pool.map if pool else map)(derivatives, made.runs, made.windows.parts, by_window)])
@@ -297,8 +299,8 @@ def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:
 
     along = [internal(motion) for motion in windows.motions]
     z = np.array([along[index][begin] for index, begin, _ in windows.spans])
-    known = np.array([(part.q[0], part.qdot0) for part in windows.parts])
-    return rest_states(parameters, known, np.array([part.drive.v[0] for part in windows.parts]), z, path)
+    measured = np.array([(part.q[0], part.qdot0) for part in windows.parts])
+    return rest_states(parameters, measured, np.array([part.drive.v[0] for part in windows.parts]), z, path)
 
 
 def _start_derivatives(moved: JointParameters, windows: Windows, base: FloatArray, step: float) -> FloatArray:

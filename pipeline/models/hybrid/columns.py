@@ -54,7 +54,11 @@ def _step() -> Graph:
     """
     build = Builder()
     add, given = build.add, partial(_given, build)
-    acting = {one.place[1] for one in JACOBIAN.operations if one.name == "store" and one.place[0] == "a"}
+    acting = {
+        operation.place[1]
+        for operation in JACOBIAN.operations
+        if operation.name == "store" and operation.place[0] == "a"
+    }
     acting |= {0, 2 * _ALL}  # an observer pulls at q and τ
     x, h = [given("x", i) for i in range(STATES)], given("w", 1)
     y, total = x, x
@@ -67,22 +71,28 @@ def _step() -> Graph:
         share, ahead = (add("mul", h, build.constant(x)) for x in (SHARES[stage] / ALL_SHARES, AHEAD[stage]))
         total = [add("add", total[i], add("mul", share, slopes[i])) for i in range(STATES)]
         y = [add("add", x[i], add("mul", ahead, slopes[i])) for i in range(STATES)]
-    found = {"x_found": total, "z_found": _slipped(build, x, total, 4)}
-    stores = [Operation("store", (one,), (name, i)) for name, many in found.items() for i, one in enumerate(many)]
+    outputs = {"x_found": total, "z_found": _slipped(build, x, total, 4)}
+    stores = [
+        Operation("store", (operation,), (name, i))
+        for name, many in outputs.items()
+        for i, operation in enumerate(many)
+    ]
     sizes = {"a": _ALL * _ALL * STAGES, "w": _WEIGHTS, "x": STATES, "z": STOPS, "b": _ALL * _SLOTS}
-    return Graph(sizes, {name: len(many) for name, many in found.items()}, text_of(reachable(build.operations, stores)))
+    return Graph(
+        sizes, {name: len(many) for name, many in outputs.items()}, text_of(reachable(build.operations, stores))
+    )
 
 
 def _slipped(build: Builder, x: list[int], y: list[int], slot: int) -> list[int]:
     """The stop operators at y: those that follow have moved with the play since x."""
     given, add = partial(_given, build), build.add
     play = add("add", add("sub", y[0], x[0]), add("mul", given("w", 0), add("sub", y[2], x[2])))
-    found = []
+    slipped = []
     for i in range(STOPS):
         at = 2 + 2 * STOPS * slot + i
-        kept = add("add", given("z", i), given("b", _SLOTS * (STATES + i) + slot))
-        found.append(add("add", add("mul", given("w", at), kept), add("mul", given("w", at + STOPS), play)))
-    return found
+        unmoved = add("add", given("z", i), given("b", _SLOTS * (STATES + i) + slot))
+        slipped.append(add("add", add("mul", given("w", at), unmoved), add("mul", given("w", at + STOPS), play)))
+    return slipped
 
 
 def _given(build: Builder, name: str, entry: int) -> int:
@@ -95,9 +105,9 @@ _jacobian, _by_constants = kernel(JACOBIAN, STAGES, single=True), kernel(BY_CONS
 _move = kernel(_step(), BATCH, common=("a", "w"), single=True)
 _BY_CONSTANTS = np.array(
     [
-        divmod(one.place[1], _CONSTANTS)
-        for one in BY_CONSTANTS.operations
-        if one.name == "store" and one.place[1] < STATES * _CONSTANTS
+        divmod(operation.place[1], _CONSTANTS)
+        for operation in BY_CONSTANTS.operations
+        if operation.name == "store" and operation.place[1] < STATES * _CONSTANTS
     ]
 )
 """Rows and constants of ∂f/∂k that are not zero."""
@@ -144,9 +154,9 @@ def blocks(count: int) -> int:
 def propagate(
     points: FloatArray, slips: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray, squares: FloatArray,
     by_instruments: FloatArray, pole: FloatArray, h: float, substeps: int, wall: float, lead: float,
-    columns: Columns, starts: SingleArray, stops: SingleArray, found: FloatArray,
+    columns: Columns, starts: SingleArray, stops: SingleArray, displacements: FloatArray,
 ) -> None:  # fmt: skip
-    """Derivatives of q at the samples by all columns, `found` (N, columns), from those at the start."""
+    """Derivatives of q at the samples by all columns, `displacements` (N, columns), from those at the start."""
     sources, targets, own, instruments, corrected = columns
     steps, centres, prepared = len(points) - 1, weights.shape[1], np.empty(_PREPARED)
     x, u, z = _zeros(STATES * STAGES), _zeros(2 * STAGES), _zeros(STOPS * STAGES)
@@ -158,8 +168,8 @@ def propagate(
     for i in range(_PREPARED * STAGES):
         p[i] = prepared[i // STAGES]
     bells = np.zeros((STAGES, 2, max(centres, 1)))
-    for column in range(found.shape[1]):
-        found[0, column] = starts[column // BATCH, 0, column % BATCH]
+    for column in range(displacements.shape[1]):
+        displacements[0, column] = starts[column // BATCH, 0, column % BATCH]
     for first in range(0, steps, 2):
         for slot in range(_SLOTS):
             _follow(points, slips, first, slot, k, h, z, w, drive, own)
@@ -183,7 +193,7 @@ def propagate(
             _act(by_instruments, pole, lead, 2 * step, node, batch_index, instruments, a, b, drive)
             if centres > 0:
                 _act_by_weights(bells, by_c, batch_index, centres, corrected, drive)
-        _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, found)
+        _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, displacements)
 
 
 @compiled
@@ -194,7 +204,7 @@ def _zeros(count: int) -> SingleArray:
 @compiled(inline="always")
 def _advance(
     first: int, stop: int, points: FloatArray, wall: float, substeps: int, a: SingleArray, w: SingleArray,
-    drive: SingleArray, starts: SingleArray, stops: SingleArray, found: FloatArray,
+    drive: SingleArray, starts: SingleArray, stops: SingleArray, displacements: FloatArray,
 ) -> None:  # fmt: skip
     """All columns from the step `first` to `stop`, at most two later; `starts` and `stops` move."""
     for step in range(first, stop):
@@ -207,7 +217,7 @@ def _advance(
                 here[: 2 * BATCH] = 0.0
             if (step + 1) % substeps == 0:
                 for batch_index in range(BATCH):
-                    found[(step + 1) // substeps, block * BATCH + batch_index] = here[batch_index]
+                    displacements[(step + 1) // substeps, block * BATCH + batch_index] = here[batch_index]
 
 
 @compiled(inline="always")

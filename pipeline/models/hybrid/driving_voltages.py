@@ -87,7 +87,7 @@ def _spline_squares(
     """
     cells, columns = c.shape[1], c.shape[2]
     out = np.empty((count, columns))
-    kept, mean = _shares(width / charging)
+    remaining, mean = _shares(width / charging)
     for j in range(columns):
         charged = before = 0.0
         for i in range(count):
@@ -96,7 +96,7 @@ def _spline_squares(
             s = t - cell * spacing
             v = ((c[0, cell, j] * s + c[1, cell, j]) * s + c[2, cell, j]) * s + c[3, cell, j] - probe[j]
             v = min(max(v, -limit), limit)
-            charged = v if i == 0 else kept * charged + (mean - kept) * before + (1.0 - mean) * v
+            charged = v if i == 0 else remaining * charged + (mean - remaining) * before + (1.0 - mean) * v
             before = v
             out[i, j] = charged * charged
     return out
@@ -118,19 +118,19 @@ def _charged(v: FloatArray, spacing: float, lag: float) -> tuple[FloatArray, Flo
 
     The integrals are those of the lines through what is found, and of their squares. Cost: 3 ns each.
     """
-    found, areas = np.empty_like(v), np.zeros((2, v.shape[1], len(v)))
-    kept, mean = _shares(spacing / lag)
-    earlier, later, half, third = mean - kept, 1.0 - mean, spacing / 2.0, spacing / 3.0
+    charged, areas = np.empty_like(v), np.zeros((2, v.shape[1], len(v)))
+    remaining, mean = _shares(spacing / lag)
+    earlier, later, half, third = mean - remaining, 1.0 - mean, spacing / 2.0, spacing / 3.0
     for column in range(v.shape[1]):
-        found[0, column] = v[0, column]
+        charged[0, column] = v[0, column]
     for i in range(len(v) - 1):
         for column in range(v.shape[1]):
-            a = found[i, column]
-            b = kept * a + earlier * v[i, column] + later * v[i + 1, column]
-            found[i + 1, column] = b
+            a = charged[i, column]
+            b = remaining * a + earlier * v[i, column] + later * v[i + 1, column]
+            charged[i + 1, column] = b
             areas[0, column, i + 1] = areas[0, column, i] + half * (a + b)
             areas[1, column, i + 1] = areas[1, column, i] + third * (a * a + a * b + b * b)
-    return found, areas
+    return charged, areas
 
 
 @compiled

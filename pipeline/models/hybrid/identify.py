@@ -9,7 +9,7 @@ import numpy as np
 from pipeline.device_parameters import NOMINAL, JointParameters
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.fitting.descent import ParallelDescent, Prior
-from pipeline.fitting.homotopy import HomotopyFit, Level, fit_homotopy
+from pipeline.fitting.homotopy import Callbacks, HomotopyFit, Level, Schedule, fit_homotopy
 from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
 from pipeline.fitting.regression import basis_centres, basis_width
 from pipeline.models.hybrid import parameters as condensed_parameters
@@ -208,9 +208,8 @@ class _Search:
         name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
         problem = CondensedProblem(joint, self.records)
         return fit_homotopy(
-            problem, start, self.prior(len(start)), gains=poles,
-            iterations=steps, last_iterations=last, noise_inflation=NOISE_INFLATION, begin=problem.hold_lost,
-            descent=ParallelDescent, keep=kept_under(self.keep, name),
+            problem, start, self.prior(len(start)), Schedule(poles, steps, last, noise_inflation=NOISE_INFLATION),
+            callbacks=Callbacks(begin=problem.hold_lost, keep=kept_under(self.keep, name)), descent=ParallelDescent,
         )  # fmt: skip
 
     def anew(self, plain: CondensedJoint) -> Fitted:
@@ -232,9 +231,9 @@ class _Search:
         problem.hold_lost(theta, pole)
         places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows)
         residual, jacobian = problem.jacobian(theta, pole)
-        found = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
-        spread = np.zeros((len(theta), found.shape[1]))
-        spread[places] = found
+        factor = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
+        spread = np.zeros((len(theta), factor.shape[1]))
+        spread[places] = factor
         return spread
 
     def held_share(self, joint: CondensedJoint, theta: FloatArray) -> float:

@@ -35,10 +35,10 @@ _first_bell, _next_bell = formula(FIRST_BELL), formula(NEXT_BELL)
 @compiled
 def prepare(k: FloatArray) -> FloatArray:
     """Prepared constants (B, PREPARED) of joints with constants k (B, len(CONSTANTS)). Cost: 0.3 µs each."""
-    found = np.empty((len(k), PREPARED))
+    prepared = np.empty((len(k), PREPARED))
     for i in range(len(k)):
-        _prepare((k[i], found[i]))
-    return found
+        _prepare((k[i], prepared[i]))
+    return prepared
 
 
 @compiled(inline="always")
@@ -159,8 +159,8 @@ def tabulate(basis: FloatArray, weights: FloatArray, density: int = NODES_PER_WI
     cells = int(np.ceil(((count - 1) * basis[1] + 2.0 * TABLE_WIDTHS * basis[2]) * per_metre))
     nodes = first + np.arange(1, cells + 2) / per_metre
     places = nodes[:, None, None] - (basis[0] + basis[1] * np.arange(count))[:, None]
-    one = np.array([0.0, basis[1], basis[2]]) * per_metre  # lengths in cells, not metres
-    ends = BELL_SHAPE.evaluate(q=places * per_metre, basis=one)["shape"]
+    cell_basis = np.array([0.0, basis[1], basis[2]]) * per_metre  # lengths in cells, not metres
+    ends = BELL_SHAPE.evaluate(q=places * per_metre, basis=cell_basis)["shape"]
     bell = np.swapaxes(np.concatenate([ends[:-1], ends[1:]], axis=2) @ _QUINTIC.T, 1, 2)
     tables = np.zeros((joints, cells + 2, 6, COLUMNS))
     tables[:, 1:-1, :, :rows] = np.matmul(bell[None], np.swapaxes(weights, 1, 2)[:, None])

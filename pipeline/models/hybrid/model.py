@@ -125,10 +125,10 @@ class HybridModel:
         twice the largest trained one; a wall at half the beam's length confines the run: it is bounded for any input.
         """
         states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
-        lost = np.flatnonzero(~np.isfinite(states[:, 0]))
+        diverged = np.flatnonzero(~np.isfinite(states[:, 0]))
         q, qdot, qddot = np.ascontiguousarray(states.T)
-        if len(lost):
-            return FreeRun(t, q, qdot, qddot, "diverged", float(t[lost[0]]))
+        if len(diverged):
+            return FreeRun(t, q, qdot, qddot, "diverged", float(t[diverged[0]]))
         return FreeRun(t, q, qdot, qddot, "ok")
 
     @checked
@@ -263,9 +263,9 @@ class HybridModel:
             NOMINAL.with_values(file.parameters), file.basis, file.centres, file.largest_voltage_V, file.slope_ratio,
             Similarity(**dict(file.similarity)),
         )  # fmt: skip
-        known = file.deviations == " | ".join(condensed_parameters.NAMES) and file.constants == " | ".join(CONSTANTS)
-        known = known and np.array_equal(file.prior_std, condensed_parameters.PRIOR_STD)
-        if not known or len(file.theta) != len(joint.start()):
+        current = file.deviations == " | ".join(condensed_parameters.NAMES) and file.constants == " | ".join(CONSTANTS)
+        current = current and np.array_equal(file.prior_std, condensed_parameters.PRIOR_STD)
+        if not current or len(file.theta) != len(joint.start()):
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )

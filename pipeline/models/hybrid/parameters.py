@@ -260,12 +260,12 @@ def _beam_and_frame(p: JointParameters, d: dict[str, Any]) -> dict[str, Any]:
 def _rises(d: dict[str, Any], own_slope: tuple[Any, Any, Any], l: float) -> dict[str, Any]:
     """R of `pipeline.equations.condensed_parts.raised`: ∫W'² of the beam with its own slope, and the deviations."""
     slope, units = [[1.0, 0.0, 0.0], own_slope, [0.0, 0.0, 1.0]], (1.0, l, l)
-    found = {}
+    rises = {}
     for i, j in combinations_with_replacement(range(3), 2):
         name = "qtb"[i] + "qtb"[j]
         bent = sum(slope[m][i] * SLOPES[m][n] * slope[n][j] for m in range(3) for n in range(3))
-        found[f"rise_{name}"] = (bent + d[f"shortening {name}"]) * units[i] * units[j] / l
-    return found
+        rises[f"rise_{name}"] = (bent + d[f"shortening {name}"]) * units[i] * units[j] / l
+    return rises
 
 
 @lru_cache(maxsize=32)
@@ -288,8 +288,8 @@ def _values(deviations: FloatArray) -> dict[str, Any]:
     Each is a number, or an array where there are several sets of deviations.
     """
     x = deviations * PRIOR_STD
-    found = np.where(_LOGARITHMS, _TYPICAL * np.exp(_LOGARITHMS * x), x)
-    return dict(zip(_KEYS, found.tolist() if found.ndim == 1 else np.moveaxis(found, -1, 0), strict=True))
+    factors = np.where(_LOGARITHMS, _TYPICAL * np.exp(_LOGARITHMS * x), x)
+    return dict(zip(_KEYS, factors.tolist() if factors.ndim == 1 else np.moveaxis(factors, -1, 0), strict=True))
 
 
 def _side(membrane: Membrane, side: str, d: dict[str, Any]) -> dict[str, Any]:

@@ -114,10 +114,10 @@ class CondensedJoint:
         rounding = ROUNDING * np.abs(self.constants(theta))[:, None]
         constants[:, :DEVIATIONS] = np.where(np.abs(changes) > rounding, changes, 0.0)
         for i in condensed_parameters.OF_INSTRUMENTS:  # all of them linear but the logarithm of the charging time
-            one = self.instruments(theta + units[i])
-            instruments[:2, i] = one.offset - base.offset, one.delay - base.delay
-            instruments[2, i] = base.charging * np.log(one.charging / base.charging)
-            instruments[3:, i] = one.probe - base.probe
+            shifted = self.instruments(theta + units[i])
+            instruments[:2, i] = shifted.offset - base.offset, shifted.delay - base.delay
+            instruments[2, i] = base.charging * np.log(shifted.charging / base.charging)
+            instruments[3:, i] = shifted.probe - base.probe
         widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
         return Derivatives(constants, instruments, widths)
 
@@ -230,10 +230,10 @@ class CondensedProblem:
             errors, derivatives = log.sensitivities(self.joint, theta, gain, self._steps)
             parts.append(errors)
             columns.append(derivatives)
-        found = columns[0] if len(columns) == 1 else np.concatenate(columns)
-        if not np.isfinite(found.sum()):
-            found[~np.isfinite(found)] = 0.0
-        return np.concatenate(parts), found
+        joined = columns[0] if len(columns) == 1 else np.concatenate(columns)
+        if not np.isfinite(joined.sum()):
+            joined[~np.isfinite(joined)] = 0.0
+        return np.concatenate(parts), joined
 
     def held_out(self, theta: FloatArray, gain: float) -> FloatArray:
         """Errors [mm] over the held-out ends, coupled to the measurement with the pole `gain` [1/s]."""
@@ -273,11 +273,11 @@ class _Log:
         span = 1e3 * (self.q[self.fitted].max() - self.q[self.fitted].min())
         for _ in range(PASSES):
             error = np.abs(self.errors(joint, theta[None], gain, steps)[0]) / span
-            lost = np.flatnonzero(~(error < LOST_ERROR_SHARE) & self.fitted & ~self.held)
-            if not len(lost):
+            diverged = np.flatnonzero(~(error < LOST_ERROR_SHARE) & self.fitted & ~self.held)
+            if not len(diverged):
                 return
-            first = max(np.flatnonzero(error[: lost[0] + 1] < CAUGHT_ERROR_SHARE), default=0)
-            self.held[first : lost[0] + samples_of(HELD_ON, self.dt)] = True
+            first = max(np.flatnonzero(error[: diverged[0] + 1] < CAUGHT_ERROR_SHARE), default=0)
+            self.held[first : diverged[0] + samples_of(HELD_ON, self.dt)] = True
 
     def compared(self, gain: float) -> BoolArray:
         """Samples at which an observer with this pole has made up for what happened while the laser saw nothing."""
@@ -314,15 +314,15 @@ class _Log:
         ]
         by_inputs = np.array([(self.v.squared(steps, one, largest) - u) / step for step, one in moves])
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
-        found = sensitivities(
+        derivatives = sensitivities(
             joint.constants(theta), joint.basis, joint.weights(theta), np.abs(by_theta.constants).max(axis=1),
             by_theta.weights, seen.offset, driven, self.dt, steps, joint.q_stop, joint.lead,
         )  # fmt: skip
         at, active = self.compared(gain), np.any(by_theta.constants, axis=1)
         chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
-        columns, q = (found.columns, found.q) if at.all() else (found.columns[at], found.q[at])
+        columns, q = (derivatives.columns, derivatives.q) if at.all() else (derivatives.columns[at], derivatives.q[at])
         by = columns @ chain
-        by_weights = found.by_weights[at] * by_theta.weights[:, None]
+        by_weights = derivatives.by_weights[at] * by_theta.weights[:, None]
         by[:, DEVIATIONS:] += 1e3 * by_weights.reshape(len(q), by.shape[1] - DEVIATIONS)
         by += 1e3 * by_theta.instruments[0]  # the reading is q + offset
         return 1e3 * (q + seen.offset - self.q[at]), by
@@ -381,7 +381,7 @@ def simulate(
     """
     constants, weights = built or (joint.constants(thetas), joint.weights(thetas))
     seen = [joint.instruments(theta) for theta in thetas]
-    keys = [(one.delay, one.charging, *one.probe) for one in seen]
+    keys = [(instrument.delay, instrument.charging, *instrument.probe) for instrument in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}
     order = {key: v for v, key in enumerate(first)}
     return run_joints(
@@ -390,6 +390,6 @@ def simulate(
         joint.basis,
         np.array([inputs(seen[i]) for i in first.values()]),
         np.array([order[key] for key in keys]),
-        np.array([one.offset for one in seen]),
+        np.array([instrument.offset for instrument in seen]),
         start, observed, gain, dt, steps, joint.q_stop, joint.lead, every_step,
     )  # fmt: skip

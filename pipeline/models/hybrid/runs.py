@@ -214,7 +214,7 @@ def run_joints(
     for first in range(0, count, width):
         chosen = np.minimum(np.arange(first, first + width), count - 1)
         x, z = _at_rest(constants, prepared, weights, basis, u, variant, offset, starts, chosen)
-        found = np.empty((shown, 3, width))
+        shown_states = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), z,
             np.zeros(2 * width), np.zeros(2 * width), np.zeros(2), u, variant[chosen],
@@ -222,9 +222,9 @@ def run_joints(
             offset[chosen], observed, poles,
             q_stop, lead, np.zeros((0, 2)),
         )  # fmt: skip
-        _integrate(system, x, found, workspace(x), parts, dt / substeps, -np.inf, np.inf)
-        kept = min(width, count - first)
-        out[first : first + kept] = found.transpose(2, 0, 1)[:kept]
+        _integrate(system, x, shown_states, workspace(x), parts, dt / substeps, -np.inf, np.inf)
+        filled = min(width, count - first)
+        out[first : first + filled] = shown_states.transpose(2, 0, 1)[:filled]
     if not np.isfinite(out.sum()):
         out[np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)] = np.nan
     out[:, :, 0] += offset[:, None]

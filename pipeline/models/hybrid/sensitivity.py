@@ -102,14 +102,14 @@ def sensitivities(
     )  # fmt: skip
     points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
     _run(system, x, dt / substeps, points, slips)
-    found = np.empty((steps // substeps + 1, len(starts) * BATCH))
+    displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
     propagate(
         points, slips, k, basis, weights, driven.squares, driven.by_instruments, driven.pole,
-        dt / substeps, substeps, q_stop, lead, columns_of(active), starts, stops, found,
+        dt / substeps, substeps, q_stop, lead, columns_of(active), starts, stops, displacements,
     )  # fmt: skip
     first, count = len(active) + INSTRUMENTS, weights.shape[1]
-    by_weights = found[:, first : first + CURVES * count].reshape(len(found), CURVES, count)
-    return Sensitivity(points[::substeps, 0, 0], found[:, :first], by_weights)
+    by_weights = displacements[:, first : first + CURVES * count].reshape(len(displacements), CURVES, count)
+    return Sensitivity(points[::substeps, 0, 0], displacements[:, :first], by_weights)
 
 
 def _starts(
@@ -146,9 +146,9 @@ _Rest = tuple[float, FloatArray, FloatArray, FloatArray]
 
 
 def _unit(count: int, i: int) -> FloatArray:
-    found = np.zeros(count)
-    found[i] = 1.0
-    return found
+    unit = np.zeros(count)
+    unit[i] = 1.0
+    return unit
 
 
 @compiled(fastmath=FAST)

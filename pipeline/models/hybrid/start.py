@@ -81,16 +81,16 @@ def similar_joint(
     if not isinstance(wells, Wells):
         return NoJoint(f"no two wells: {wells.reason}")
     half = 0.5 * (wells.right - wells.left)
-    found = [_measured(records, place, NEAR * half) for place in (wells.left, wells.right)]
-    motions = [one for one in found if one is not None]
+    measured = [_measured(records, place, NEAR * half) for place in (wells.left, wells.right)]
+    motions = [motion for motion in measured if motion is not None]
     if not motions:
         return NoJoint("no small motion about a well is seen, so the joint's time scale is unknown")
-    gain = _weighted([(one.gains[0] - one.gains[1], one.gain_error) for one in motions])
+    gain = _weighted([(motion.gains[0] - motion.gains[1], motion.gain_error) for motion in motions])
     if gain <= 0.0:
         return NoJoint("v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?")
     reference = _set_motion(parameters)
     length = half / reference.place
-    stiffness = _weighted([(one.stiffness, one.stiffness_error) for one in motions])
+    stiffness = _weighted([(motion.stiffness, motion.stiffness_error) for motion in motions])
     time = float(np.sqrt(reference.stiffness / stiffness))
     acceleration = length / time**2
     voltage = float(np.sqrt(acceleration * (reference.gains[0] - reference.gains[1]) / gain))
@@ -194,8 +194,8 @@ def prior_root(centres: int, rows: Sequence[int] = range(CURVES)) -> FloatArray:
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))
             if i != j:
                 covariance[i, j] = sign * ALIKE
-    kept = theta_places(centres, rows)
-    root = np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(kept, kept)]))
+    places = theta_places(centres, rows)
+    root = np.linalg.inv(np.linalg.cholesky(covariance[np.ix_(places, places)]))
     return np.asarray(root, dtype=np.float64)
 
 

@@ -106,7 +106,7 @@ def rest_state(
 @compiled
 def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """∂ẋ/∂x at rest without voltage at `_SHARES`, by differences, shape (5, STATES, STATES)."""
-    found = np.empty((len(_SHARES), STATES, STATES))
+    jacobians = np.empty((len(_SHARES), STATES, STATES))
     u, c, start = np.zeros(2), np.zeros(VALUES), np.zeros(2)
     at_rest, rates = np.empty(STATES), np.empty(STATES)
     for i in range(len(_SHARES)):
@@ -122,8 +122,8 @@ def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatAr
             joint_rates(x, u, c, z, start, p, rates)
             x[j] = here
             for m in range(STATES):
-                found[i, m, j] = (rates[m] - at_rest[m]) / 1e-7
-    return found
+                jacobians[i, m, j] = (rates[m] - at_rest[m]) / 1e-7
+    return jacobians
 
 
 def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, slowness: float = 1.0) -> int:
@@ -191,21 +191,21 @@ def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c:
 @compiled
 def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """The four curves of `static_curves`, shape (4, n)."""
-    found, u, c, forces, by = np.empty((4, len(q))), np.zeros(2), np.zeros(VALUES), np.empty(3), np.empty(6)
+    curves, u, c, forces, by = np.empty((4, len(q))), np.zeros(2), np.zeros(VALUES), np.empty(3), np.empty(6)
     for i in range(len(q)):
         x, _ = rest_state(q[i], u, k, p, basis, weights)
         slope, interior = _shape_slopes(x, u, p, basis, weights, forces)
         still = forces[0] + slope * forces[1] + interior * forces[2]
-        found[0, i] = -still
+        curves[0, i] = -still
         corrections_at(q[i], basis, weights, c)
         for side in range(2):
             u[side] = 1e6  # 1 kV², so that the difference is far above rounding
             rest_forces(x, u, c, p, forces, by)
-            found[2 + side, i] = (forces[0] + slope * forces[1] + interior * forces[2] - still) / 1e6
+            curves[2 + side, i] = (forces[0] + slope * forces[1] + interior * forces[2] - still) / 1e6
             u[side] = 0.0
         loss = _moving_force(x, slope, interior, -_SPEED, c, p) - _moving_force(x, slope, interior, _SPEED, c, p)
-        found[1, i] = 0.5 * loss / _SPEED
-    return found
+        curves[1, i] = 0.5 * loss / _SPEED
+    return curves
 
 
 def static_curves(

@@ -120,12 +120,12 @@ class _NormalEquations:
         norms = np.sqrt(np.diag(gram))
         scale = np.where(norms > 0.0, norms, 1.0)
         values, vectors = np.linalg.eigh(gram / np.outer(scale, scale))
-        kept = values > p * np.finfo(float).eps * values[-1]
-        coordinates = vectors[:, kept].T @ (self.right.ravel() / scale)
-        weights = vectors[:, kept] @ (coordinates / values[kept]) / scale
-        cost = 0.5 * (self.energy - float(coordinates @ (coordinates / values[kept]))) / self.samples
-        condition = float(np.sqrt(values[-1] / values[kept][0]))
-        return weights.reshape(self.curves, self.m), (cost, int(kept.sum()), condition)
+        significant = values > p * np.finfo(float).eps * values[-1]
+        coordinates = vectors[:, significant].T @ (self.right.ravel() / scale)
+        weights = vectors[:, significant] @ (coordinates / values[significant]) / scale
+        cost = 0.5 * (self.energy - float(coordinates @ (coordinates / values[significant]))) / self.samples
+        condition = float(np.sqrt(values[-1] / values[significant][0]))
+        return weights.reshape(self.curves, self.m), (cost, int(significant.sum()), condition)
 
     def gradient(self, weights: FloatArray, time_constant: float) -> float:
         """D cost / d ln T_z at fixed weights, which is the total derivative where the weights are optimal."""

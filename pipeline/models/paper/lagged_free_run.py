@@ -3,7 +3,11 @@
 The number of steps per sample follows from the lag, the fastest known time constant of the model.
 """
 
-from typing import NamedTuple
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -11,7 +15,7 @@ from pipeline.codegen.numba_writer import formula
 from pipeline.generated.basis_functions import NAMES, REACHES, basis_function
 from pipeline.generated.terms import LAGGED_RATES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, between_samples, bounded_run, integrator, no_begin, no_finish
+from pipeline.solvers.fixed_step import Methods, between_samples, bounded_run, inlined, integrator, no_begin, no_finish
 
 _lagged_rates = formula(LAGGED_RATES)
 
@@ -20,75 +24,116 @@ class LaggedJoint(NamedTuple):
     """A joint of eqs. 37 to 40 in a run, see `lagged_rbf_run`.
 
     `parts` are half steps in a sample interval, `kind` counts the basis functions, `farthest` is the square of the
-    function's reach, `inverse` is 1/σ, `values` has room for the curves.
+    function's reach (None: no term is left out), `inverse` is 1/σ, `u` and `values` have room for inputs and curves.
     """
 
     v: FloatArray
     squared: bool
     parts: int
     kind: int
-    farthest: float
+    farthest: float | None
     centres: FloatArray
     weights: FloatArray
     inverse: float
     lag: float
+    u: FloatArray
     values: FloatArray
 
 
-def _rates(system, x, node, dx, acceleration):  # type: ignore[no-untyped-def]
+def _rates(system, x, node, dx, acceleration):
+    """The law under the inputs of the half step."""
+    n, following, share = between_samples(node, system.parts, len(system.v))
+    for k in range(system.v.shape[1]):
+        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
+        system.u[k] = u * u if system.squared else u
+    _move(system, x, system.u, dx)
+    acceleration[0] = dx[1]
+
+
+@inlined
+def _move(system, x, u, dx):
     """Curves at q as sums over the basis, without what is negligible; then the law."""
     for s in range(len(system.values)):
         system.values[s] = 0.0
     for i in range(len(system.centres)):
-        square = ((x[0] - system.centres[i]) * system.inverse) ** 2
-        if square < system.farthest:
+        distance = (x[0] - system.centres[i]) * system.inverse
+        square = distance * distance
+        if system.farthest is None or square < system.farthest:
             value = basis_function(system.kind, square)[0]
             for s in range(len(system.values)):
                 system.values[s] += system.weights[i, s] * value
-    n, following, share = between_samples(node, system.parts, len(system.v))
     push = 0.0
-    for k in range(system.v.shape[1]):
-        u = system.v[n, k] + share * (system.v[following, k] - system.v[n, k])
-        push += system.values[2 + k] * (u * u if system.squared else u)
+    for k in range(len(u)):
+        push += system.values[2 + k] * u[k]
     dx[0] = x[1]
     dx[1], dx[2] = _lagged_rates((x[0], x[1], x[2], system.values[0], system.values[1], push, system.lag))
-    acceleration[0] = dx[1]
 
 
 _integrate = integrator(LaggedJoint, lambda kind: Methods(no_begin, _rates, no_finish))
 
 
-def lagged_rbf_run(
-    v: FloatArray, squared: bool, interval: float, steps: int, start: tuple[float, ...],
-    centres: FloatArray, weights: FloatArray, width: float, time_constant: float, bounds: tuple[float, float],
-    basis: str = "gaussian",
-) -> tuple[FloatArray, int]:  # fmt: skip
-    """Integrate q̈ = −c q − d z + Σ g_k u_k, ż = (q̇ − z)/T_z from `start`.
+@dataclass(frozen=True)
+class LaggedLaw:
+    """Numbers of eqs. 37 to 40.
 
-    Parameters
+    Attributes
     ----------
-    v : FloatArray, shape (N, K)
-        Voltages at the samples [V], linear in between; u = v² if `squared`, else v.
-    squared : bool
-        Whether the force goes with the square of the voltage.
-    interval : float
-        Sample interval [s].
-    steps : int
-        Runge-Kutta steps per interval.
-    start : tuple of float
-        q(0) [m], q̇(0) [m/s] and z(0) [m/s], which is q̇(0) if left out.
     centres : FloatArray, shape (M,)
         ξ_i, in the unit of q.
     weights : FloatArray, shape (M, 2 + K)
         Columns c, d, g_1 … g_K, divided by the mass.
     width : float
         σ of the bells, in the unit of q.
-    time_constant : float
+    lag : float
         T_z [s].
-    bounds : (float, float)
-        The run ends as soon as q leaves them.
     basis : str
         Name of the basis function, see `pipeline.model_list`.
+    squared : bool
+        Whether the force goes with the square of the voltage.
+    """
+
+    centres: FloatArray
+    weights: FloatArray
+    width: float
+    lag: float
+    basis: str = "gaussian"
+    squared: bool = True
+
+    def joint(self, v: FloatArray, parts: int, reach: float | None, u: FloatArray, values: FloatArray) -> LaggedJoint:
+        """The system of a run."""
+        return LaggedJoint(
+            v, self.squared, parts, NAMES.index(self.basis), None if reach is None else reach**2,
+            np.ascontiguousarray(self.centres), np.ascontiguousarray(self.weights), 1.0 / self.width, float(self.lag),
+            u, values,
+        )  # fmt: skip
+
+
+def lagged_rates(law: LaggedLaw, x: Sequence[Any], u: Sequence[Any]) -> list[Any]:
+    """Rates of q, q̇ and z under the inputs u (K,): the law of a run for traced values."""
+    values, nothing, dx = np.empty(2 + len(u), dtype=object), np.empty(0), np.empty(3, dtype=object)
+    _move(law.joint(nothing, 1, None, nothing, values), x, u, dx)
+    return list(dx)
+
+
+def lagged_rbf_run(
+    law: LaggedLaw, v: FloatArray, interval: float, steps: int, start: tuple[float, ...], bounds: tuple[float, float]
+) -> tuple[FloatArray, int]:
+    """Integrate q̈ = −c q − d z + Σ g_k u_k, ż = (q̇ − z)/T_z from `start`.
+
+    Parameters
+    ----------
+    law : LaggedLaw
+        The equation.
+    v : FloatArray, shape (N, K)
+        Voltages at the samples [V], linear in between; u = v² if `law.squared`, else v.
+    interval : float
+        Sample interval [s].
+    steps : int
+        Runge-Kutta steps per interval.
+    start : tuple of float
+        q(0) [m], q̇(0) [m/s] and z(0) [m/s], which is q̇(0) if left out.
+    bounds : (float, float)
+        The run ends as soon as q leaves them.
 
     Returns
     -------
@@ -98,9 +143,6 @@ def lagged_rbf_run(
         Samples within the bounds; N if the run completed. Cost: 4·steps·N evaluations of M exponentials and
         (2 + K)·M products, about 60 ns each for M = 10.
     """
-    kind = NAMES.index(basis)
-    system = LaggedJoint(
-        np.ascontiguousarray(v), squared, 2 * steps, kind, REACHES[kind] ** 2, np.ascontiguousarray(centres),
-        np.ascontiguousarray(weights), 1.0 / width, float(time_constant), np.zeros(2 + v.shape[1]),
-    )  # fmt: skip
+    reach, inputs = REACHES[NAMES.index(law.basis)], v.shape[1]
+    system = law.joint(np.ascontiguousarray(v), 2 * steps, reach, np.zeros(inputs), np.zeros(2 + inputs))
     return bounded_run(_integrate, system, np.array([start[0], start[1], start[-1]]), len(v), steps, interval, bounds)

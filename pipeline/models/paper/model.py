@@ -33,7 +33,7 @@ from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind, Training
 from pipeline.models.model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table
 from pipeline.models.paper.lag_search import LagSearch, LagStretch, search_lag
-from pipeline.models.paper.lagged_free_run import lagged_rbf_run
+from pipeline.models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.signals.trajectory import Trajectory, operating_range
@@ -111,6 +111,12 @@ class RbfPaperModel:
         return basis_width(self.centres, self.smoothing)
 
     @property
+    def law(self) -> LaggedLaw:
+        """The equation of motion over the mass."""
+        weights = np.ascontiguousarray(self.weights.T) / self.mass
+        return LaggedLaw(self.centres, weights, self.width, self.lag, self.basis, self.inputs == "squared")
+
+    @property
     def input_count(self) -> int:
         """Number of voltages that it takes."""
         return len(self.weights) - 2
@@ -135,19 +141,8 @@ class RbfPaperModel:
 
     def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
         interval = sample_interval(t)
-        return lagged_rbf_run(
-            np.ascontiguousarray(v),
-            self.inputs == "squared",
-            interval,
-            steps_per_sample(interval, self.lag),
-            start,
-            self.centres,
-            np.ascontiguousarray(self.weights.T) / self.mass,
-            self.width,
-            self.lag,
-            escape_bounds(float(self.centres[0]), float(self.centres[-1])),
-            self.basis,
-        )
+        steps, bounds = steps_per_sample(interval, self.lag), escape_bounds(*self.centres[[0, -1]].tolist())
+        return lagged_rbf_run(self.law, v, interval, steps, start, bounds)
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
@@ -314,8 +309,8 @@ def _correlation_time(stretches: Sequence[LagStretch], weights: FloatArray) -> f
 
 
 def _visits(centres: FloatArray, trajectories: Sequence[Trajectory]) -> dict[str, Any]:
-    found = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
-    return {"visits_per_centre": found.visits, "driven_visits_per_centre": found.driven}
+    covered = coverage(centres, [x.q for x in trajectories], [x.v for x in trajectories])
+    return {"visits_per_centre": covered.visits, "driven_visits_per_centre": covered.driven}
 
 
 def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:

@@ -14,12 +14,13 @@ Sensitivities are those of the discrete scheme itself, so Gauss-Newton sees the 
 
 # mypy: disable-error-code="no-untyped-def,no-untyped-call"
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from pipeline.codegen.numba_writer import formula
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, shared
 from pipeline.generated.terms import ACCELERATION, BELL, CLIPPED, DAHL_MOVE, ELEMENT, POWERS, STOP_FORCE, TURNING_ARM
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.solvers.fixed_step import Methods, between_samples, inlined, integrator, workspace
@@ -95,24 +96,26 @@ def _shapes(c, inputs):
     return (len(c.curves) - INPUT - inputs - len(c.rates)) // (1 + inputs)
 
 
-@compiled(_nrt=False)
-def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray) -> None:
-    """The basis and its derivative at x."""
-    found = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
+@shared
+def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray, curvatures: FloatArray) -> None:
+    """The basis (4 + M,) and its derivative at x, and the second derivative of the Gaussians (M,)."""
+    head = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
     for i in range(POLYNOMIALS):
-        values[i], slopes[i] = found[i], found[POLYNOMIALS + i]
+        values[i], slopes[i] = head[i], head[POLYNOMIALS + i]
     inside, moving = _clipped((x, c.low, c.high))
     for i in range(len(c.centres)):
-        value, slope = _bell((inside, c.centres[i], c.bend))
+        value, slope, curvature = _bell((inside, c.centres[i], c.bend))
         values[POLYNOMIALS + i], slopes[POLYNOMIALS + i] = value, slope * moving
+        curvatures[i] = curvature * moving
 
 
 @compiled
 def basis(x: FloatArray, c: Coefficients) -> FloatArray:
     """The basis at all x, shape (N, 4 + M)."""
     values, slopes = np.empty((len(x), c.curves.shape[1])), np.empty(c.curves.shape[1])
+    curvatures = np.empty(len(c.centres))
     for n in range(len(x)):
-        basis_at(x[n], c, values[n], slopes)
+        basis_at(x[n], c, values[n], slopes, curvatures)
     return values
 
 
@@ -122,10 +125,10 @@ class ObservedJoint(NamedTuple):
     c, wrt, u, du, held as in `observed_run` · measured (N,) · observer (N,): its gain of each interval [1/s] · parts:
     half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
-    basis, slopes (4 + M,), values, changes (C,): basis and the C curves, and their slopes · by_curve (C,), by (10,):
-    derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag and the stops · relaxing (4, L): of each element
-    its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make · states,
-    sensitivity: at the samples, filled.
+    basis, slopes (4 + M,), curvatures (M,), values, changes (C,): basis and the C curves, and their slopes · by_curve
+    (C,), by (10,): derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag and the stops · relaxing (4, L):
+    of each element its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make ·
+    states, sensitivity: at the samples, filled.
     """
 
     c: Coefficients
@@ -143,6 +146,7 @@ class ObservedJoint(NamedTuple):
     middle: FloatArray
     basis: FloatArray
     slopes: FloatArray
+    curvatures: FloatArray
     values: FloatArray
     changes: FloatArray
     by_curve: FloatArray
@@ -166,7 +170,7 @@ def _begin(system, x, node):
     system.began[0] = x[0]
     for m in range(parameters):
         system.began[1 + m] = x[first + m]
-    _slide(system.slip, system.half, x[1], x[first + parameters :], system.c, system.wrt, system.middle)
+    slide(system.slip, system.half, x[1], x[first + parameters :], system.c, system.wrt, system.middle)
 
 
 def _rates(system, x, node, dx, acceleration):
@@ -187,7 +191,7 @@ def _finish(system, x):
     first = 2 + len(system.c.rates)
     for m in range(len(system.wrt.kind)):
         system.began[1 + m] = x[first + m] - system.began[1 + m]
-    _slide(system.slip, 1.0, x[0] - system.began[0], system.began[1:], system.c, system.wrt, system.slip)
+    slide(system.slip, 1.0, x[0] - system.began[0], system.began[1:], system.c, system.wrt, system.slip)
 
 
 _integrate = integrator(ObservedJoint, lambda kind: Methods(_begin, _rates, _finish))
@@ -198,7 +202,7 @@ def _move(system, x, u, dx):
     """Rates of the state without the observer, and what their derivatives need."""
     c, inputs, p = system.c, len(u), x[1]
     basis, slopes, values, by_curve = system.basis, system.slopes, system.values, system.by_curve
-    basis_at(x[0], c, basis, slopes)
+    basis_at(x[0], c, basis, slopes, system.curvatures)
     push = change = 0.0
     for i in range(c.curves.shape[0]):
         value = slope = 0.0
@@ -214,7 +218,7 @@ def _move(system, x, u, dx):
     for n in range(_shapes(c, inputs)):
         push += x[2 + n] * system.relaxing[PULL, n]
         change += values[INPUT + inputs + n] * system.relaxing[PULL, n]
-        change += x[2 + n] * _bent_pull(system, x[0], n, u)
+        change += x[2 + n] * _bent_pull(system, n, u)
     for n in range(len(system.middle)):
         push -= c.slip_force[n] * system.middle[n, 0]
     stopped = _stopped(c, x[0], p)
@@ -263,16 +267,13 @@ def _load(system, x, u):
 
 
 @inlined
-def _bent_pull(system, x, n, u):
+def _bent_pull(system, n, u):
     """Slope of the pull, Σ β″ u: second derivatives of the Gaussians."""
     c, inputs, total = system.c, len(u), 0.0
     row = INPUT + inputs + len(c.rates) + n * (1 + inputs) + 1
     for i in range(len(c.centres)):
-        j = POLYNOMIALS + i
-        if system.slopes[j] != 0.0:
-            bent = -2.0 * c.bend * (system.basis[j] + (x - c.centres[i]) * system.slopes[j])
-            for k in range(inputs):
-                total += c.curves[row + k, j] * u[k] * bent
+        for k in range(inputs):
+            total += c.curves[row + k, POLYNOMIALS + i] * u[k] * system.curvatures[i]
     return total
 
 
@@ -343,8 +344,8 @@ def _force(system, x, node, dx):
                     own[s * parameters + m] += relaxing[RATE_NOW, s] * values[row] * du[i, node, n]
 
 
-@compiled(_nrt=False)
-def _slide(
+@shared
+def slide(
     slip: FloatArray, share: float, way: float, way_sensitivity: FloatArray, c: Coefficients,
     wrt: SensitivityParameters, moved: FloatArray,
 ) -> None:  # fmt: skip
@@ -391,36 +392,99 @@ def _rested(
     return w, sensitivity
 
 
-def observed_run(
-    u: FloatArray, du: FloatArray, measured: FloatArray, observe: FloatArray, gain: float, start: tuple[float, float],
-    interval: float, steps: int, c: Coefficients, wrt: SensitivityParameters, rested: FloatArray, held: bool,
-) -> tuple[FloatArray, FloatArray, int]:  # fmt: skip
-    """Integrate the joint over a record, coupled to the measurement with the observer gain λ.
+def free_rates(c: Coefficients, x: Sequence[Any], slip: Sequence[Any], u: Sequence[Any]) -> list[Any]:
+    """Rates of x, p and the elements (2 + L,) without an observer: the law of a run for traced values.
 
     Parameters
     ----------
-    u : FloatArray, shape (2·steps·(N−1)+1, K)
-        Inputs at every half step.
-    du : FloatArray, shape (R, 2·steps·(N−1)+1, K)
-        Their derivatives with respect to the R parameters of kind `INPUT_SHAPE`.
-    measured, observe : FloatArray, shape (N,)
-        Measured x (finite; linear between samples) and the share of the gain that acts (0 in gaps).
-    gain : float
-        λ [1/s]; 0 for the free run.
+    c : Coefficients
+        The joint.
+    x, slip, u : sequence
+        State (2 + L,), friction states as they act (D,) and inputs (K,).
+    """
+    system = _traced(c, slip)
+    dx = np.empty(2 + len(c.rates), dtype=object)
+    _move(system, x, u, dx)
+    return list(dx)
+
+
+def resting_elements(c: Coefficients, x: Any, u: Sequence[Any]) -> list[Any]:
+    """Relaxing elements at rest at x, w = Σ β u (L,), for traced values."""
+    system = _traced(c, ())
+    basis_at(x, c, system.basis, system.slopes, system.curvatures)
+    first = INPUT + len(u) + len(c.rates)
+    rests: list[Any] = [0.0] * len(c.rates)
+    for n in range(_shapes(c, len(u))):
+        row = first + n * (1 + len(u)) + 1
+        for k, curve in enumerate(c.curves[row : row + len(u)]):
+            rests[n] = rests[n] + u[k] * sum(weight * value for weight, value in zip(curve, system.basis, strict=True))
+    return rests
+
+
+def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
+    """A joint whose arrays take traced values."""
+    functions, curves = c.curves.shape[1], len(c.curves)
+    middle = np.empty((len(slip), 1), dtype=object)
+    for n, value in enumerate(slip):
+        middle[n, 0] = value
+    basis, slopes, curvatures = (np.empty(size, dtype=object) for size in (functions, functions, len(c.centres)))
+    values, changes, by_curve = (np.empty(curves, dtype=object) for _ in range(3))
+    nothing = np.empty(0)
+    return ObservedJoint(
+        c, no_sensitivities(), nothing, nothing, False, nothing, nothing, 1, 0.0, nothing, nothing, middle, middle,
+        basis, slopes, curvatures, values, changes, by_curve, np.empty(10, dtype=object),
+        np.empty((4, len(c.rates)), dtype=object), nothing, nothing,
+    )  # fmt: skip
+
+
+class Drive(NamedTuple):
+    """Inputs of a run.
+
+    u (n, K) at every half step, n = 2·steps·(N−1)+1 · du (R, n, K): their derivatives with respect to the R parameters
+    of kind `INPUT_SHAPE` · rested (K,): those under which the relaxing elements were at rest before the first sample ·
+    held: whether inputs are constant from node to node and jump there, instead of continuous.
+    """
+
+    u: FloatArray
+    du: FloatArray
+    rested: FloatArray
+    held: bool
+
+
+class Coupling(NamedTuple):
+    """Coupling of a run to a measurement.
+
+    measured (N,): x, finite, linear between samples · share (N,) of the gain that acts, 0 in gaps · gain λ [1/s]; 0 for
+    the free run.
+    """
+
+    measured: FloatArray
+    share: FloatArray
+    gain: float
+
+
+def observed_run(
+    c: Coefficients, drive: Drive, coupling: Coupling, start: tuple[float, float], interval: float, steps: int,
+    wrt: SensitivityParameters,
+) -> tuple[FloatArray, FloatArray, int]:  # fmt: skip
+    """Integrate the joint over a record, coupled to the measurement by an observer.
+
+    Parameters
+    ----------
+    c : Coefficients
+        The joint.
+    drive : Drive
+        Its inputs.
+    coupling : Coupling
+        The measurement.
     start : (float, float)
         x(0), p(0) [1/s].
     interval : float
         Sample interval [s].
     steps : int
         Runge-Kutta steps per interval.
-    c : Coefficients
-        The joint.
     wrt : SensitivityParameters
         P parameters; `no_sensitivities()` for a plain simulation.
-    rested : FloatArray, shape (K,)
-        Inputs under which the relaxing elements were at rest before the first sample.
-    held : bool
-        Whether inputs are constant from node to node and jump there, instead of continuous.
 
     Returns
     -------
@@ -433,6 +497,7 @@ def observed_run(
         3·(2+L+D)·P products for the sensitivities: with one input and M = 8 0.3 µs per step, 0.5 with P = 14; with two
         inputs, two shapes and M = 12 1.0 µs, 5.9 with P = 169.
     """
+    (u, du, rested, held), (measured, observe, gain) = drive, coupling
     count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(wrt.kind)
     states = np.full((count, 3 + elements + slips), np.nan)
     sensitivity = np.zeros((count, parameters))
@@ -440,12 +505,12 @@ def observed_run(
     w, w_sensitivity = _rested(start[0], rested, np.ascontiguousarray(change), c, wrt)
     x = np.concatenate([start, w, np.zeros(2 * parameters), w_sensitivity.ravel()])
     slip = np.zeros((slips, 1 + parameters))
-    basis, slopes = np.zeros((2, c.curves.shape[1]))
+    basis, slopes, curvatures = np.zeros(c.curves.shape[1]), np.zeros(c.curves.shape[1]), np.zeros(len(c.centres))
     values, changes, by_curve = np.zeros((3, len(c.curves)))
     system = ObservedJoint(
         c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
         gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
-        np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, values, changes,
+        np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, curvatures, values, changes,
         by_curve, np.zeros(10), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip
     out = np.full((count, 3, 1), np.nan)

@@ -14,7 +14,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.fitting.coverage import coverage
 from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
+from pipeline.fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
 from pipeline.fitting.regression import InputLaw
 from pipeline.model_list import RBF_TIME_LIMIT
@@ -68,7 +68,7 @@ def identify_rbf(
     angle: bool = False,
     choice: RbfChoice | None = None,
     candidates: Sequence[Candidate] | None = None,
-    known: KnownCurves | None = None,
+    measured: KnownCurves | None = None,
     time_limit: float = RBF_TIME_LIMIT,
     on_progress: OnProgress = silent,
     keep: Keep = make_anew,
@@ -89,7 +89,7 @@ def identify_rbf(
         What is decided of the structure.
     candidates : sequence of Candidate, optional
         Structures among which the inner validation chooses instead; a single one is taken as it is.
-    known : KnownCurves, optional
+    measured : KnownCurves, optional
         Measured curves, which are kept; only the rest is learned.
     time_limit : float
         Processor time [s] by the cost model of `pipeline.fitting.descent`, which counts evaluations: the same
@@ -107,33 +107,35 @@ def identify_rbf(
         No candidate follows the training logs.
     """
     wanted = choice or RbfChoice()
-    if known:
-        known.check(*operating_range(records))
-        known = known.per_unit_mass(mass)
+    if measured:
+        measured.check(*operating_range(records))
+        measured = measured.per_unit_mass(mass)
     # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
     pair = is_bistable_pair(records, inputs)
     coupled = COUPLED if pair else GAINS[-1]
-    setting = Setting(inputs, known, Effort(time_limit), on_progress, coupled=coupled, keep=keep)
+    setting = Setting(inputs, measured, Effort(time_limit), on_progress, coupled=coupled, keep=keep)
     fine = all(r.fine is not None for r in records)
     complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
     if pair and not candidates:
-        found, tried = _choose_prior(records, setting, first.structure, from_population=wanted.population and not known)
+        fitted, tried = _choose_prior(
+            records, setting, first.structure, from_population=wanted.population and not measured
+        )
     else:
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven)
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
         chosen, like, tried, complete = search(records, setting, first, *offered)
-        found = _fit_to_all(records, setting, chosen, like)
-    if not found.fit.levels:
+        fitted = _fit_to_all(records, setting, chosen, like)
+    if not fitted.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
     return RbfModel(
-        found.parameters,
-        found.fit.theta,
-        posterior_factor(found.fit, found.prior),
-        found.band_spread,
+        fitted.parameters,
+        fitted.fit.theta,
+        posterior_factor(fitted.fit, fitted.prior),
+        fitted.band_spread,
         mass,
-        _diagnostics(records, found, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
+        _diagnostics(records, fitted, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
 
 
@@ -174,19 +176,19 @@ def _choose_prior(
     The mirror plane is q = 0; a joint that never crosses it has none.
     """
     low, high = operating_range(records)
-    alike = [candidate(structure, one) for one in (SYMMETRIES if low < 0.0 < high else SYMMETRIES[-1:])]
+    alike = [candidate(structure, symmetry) for symmetry in (SYMMETRIES if low < 0.0 < high else SYMMETRIES[-1:])]
     fits: dict[str, _Fitted] = {}
 
-    def fitted(one: Candidate) -> _Fitted:
-        if one.label not in fits:
-            fits[one.label] = _fit_to_all(records, setting, one, None)
-        return fits[one.label]
+    def fitted(symmetry: Candidate) -> _Fitted:
+        if symmetry.label not in fits:
+            fits[symmetry.label] = _fit_to_all(records, setting, symmetry, None)
+        return fits[symmetry.label]
 
-    def surpassed(one: Candidate, other: Candidate, share: float) -> bool:
+    def surpassed(symmetry: Candidate, other: Candidate, share: float) -> bool:
         """Whether another leaves clearly less; nothing does any more once the effort is spent."""
-        if not fitted(one).fit.reached_last or setting.effort.exhausted():
+        if not fitted(symmetry).fit.reached_last or setting.effort.exhausted():
             return False
-        return fitted(other).rms < share * fitted(one).rms
+        return fitted(other).rms < share * fitted(symmetry).rms
 
     chosen = alike[0]
     if from_population and len(alike) > 1 and population().knows(structure):
@@ -198,23 +200,25 @@ def _choose_prior(
             if not surpassed(chosen, looser, UNLIKE):
                 break
             chosen = looser
-    found = fitted(chosen)
-    return found, {label: fit.rms for label, fit in fits.items()}
+    chosen_fit = fitted(chosen)
+    return chosen_fit, {label: fit.rms for label, fit in fits.items()}
 
 
-def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, like: Fit | None) -> _Fitted:
+def _fit_to_all(records: Sequence[Record], setting: Setting, option: Candidate, like: Fit | None) -> _Fitted:
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
-    p, start, prior = setting.begin(records, one, like)
-    told = setting.progress(one.label, p.scales.half)
+    p, start, prior = setting.begin(records, option, like)
+    report = setting.progress(option.label, p.scales.half)
     gains = [gain for gain in GAINS if gain >= setting.coupled]
 
     def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         """θ after a homotopy over the observer gains [frequency scale], within a share of the effort."""
         return fit_homotopy(
-            problem, theta, prior, gains=gains, noise_inflation=one.noise_inflation, iterations=ITERATIONS,
-            last_iterations=LAST_ITERATIONS, enough=lambda: setting.effort.exhausted(share), on_progress=told,
-            parts=problem.parts,
-            keep=kept_under(setting.kept, f"final of {one.label} from {gains[0]:g}"),
+            problem, theta, prior,
+            Schedule(gains, ITERATIONS, LAST_ITERATIONS, noise_inflation=option.noise_inflation),
+            callbacks=Callbacks(
+                enough=lambda: setting.effort.exhausted(share), on_progress=report, parts=problem.parts,
+                keep=kept_under(setting.stored, f"final of {option.label} from {gains[0]:g}"),
+            ),
         )  # fmt: skip
 
     def within(logs: Sequence[Record], theta: FloatArray, jacobians: int) -> JointProblem:
@@ -230,23 +234,25 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, one: Candidate, lik
         complete = within(records, fit.theta, LAST_JACOBIANS)
         last = descend(complete, fit.theta, gains[-1:], 1.0)
         fit, problem = (last, complete) if last.levels else (fit, problem)
-    return _Fitted(one, p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual, problem)
+    return _Fitted(
+        option, p, fit, prior, fit.residual[problem.of_displacement] if fit.levels else fit.residual, problem
+    )
 
 
-def _diagnostics(records: Sequence[Record], found: _Fitted, tried: dict[str, float]) -> dict[str, object]:
-    p, fit, white, scales = found.parameters, found.fit, whiteness(found.errors), found.parameters.scales
+def _diagnostics(records: Sequence[Record], fitted: _Fitted, tried: dict[str, float]) -> dict[str, object]:
+    p, fit, white, scales = fitted.parameters, fitted.fit, whiteness(fitted.errors), fitted.parameters.scales
     visited = coverage(
         scales.middle + scales.half * p.centres, [r.q[r.valid] for r in records], [r.v[r.valid] for r in records]
     )
     return {
-        "chosen": found.candidate.label,
-        "candidates": np.array(list(tried) or [found.candidate.label]),
+        "chosen": fitted.candidate.label,
+        "candidates": np.array(list(tried) or [fitted.candidate.label]),
         "candidate_rms_m": np.array(list(tried.values()) or [0.0]),
         "levels": {name: np.array([getattr(x, name) for x in fit.levels]) for name in vars(fit.levels[0])},
         "converged": fit.converged,
         "reached_free_run": fit.levels[-1].gain == GAINS[-1],
         "chaotic": fit.chaotic,
-        "training_rms_m": found.rms,
+        "training_rms_m": fitted.rms,
         "residual_correlation_samples": white.integrated_correlation_time,
         "residual_lag_one": white.lag_one,
         "visits_per_centre": visited.visits,
@@ -280,7 +286,7 @@ def _fit(training: Training) -> RbfModel:
         inputs=training.inputs,
         angle=training.units[0] == "rad",
         choice=_decided(training),
-        known=training.known_curves,
+        measured=training.known_curves,
         time_limit=training.identify.time_limit,
         on_progress=training.on_progress,
         keep=training.keep,

@@ -6,10 +6,11 @@ from typing import Annotated, Any, ClassVar, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from pipeline.codegen.graph import trace
 from pipeline.errors import CorruptArtifactError
 from pipeline.fitting.posterior import first_order_curves, posterior_draws
 from pipeline.fitting.regression import InputLaw
-from pipeline.generated.terms import ACCELERATION, STOP_FORCE
+from pipeline.generated.terms import STOP_FORCE
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table
 from pipeline.models.rbf import dynamics as joint
@@ -20,7 +21,6 @@ from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
 from pipeline.solvers.fixed_step import run_status
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
-SLIGHT = 1e-5  # of half the range: for slopes of curves
 SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 
@@ -182,18 +182,14 @@ class RbfModel:
         c = p.coefficients(self.theta)
         steps = steps_per_sample(p, sample_interval(t), self.theta)
         u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
-        curves, elements = self._curves_at(c, x), len(c.rates)
-        push = np.einsum("ij,ij->i", curves[:, joint.INPUT : joint.INPUT + len(p.signs)], u[:: 2 * steps])
-        push += self._of_elements(c, x, curves, states[:, 3 : 3 + elements], u[:: 2 * steps])
-        push -= states[:, 3 + elements :] @ c.slip_force
-        if len(c.stops):
-            push += self._of_stops(c, x, speed)
-        found = ACCELERATION.evaluate(
-            p=speed[:, None], curves=curves[:, [joint.FORCE, joint.DAMPING]], push=push[:, None],
-            arm=x[:, None] - c.inertia[1], arc=np.full((1, 1), c.inertia[0]), drag=np.full((1, 1), c.drag),
-        )["value"]  # fmt: skip
-        result: FloatArray = s.half * found[:, 0]
-        return result
+        law = trace(
+            lambda x, slip, u: {"dx": joint.free_rates(c, x, slip, u)},
+            x=2 + len(c.rates), slip=len(c.slip_force), u=len(p.signs),
+        )  # fmt: skip
+        hidden, slip = np.split(states[:, 3:], [len(c.rates)], axis=1)
+        rates = law.evaluate(x=np.column_stack([x, speed, hidden]), slip=slip, u=u[:: 2 * steps])["dx"]
+        acceleration: FloatArray = s.half * rates[:, 1]
+        return acceleration
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).
@@ -274,30 +270,15 @@ class RbfModel:
         u, du = p.inputs(v, interval, steps, theta)
         begin = (float(start[0]), float(start[1]))
         c, observe = p.coefficients(theta), np.ones(len(t)) if observe is None else observe
-        states, _, valid = joint.observed_run(
-            u, du, x, observe, gain, begin, interval, steps, c, joint.no_sensitivities(), p.at_rest(u, theta), p.held
-        )
+        drive, coupling = joint.Drive(u, du, p.at_rest(u, theta), p.held), joint.Coupling(x, observe, gain)
+        states, _, valid = joint.observed_run(c, drive, coupling, begin, interval, steps, joint.no_sensitivities())
         return states, valid
-
-    def _of_elements(
-        self, c: joint.Coefficients, x: FloatArray, curves: FloatArray, w: FloatArray, u: FloatArray
-    ) -> FloatArray:
-        """Force of the relaxing elements, shape (n,): −Σ h e + Σ β′ u w."""
-        first = joint.INPUT + len(self.parameters.signs)
-        load, force = w.copy(), np.zeros(len(x))
-        for i in range(self.parameters.structure.shape_elements):
-            rows = [self.parameters.rows[f"pull{i}_{k}"] for k in range(u.shape[1])]
-            load[:, i] -= np.einsum("ij,ij->i", curves[:, rows], u)
-            slopes = (self._curves_at(c, x + SLIGHT)[:, rows] - self._curves_at(c, x - SLIGHT)[:, rows]) / (2 * SLIGHT)
-            force += w[:, i] * np.einsum("ij,ij->i", slopes, u)
-        found: FloatArray = force - np.einsum("ij,ij->i", curves[:, first : first + w.shape[1]], load)
-        return found
 
     def _of_stops(self, c: joint.Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
         """Force of the end stops, shape (n,)."""
         stops = np.tile(c.stops, (len(x), 1))
-        found: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
-        return found
+        forces: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
+        return forces
 
     def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
         """All curves at x, in the order of `Coefficients.curves`."""

@@ -229,13 +229,17 @@ class ParameterLayout:
         drive = volts - offset if len(offset) else volts
         slope, by_shape = np.ones_like(drive), np.empty((0, *drive.shape))
         if self.structure.bent_input:
-            found = BENT.evaluate(drive=drive[..., None], bend=theta[self.slices["input_bend"]])
-            drive, slope, by_shape = found["value"][..., 0], found["slopes"][..., 0], found["slopes"][None, ..., 1]
+            outputs = BENT.evaluate(drive=drive[..., None], bend=theta[self.slices["input_bend"]])
+            drive, slope, by_shape = (
+                outputs["value"][..., 0],
+                outputs["slopes"][..., 0],
+                outputs["slopes"][None, ..., 1],
+            )
         if self.structure.dead_zone:
             zone = np.exp(theta[self.slices["input_zone"]])
-            found = PAST_ZONE.evaluate(drive=drive[..., None], zone=zone)
-            drive, steep = found["value"][..., 0], found["slopes"][..., 0]
-            slope, by_shape = slope * steep, np.concatenate((by_shape * steep, zone * found["slopes"][None, ..., 1]))
+            outputs = PAST_ZONE.evaluate(drive=drive[..., None], zone=zone)
+            drive, steep = outputs["value"][..., 0], outputs["slopes"][..., 0]
+            slope, by_shape = slope * steep, np.concatenate((by_shape * steep, zone * outputs["slopes"][None, ..., 1]))
         if self.law == "squared":
             return drive * drive, 2.0 * drive * slope, 2.0 * drive * by_shape
         return drive, slope, by_shape

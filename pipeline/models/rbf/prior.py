@@ -244,7 +244,7 @@ PINNED = 1e-3  # standard deviation of the logarithm of that cubic
 RIDGE = 1e-4
 
 
-def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, known: KnownCurves) -> tuple[FloatArray, Prior]:
+def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: KnownCurves) -> tuple[FloatArray, Prior]:
     """Start vector and prior that keep the known curves.
 
     Parameters
@@ -255,13 +255,13 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, known: Known
         Where the estimation would start without them.
     prior : Prior
         What is believed without them.
-    known : KnownCurves
+    measured : KnownCurves
         Per unit mass.
     """
     start, s, rows, right = start.copy(), p.scales, [prior.matrix], [prior.right]
     c, at = p.coefficients(start), p.slices
-    if known.force is not None:
-        basis, y = _points(p, c, known.q, -known.force / s.half)
+    if measured.force is not None:
+        basis, y = _points(p, c, measured.q, -measured.force / s.half)
         high = np.full(basis.shape[1], np.inf)
         high[joint.POLYNOMIALS - 1] = -SLIGHT_CUBIC * s.stiffness
         weights = _fitted(basis, y, high)
@@ -274,10 +274,10 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, known: Known
             rows, right, p.count, at["force"].start + np.array(others), basis[:, others], linear, KEPT * np.abs(y).max()
         )
         _add(rows, right, p.count, np.array([cubic]), np.ones((1, 1)), start[[cubic]], PINNED)
-    for k, gain in enumerate(known.gains):
+    for k, gain in enumerate(measured.gains):
         if gain is not None:
             per_unit = gain / s.half * (s.volts**2 if p.law == "squared" else s.volts)
-            basis, y = _points(p, c, known.q, per_unit)
+            basis, y = _points(p, c, measured.q, per_unit)
             bells, where = basis[:, joint.POLYNOMIALS :], at[f"input{k}"]
             start[where] = _fitted(bells, y, np.full(bells.shape[1], np.inf))
             _add(rows, right, p.count, np.arange(where.start, where.stop), bells, y, KEPT * np.abs(y).max())
@@ -288,9 +288,9 @@ def _points(
     p: ParameterLayout, c: joint.Coefficients, q: FloatArray, values: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Basis and values at the measured points."""
-    kept = np.isfinite(values)
-    x = (q[kept] - p.scales.middle) / p.scales.half
-    return joint.basis(np.ascontiguousarray(x), c), values[kept]
+    finite = np.isfinite(values)
+    x = (q[finite] - p.scales.middle) / p.scales.half
+    return joint.basis(np.ascontiguousarray(x), c), values[finite]
 
 
 def _fitted(basis: FloatArray, y: FloatArray, high: FloatArray) -> FloatArray:

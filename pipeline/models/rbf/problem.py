@@ -14,7 +14,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.errors import InputError
-from pipeline.models.rbf.dynamics import basis, no_sensitivities, observed_run
+from pipeline.models.rbf.dynamics import Coupling, Drive, basis, no_sensitivities, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import drive_at_nodes, known_inputs, spline_through
 from pipeline.numerics.arrays import BoolArray, FloatArray
@@ -126,7 +126,7 @@ class _Log:
     measured, followed, observe (N,): x, what the observer follows, and the share of it that acts · start: velocity
     [1/s] · interval [s] · split: samples in the residual · travel (N − 1,), weight: mean measured velocity [1/s] of
     each interval, NaN where it is not known, and the time [s] that makes it a displacement; no travel without such a
-    channel · known: inputs, those of `past` intervals before included for a lag · every: their samples per interval ·
+    channel · inputs: those of `past` intervals before included for a lag · every: their samples per interval ·
     spacing: their interval [s] · nodes: scaled inputs at every half step, by steps per interval and delay.
     """
 
@@ -138,7 +138,7 @@ class _Log:
     split: int
     travel: FloatArray | None
     weight: float
-    known: FloatArray
+    inputs: FloatArray
     past: int
     every: int
     spacing: float
@@ -147,10 +147,10 @@ class _Log:
     @cached_property
     def spline(self) -> CubicSpline:
         """Through the inputs; a delay asks for it at other times in every run."""
-        return spline_through(known_inputs(self.known))
+        return spline_through(known_inputs(self.inputs))
 
     @property
-    def kept(self) -> BoolArray:
+    def in_residual(self) -> BoolArray:
         """Which rows of `compared` are measured."""
         seen = self.observe[: self.split] > 0.0
         return seen if self.travel is None else np.concatenate((seen, np.isfinite(self.travel[: self.split - 1])))
@@ -166,7 +166,7 @@ class _Log:
         seen = self.measured[: self.split]
         if self.travel is not None:
             seen = np.concatenate((seen, self.weight * self.travel[: self.split - 1]))
-        difference: FloatArray = (self.compared(x) - seen)[self.kept]
+        difference: FloatArray = (self.compared(x) - seen)[self.in_residual]
         return difference
 
     def at_nodes(self, p: ParameterLayout, steps: int, delay: float) -> FloatArray:
@@ -176,9 +176,9 @@ class _Log:
         hold, rows = p.structure.hold, self.past + len(self.measured)
         spline = self.spline if hold == "cubic" else None
         if self.every == 1:
-            drive = drive_at_nodes(self.known, self.spacing, steps, hold, delay, spline)
+            drive = drive_at_nodes(self.inputs, self.spacing, steps, hold, delay, spline)
         else:
-            drive = drive_at_nodes(self.known, self.spacing, 1, hold, delay, spline)
+            drive = drive_at_nodes(self.inputs, self.spacing, 1, hold, delay, spline)
             drive = _averaged(drive, self.every)[: 2 * rows - 1]
             if steps > 1:
                 drive = drive_at_nodes(drive, self.interval / 2.0, steps, "linear")[::2]
@@ -191,7 +191,7 @@ class _Log:
 class JointProblem:
     """Simulated minus measured x over all valid samples of the training logs (an `ObservedProblem`).
 
-    Observer gains are in units of the joint's frequency scale.
+    Coupling gains are in units of the joint's frequency scale.
 
     Parameters
     ----------
@@ -240,7 +240,7 @@ class JointProblem:
         for log in self.logs:
             states, sensitivity, _ = self._run(theta, log, gain, stop=log.split, sensitive=True)
             parts.append(log.error(states[:, 0]))
-            rows.append(log.compared(sensitivity)[log.kept])
+            rows.append(log.compared(sensitivity)[log.in_residual])
         return np.concatenate(parts), np.concatenate(rows)
 
     def jacobian_effort(self, theta: FloatArray) -> float:
@@ -256,7 +256,7 @@ class JointProblem:
         for log in self.logs:
             beside = replace(log, start=log.start + _NUDGE * self.parameters.scales.frequency)
             first, second = (
-                self._run(theta, one, 0.0, stop=log.split, sensitive=False)[0][:, 0] for one in (log, beside)
+                self._run(theta, each, 0.0, stop=log.split, sensitive=False)[0][:, 0] for each in (log, beside)
             )
             apart = np.abs(second - first) / 2.0
             if np.isfinite(apart).all() and np.any(apart > _PARTED):
@@ -269,7 +269,7 @@ class JointProblem:
         kinds = []
         for log in self.logs:
             rows = np.count_nonzero(log.observe[: log.split] > 0.0)
-            kinds.append(np.arange(np.count_nonzero(log.kept)) < rows)
+            kinds.append(np.arange(np.count_nonzero(log.in_residual)) < rows)
         return np.concatenate(kinds)
 
     def held_out(self, theta: FloatArray, gain: float, coupled: float = 0.0) -> list[FloatArray]:
@@ -302,11 +302,10 @@ class JointProblem:
             u, du = u[skipped:], np.ascontiguousarray(du[:, skipped:])
         wrt = p.sensitivity_parameters(theta) if sensitive else no_sensitivities()
         self.effort.spend(stop * steps, len(wrt.kind), delayed=p.structure.input_delay)
-        return observed_run(
-            u, du, log.followed[:stop], seen[:stop], gain * p.scales.frequency, (float(log.measured[0]), log.start),
-            log.interval, steps, p.coefficients(theta), wrt, p.at_rest(u, theta, begins=log.past == 0),
-            p.held and log.every == 1,
-        )  # fmt: skip
+        drive = Drive(u, du, p.at_rest(u, theta, begins=log.past == 0), p.held and log.every == 1)
+        coupling = Coupling(log.followed[:stop], seen[:stop], gain * p.scales.frequency)
+        start = (float(log.measured[0]), log.start)
+        return observed_run(p.coefficients(theta), drive, coupling, start, log.interval, steps, wrt)
 
 
 def _log(p: ParameterLayout, record: Record, free_after: float | None, step: float, thinning: int) -> _Log:
@@ -314,11 +313,11 @@ def _log(p: ParameterLayout, record: Record, free_after: float | None, step: flo
     every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
     observe = record.valid[::every].astype(np.float64)
     measured = bridged((record.q - s.middle) / s.half, record.valid.astype(np.float64))[::every]
-    known = record.drive if hold == "record" else record.v
+    inputs = record.drive if hold == "record" else record.v
     if record.past is not None and (p.structure.input_lag or p.structure.input_delay):
         before = record.past if hold == "record" or record.past.ndim == 2 else record.past[:, 0]
         past = len(before) // every
-        known = np.concatenate((before[len(before) - past * every :], known))
+        inputs = np.concatenate((before[len(before) - past * every :], inputs))
     split = len(measured) if free_after is None else int(free_after * len(measured))
     start, interval = float(record.qdot[0] / s.half), every * record.interval
     travel, weight = _travel(p, record, every)
@@ -326,7 +325,7 @@ def _log(p: ParameterLayout, record: Record, free_after: float | None, step: flo
     followed = measured.copy()
     followed[1:-1] -= np.diff(measured, 2) / 12.0
     return _Log(
-        measured, followed, observe, start, interval, split, travel, weight, known, past, every, record.interval, {}
+        measured, followed, observe, start, interval, split, travel, weight, inputs, past, every, record.interval, {}
     )
 
 

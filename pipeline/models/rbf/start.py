@@ -94,12 +94,12 @@ def starting_joint(
     scales = provisional.units
     motion, target = _motion(records, provisional)
     if timing is None:
-        found = _best_timing(records, provisional, motion, target)
+        timed = _best_timing(records, provisional, motion, target)
     else:
-        found = _undriven(provisional)
+        timed = _undriven(provisional)
         for name, times in timing.items():
-            found[provisional.slices[name]] = times
-    u = _driven(records, provisional, found)
+            timed[provisional.slices[name]] = times
+    u = _driven(records, provisional, timed)
     columns = [*motion[:2], *_gains(u, motion[2])]
     signs = tuple(_signs(columns, target, structure)) if law == "squared" else (0,) * inputs
     signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
@@ -116,7 +116,7 @@ def starting_joint(
     if structure.stops:
         start[parameters.slices["stops"]] = _best_stops(records, scales, columns, target)
     for name in TIMES:
-        start[parameters.slices[name]] = found[parameters.slices[name]]
+        start[parameters.slices[name]] = timed[parameters.slices[name]]
     return parameters, start
 
 
@@ -242,11 +242,11 @@ def _best_stops(
     def pushes(left: float, right: float) -> FloatArray:
         """Force per stiffness and per resistance at the valid samples, shape (N, 2)."""
         places = np.tile([left, right], (len(x), 1))
-        found = [
+        forces = [
             STOP_FORCE.evaluate(x=x[:, None], p=p[:, None], stops=np.column_stack((places, np.tile(each, (len(x), 1)))))
             for each in ((1.0, 0.0), (0.0, 1.0))
         ]
-        return np.column_stack([each["value"][:, 0] for each in found])
+        return np.column_stack([each["value"][:, 0] for each in forces])
 
     tried = product(-np.array(STOP_PLACES), STOP_PLACES)
     places = min(tried, key=lambda ends: _misfit([*columns, pushes(*ends)], target))
@@ -262,8 +262,8 @@ def _driven(records: Sequence[Record], p: ParameterLayout, timing: FloatArray) -
         return np.concatenate([input_signal(r.v[r.valid] / p.scales.volts, p.law) for r in records])
     parts = []
     for r in records:
-        known = r.v if r.past is None else np.concatenate((r.past if r.past.ndim == 2 else r.past[:, 0], r.v))
-        parts.append(p.inputs(known, r.interval, 1, timing)[0][2 * (len(known) - len(r.v)) :: 2][r.valid])
+        inputs = r.v if r.past is None else np.concatenate((r.past if r.past.ndim == 2 else r.past[:, 0], r.v))
+        parts.append(p.inputs(inputs, r.interval, 1, timing)[0][2 * (len(inputs) - len(r.v)) :: 2][r.valid])
     return np.concatenate(parts)
 
 

@@ -129,9 +129,9 @@ def known_inputs(v: FloatArray) -> FloatArray:
     return v if v.ndim == 2 else v.reshape(-1, v.shape[2])
 
 
-def spline_through(known: FloatArray) -> CubicSpline:
+def spline_through(inputs: FloatArray) -> CubicSpline:
     """The cubic spline through inputs, over their numbers. Cost: 150 ns each."""
-    return CubicSpline(np.arange(len(known)), known)
+    return CubicSpline(np.arange(len(inputs)), inputs)
 
 
 def drive_at_nodes(
@@ -160,31 +160,31 @@ def drive_at_nodes(
         With "zero" the value of a node is that of the step which begins at it, with a delay its mean over that step.
         Cost: 10 ns per node and input, with a delay or a spline 35.
     """
-    known = known_inputs(v)
-    spacing = interval * len(v) / len(known)
+    inputs = known_inputs(v)
+    spacing = interval * len(v) / len(inputs)
     # Counted in known times, so that a node on a sample is exactly on it.
     nodes = np.arange(2 * steps * (len(v) - 1) + 1, dtype=np.float64)
     at: FloatArray = nodes * (interval / spacing / (2 * steps)) - delay / spacing
-    times = np.arange(len(known))
+    times = np.arange(len(inputs))
     if hold == "zero" and delay:
-        return _held_means(known, at)
+        return _held_means(inputs, at)
     at = np.clip(at, 0.0, times[-1])
     if hold == "zero":
-        return np.ascontiguousarray(known[np.floor(at + 1e-9).astype(np.int64)])
-    if hold == "cubic" and len(known) > 3:
-        return np.ascontiguousarray((spline or spline_through(known))(at))
-    return np.column_stack([np.interp(at, times, column) for column in known.T])
+        return np.ascontiguousarray(inputs[np.floor(at + 1e-9).astype(np.int64)])
+    if hold == "cubic" and len(inputs) > 3:
+        return np.ascontiguousarray((spline or spline_through(inputs))(at))
+    return np.column_stack([np.interp(at, times, column) for column in inputs.T])
 
 
-def _held_means(known: FloatArray, at: FloatArray) -> FloatArray:
+def _held_means(inputs: FloatArray, at: FloatArray) -> FloatArray:
     """Means of held inputs over each step, of two nodes: what a delay that ends within a step leaves of it.
 
     They change smoothly with the delay, so that it can be estimated; values at the nodes would jump.
     """
     before = min(0.0, np.floor(at[0]))
-    times = np.concatenate(([before], np.arange(len(known) + 1)))
+    times = np.concatenate(([before], np.arange(len(inputs) + 1)))
     ends = np.append(at[::2], 2.0 * at[-1] - at[-3])
-    area = np.concatenate((before * known[:1], np.zeros_like(known[:1]), np.cumsum(known, axis=0)))
+    area = np.concatenate((before * inputs[:1], np.zeros_like(inputs[:1]), np.cumsum(inputs, axis=0)))
     means = np.column_stack([np.diff(np.interp(ends, times, column)) for column in area.T]) / (at[2] - at[0])
     return np.repeat(means, 2, axis=0)[: len(at)]
 

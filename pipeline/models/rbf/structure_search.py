@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import COUPLED, GAINS, HomotopyFit, fit_homotopy
+from pipeline.fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from pipeline.fitting.posterior import surely_smaller
 from pipeline.fitting.regression import InputLaw
 from pipeline.models.kind import KnownCurves
@@ -80,33 +80,33 @@ class Setting:
     """
 
     inputs: InputLaw
-    known: KnownCurves | None
+    measured: KnownCurves | None
     effort: Effort = field(default_factory=Effort)
     on_progress: OnProgress = silent
     thinning: int = 1
     coupled: float = 0.0
     keep: Keep = make_anew
 
-    def kept(self, name: str, make: Callable[[], Parts]) -> Parts:
+    def stored(self, name: str, make: Callable[[], Parts]) -> Parts:
         """What `make` gives, as `keep` has it, with the effort that it took, which counts either way."""
         parts = dict(self.keep(name, lambda: {**make(), "spent": self.effort.spent}))
         self.effort.spent = parts.pop("spent")
         return parts
 
-    def begin(self, records: Sequence[Record], one: Candidate, like: Fit | None = None) -> Begun:
+    def begin(self, records: Sequence[Record], option: Candidate, like: Fit | None = None) -> Begun:
         """Parameterisation, start and prior of a candidate; lag and delay start as in another fit of it."""
-        gains = {i for i, gain in enumerate(self.known.gains) if gain is not None} if self.known else set()
-        structure = replace(one.structure, shape_elements=0) if gains else one.structure
-        if self.known:
+        gains = {i for i, gain in enumerate(self.measured.gains) if gain is not None} if self.measured else set()
+        structure = replace(option.structure, shape_elements=0) if gains else option.structure
+        if self.measured:
             structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
-            structure = replace(structure, stops=structure.stops and self.known.force is None)
+            structure = replace(structure, stops=structure.stops and self.measured.force is None)
         p, start = starting_joint(
-            records, structure, self.inputs, centred=one.centred, known_gains=gains,
-            reach=self.known.reach if self.known else (np.inf, -np.inf),
+            records, structure, self.inputs, centred=option.centred, known_gains=gains,
+            reach=self.measured.reach if self.measured else (np.inf, -np.inf),
             timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
         )  # fmt: skip
-        prior = population().prior(p) if one.population else joint_prior(p, start, one.symmetry)
-        return (p, *pin_curves(p, start, prior, self.known)) if self.known else (p, start, prior)
+        prior = population().prior(p) if option.population else joint_prior(p, start, option.symmetry)
+        return (p, *pin_curves(p, start, prior, self.measured)) if self.measured else (p, start, prior)
 
     def progress(self, what: str, half: float) -> Callable[[float, float], None]:
         """Tells of a fit: level and present error in millimetres or milliradians."""
@@ -157,18 +157,18 @@ def search(
     scales = data_scales(records, centred=False)
     tried: dict[str, _Judged] = {}
 
-    def judged(one: Candidate) -> _Judged:
-        if one.label not in tried:
-            tried[one.label] = _judge(records, setting, one, tried.get(best.label))
-        return tried[one.label]
+    def judged(option: Candidate) -> _Judged:
+        if option.label not in tried:
+            tried[option.label] = _judge(records, setting, option, tried.get(best.label))
+        return tried[option.label]
 
-    def better(one: Candidate, than: Candidate) -> bool:
-        if any(not getattr(than.structure, time) for time in judged(one).idle):
+    def better(option: Candidate, than: Candidate) -> bool:
+        if any(not getattr(than.structure, time) for time in judged(option).idle):
             return False
-        return _preferred(judged(one), judged(than), smaller=size(one) < size(than))
+        return _preferred(judged(option), judged(than), smaller=size(option) < size(than))
 
-    def size(one: Candidate) -> int:
-        return ParameterLayout(one.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
+    def size(option: Candidate) -> int:
+        return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
     best, since, complete = first, len(once), True
     for number, offer in enumerate((*once, *ROUNDS * tuple(again))):
@@ -180,13 +180,13 @@ def search(
         others = offer(best)
         if others and not tried:
             setting, tried = _coupled(records, setting, first)
-        tested = [one for one in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(one)]
+        tested = [option for option in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(option)]
         complete = complete and len(tested) == len(others)
-        for one in sorted(tested, key=lambda one: rms(judged(one).errors[-1])):
-            if better(one, best):
-                best, since = one, max(number + 1, len(once))
+        for option in sorted(tested, key=lambda option: rms(judged(option).errors[-1])):
+            if better(option, best):
+                best, since = option, max(number + 1, len(once))
     like = tried[best.label].fits[0] if best.label in tried else None
-    return best, like, {label: rms(found.errors[-1]) for label, found in tried.items()}, complete
+    return best, like, {label: rms(judgement.errors[-1]) for label, judgement in tried.items()}, complete
 
 
 @dataclass(frozen=True)
@@ -220,9 +220,9 @@ def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> t
     Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
     together, the better one errs less.
     """
-    found = _judge(records, setting, first, None)
-    if not found.chaotic:
-        return setting, {first.label: found}
+    judgement = _judge(records, setting, first, None)
+    if not judgement.chaotic:
+        return setting, {first.label: judgement}
     setting = replace(setting, coupled=COUPLED)
     return setting, {first.label: _judge(records, setting, first, None)}
 
@@ -268,25 +268,25 @@ def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], 
     return folds + [([*records[:i], *records[i + 1 :]], [record], 0.0) for i, record in enumerate(records)]
 
 
-def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _Judged | None) -> _Judged:
+def _judge(records: Sequence[Record], setting: Setting, option: Candidate, near: _Judged | None) -> _Judged:
     """Errors of a candidate over data of the training logs that its fit has not seen.
 
     Samples of a run that is lost count `DIVERGED_ERROR_HALF_RANGES`. The fits start from those of a candidate `near`
     by, where that is given: what both have in common needs no second search.
     """
-    folds, timed = _folds(records), one.structure.input_lag or one.structure.input_delay
-    first = setting.begin(folds[0][0], one)
+    folds, timed = _folds(records), option.structure.input_lag or option.structure.input_delay
+    first = setting.begin(folds[0][0], option)
 
     def begin(i: int, thetas: Sequence[FloatArray]) -> Begun:
         # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
-        return setting.begin(folds[i][0], one, (first[0], thetas[0]) if timed else None) if i else first
+        return setting.begin(folds[i][0], option, (first[0], thetas[0]) if timed else None) if i else first
 
     def make() -> Parts:
         """Held-out errors and fitted θ of every fold."""
         errors, thetas, chaotic, followed = list[FloatArray](), list[FloatArray](), False, np.empty(0)
         for i, (fitted, judged, after) in enumerate(folds):
             p, start, prior = begin(i, thetas)
-            fit = _quick_fit(p, fitted, start, prior, setting, one, near.fits[i] if near else None)
+            fit = _quick_fit(p, fitted, start, prior, setting, option, near.fits[i] if near else None)
             problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
             at = (COUPLED, setting.coupled)
             both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in at]
@@ -296,7 +296,7 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
             followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
         return {"errors": np.concatenate(errors, axis=1), "thetas": thetas, "chaotic": chaotic, "fitted": followed}
 
-    parts = setting.kept(one.label + ", coupled" * bool(setting.coupled), make)
+    parts = setting.stored(option.label + ", coupled" * bool(setting.coupled), make)
     fits = tuple((begin(i, parts["thetas"])[0], theta) for i, theta in enumerate(parts["thetas"]))
     idle = _idle(fits, records[0].interval)
     return _Judged(parts["errors"], parts["fitted"], fits, bool(parts["chaotic"]), idle)
@@ -304,10 +304,10 @@ def _judge(records: Sequence[Record], setting: Setting, one: Candidate, near: _J
 
 def _followed(problem: JointProblem, theta: FloatArray, gain: float) -> FloatArray:
     """Errors over what was fitted, dimensionless; `DIVERGED_ERROR_HALF_RANGES` where the run diverged."""
-    found = problem.residual(theta, gain)
-    if found is None:
-        return np.full(sum(int(np.count_nonzero(log.kept)) for log in problem.logs), DIVERGED_ERROR_HALF_RANGES)
-    return np.minimum(np.abs(found), DIVERGED_ERROR_HALF_RANGES)
+    residual = problem.residual(theta, gain)
+    if residual is None:
+        return np.full(sum(int(np.count_nonzero(log.in_residual)) for log in problem.logs), DIVERGED_ERROR_HALF_RANGES)
+    return np.minimum(np.abs(residual), DIVERGED_ERROR_HALF_RANGES)
 
 
 def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:
@@ -317,7 +317,7 @@ def _idle(fits: Sequence[Fit], interval: float) -> tuple[str, ...]:
 
 
 def _quick_fit(
-    p: ParameterLayout, records: Sequence[Record], start: FloatArray, prior: Prior, setting: Setting, one: Candidate,
+    p: ParameterLayout, records: Sequence[Record], start: FloatArray, prior: Prior, setting: Setting, option: Candidate,
     near: Fit | None,
 ) -> HomotopyFit:  # fmt: skip
     """A fit that is good enough to compare: from one near by in few levels, or else from the start in all."""
@@ -327,10 +327,10 @@ def _quick_fit(
 
     def fitted(theta: FloatArray, gains: Sequence[float]) -> HomotopyFit:
         """A quick homotopy from θ over the observer gains [frequency scale] that are strong enough."""
+        strong = [gain for gain in gains if gain >= setting.coupled]
         return fit_homotopy(
-            problem, theta, prior, gains=[gain for gain in gains if gain >= setting.coupled],
-            noise_inflation=one.noise_inflation, iterations=steps, last_iterations=2 * steps, tolerance=1e-3,
-            on_progress=setting.progress(one.label, p.scales.half), parts=problem.parts,
+            problem, theta, prior, Schedule(strong, steps, 2 * steps, 1e-3, option.noise_inflation),
+            callbacks=Callbacks(on_progress=setting.progress(option.label, p.scales.half), parts=problem.parts),
         )  # fmt: skip
 
     if near is not None and p.count > MANY and _alike(p, near[0]):

@@ -170,13 +170,13 @@ def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> Polynom
     with seeded():
         optimizer.fit(theta, scaled[:, None])
     coefficients = np.nan_to_num(np.asarray(optimizer.coef_, dtype=np.float64)[0]) * length / norms
-    kept, d = np.flatnonzero(coefficients), problem.empty
-    terms = problem.exponents[columns[kept]]
+    nonzero, d = np.flatnonzero(coefficients), problem.empty
+    terms = problem.exponents[columns[nonzero]]
     used = np.flatnonzero(terms[:, d.scales.size :].any(axis=0))
     velocity = np.zeros((1, d.scales.size + used.size), dtype=np.int64)
     velocity[0, QDOT] = 1
-    table = np.zeros((2, kept.size + 1))
-    table[0, 0], table[1, 1:] = d.scales[QDOT], coefficients[kept]  # q̇ = v, not regressed
+    table = np.zeros((2, nonzero.size + 1))
+    table[0, 0], table[1, 1:] = d.scales[QDOT], coefficients[nonzero]  # q̇ = v, not regressed
     columns_left = np.concatenate([np.arange(d.scales.size), d.scales.size + used])
     return replace(
         d,

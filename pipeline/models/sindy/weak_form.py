@@ -312,11 +312,11 @@ def _weak_block(
     x = trajectories[block.source].part(block.start, block.stop)
     if (len(x.t) - 1) * x.interval < 2.5 * half_width:
         return np.zeros((0, 0), dtype=np.int64), np.zeros((0, 0)), np.zeros(0)
-    known = x.v.shape[1] if x.v.ndim == 3 else 1
-    refined = max(1, min(max(known, int(np.ceil(STEPS * x.interval / half_width))), MOST_ROWS // samples))
+    per_sample = x.v.shape[1] if x.v.ndim == 3 else 1
+    refined = max(1, min(max(per_sample, int(np.ceil(STEPS * x.interval / half_width))), MOST_ROWS // samples))
     places = np.arange((len(x.t) - 1) * refined + 1) / refined
     times, voltages = np.arange(len(x.t)), x.v.reshape(-1, x.v.shape[-1])
-    v = np.column_stack([np.interp(places, np.arange(len(voltages)) / known, column) for column in voltages.T])
+    v = np.column_stack([np.interp(places, np.arange(len(voltages)) / per_sample, column) for column in voltages.T])
     q = CubicHermiteSpline(times, x.q, x.interval * x.qdot)(places)
     qdot = CubicHermiteSpline(times, x.qdot, x.interval * x.qddot)(places)
     step, count = x.interval / refined, max(1, round(TEST_FUNCTIONS * len(x.t) / samples))

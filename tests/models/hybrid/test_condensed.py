@@ -25,7 +25,7 @@ from pipeline.generated.condensed_joint import (
     STOPS,
 )
 from pipeline.generated.terms import BELL
-from pipeline.models.analytical.model import full_order
+from pipeline.models.analytical import full_order
 from pipeline.models.analytical.reduced_order import CURVES, reduce_joint
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import (

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import fit_homotopy
+from pipeline.fitting.homotopy import Callbacks, Schedule, fit_homotopy
 from pipeline.models.rbf.problem import Effort
 from pipeline.runs.checkpoints import Checkpoints
 from pipeline.runs.manifest import Recipe
@@ -30,7 +30,7 @@ class Exploding:
 
 
 def test_exploding_sensitivities_end_at_the_last_level_that_did_not_explode():
-    fit = fit_homotopy(Exploding(), np.array([3.0, 2.0]), Prior(np.eye(2), np.zeros(2)), gains=(1.0, 0.0))
+    fit = fit_homotopy(Exploding(), np.array([3.0, 2.0]), Prior(np.eye(2), np.zeros(2)), Schedule((1.0, 0.0)))
     assert [level.gain for level in fit.levels] == [1.0]
     assert np.isfinite(fit.hessian).all()
     assert not fit.reached_last
@@ -51,14 +51,14 @@ class Parabola:
 def test_a_spent_effort_leaves_the_least_steps_of_the_last_level_and_progress_is_told():
     told = []
     fit = fit_homotopy(
-        Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), gains=(1.0, 0.1, 0.0),
-        enough=lambda: True, on_progress=lambda gain, rms: told.append((gain, rms)),
+        Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), Schedule((1.0, 0.1, 0.0)),
+        callbacks=Callbacks(enough=lambda: True, on_progress=lambda gain, rms: told.append((gain, rms))),
     )  # fmt: skip
     assert [(level.gain, level.iterations) for level in fit.levels] == [(0.0, 3)]
     assert not fit.converged
     assert [gain for gain, _ in told] == [0.0] * 3
     assert told[0][1] > told[-1][1]
-    whole = fit_homotopy(Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), gains=(1.0, 0.1, 0.0))
+    whole = fit_homotopy(Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), Schedule((1.0, 0.1, 0.0)))
     assert whole.converged
     assert whole.theta[0] == pytest.approx(np.sqrt(2.0), rel=1e-2)
 
@@ -79,9 +79,9 @@ def test_a_fit_that_is_stopped_goes_on_from_its_last_level(tmp_path, finished):
         return parts.keep(name, watched)
 
     with pytest.raises(KeyboardInterrupt):
-        fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0), keep=keep)
-    found = fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0), keep=keep)
-    whole = fit_homotopy(Parabola(), start, prior, gains=(1.0, 0.3, 0.1, 0.0))
+        fit_homotopy(Parabola(), start, prior, Schedule((1.0, 0.3, 0.1, 0.0)), callbacks=Callbacks(keep=keep))
+    found = fit_homotopy(Parabola(), start, prior, Schedule((1.0, 0.3, 0.1, 0.0)), callbacks=Callbacks(keep=keep))
+    whole = fit_homotopy(Parabola(), start, prior, Schedule((1.0, 0.3, 0.1, 0.0)))
     assert [name.partition(",")[0] for name in made] == [
         f"level {number}" for number in (*range(finished), finished, *range(finished, 4))
     ]

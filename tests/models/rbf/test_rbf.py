@@ -176,7 +176,7 @@ def test_measured_curves_are_kept_and_friction_is_learned_from_a_short_log():
     known = KnownCurves(q, force, (curves["dC1_dq"] / 2.0, curves["dC2_dq"] / 2.0))
     short, fresh = log(truth, 11, n=600), log(truth, 12)
     choice = [Candidate("lag", JointStructure(12, **FRICTION["lag+slip"]))]
-    kept = identify_rbf([short], mass=0.04, candidates=choice, known=known)
+    kept = identify_rbf([short], mass=0.04, candidates=choice, measured=known)
     free = identify_rbf([short], mass=0.04, candidates=choice)
     for name in ("F", "dC1_dq", "dC2_dq"):
         assert np.abs(kept.curves(q)[name] - curves[name]).max() < 0.02 * np.abs(curves[name]).max(), name
@@ -191,7 +191,7 @@ def test_measured_curves_are_kept_and_friction_is_learned_from_a_short_log():
 def test_a_known_curve_outside_the_data_is_refused():
     known = KnownCurves(np.linspace(0.5, 0.9, 9), np.ones(9), (None, None))
     with pytest.raises(InputError, match="curve of F has 0 points"):
-        identify_rbf([log(planted(), 11, n=200)], choice=RbfChoice("lag", 8, 1.0), known=known)
+        identify_rbf([log(planted(), 11, n=200)], choice=RbfChoice("lag", 8, 1.0), measured=known)
 
 
 def test_bands_cover_the_truth_about_as_often_as_they_claim():

@@ -50,8 +50,9 @@ def record(p, theta, n=700, interval=0.01, seed=1):
     v = pulses(n, interval, rng)
     u, du = p.inputs(v, interval, 1, theta)
     still = np.zeros(n)
+    drive, free = joint.Drive(u, du, u[0], p.held), joint.Coupling(still, still, 0.0)
     states, _, valid = joint.observed_run(
-        u, du, still, still, 0.0, (0.6, 0.0), interval, 1, p.coefficients(theta), joint.no_sensitivities(), u[0], p.held
+        p.coefficients(theta), drive, free, (0.6, 0.0), interval, 1, joint.no_sensitivities()
     )
     assert valid == n
     q, qdot, qddot = (SCALES.half * states[:, i] for i in range(3))
@@ -126,25 +127,13 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
     theta[p.slices["stops"]] += -0.9, 0.8, np.log(300.0), np.log(3.0)
     c, n = p.coefficients(theta), 800
     still, none = np.zeros(n), np.zeros((2 * (n - 1) * 2 + 1, 2))
-    states, _, valid = joint.observed_run(
-        none,
-        np.zeros((2, *none.shape)),
-        still,
-        still,
-        0.0,
-        (2.0, 0.0),
-        0.005,
-        2,
-        c,
-        joint.no_sensitivities(),
-        none[0],
-        False,
-    )
+    drive, free = joint.Drive(none, np.zeros((2, *none.shape)), none[0], False), joint.Coupling(still, still, 0.0)
+    states, _, valid = joint.observed_run(c, drive, free, (2.0, 0.0), 0.005, 2, joint.no_sensitivities())
     assert valid == n
-    basis, unused = np.empty(c.curves.shape[1]), np.empty(c.curves.shape[1])
+    basis, unused, bends = np.empty(c.curves.shape[1]), np.empty(c.curves.shape[1]), np.empty(len(c.centres))
 
     def force(x):
-        joint.basis_at(x, c, basis, unused)
+        joint.basis_at(x, c, basis, unused, bends)
         stopped = STOP_FORCE.evaluate(x=np.full((1, 1), x), p=np.zeros((1, 1)), stops=c.stops[None])
         return c.curves[0] @ basis + float(stopped["value"][0, 0])
 
@@ -180,9 +169,9 @@ def test_friction_states_do_not_depend_on_how_fast_the_way_is_travelled():
     c = p.coefficients(double_well(p, np.random.default_rng(5)))
     wrt, nothing = joint.no_sensitivities(), np.empty(0)
     once, thrice = np.array([[0.3]]), np.array([[0.3]])
-    joint._slide(once, 1.0, 0.03, nothing, c, wrt, once)
+    joint.slide(once, 1.0, 0.03, nothing, c, wrt, once)
     for _ in range(3):
-        joint._slide(thrice, 0.5, 0.02, nothing, c, wrt, thrice)
+        joint.slide(thrice, 0.5, 0.02, nothing, c, wrt, thrice)
     assert once[0, 0] == pytest.approx(thrice[0, 0], rel=1e-12)
 
 
