@@ -1,7 +1,7 @@
 """What one log shows of its device without any model: pushes, delays, rests, ring-down, spans."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -193,7 +193,7 @@ class LogFacts:
     unexplained: float | None = None
     under_other_law: float | None = None
     lag: float | None = None
-    starts: FloatArray = NO_STARTS
+    starts: FloatArray = field(default_factory=lambda: NO_STARTS)
 
 
 def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: bool) -> LogFacts:
