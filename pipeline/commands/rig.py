@@ -72,7 +72,8 @@ class LogRoles:
     excitation: Annotated[
         str | None,
         typer.Option(
-            help="pulses, chirps, both, steps, multisine, mixed, training, validation [default: as the role]."
+            help="pulses, alternating (the paper's), chirps, both, steps, multisine, mixed, training, validation "
+            "[default: as the role]."
         ),
     ] = None
     play: Annotated[

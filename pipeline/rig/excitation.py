@@ -32,6 +32,9 @@ SHARES: dict[str, tuple[float, float, float, float, float]] = {
 }
 """The last two are those of three prototypes' logs, as are the shares below: 6 logs of 20 to 27 bursts."""
 
+EXCITATIONS = (*SHARES, "alternating")
+"""What a log can be driven by; "alternating" is `switching_pulses`."""
+
 SHORT_PULSES, SHORT_PAUSES = 0.45, 0.6
 
 
@@ -99,6 +102,20 @@ def alternating_pulses(*, duration: float = 37.5, rest: float = REST, voltage: f
     return [Burst("pulse", float(start), PULSE, *sides[i % 2], none, none) for i, start in enumerate(starts)]
 
 
+def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5) -> list[Burst]:
+    """Full pulses, left and right in turn, of random lengths: the paper's experiment (figures 11 and 15).
+
+    Pulses last 0.3 to 2 s and pauses 0.3 to 1.5 s, so that some find the joint at rest and others in motion.
+    """
+    bursts, start = [], REST
+    while start < duration - 0.5:
+        length, pause = rng.uniform(0.3, 2.0), rng.uniform(0.3, 1.5)
+        sides = (MAX_VOLTAGE, 0.0) if len(bursts) % 2 == 0 else (0.0, MAX_VOLTAGE)
+        bursts.append(Burst("pulse", start, float(length), *sides, np.empty(0), np.empty(0)))
+        start += float(length + pause)
+    return bursts
+
+
 def random_excitation(rng: np.random.Generator, *, duration: float = 37.5, excitation: str = "training") -> list[Burst]:
     """Draw an experiment: a rest, then bursts and pauses until `duration` [s].
 
@@ -106,6 +123,8 @@ def random_excitation(rng: np.random.Generator, *, duration: float = 37.5, excit
     pulses mostly change sides, so that the joint is sent from well to well; about half of them use the full
     voltage, the others stay between a half and the full one, where switching is no longer certain.
     """
+    if excitation == "alternating":
+        return switching_pulses(rng, duration=duration)
     none = np.empty(0)
     bursts = [Burst("pulse", REST, float(rng.uniform(1.0, 2.0)), MAX_VOLTAGE, 0.0, none, none)]
     start, side = REST + bursts[0].duration + float(rng.uniform(0.05, 0.6)), 1

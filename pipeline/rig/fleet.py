@@ -10,7 +10,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.rig.bench import Bench, BenchRecord, random_bench, record
-from pipeline.rig.excitation import SHARES, Sequence, command, load_sequence, random_excitation
+from pipeline.rig.excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
 from pipeline.rig.log import LAYOUTS, RawLog
@@ -70,7 +70,7 @@ class Experiment:
     def __post_init__(self) -> None:
         for option, value, allowed in (
             ("kind", self.kind, get_args(Kind)),
-            ("excitation", self.excitation or "mixed", tuple(SHARES)),
+            ("excitation", self.excitation or "mixed", EXCITATIONS),
             ("format", self.format, tuple(LAYOUTS)),
         ):
             if value not in allowed:
