@@ -82,12 +82,12 @@ def _without_parameter_set() -> None:
 
 
 def _network() -> None:
-    from pipeline.models.rbf.dynamics import Coefficients, basis, no_sensitivities, observed_run, slid
+    from pipeline.models.rbf.dynamics import Coefficients, Coupling, Drive, basis, no_sensitivities, observed_run, slid
 
     x, u, one, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
     joint = Coefficients(np.zeros((5, 5)), one, one, one, np.zeros(2), one, 1.0, -1.0, 1.0, np.zeros(2), 0.0, none)
-    wrt = no_sensitivities()
-    observed_run(u, np.zeros((0, 3, 2)), x, x, 0.0, (0.0, 0.0), 0.01, 1, joint, wrt, np.zeros(2), False)
+    drive, coupling = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False), Coupling(x, x, 0.0)
+    observed_run(joint, drive, coupling, (0.0, 0.0), 0.01, 1, no_sensitivities())
     basis(x, joint)
     slid(x, 1.0)
 

@@ -1,4 +1,4 @@
-"""An expression graph as a list of operations: what every writer reads, without CasADi.
+"""An expression graph as a list of operations: the input of every writer, without CasADi.
 
 The text of a graph has its operations in order, apart by semicolons: ``mul 3 17`` is the product of the values of
 operations 3 and 17, counted from 0; ``input x 2`` an entry of an input, ``constant 0.5`` a number, ``store f 0 41``
@@ -124,7 +124,7 @@ class Builder:
 
 
 def reachable(operations: list[Operation], stores: list[Operation]) -> list[Operation]:
-    """What the stores need, in order, renumbered; the stores at the end."""
+    """Operations that the stores need, in order, renumbered; the stores at the end."""
     needed = {store.operands[0] for store in stores}
     for i in range(len(operations) - 1, -1, -1):
         if i in needed:

@@ -227,7 +227,7 @@ class _Writer:
         return at if self.width == 1 else self.builder.bitcast(at, self.type.as_pointer())
 
     def _fetched(self, operation: Operation, index: Any) -> Any:
-        """Where a table's entry lies; of one joint, not of several."""
+        """Address of a table's entry, for one joint."""
         array, entry = operation.place
         word = ir.IntType(64)
         at = self.builder.add(self.builder.fptosi(index, word), ir.Constant(word, entry))

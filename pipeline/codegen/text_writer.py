@@ -34,7 +34,7 @@ def number(value: float) -> Code:
 
 @dataclass(frozen=True)
 class Language:
-    """How a language writes what graphs consist of.
+    """Syntax of a language for the parts of graphs.
 
     `element` takes array and entry, `number` a float; `functions` are texts with places for operands, `fetched` one for
     array, entry and what is added to it.

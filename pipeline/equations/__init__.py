@@ -1,1 +1,1 @@
-"""Every law of the joint once, in CasADi, and what writes `pipeline.generated` from them; for developers only."""
+"""Every law of the joint once, in CasADi, and the writer of `pipeline.generated`; for developers only."""

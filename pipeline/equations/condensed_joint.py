@@ -55,7 +55,7 @@ _FAR_STRETCH = 0.3
 
 @dataclass(frozen=True)
 class Forces:
-    """What acts on q [N], τ [N·m] and β [J] apart from inertia, and λ̇3 [1/s] of both membranes."""
+    """Forces on q [N], τ [N·m] and β [J] apart from inertia, and λ̇3 [1/s] of both membranes."""
 
     force: Expression
     moment: Expression
@@ -180,7 +180,7 @@ def rates(s: CondensedSymbols, friction: Expression) -> Expression:
 def _tip(
     s: CondensedSymbols, element: TipElement
 ) -> tuple[Expression, Expression, list[Expression], dict[str, Expression]]:
-    """What the laws of an element on q take."""
+    """Arguments of the laws of an element on q."""
     names = [name for name, _ in ELEMENT_STATES]
     states = [s.x[FIRST_ELEMENT + names.index(state.name)] for state in element.states]
     return s.x[0], s.x[1], states, {c.name: s.constant(c.name) for c in element.constants}

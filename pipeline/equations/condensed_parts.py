@@ -36,7 +36,7 @@ STATES = FIRST_ELEMENT + len(ELEMENT_STATES)
 TIP_CONSTANTS = tuple((c.name, c.typical, c.prior_std, c.unit) for element in tip_elements() for c in element.constants)
 """Name, typical value [SI], prior width of the logarithm and unit of the constants of elements on q."""
 DRY_LEVELS = tuple(element.level for element in tip_elements() if element.level)
-"""Those which are levels of dry friction."""
+"""Constants that are levels of dry friction."""
 _SIDE = ("a", "c", "e_z", "e_x", "l0", "elastic", "hardening", "hardening_slope", "electric", "electric_slope",
          "maxwell_0", "maxwell_1", "maxwell_2", "viscous")  # fmt: skip
 QUARTICS = tuple("".join(powers) for powers in combinations_with_replacement("qtb", 4))
@@ -186,7 +186,7 @@ class _Near:
 
 
 def _near(s: CondensedSymbols) -> _Near:
-    """They level off beyond `_FAR`, so that no sign of a term lets the energy fall for ever, with continuous slopes."""
+    """Coordinates that level off smoothly beyond `_FAR`: no sign of a term then lets the energy fall for ever."""
     values, slopes = {}, []
     for letter, x, far in zip(_ORDER, (s.x[0] / s.constant("l"), s.x[2], s.x[4]), _FAR, strict=True):
         limited = ca.fmin(1.5 * far, ca.fmax(-1.5 * far, x))

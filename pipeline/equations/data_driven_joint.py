@@ -28,7 +28,7 @@ from pipeline.equations.elements import lag_rate
 Expression = Any
 
 WALL = 0.1
-"""How far past the data, in half ranges, the wall of a turning arm is as strong as the cubic is at their ends."""
+"""Half ranges past the data at which the wall of a turning arm is as strong as the cubic at their ends."""
 
 TOUCH = 0.01
 """Half ranges within which an end stop sets in, and share of the largest drive within which a dead zone ends."""
@@ -50,7 +50,7 @@ def turning_arm(x: Any, arm: Any) -> Expression:
 
 
 def stop_force(x: Any, p: Any, stops: Any) -> Expression:
-    """What two end stops push, at the displacements stops[0] < stops[1], springs of the stiffness stops[2] that resist
+    """Force of two end stops at the displacements stops[0] < stops[1], springs of the stiffness stops[2] that resist
     motion by stops[3] while they are touched. They set in within `TOUCH`, so that the force has a derivative.
     """
     left, right = stops[0] - x, x - stops[1]
@@ -95,7 +95,7 @@ def element_rate(coupling: Any, p: Any, rate: Any, load: Any) -> Expression:
 
 
 def bent(drive: Any, bend: Any) -> Expression:
-    """What a drive, 1 where it is largest, does where its effect is not proportional to it: 0, ±1 and monotonous.
+    """Effect of a drive (1 where it is largest) that is not proportional to it: monotonous through 0 and ±1.
 
     It rises e^bend times as steeply at zero as a line: an amplifier, valve or motor that saturates, or for bend < 0 one
     that answers late. Beyond the largest drive it goes on as the line through it, so that it has no pole.
@@ -105,7 +105,7 @@ def bent(drive: Any, bend: Any) -> Expression:
 
 
 def past_zone(drive: Any, zone: Any) -> Expression:
-    """What is left of a drive past a dead zone of ± `zone`, in which an amplifier or a valve does nothing, smoothly."""
+    """Drive past a dead zone of ± `zone`, in which an amplifier or a valve does nothing; smooth."""
     return _beyond(drive - zone) - _beyond(-drive - zone)
 
 

@@ -180,7 +180,7 @@ def residual(s: FullSymbols) -> Expression:
 
 
 Kernel = tuple[str, dict[str, Expression], dict[str, Expression]]
-"""What it computes, inputs and outputs by their names."""
+"""Docstring, inputs and outputs by their names."""
 
 
 def kernels(s: FullSymbols) -> dict[str, Kernel]:
@@ -189,7 +189,7 @@ def kernels(s: FullSymbols) -> dict[str, Kernel]:
 
 
 def _shape_kernels(s: FullSymbols) -> dict[str, Kernel]:
-    """What depends on the shape alone."""
+    """Kernels that depend on the shape alone."""
     static = elastic_energy(s) - 0.5 * ca.dot(capacitances(s), s.v_squared)
     gradient = ca.gradient(static, s.qm)
     q, slope, u_y = tip(s)

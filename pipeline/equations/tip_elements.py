@@ -79,7 +79,7 @@ TIP_ELEMENTS = (
     "pipeline.equations.tip_elements:DRAG",
     "pipeline.equations.tip_elements:SLIDING",
 )  # fmt: skip
-"""Where each element is; `python -m pipeline.equations.write` gives it to every kernel, fit and export."""
+"""Place of each element; `python -m pipeline.equations.write` writes it into every kernel, fit and export."""
 
 
 def tip_elements() -> list[TipElement]:

@@ -38,7 +38,7 @@ ACTING = 0.1
 
 @dataclass(frozen=True)
 class Coverage:
-    """Where the training data were.
+    """Range and density of the training data.
 
     Attributes
     ----------
@@ -111,7 +111,7 @@ FLOOR = 1e-2
 
 @dataclass(frozen=True)
 class Weights:
-    """Which weights are to be identified, and the full scales of their signals.
+    """Weights that are to be identified, and the full scales of their signals.
 
     Attributes
     ----------
@@ -193,7 +193,7 @@ def log_information(information: FloatArray) -> float:
 
 @dataclass(frozen=True)
 class Conditioning:
-    """How well the weights can be told apart, on unit-norm columns.
+    """Conditioning of the weights, on unit-norm columns.
 
     Attributes
     ----------

@@ -57,7 +57,7 @@ class Prior:
 
 
 class ParallelProblem(ObservedProblem, Protocol):
-    """The same that runs several parameter vectors side by side."""
+    """An observed problem that runs several parameter vectors side by side."""
 
     def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
         """Simulated minus measured of each row of `thetas`, shape (B, N); NaN where a simulation diverged."""
@@ -152,7 +152,7 @@ class Descent:
 
 
 class ParallelDescent(Descent):
-    """The same for a `ParallelProblem`, with steps that bend along the valley of the cost.
+    """Descent on a `ParallelProblem`, with steps that bend along the valley of the cost.
 
     Where parameters trade against each other the cost is a narrow curved valley, and a straight step is short or
     leaves it. The second derivative of the residual along a step, from one more simulation at a share of it, says how
@@ -198,7 +198,7 @@ class _Damped:
         self._values = np.maximum(values, 0.0)
 
     def solutions(self, right: FloatArray) -> FloatArray:
-        """Those for one right side of each damping, shape (B, P)."""
+        """Solutions for one right side of each damping, shape (B, P)."""
         projected = (right * self._scale) @ self._vectors / (self._values + self.dampings[:, None])
         solutions: FloatArray = self._scale * (projected @ self._vectors.T)
         return solutions

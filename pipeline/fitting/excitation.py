@@ -1,4 +1,4 @@
-"""What a log excites: wells, basis centres, voltage levels, frequencies; the facts behind "what to add".
+"""Excitation of a log: wells, basis centres, voltage levels, frequencies; the facts behind "what to add".
 
 And what makes training data unfit: places, inputs or wells of which they say nothing, so that curves would be invented.
 The training logs of thirty joints and a quarter drone have at least 4 samples at each of ten centres and a condition
@@ -36,7 +36,7 @@ _MOST_BESIDE = 0.45  # power there, of that at the peak
 
 @dataclass(frozen=True)
 class Excitation:
-    """What one log excites, in SI.
+    """Excitation of one log, in SI.
 
     Attributes
     ----------
@@ -234,7 +234,7 @@ def excitation_findings(
     joint: bool,
     displacement: str = "m",
 ) -> list[Finding]:
-    """What speaks against a model from these training data.
+    """Objections to a model from these training data.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Estimation of a free run by homotopy over an observer: from an easy problem to the one that is meant.
+"""Estimation of a free run by homotopy over an observer: from an easy problem to the wanted one.
 
 A free run's error is a bad cost far from its minimum: one wrong decision at the separatrix, and the joint lies in
 the other well until the next pulse. Coupled to the measurement by an observer with the gain λ, the simulation is

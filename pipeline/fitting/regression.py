@@ -74,7 +74,7 @@ InputLaw = Literal["squared", "linear"]
 
 
 def input_signal(v: FloatArray, law: InputLaw) -> FloatArray:
-    """What the input curves multiply: v² for an electrostatic input (eq. 33), v for a force-like one.
+    """Factor of the input curves: v² for an electrostatic input (eq. 33), v for a force-like one.
 
     An electrostatic force is even in the voltage, so a negative voltage acts like a positive one.
     """

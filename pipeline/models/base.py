@@ -1,4 +1,4 @@
-"""The one interface of all models, the result of a free run, and the check of what a model is simulated with."""
+"""The one interface of all models, the result of a free run, and the check of its inputs."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -77,7 +77,7 @@ class DynamicModel(Protocol):
         """Acceleration [m/s²] along a measured trajectory, shape (N,): the one-step prediction."""
 
     def describe(self) -> dict[str, Any]:
-        """What a person wants to know: structure, hyperparameters, diagnostics, with units in the keys."""
+        """Description for people: structure, hyperparameters, diagnostics, with units in the keys."""
 
 
 @runtime_checkable
@@ -98,7 +98,7 @@ class HasCurves(Protocol):
 
 @runtime_checkable
 class HasCurveDraws(Protocol):
-    """A model that knows how far its curves may be off."""
+    """A model with error bands of its curves."""
 
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """The curves of `count` draws from the posterior, each (count, n)."""
@@ -126,7 +126,7 @@ class SimulatesMany(Protocol):
 
 
 def predictor(model: DynamicModel) -> Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]:
-    """How a model predicts displacement [m] from a measured state on, the voltages after it being known.
+    """A function that predicts displacement [m] from a measured state, for given voltages.
 
     A model that `Predicts` takes its hidden states from the measurement before; the others begin as in a free run.
 
@@ -154,7 +154,7 @@ MethodT = TypeVar("MethodT", bound=Callable[..., Any])
 def checked(method: MethodT) -> MethodT:
     """Have a method of a model refuse signals that do not fit the model or each other.
 
-    Its parameters are told by name: ``t``, ``v``, initial values ``q0``, ``qdot0``, ``starts`` of several runs, paths
+    Parameters are recognised by name: ``t``, ``v``, initial values ``q0``, ``qdot0``, ``starts`` of several runs, paths
     ``q``, ``qdot``.
 
     Raises

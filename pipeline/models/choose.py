@@ -1,4 +1,4 @@
-"""Which model a device gets: the joint's equations with corrections, or the RBF network from data alone.
+"""Choice of the model for a device: the joint's equations with corrections, or the RBF network from data alone.
 
 The joint's equations are a candidate for every device with two squared inputs and two wells. They are fitted to the
 first three quarters of the training logs and judged in free run over the rest. Where they predict that as no network
@@ -78,7 +78,7 @@ class Choice:
     other: StoredModel | None = None
 
     def to_json(self) -> dict[str, Any]:
-        """What is recorded of the choice.
+        """Record of the choice.
 
         ``ablation`` holds errors in free run over the last quarters of the training logs, shares of the operating
         range, as far as they were needed.
@@ -185,7 +185,7 @@ def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatAr
 
 
 def _first_parts(training: Training) -> tuple[Record, ...]:
-    """What candidates are fitted to that are judged on the rest."""
+    """First part of each log: candidates are fitted to it and judged on the rest."""
     return tuple(record.part(0, fitted_samples(len(record.t))) for record in training.records)
 
 
@@ -197,7 +197,7 @@ def _block(training: Training, *errors: FloatArray) -> int:
 
 
 def _within(training: Training, limit: float) -> Training:
-    """The same with a time limit [s] that is no longer."""
+    """The training data with a time limit [s] of at most this length."""
     limit = min(training.identify.time_limit, limit)
     return replace(training, identify=training.identify.model_copy(update={"time_limit": limit}))
 

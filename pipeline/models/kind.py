@@ -1,4 +1,4 @@
-"""What the program knows of a model beside its name: how it is fitted, read from trees and files, and exported."""
+"""Kinds of models: how each is fitted, read from trees and files, and exported; and the data that a fit takes."""
 
 import importlib
 from collections.abc import Callable, Mapping
@@ -27,7 +27,7 @@ FITTED_SHARE = 0.75
 
 
 def fitted_samples(samples: int) -> int:
-    """How many of a log's samples these are."""
+    """Number of fitted samples of a log."""
     return round(FITTED_SHARE * samples)
 
 
@@ -112,7 +112,7 @@ class Training:
     inputs_before : {"auto", "first", "zero"}
         What the inputs were before a log.
     on_progress : callable
-        Told what a fit is doing, and which share of its time limit is spent.
+        Called with the step of a fit, and the share of its time limit that is spent.
     keep : callable
         Keeps what a fit has finished, so that one that is killed goes on from there.
     """
@@ -146,7 +146,7 @@ class StoredModel(DynamicModel, Protocol):
 
 @dataclass(frozen=True)
 class Kind:
-    """How a model is made.
+    """Functions that make a model.
 
     Attributes
     ----------
@@ -168,7 +168,7 @@ HEADLINE = "headline"
 
 
 def kind(name: str) -> Kind:
-    """How the model called `name` is made; its module is imported here.
+    """The kind of the model called `name`; its module is imported here.
 
     Raises
     ------

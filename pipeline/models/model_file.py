@@ -121,7 +121,7 @@ JointValues = Annotated[dict[str, Real], AfterValidator(_of_joint)]
 
 
 def _facts(value: Any, levels: int = _DEEPEST) -> Any:
-    """How a fit went, for people: a dictionary of texts, numbers, arrays of them, and such dictionaries."""
+    """Report of a fit, for people: a dictionary of texts, numbers, arrays of them, and such dictionaries."""
     if isinstance(value, Mapping):
         if not levels or len(value) > _MOST_FACTS:
             raise ValueError("is nested too deeply or has too many entries")

@@ -1,1 +1,1 @@
-"""Mathematics that knows nothing of joints or logs: arrays, linear algebra, total variation, error measures."""
+"""Mathematics without joints or logs: arrays, linear algebra, total variation, error measures."""

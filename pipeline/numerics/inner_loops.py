@@ -1,4 +1,4 @@
-"""What compiled loops call: copies, LU of 4×4 systems, cheaper than a call of LAPACK, and quintics in vector registers.
+"""Parts of compiled loops: copies, LU of 4×4 systems, cheaper than a call of LAPACK, and quintics in vector registers.
 
 `FAST` is what lets the compiler turn a loop into vector instructions.
 """

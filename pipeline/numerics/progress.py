@@ -27,5 +27,5 @@ def make_anew(name: str, make: Callable[[], Parts]) -> Parts:
 
 
 def kept_under(keep: Keep, title: str) -> Keep:
-    """The same with a title before each name."""
+    """A keeper with a title before each name."""
     return lambda name, make: keep(f"{title}: {name}", make)

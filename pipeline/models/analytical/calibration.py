@@ -210,7 +210,7 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
 
 
 def _lost(windows: Windows, residuals: FloatArray) -> BoolArray:
-    """Which windows the simulation leaves, in which case their errors say nothing about where it should go."""
+    """Mask of the windows that the simulation leaves: their errors do not show the way back."""
     errors, labels = RESOLUTION * np.abs(residuals[: windows.samples]), windows.labels
     return np.array([errors[labels == w].max(initial=0.0) > WRONG_WELL_ERROR_M for w in range(len(windows.spans))])
 

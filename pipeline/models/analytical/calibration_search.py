@@ -43,7 +43,7 @@ PRIORS = {
     "kappa0": ParameterPrior(0.1, -1.0, 1.0, False), "F_c": ParameterPrior(5e-3, 0.0, 0.05, False),
     "s_c": ParameterPrior(2.0, 0.1, 10.0),
 }  # fmt: skip
-"""What may be calibrated, and how well a designer knows it beforehand."""
+"""Parameters that may be calibrated, and the prior widths of a designer's values."""
 
 
 def prior_of(name: str) -> ParameterPrior:
@@ -155,7 +155,7 @@ JUMP = 100.0
 
 @dataclass(frozen=True)
 class Ended:
-    """Where a search ended: unknowns, cost, residuals, whether it converged; evaluations of all searches so far."""
+    """End of a search: unknowns, cost, residuals, whether it converged; evaluations of all searches so far."""
 
     x: FloatArray
     cost: float
@@ -172,7 +172,7 @@ class _Point:
 
 
 def loss_weights(residuals: FloatArray) -> FloatArray:
-    """What the soft-L1 loss multiplies the residuals by in its gradient."""
+    """Factors of the residuals in the gradient of the soft-L1 loss."""
     return np.asarray((1.0 + (residuals / LOSS_SCALE) ** 2) ** -0.5)
 
 
@@ -209,7 +209,7 @@ class _Search:
         self.lower, self.upper = problem.problem.lower, problem.problem.upper
 
     def point(self, x: FloatArray) -> _Point:
-        """What a simulation gives, within the bounds."""
+        """Result of a simulation within the bounds."""
         self.left -= 1
         inside = np.clip(x, self.lower, self.upper)
         residuals = self.problem.residuals(inside)

@@ -88,7 +88,7 @@ def rest_state(
 def rest_states(
     parameters: JointParameters, measured: FloatArray, v: FloatArray, z: FloatArray, path: StaticPath
 ) -> FloatArray:
-    """The same for many: states (W, 11) for q0 and qdot0 (W, 2), `v` (W, 2) and `z` (W, 3).
+    """States of rest of many joints, (W, 11), for q0 and qdot0 (W, 2), `v` (W, 2) and `z` (W, 3).
 
     The search for a shape starts from the nearest of `path`.
     """
@@ -100,7 +100,7 @@ def rest_states(
 def _rest_states(
     parameters: JointParameters, measured: FloatArray, v: FloatArray, z: FloatArray, shapes: FloatArray
 ) -> FloatArray:
-    """Those found by Newton from `shapes` (W, 4)."""
+    """The states that Newton's method reaches from `shapes` (W, 4)."""
     states = np.empty((len(measured), STATES))
     held = _hold(measured, v**2, z, shapes, parameters.vector(), states)
     if held < len(measured):
@@ -215,7 +215,7 @@ def simulate(
 
 
 _TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0])
-"""How much of h ∂f/∂t each stage of RODAS4 takes."""
+"""Share of h ∂f/∂t in each stage of RODAS4."""
 
 MOST_TRIES = 20_000
 """Steps between two samples, refused ones too, beyond which a run counts as diverged: a joint takes 2 to 20 in 10 ms;

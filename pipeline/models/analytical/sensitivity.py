@@ -1,4 +1,4 @@
-"""How a motion of the full-order joint depends on parameters: the variational equations along a solution.
+"""Derivatives of a full-order motion by parameters: the variational equations along a solution.
 
 Along x(t) = [q_m, q̇_m, z] of eq. 19, with ẋ = f(x, p), a change of the parameters moves the solution by
 

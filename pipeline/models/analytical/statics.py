@@ -88,7 +88,7 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
 
 @compiled
 def _converge_all(starts: FloatArray, v_squared: FloatArray, force: float, p: FloatArray) -> FloatArray:
-    """Where Newton leads from each start (n, 4); rows that do not converge are NaN."""
+    """The solution of Newton's method from each start (n, 4); rows that do not converge are NaN."""
     shapes = starts.copy()
     for i in range(starts.shape[0]):
         if not newton_equilibrium(shapes[i], v_squared, force, p, 60):

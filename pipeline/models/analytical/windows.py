@@ -41,7 +41,7 @@ class VoltageKnots(NamedTuple):
 
 
 def voltage_knots(t: FloatArray, v: FloatArray) -> VoltageKnots:
-    """Where an integrator that takes straight lines between its times has to be told of the voltages.
+    """Times and voltages for an integrator that takes straight lines between its times.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ class Windows:
         return Windows(self.motions, self.spans[::by], self.parts[::by])
 
     def resolved(self, lost_windows: BoolArray, finer: "Windows") -> "Windows":
-        """The same with the `lost_windows` (W,) cut where `finer` windows are cut."""
+        """These windows, the `lost_windows` (W,) of them cut where `finer` windows are cut."""
         spans = [(int(index), int(begin), int(end)) for index, begin, end in self.spans[~lost_windows]]
         for index, begin, end in self.spans[lost_windows]:
             near = finer.spans[finer.spans[:, 0] == index]
@@ -265,7 +265,7 @@ def error_derivatives(
     levers = made.parameters.levers[:3]
 
     def derivatives(run: WindowRun, part: Window, start: FloatArray) -> FloatArray:
-        """Those of one window, zero behind a divergence."""
+        """Derivatives of one window, zero behind a divergence."""
         t, v, rows = part.drive
         by_parameter, simulated = np.zeros((rows.size, steps.size)), slice(0, run.valid)
         if run.valid > 1:

@@ -114,7 +114,7 @@ _BY_CONSTANTS = np.array(
 
 
 class Columns(NamedTuple):
-    """Where numbers that act on columns go.
+    """Places of the numbers that act on columns.
 
     `sources`, `targets`: entries of ∂f/∂k in the kernel's output, and their places; `stops` (STOPS + 1,): places where
     their travels and the friction's arm act on stop operators, −1 for constants without a column; `instruments`
@@ -268,7 +268,7 @@ def _act(
     by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, batch_index: int,
     places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
 ) -> None:  # fmt: skip
-    """How an observer pulls, added to ∂f/∂x, and what instruments do to the rates."""
+    """Add the observer's terms to ∂f/∂x, and the derivatives of the rates by the instruments."""
     strength = pole[begins] if len(pole) > 0 else 0.0
     q, speed, tau, turning = observer(-1.0, strength, lead)
     a[batch_index], a[2 * _ALL * STAGES + batch_index] = q, tau
@@ -291,7 +291,7 @@ def _act(
 def _act_by_weights(
     bells: FloatArray, by_c: SingleArray, batch_index: int, centres: int, first: int, drive: SingleArray
 ) -> None:
-    """What the weights of the corrections do to the accelerations."""
+    """Derivatives of the accelerations by the weights of the corrections."""
     for curve in range(CURVES):
         for row in range(1, FIRST_STRAIN, 2):
             value, slope = by_c[(row * VALUES + curve) * STAGES + batch_index], 0.0

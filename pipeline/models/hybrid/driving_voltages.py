@@ -104,7 +104,7 @@ def _spline_squares(
 
 @compiled
 def _shares(ratio: float) -> tuple[float, float]:
-    """What is left of a lagged value after `ratio` time constants, and the mean of what is left until then.
+    """Remaining share of a lagged value after `ratio` time constants, and the mean share until then.
 
     A step of a lag z behind x on a line: z⁺ = kept z + (mean − kept) x + (1 − mean) x⁺, see
     `pipeline.numerics.linear_filters`.

@@ -28,10 +28,10 @@ COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
 """Observer poles [1/s] in turn: from above the joint's 18 1/s, where each sample stands alone, to the free run."""
 
 WHOLE = (8.0, 0.0, 0.0)
-"""The same on whole logs. The free run comes twice, as the first may have brought runs back that had lost their log."""
+"""Poles on whole logs. The free run comes twice: the first one may bring runs back that had lost their log."""
 
 CORRECTED = (30.0, 8.0, 2.0, 0.0)
-"""The same with corrections: they too are found while every sample stands alone."""
+"""Poles with corrections: they, too, are first fitted while every sample stands alone."""
 
 COUPLED_STEPS, STEPS, EARLY_STEPS, WHOLE_STEPS, LAST_STEPS = (12, 5), 3, 4, 2, 20
 """Steps of the descent: coupled, at each level between, in free run on the first quarters, at each level before the
@@ -67,7 +67,7 @@ curves, with these 88 to 98 %, with all nine 95 to 100 %."""
 _FOLLOWS_NOT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 
 ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
-"""What the ablation calls the equations without and with corrections."""
+"""Names in the ablation of the equations without and with corrections."""
 
 
 def identify_hybrid(
@@ -222,7 +222,7 @@ class _Search:
         return self._robust_spread(joint, fit, range(CURVES))
 
     def curve_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray | None:
-        """The same with the corrections of force and damping open where none acts: zero is no knowledge of them."""
+        """Covariance factor of the curves, with corrections of force and damping free even where the model has none."""
         return None if joint.centres else self._robust_spread(replace(joint, centres=BASIS_FUNCTIONS), fit, OPEN)
 
     def _robust_spread(self, joint: CondensedJoint, fit: HomotopyFit, rows: Sequence[int]) -> FloatArray:

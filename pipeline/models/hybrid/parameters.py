@@ -72,7 +72,7 @@ def _sides(name: str, prior_std: float, unit: str) -> list[Deviation]:
 
 
 def _unknown(name: str, typical: float, unit: str, prior_std: float = 1.2) -> Deviation:
-    """What cannot be negative and is known to its order of magnitude only."""
+    """Deviation of the logarithm of a positive number of which only the order of magnitude is given."""
     return Deviation(f"log {name}", prior_std, unit, typical)
 
 
@@ -162,7 +162,7 @@ def nominal_deviations() -> FloatArray:
 
 @dataclass(frozen=True)
 class Instruments:
-    """What lies between the joint and what is measured: laser, probes, electrodes."""
+    """Instruments between the joint and the log: laser, probes, electrodes."""
 
     offset: float
     """Laser reading [m] at q = 0."""

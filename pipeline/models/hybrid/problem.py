@@ -42,7 +42,7 @@ BEGINNING, MOVING, SETTLING = 0.1, 0.02, 1.0
 and strains are not known there, so a run is held for the third [s] first, and compared from then on."""
 
 PASSES = 12
-"""How often at most a log is run to find where runs lose it, and the next place after holding them there."""
+"""Largest number of runs of a log in the search for places where runs lose it."""
 
 BRIDGED = 0.03
 """Gap [s] in a log over which a spline is as good as a measurement."""
@@ -96,7 +96,7 @@ class CondensedJoint:
         return np.ascontiguousarray(shares * widths[:, None])
 
     def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
-        """What lies between the joint and what is measured."""
+        """Instruments between the joint and the log."""
         seen, units = condensed_parameters.instruments(theta[:DEVIATIONS]), self.similarity
         return condensed_parameters.Instruments(
             units.origin + units.length * seen.offset,
@@ -106,7 +106,7 @@ class CondensedJoint:
         )
 
     def derivatives(self, theta: FloatArray) -> "Derivatives":
-        """How what a run takes depends on θ."""
+        """Derivatives by θ of the numbers that a run takes."""
         count, base = len(theta), self.instruments(theta)
         moved, units = SMALL * np.eye(DEVIATIONS, count), np.eye(count)
         constants, instruments = np.zeros((len(CONSTANTS), count)), np.zeros((INSTRUMENTS, count))
@@ -152,7 +152,7 @@ class CondensedJoint:
 
 @dataclass(frozen=True)
 class Derivatives:
-    """How constants (C, P) and instruments (5, P: offset, delay, charging time, probes) depend on θ.
+    """Derivatives by θ of constants (C, P) and instruments (5, P: offset, delay, charging time, probes).
 
     And the widths (9,) of weights.
     """
@@ -212,7 +212,7 @@ class CondensedProblem:
         return error if np.all(np.isfinite(error)) else None
 
     def residuals(self, thetas: FloatArray, gain: float) -> FloatArray:
-        """Those of several θ side by side, shape (B, N), with the steps of the last Jacobian; NaN where one is refused.
+        """Residuals of several θ side by side, (B, N), with the steps of the last Jacobian; NaN where one is refused.
 
         Eight cost what one does.
         """

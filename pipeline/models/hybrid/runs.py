@@ -74,7 +74,7 @@ class Joints(NamedTuple):
 
 @inlined
 def observer(error: float, pole: float, lead: float) -> tuple[float, float, float, float]:
-    """What an observer adds to the rates of q, q̇, τ and τ̇ when q is `error` [m] behind the reading.
+    """Terms of an observer in the rates of q, q̇, τ and τ̇ when q is `error` [m] behind the reading.
 
     It pulls along the slow motion of the beam, (q, τ) together: q̇ += 2L e, q̈ += L² e, L being its `pole` [1/s], and the
     same times dτ/dq = `lead` [1/m] for τ. Pulling at q alone leaves the pair of q and τ with a growing mode near the
@@ -85,7 +85,7 @@ def observer(error: float, pole: float, lead: float) -> tuple[float, float, floa
 
 
 def _methods(system: Any) -> Methods:
-    """How W joints move, for the compiler.
+    """Methods of W joints, for the compiler.
 
     Each of the three is written out: a function that takes `system` counts references of its arrays at each call, which
     took the free run of one joint from 5 to 8 ms.
@@ -95,10 +95,10 @@ def _methods(system: Any) -> Methods:
 
 
 def _begin_of(w: int) -> Any:
-    """What W joints do at the begin of a step."""
+    """Begin of a step of W joints."""
 
     def begin(system, x, node):
-        """Where the step starts: the stop operators count the play from there."""
+        """Start of the step, from which the stop operators count the play."""
         if len(system.path) > 0:
             x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
@@ -140,7 +140,7 @@ def _rates_of(w: int) -> Any:
 
 
 def _finish_of(w: int) -> Any:
-    """What W joints do at the end of a step."""
+    """End of a step of W joints."""
     stop_move = _STOP_MOVE[w]
 
     def finish(system, x):

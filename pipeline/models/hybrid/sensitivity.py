@@ -1,4 +1,4 @@
-"""How a run of the condensed joint depends on what is estimated: the derivatives of its Runge-Kutta steps, exactly.
+"""Derivatives of a run of the condensed joint by the estimated numbers: exactly those of its Runge-Kutta steps.
 
 The run leaves its states at all stages; then the derivatives by each number, the columns, move through the same steps
 (`pipeline.models.hybrid.columns`). Columns are the kernel's constants, not θ, which acts through them.
@@ -28,7 +28,7 @@ _SHIFT = 1e-8
 
 @dataclass(frozen=True)
 class Driven:
-    """What drives one joint along a log.
+    """Voltages and observer of one joint along a log.
 
     Attributes
     ----------

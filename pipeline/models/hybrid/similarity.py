@@ -37,7 +37,7 @@ DIMENSIONS = np.array([POWERS[_UNITS.get(name, "1")] for name in CONSTANTS])
 _WEIGHTS = np.array(
     [POWERS[unit] for unit in ("N", "N·s/m", "N/V²", "N/V²", "N·m", "N·m", "N·m/V²", "N·m/V²", "N·m·s")]
 )
-"""Those of the weights of the corrections, rows as in `pipeline.models.hybrid.kernels`."""
+"""Units of the weights of the corrections, rows as in `pipeline.models.hybrid.kernels`."""
 
 
 @dataclass(frozen=True)

@@ -47,7 +47,7 @@ class NoJoint:
 
 @dataclass(frozen=True)
 class _SmallMotion:
-    """What moves a joint near its wells: place [m], squared frequency [1/s²], acceleration by each squared voltage;
+    """Small motions near a well: place [m], squared frequency [1/s²], acceleration by each squared voltage;
     standard errors of the frequency and of the difference of the accelerations.
     """
 
@@ -149,7 +149,7 @@ def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
 
 
 def _set_motion(parameters: JointParameters) -> _SmallMotion:
-    """The same of the parameter set's joint, from its static curves."""
+    """Small motions of the parameter set's joint, from its static curves."""
     none = condensed_parameters.nominal_deviations()
     k = condensed_parameters.constants(parameters, none, condensed_parameters.static_slope_ratio(parameters))
     q = np.linspace(0.02, 0.24, 111) * parameters.l

@@ -23,7 +23,7 @@ _L, _RATIO, _BENDING, _STOP = INDEX["l"], INDEX["slope_ratio"], INDEX["bending"]
 LONGEST_STEP = 5.5e-3
 """Longest step [s]: it damps a frame that turns at 28 Hz by 1 1/s, where its own loss is 10 to 20 1/s."""
 FASTER = 1.15
-"""How much faster than at rest a joint may be for a step to be stable, because its stiffness grows away from rest."""
+"""Reserve of a stable step: a joint is faster than at rest, because its stiffness grows away from rest."""
 MOST_SUBSTEPS = 6
 """Bound on the work of a run whose constants are absurd, as a fit may try."""
 _SHARES = np.array([-0.25, -0.12, 0.0, 0.12, 0.25])

@@ -126,7 +126,7 @@ class OnlineRun:
 
 
 LOOKS = 120
-"""How often the errors are measured."""
+"""Number of times at which the errors are measured."""
 
 
 def follow(
@@ -169,7 +169,7 @@ def follow(
 def drifted(
     regressors: FloatArray, target: FloatArray, weights: FloatArray, count: int, share: float
 ) -> tuple[FloatArray, FloatArray]:
-    """The same motion of a joint whose restoring force grows by a `share` of itself from first to last sample.
+    """The motion of a joint whose restoring force grows by a `share` of itself from first to last sample.
 
     Parameters
     ----------
@@ -197,5 +197,5 @@ def drifted(
 
 
 def memories(forgetting: Sequence[float], interval: float) -> list[str]:
-    """What each λ means as a time, for legends: ``all`` or seconds."""
+    """Memory of each λ as a time, for legends: ``all`` or seconds."""
     return ["all" if value >= 1.0 else f"{interval / (1.0 - value):.3g} s" for value in forgetting]

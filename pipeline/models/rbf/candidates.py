@@ -1,4 +1,4 @@
-"""What the data-driven joint may consist of.
+"""Candidates for the structure of a data-driven joint.
 
 The structure of a bistable joint, and those among which inner validation chooses for any other device.
 """
@@ -61,19 +61,19 @@ DRIVE: dict[str, dict[str, Any]] = {
     "delay": {"input_lag": False, "input_delay": True},
     "lag+delay": {"input_lag": True, "input_delay": True},
 }
-"""How an input reaches the joint."""
+"""Paths of an input to the joint."""
 
 EFFECT: dict[str, dict[str, Any]] = {
     "plain": {"bent_input": False, "dead_zone": False},
     "bent": {"bent_input": True, "dead_zone": False},
     "dead-zone": {"bent_input": False, "dead_zone": True},
 }
-"""What an input does there."""
+"""Effects of an input on the joint."""
 
 
 @dataclass(frozen=True)
 class RbfChoice:
-    """What the user decides of the data-driven joint; None leaves it to the program.
+    """Settings of the data-driven joint that the user fixed; None means automatic.
 
     Attributes
     ----------
@@ -165,7 +165,7 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
 
 
 def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
-    """Where the search starts: what is decided, and the usual for the rest.
+    """First candidate of the search: the user's settings, and the usual ones for the rest.
 
     A `pair` of inputs pulls at the two sides of a bistable joint, whose tip moves on an arc unless q is an angle. All
     else is an actuated arm or slider, whose weight turns with it where q is an angle, and which starts as simple as
@@ -211,7 +211,7 @@ class _Change:
 
 
 def offers(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[list[Offer], list[Offer]]:
-    """What the inner validation offers in turn, each time as changes of the best candidate so far.
+    """Offers of the inner validation in turn, each as changes of the best candidate so far.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ FORCE, DAMPING, INPUT = 0, 1, 2
 """Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
 
 WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
-"""What a parameter is: the `kind` of `SensitivityParameters`; a `NUMBER` is one of those below."""
+"""Kinds of parameters: the `kind` of `SensitivityParameters`; a `NUMBER` is one of those below."""
 
 CENTRE, ARC, DRAG, STOPS = 3, 4, 5, 6
 """Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
@@ -72,7 +72,7 @@ class Coefficients(NamedTuple):
 
 
 class SensitivityParameters(NamedTuple):
-    """What the sensitivities are taken with respect to, P entries each.
+    """Parameters of the sensitivities, P entries each.
 
     kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element for `RATE`, …);
     factor (P,) is the derivative of a curve weight, of the inertia, of a stop's number or of the logarithm of a slip
@@ -251,7 +251,7 @@ def _stopped(c, x, p):
 
 @inlined
 def _load(system, x, u):
-    """What the elements relax from, how inputs pull where they are, their rates, and what these add to ∂ẇ/∂x."""
+    """Fill loads of the elements, pulls of the inputs at their place, their rates, and the terms of both in ∂ẇ/∂x."""
     c, inputs, relaxing = system.c, len(u), system.relaxing
     for n in range(len(c.rates)):
         relaxing[LOAD, n], relaxing[PULL, n] = x[2 + n], 0.0

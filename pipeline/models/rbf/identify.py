@@ -261,7 +261,7 @@ def _diagnostics(records: Sequence[Record], fitted: _Fitted, tried: dict[str, fl
 
 
 def _decided(training: Training) -> RbfChoice:
-    """What the settings say of the structure."""
+    """Choices of the settings for the structure."""
     settings, before = training.identify, training.inputs_before
 
     def said(name: str) -> Any:

@@ -26,7 +26,7 @@ SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 _MOST_ELEMENTS = 16
 _USUAL = JointStructure()
-"""What an older model does not say is as it was then."""
+"""Values of entries that files of older models lack."""
 
 
 class _Structure(FilePart):

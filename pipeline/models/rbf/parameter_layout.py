@@ -64,7 +64,7 @@ class ParameterLayout:
 
     @cached_property
     def slices(self) -> dict[str, slice]:
-        """Where each block of the vector lies."""
+        """Slice of each block of the vector."""
         s, k, m = self.structure, len(self.signs), self.structure.basis_functions
         force = {"curve": joint.POLYNOMIALS + m, "polynomial": joint.POLYNOMIALS, "offset": 1}[s.force]
         sizes = {"force": force, "damping": 1 if s.constant_damping else m}
@@ -83,7 +83,7 @@ class ParameterLayout:
 
     @cached_property
     def rows(self) -> dict[str, int]:
-        """Which curve each block of weights makes, in the order of `viscoelastic_joint.Coefficients.curves`."""
+        """Row of each block of weights in `dynamics.Coefficients.curves`."""
         s, k = self.structure, len(self.signs)
         names = ["force", "damping", *(f"input{i}" for i in range(k)), *(f"coupling{i}" for i in range(len(s.rates)))]
         for i in range(s.shape_elements):
@@ -144,7 +144,7 @@ class ParameterLayout:
 
     @np.errstate(over="ignore")
     def sensitivity_parameters(self, theta: FloatArray) -> joint.SensitivityParameters:
-        """What the sensitivities are taken with respect to: all parameters, in order."""
+        """Parameters of the sensitivities: all, in order."""
         kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
         factor = np.ones(self.count)
         for name, row in self.rows.items():
@@ -189,7 +189,7 @@ class ParameterLayout:
         return self.structure.hold == "zero" and not self.structure.input_lag
 
     def delay(self, theta: FloatArray) -> float:
-        """How much later the inputs act [s]."""
+        """Delay of the inputs [s]."""
         return float(np.exp(theta[self.slices["input_delay"]][0])) if self.structure.input_delay else 0.0
 
     def inputs(self, v: FloatArray, interval: float, steps: int, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -222,7 +222,7 @@ class ParameterLayout:
         return np.ascontiguousarray(u), du
 
     def _effect(self, volts: FloatArray, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """What drives do, freed of their offset, bent, past a dead zone, squared; its derivatives by the drive, and by
+        """Effect of the drives, freed of offset, bent, past a dead zone, squared; its derivatives by the drive, and by
         bend and zone.
         """
         offset = theta[self.slices["input_offset"]]
@@ -267,7 +267,7 @@ def kind_of(block: str) -> str:
 
 
 _PLACES = {"inertia": joint.ARC, "inertia_centre": joint.CENTRE, "drag": joint.DRAG, "stops": joint.STOPS}
-"""Where the derivatives by numbers of the equation stand, see `viscoelastic_joint.NUMBER`."""
+"""Places of the derivatives by numbers of the equation, see `dynamics.NUMBER`."""
 _KINDS = {
     "rate": joint.RATE,
     "slip_force": joint.SLIP_FORCE,

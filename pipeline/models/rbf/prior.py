@@ -37,7 +37,7 @@ SPREADS = {
 """Prior standard deviations of single numbers about where they start."""
 
 UNLIKENESS = {"force": 2.5, "damping": 2.0}
-"""How far these may be from their mirror images, over what other curves may."""
+"""Prior distance of these curves from their mirror images, over that of other curves."""
 
 
 def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -> Prior:
@@ -216,7 +216,7 @@ def blocks_of(p: ParameterLayout) -> dict[str, int]:
 
 
 def _exchanged(p: ParameterLayout) -> IntArray:
-    """Where each parameter stands in θ of a joint whose inputs have the numbers of each other, shape (P,)."""
+    """Place of each parameter in θ of a joint with exchanged inputs, shape (P,)."""
     order, at = np.arange(p.count), p.slices
     for name in at:
         if kind_of(name) in ("pull", "input"):

@@ -41,7 +41,7 @@ def simulation_effort(steps: int, sensitivities: int = 0, *, delayed: bool = Fal
 
 @dataclass
 class Effort:
-    """What may be spent and what was, in seconds of processor time by the cost model.
+    """Limit and spent effort of a fit, in seconds of processor time by the cost model.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ STEP = 0.2
 """Longest integration step, in units of the inverse frequency scale: at least 30 per period."""
 
 COARSE_STEP = 0.4
-"""The same where candidates are only compared."""
+"""Longest step where candidates are only compared."""
 
 STABLE = 1.5
 """Longest step in units of the inverse of the fastest relaxation rate; Runge-Kutta would be unstable at 2.8."""
@@ -114,7 +114,7 @@ def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:
 
 
 _NUDGE = 1e-9
-"""How far the second run starts beside the first, a share of the range of q."""
+"""Distance of the second run's start from the first, a share of the range of q."""
 _PARTED = 1e-2
 """Share of the range at which two runs have parted: no pulse near a separatrix brings that about by chance."""
 
@@ -151,12 +151,12 @@ class _Log:
 
     @property
     def in_residual(self) -> BoolArray:
-        """Which rows of `compared` are measured."""
+        """Mask of the rows of `compared` that are measured."""
         seen = self.observe[: self.split] > 0.0
         return seen if self.travel is None else np.concatenate((seen, np.isfinite(self.travel[: self.split - 1])))
 
     def compared(self, x: FloatArray) -> FloatArray:
-        """What is compared of a simulation or its sensitivities, row by row: x, then its weighted mean velocity."""
+        """Compared rows of a simulation or its sensitivities: x, then its weighted mean velocity."""
         if self.travel is None:
             return x
         return np.concatenate((x, self.weight / self.interval * np.diff(x, axis=0)))
@@ -265,7 +265,7 @@ class JointProblem:
 
     @property
     def of_displacement(self) -> BoolArray:
-        """Which rows of the residual are errors of x; the others are weighted errors of the velocity."""
+        """Mask of the rows of the residual that are errors of x; the others are weighted errors of the velocity."""
         kinds = []
         for log in self.logs:
             rows = np.count_nonzero(log.observe[: log.split] > 0.0)

@@ -1,4 +1,4 @@
-"""Where the estimation of the data-driven joint starts: a convex fit of accelerations.
+"""Start of the estimation of the data-driven joint: a convex fit of accelerations.
 
 The start is a bounded linear least squares problem (convex, one minimum): curves F, d ≥ 0 and gains g_k of one sign,
 with a ridge. It knows nothing of hidden states; they start small and typical.
@@ -36,7 +36,7 @@ SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start
 START_DRAG = 0.05  # over half ranges
 ZONE = 0.1  # of a dead zone to start from, a share of the largest drive
 STOP_PLACES, STOP_LEAST = (0.7, 0.8, 0.88, 0.94, 0.98), 1.0
-"""Where end stops are tried [half ranges]; least stiffness and resistance to start from, in units of the scales."""
+"""Places at which end stops are tried [half ranges]; least stiffness and resistance at the start [scales]."""
 PLACES = 201  # where the sign of the force is looked at
 
 
@@ -216,7 +216,7 @@ def _best_slip(
     paths = [np.interp(r.t, r.t[r.valid], r.q[r.valid]) / scales.half for r in records]
 
     def states(length: float) -> FloatArray:
-        """What resists at the valid samples, shape (N, 1)."""
+        """Resisting force at the valid samples, shape (N, 1)."""
         parts = [-joint.slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)]
         return np.concatenate(parts)[:, None]
 
@@ -257,7 +257,7 @@ def _best_stops(
 
 
 def _driven(records: Sequence[Record], p: ParameterLayout, timing: FloatArray) -> FloatArray:
-    """What acts at the valid samples behind lag and delay, shape (N, K)."""
+    """Inputs behind lag and delay at the valid samples, shape (N, K)."""
     if not (p.structure.input_lag or p.structure.input_delay):
         return np.concatenate([input_signal(r.v[r.valid] / p.scales.volts, p.law) for r in records])
     parts = []
@@ -290,7 +290,7 @@ def _gains(u: FloatArray, basis: FloatArray) -> list[FloatArray]:
 
 
 def _misfit(columns: list[FloatArray], target: FloatArray) -> float:
-    """What a fit of the accelerations without bounds leaves of them."""
+    """Residual of a fit of the accelerations without bounds."""
     matrix = np.column_stack(columns)
     matrix = matrix / (np.linalg.norm(matrix, axis=0) + np.finfo(float).tiny)
     gram = matrix.T @ matrix

@@ -13,7 +13,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 
 Hold = Literal["linear", "zero", "cubic", "record"]
-"""How an input goes on between samples: on lines, held (a converter's zero-order hold), on a cubic spline, or as the
+"""Course of an input between samples: on lines, held (a converter's zero-order hold), on a cubic spline, or as the
 finer record has it."""
 
 OVERDAMPED = 7.0
@@ -26,7 +26,7 @@ ForceShape = Literal["curve", "polynomial", "offset"]
 
 @dataclass(frozen=True)
 class JointStructure:
-    """What the data-driven joint consists of.
+    """Terms of the data-driven joint.
 
     Attributes
     ----------
@@ -120,7 +120,7 @@ class JointScales:
 
     @property
     def overdamped(self) -> "JointScales":
-        """The same where damping of `OVERDAMPED` times the frequency scale makes the force scale of the speed."""
+        """The scales where damping of `OVERDAMPED` times the frequency scale makes the force scale of the speed."""
         return replace(self, stiffness=2.0 * (OVERDAMPED * self.speed) ** 2)
 
 

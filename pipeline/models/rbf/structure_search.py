@@ -1,4 +1,4 @@
-"""Which structure a data-driven joint gets: candidates fitted on a part of the training logs, judged on the rest."""
+"""Structure of a data-driven joint: candidates are fitted on a part of the training logs and judged on the rest."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
@@ -27,7 +27,7 @@ QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
 """Observer gains of the fits that only serve to compare candidates."""
 
 NEAR_GAINS = (0.3, 0.0)
-"""The same where a fit of a similar structure is there to start from."""
+"""Gains where the fit of a similar structure gives the start."""
 
 QUICK_ITERATIONS = 10
 """Steps of these fits per level, and half of those in free run."""
@@ -74,7 +74,7 @@ Fit = tuple[ParameterLayout, FloatArray]
 
 @dataclass(frozen=True)
 class Setting:
-    """What holds for every candidate: the law of the inputs, known curves per unit mass, the effort, who is told,
+    """Settings of all candidates: law of the inputs, measured curves per unit mass, effort, progress callback,
     at most how many samples of each is left for comparisons, the smallest observer gain that fits may have (0, the
     free run, but for a chaotic and for a bistable device), and what keeps finished work.
     """
@@ -88,7 +88,7 @@ class Setting:
     keep: Keep = make_anew
 
     def stored(self, name: str, make: Callable[[], Parts]) -> Parts:
-        """What `make` gives, as `keep` has it, with the effort that it took, which counts either way."""
+        """Result of `make`, from `keep` if it is there; its effort counts either way."""
         parts = dict(self.keep(name, lambda: {**make(), "spent": self.effort.spent}))
         self.effort.spent = parts.pop("spent")
         return parts
@@ -252,7 +252,7 @@ def _excerpt(record: Record, length: int) -> Record:
 
 
 def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], float]]:
-    """What is fitted, what is judged, and after which share of it.
+    """Parts of the logs that are fitted and judged, and the share after which judging begins.
 
     Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but one and
     judged on that one, so that a structure must carry over to another excitation; with one log, fitted on its last

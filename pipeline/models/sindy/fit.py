@@ -26,7 +26,7 @@ MOST_INPUT_LAGS = 2
 DEGREES = ((1, 0, 0), (3, 1, 1), (5, 2, 3), (7, 3, 4))
 """Highest power of q alone, as a factor of velocities and lags, and as a factor of inputs."""
 TURNING = ((1, 0, 0), (1, 1, 1))
-"""The same where sin q and cos q stand in the place of powers."""
+"""Highest powers where sin q and cos q take the place of powers."""
 THRESHOLDS = (0.01, 0.03, 0.1)
 LEAST_THRESHOLD = 1e-3
 RIDGE = 1e-6

@@ -124,7 +124,7 @@ def weak_rows(
 def admitted(
     exponents: IntArray, inputs: int, degrees: tuple[int, int, int], friction: bool, turning: bool, lags: set[int]
 ) -> IntArray:
-    """Which terms belong to a library: their places in `exponents`.
+    """Terms of a library: their places in `exponents`.
 
     Parameters
     ----------
@@ -177,7 +177,7 @@ _SHORTEST_LAG = 0.25
 
 @dataclass(frozen=True)
 class Library:
-    """What may enter the equation of the acceleration.
+    """Terms that may enter the equation of the acceleration.
 
     Attributes
     ----------

@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from pipeline.codegen.graph import trace
 from pipeline.generated.terms import STOP_FORCE
 from pipeline.models.rbf import dynamics as joint
 from pipeline.models.rbf.parameter_layout import ParameterLayout
@@ -57,6 +58,22 @@ def record(p, theta, n=700, interval=0.01, seed=1):
     assert valid == n
     q, qdot, qddot = (SCALES.half * states[:, i] for i in range(3))
     return Record(interval * np.arange(n), q, qdot, qddot, v, np.ones(n, dtype=bool))
+
+
+@pytest.mark.parametrize("changes", [{}, {"turning_arm": True, "drag": True}, {"stops": True}], ids=str)
+def test_the_traced_law_is_the_one_that_runs_integrate(changes):
+    """On the states of a run; friction, which moves by whole steps, is left out."""
+    structure = JointStructure(basis_functions=6, rates=(6.0, 0.2), shape_elements=2, slips=0, **changes)
+    p, n = ParameterLayout(structure, SCALES, "squared", (1, -1)), 1000
+    theta = 0.3 * np.random.default_rng(4).standard_normal(p.count)
+    v, still = pulses(n, 0.01, np.random.default_rng(5)), np.zeros(n)
+    u, du = p.inputs(v, 0.01, 2, theta)
+    c, drive, free = p.coefficients(theta), joint.Drive(u, du, u[0], p.held), joint.Coupling(still, still, 0.0)
+    states, _, valid = joint.observed_run(c, drive, free, (0.6, 0.0), 0.01, 2, joint.no_sensitivities())
+    assert valid == n
+    law = trace(lambda x, u: {"dx": joint.free_rates(c, x, (), u)}, x=4, u=2)
+    rates = law.evaluate(x=states[:, [0, 1, 3, 4]], u=u[::4])["dx"]
+    np.testing.assert_allclose(rates[:, 1], states[:, 2], rtol=0.0, atol=1e-12 * np.abs(states[:, 2]).max())
 
 
 @pytest.mark.parametrize("gain", [0.0, 2.0])
