@@ -91,11 +91,11 @@ def horizon_errors(
     """
     interval = sample_interval(t)
     aheads = [samples_of(horizon, interval) for horizon in horizons]
-    told: BoolArray = np.all(np.isfinite(v).reshape(q.size, -1), axis=1)
-    starts = [_starts(q, qdot, told, ahead, most_starts) for ahead in aheads]
-    known = np.zeros(q.size, dtype=np.int64)
-    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot) & told):
-        known[rows] = rows.start
+    recorded: BoolArray = np.all(np.isfinite(v).reshape(q.size, -1), axis=1)
+    starts = [_starts(q, qdot, recorded, ahead, most_starts) for ahead in aheads]
+    lengths = np.zeros(q.size, dtype=np.int64)
+    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot) & recorded):
+        lengths[rows] = rows.start
     farthest: dict[tuple[int, int], int] = {}
     for ahead, chosen in zip(aheads, starts, strict=True):
         keys = [(start, 0 if shared else ahead) for start in chosen.tolist()]
@@ -103,7 +103,7 @@ def horizon_errors(
     paths: dict[tuple[int, int], FloatArray] = {}
     shown = max(round(WARM_UP / interval), WARM_UP_SAMPLES)
     for (start, apart), ahead in farthest.items():
-        begin = max(int(known[start]), start - shown)
+        begin = max(int(lengths[start]), start - shown)
         seen, rows = slice(begin, start + 1), slice(begin, start + ahead + 1)
         paths[start, apart] = predict(t[rows], v[rows], q[seen], qdot[seen])
     span = signal_range(q)
@@ -130,13 +130,13 @@ def _error(
     return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
 
 
-def _starts(q: FloatArray, qdot: FloatArray, told: BoolArray, ahead: int, most: int) -> IntArray:
+def _starts(q: FloatArray, qdot: FloatArray, recorded: BoolArray, ahead: int, most: int) -> IntArray:
     """Rows whose state, target and inputs between are measured, at least `ahead` apart, at most `most`."""
     last = q.size - ahead
     if last < 1:
         return np.zeros(0, dtype=np.int64)
     rows = np.arange(0, last, max(ahead, -(-last // most)))
-    missing = np.concatenate(([0], np.cumsum(~told)))
-    known = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
-    known &= missing[rows + ahead + 1] == missing[rows]
-    return np.asarray(rows[known], dtype=np.int64)
+    missing = np.concatenate(([0], np.cumsum(~recorded)))
+    usable = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
+    usable &= missing[rows + ahead + 1] == missing[rows]
+    return np.asarray(rows[usable], dtype=np.int64)

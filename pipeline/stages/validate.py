@@ -96,15 +96,15 @@ def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], 
     from pipeline.scoring.intervals import SEED
 
     shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
-    kept = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
+    possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     v = drive(table, fine=model.fine_voltages).copy()
     v[~recorded(table)] = np.nan
-    found = horizon_errors(
-        predictor(model), table["t"], v, table["q"], table["qdot"], list(kept.values()),
+    horizon_scores = horizon_errors(
+        predictor(model), table["t"], v, table["q"], table["qdot"], list(possible.values()),
         seed=SEED, most_starts=_RESTARTS, joint=joint, shared=not model.fine_voltages,
     )  # fmt: skip
-    errors = dict(zip(kept, found, strict=True))
+    errors = dict(zip(possible, horizon_scores, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
 
 
@@ -158,9 +158,9 @@ def trust_notes(
 
 
 def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
-    kept = [table["segment"] >= 0 for table in tables]
+    valid_rows = [table["segment"] >= 0 for table in tables]
     q, qdot = (
-        np.concatenate([table[name][k] for table, k in zip(tables, kept, strict=True)]) for name in ("q", "qdot")
+        np.concatenate([table[name][k] for table, k in zip(tables, valid_rows, strict=True)]) for name in ("q", "qdot")
     )
     return q, qdot
 
@@ -169,8 +169,8 @@ def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells", *, 
     from pipeline.scoring.wells import Wells, places_of_rest, pulse_outcomes
 
     places, t = part_rows(table), table["t"]
-    found = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
-    after = [rest for rest in found if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
+    rests = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
+    after = [rest for rest in rests if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None
     ensemble = np.full((_DRAWS, len(t)), np.nan)
