@@ -47,8 +47,12 @@ def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
 
 
 def _map(each: Mapping[str, Any]) -> Figure:
+    from scipy.ndimage import maximum_filter, minimum_filter
+
     probability = np.array(each["probability"])
-    index = np.select([probability < _LIKELY[0], probability < _LIKELY[1]], [0, 3], 2).astype(np.int8)
+    # At an edge the map does not resolve which draws switch: the band is at least as wide as the step of its grid.
+    most, least = maximum_filter(probability, 3, mode="nearest"), minimum_filter(probability, 3, mode="nearest")
+    index = np.select([most < _LIKELY[0], least > _LIKELY[1]], [0, 2], 3).astype(np.int8)
     labels = ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws")
     cells = Cells(labels, np.array(each["durations"]), np.array(each["voltages"]), index)
     caption = (
