@@ -92,18 +92,18 @@ def _compile(model: DynamicModel, table: Table) -> None:
 
 def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, horizon_errors
-    from pipeline.scoring.intervals import SEED
+    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 
     shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
     possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     v = drive(table, fine=model.fine_voltages).copy()
     v[~recorded(table)] = np.nan
+    path = MeasuredPath(table["t"], v, table["q"], table["qdot"])
+    shared = not model.fine_voltages
     horizon_scores = horizon_errors(
-        predictor(model), table["t"], v, table["q"], table["qdot"], list(possible.values()),
-        seed=SEED, most_starts=_RESTARTS, joint=joint, shared=not model.fine_voltages,
-    )  # fmt: skip
+        predictor(model), path, list(possible.values()), joint=joint, most_starts=_RESTARTS, shared=shared
+    )
     errors = dict(zip(possible, horizon_scores, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
 
