@@ -41,16 +41,16 @@ def prototype_files(places: Sequence[Path]) -> list[Path]:
     InputError
         A place that does not exist, a folder without settings files, or a fleet file that is none.
     """
-    found: list[Path] = []
+    files: list[Path] = []
     for place in places:
         if place.is_dir():
             inside = sorted(place.glob("*.toml")) + sorted(place.glob("*/*.toml"))
             if not inside:
                 raise InputError(f"{place}: holds no settings file (*.toml)")
-            found += inside
+            files += inside
         else:
-            found += _fleet_members(place) or [place]
-    return list(dict.fromkeys(path.resolve() for path in found))
+            files += _fleet_members(place) or [place]
+    return list(dict.fromkeys(path.resolve() for path in files))
 
 
 def _fleet_members(place: Path) -> list[Path]:

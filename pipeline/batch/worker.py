@@ -106,8 +106,10 @@ def reason_of(exit_code: int, stderr: str) -> str:
     if exit_code < 0:
         return f"ended by {death(exit_code)}; what is written is whole, and the same command goes on"
     lines = [line for line in stderr.splitlines() if line.strip()]
-    said = [number for number, line in enumerate(lines) if line.startswith("debist: ")]
-    if not said:
+    errors = [number for number, line in enumerate(lines) if line.startswith("debist: ")]
+    if not errors:
         return (lines or [death(exit_code)])[-1]
-    more = list(itertools.takewhile(lambda line: line.startswith("  "), lines[said[-1] + 1 :]))
-    return lines[said[-1]].removeprefix("debist: ") + (": " if more else "") + "; ".join(line.strip() for line in more)
+    more = list(itertools.takewhile(lambda line: line.startswith("  "), lines[errors[-1] + 1 :]))
+    return (
+        lines[errors[-1]].removeprefix("debist: ") + (": " if more else "") + "; ".join(line.strip() for line in more)
+    )

@@ -15,7 +15,7 @@ from pipeline.commands.options import with_options
 if TYPE_CHECKING:
     from pipeline.rig.fleet import Experiment
     from pipeline.tools.closed_loop import ClosedLoopOptions
-    from pipeline.tools.excitation import Limits, Source
+    from pipeline.tools.excitation import ExcitationLimits, ExcitationSource
     from pipeline.tools.excitation_design import Requirements
 
 app = group("The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.")
@@ -159,11 +159,11 @@ class SimulatedWith:
     ] = 4
     seed: Seed = 1
 
-    def source(self) -> "Source":
+    def source(self) -> "ExcitationSource":
         """The same for the design."""
-        from pipeline.tools.excitation import Source
+        from pipeline.tools.excitation import ExcitationSource
 
-        return Source(self.parameters, self.run, self.model, self.joints, self.seed)
+        return ExcitationSource(self.parameters, self.run, self.model, self.joints, self.seed)
 
 
 @dataclass(frozen=True)
@@ -176,12 +176,12 @@ class SequenceLimits:
         typer.Option(help="Largest field in the undeformed film, with its unit [default: the run's, or 60 V/um]."),
     ] = None
 
-    def limits(self) -> "Limits":
+    def limits(self) -> "ExcitationLimits":
         """The same in SI units."""
-        from pipeline.tools.excitation import Limits
+        from pipeline.tools.excitation import ExcitationLimits
 
         field = None if self.max_field is None else _parsed(self.max_field, "V/m", "--max-field")
-        return Limits(_parsed(self.max_voltage, "V", "--max-voltage"), field)
+        return ExcitationLimits(_parsed(self.max_voltage, "V", "--max-voltage"), field)
 
 
 @dataclass(frozen=True)

@@ -43,8 +43,8 @@ def calibrated(model: DynamicModel | None) -> list[Calibrated]:
     """
     if not isinstance(model, HybridModel):
         return []
-    found = [_one(model, i) for i in range(len(DEVIATIONS))]
-    return sorted(found, key=lambda one: one.nominal is None)
+    quantities = [_one(model, i) for i in range(len(DEVIATIONS))]
+    return sorted(quantities, key=lambda quantity: quantity.nominal is None)
 
 
 def _one(model: HybridModel, i: int) -> Calibrated:

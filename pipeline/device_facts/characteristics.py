@@ -56,7 +56,7 @@ class Curves:
 
 
 @dataclass(frozen=True)
-class Equilibrium:
+class CurveEquilibrium:
     """A state of rest: its place, and dF/dq there, positive if it is stable."""
 
     q: float
@@ -164,32 +164,32 @@ def jumps(force: FloatArray) -> BoolArray:
     change = np.abs(np.diff(force))
     beside = np.maximum(np.roll(change, 2), np.roll(change, -2))
     beside[:2], beside[-2:] = change[2:4], change[-4:-2]
-    found: BoolArray = (change > STEEP * beside) & (change > SMALL * np.ptp(force))
-    return found
+    jumping: BoolArray = (change > STEEP * beside) & (change > SMALL * np.ptp(force))
+    return jumping
 
 
-def equilibria(q: FloatArray, force: FloatArray) -> list[Equilibrium]:
+def equilibria(q: FloatArray, force: FloatArray) -> list[CurveEquilibrium]:
     """Zeros of the force on the grid, by straight lines between its points; where it jumps it has none."""
     sign = np.sign(force)
     rows = np.flatnonzero((sign[:-1] * sign[1:] < 0.0) & ~jumps(force))
     slopes: FloatArray = np.diff(force) / np.diff(q)
     exact = [(float(q[i]), float(slopes[min(int(i), slopes.size - 1)])) for i in np.flatnonzero(sign == 0.0)]
     crossed = [(float(q[i] - force[i] / slopes[i]), float(slopes[i])) for i in rows]
-    return [Equilibrium(place, slope) for place, slope in sorted(exact + crossed)]
+    return [CurveEquilibrium(place, slope) for place, slope in sorted(exact + crossed)]
 
 
-def outer_wells(curves: Curves, *, joint: bool) -> tuple[Equilibrium, Equilibrium, Equilibrium] | None:
+def outer_wells(curves: Curves, *, joint: bool) -> tuple[CurveEquilibrium, CurveEquilibrium, CurveEquilibrium] | None:
     """Left well, saddle, right well: the outermost stable states and the highest unstable one between.
 
     None where there are no two, or where the force jumps between them; on another device than the `joint` also where
     there are more than two.
     """
-    found = equilibria(curves.q, curves.force)
-    stable = [e.stable for e in found]
-    pair = outermost_pair(stable, np.interp([e.q for e in found], curves.q, curves.energy).tolist())
+    places = equilibria(curves.q, curves.force)
+    stable = [e.stable for e in places]
+    pair = outermost_pair(stable, np.interp([e.q for e in places], curves.q, curves.energy).tolist())
     if pair is None or not (joint or sum(stable) == 2):
         return None
-    left, saddle, right = (found[i] for i in pair)
+    left, saddle, right = (places[i] for i in pair)
     between = (curves.q[:-1] > left.q) & (curves.q[1:] < right.q)
     if np.any(jumps(curves.force)[between]):
         return None
@@ -237,10 +237,10 @@ def device_facts(curves: Curves, *, joint: bool) -> dict[str, float | None]:
         "stiffness_right": right.stiffness,
         "asymmetry_wells": (left.q + right.q) / (right.q - left.q),
     }
-    found = outer_wells(curves, joint=joint)
-    if found is None:
+    outer = outer_wells(curves, joint=joint)
+    if outer is None:
         return facts
-    saddle = found[1]
+    saddle = outer[1]
     energy = np.interp([left.q, saddle.q, right.q], curves.q, curves.energy)
     facts |= {
         "saddle": saddle.q,
@@ -276,5 +276,5 @@ def intervals(
 
 def shares(values: Mapping[str, float | None], draws: Sequence[Mapping[str, float | None]]) -> dict[str, float]:
     """Share of the model's curve draws that have each fact which its own curves have; empty without draws."""
-    known = [key for key, value in values.items() if value is not None]
-    return {key: sum(draw.get(key) is not None for draw in draws) / len(draws) for key in known if draws}
+    existing = [key for key, value in values.items() if value is not None]
+    return {key: sum(draw.get(key) is not None for draw in draws) / len(draws) for key in existing if draws}

@@ -62,12 +62,12 @@ def converter_lag(records: Sequence[tuple[FloatArray, FloatArray]]) -> Converter
     In records of 1 ms a lag of 2 to 10 ms is found to 2 %, one of 1 ms 13 % too long, one of 14 or 20 ms 4 or 10 % too
     short, as the decay goes on in the plateau; a step with a shorter one is over before it is seen.
     """
-    found = np.concatenate([step_lags(t, v) for t, v in records])
-    if found.size < LEAST_STEPS:
+    lags = np.concatenate([step_lags(t, v) for t, v in records])
+    if lags.size < LEAST_STEPS:
         return None
-    logs = np.log(found)
+    logs = np.log(lags)
     middle = float(np.median(logs))
-    return ConverterLag(float(np.exp(middle)), robust_std(logs - middle), found.size)
+    return ConverterLag(float(np.exp(middle)), robust_std(logs - middle), lags.size)
 
 
 def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:

@@ -72,10 +72,10 @@ def _masked_check(data: RunData) -> Check:
     rows = sum(len(log.kinematics["t"]) for log in data.logs) + cut
     masked = (sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) + cut) / rows
     counts = [
-        (sum(int(log.record_notes.get(key, 0)) for log in data.logs), one, several, advice)
-        for key, one, several, advice in MASKS
+        (sum(int(log.record_notes.get(key, 0)) for log in data.logs), single, several, advice)
+        for key, single, several, advice in MASKS
     ]
-    named = [f"{count} {one if count == 1 else several}" for count, one, several, _ in counts if count]
+    named = [f"{count} {single if count == 1 else several}" for count, single, several, _ in counts if count]
     what = " and ".join(named)
     if masked:
         text = f"{percent(masked)} of the rows are masked, by {what or 'samples that are not finite'}"
@@ -136,14 +136,14 @@ def _signal_numbers(data: RunData) -> tuple[float, float, float]:
     spans, noises, rails = [], [], []
     for log in data.logs:
         t, q = log.record["t"], log.record["q"]
-        found = examine_signal(t, q, sample_interval(t))
-        spans.append(found.largest - found.smallest)
-        rails.append(found.low_rail + found.high_rail)
+        quality = examine_signal(t, q, sample_interval(t))
+        spans.append(quality.largest - quality.smallest)
+        rails.append(quality.low_rail + quality.high_rail)
         # The differentiator sees the noise at the log's own rate; the record's is what the filter left of it.
         notes = log.kinematics_notes
         of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
         stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
-        noises.append(min(max(stated, default=found.noise), _noise_of_residual(data, log)))
+        noises.append(min(max(stated, default=quality.noise), _noise_of_residual(data, log)))
     return max(spans) or 1.0, max(noises), max(rails)
 
 
@@ -158,8 +158,8 @@ def _noise_of_residual(data: RunData, log: LogData) -> float:
     if run is None or log.record_notes.get("raw_step", 0.0) < NOT_DECIMATED * log.interval:
         return np.inf
     residual = log.kinematics["q"] - run["q"]
-    known = residual[np.isfinite(residual) & (log.kinematics["segment"] >= 0)]
-    return noise_std(known) or np.inf if known.size else np.inf
+    valid = residual[np.isfinite(residual) & (log.kinematics["segment"] >= 0)]
+    return noise_std(valid) or np.inf if valid.size else np.inf
 
 
 def _outside(data: RunData) -> float | None:

@@ -42,7 +42,7 @@ LEAST_SPREAD = 0.05
 
 
 @dataclass(frozen=True)
-class Fact:
+class DatasheetFact:
     """One line of the datasheet, in SI; None where it does not exist or is not known.
 
     Attributes
@@ -85,24 +85,24 @@ class Fact:
 
 
 def doubt(low: float | None, in_draws: float | None) -> str:
-    """See `Fact.doubt`."""
+    """See `DatasheetFact.doubt`."""
     if low is not None or in_draws is None or in_draws >= COVERAGE:
         return ""
     return f"not certain: in {100.0 * in_draws:.0f} % of the draws"
 
 
-def fact_checks(facts: Iterable[Fact]) -> list[Check]:
+def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
     """One finding for each fact whose modelled value lies far outside the measured ones; one good one if none does.
 
     Compared is what the model's free runs show in the same events, by the same estimator: damping depends on the size
     of the motion, and a rest on how long ago the joint came there. Without a free run it is the model's own value.
     """
     compared = [(fact, distance(fact)) for fact in facts]
-    known = [(fact, apart) for fact, apart in compared if apart is not None]
-    if not known:
+    distances = [(fact, apart) for fact, apart in compared if apart is not None]
+    if not distances:
         return []
     limit = THRESHOLDS["measured_facts"]
-    found = [
+    checks = [
         Check(
             "model",
             "measured_facts",
@@ -111,26 +111,26 @@ def fact_checks(facts: Iterable[Fact]) -> list[Check]:
             f"{_shown(fact, fact.measured, fact.measured_spread)} ({fact.events} times)",
             "train on longer rests without voltage, and trust the measured value until then",
         )
-        for fact, apart in known
+        for fact, apart in distances
         if limit.grade(apart) != "good"
     ]
-    if found:
-        return found
-    largest = max(0.1, np.ceil(10.0 * max(apart for _, apart in known)) / 10.0)  # "within" is rounded up
-    which = f"the {len(known)} modelled facts that were measured too lie"
-    if len(known) == 1:
+    if checks:
+        return checks
+    largest = max(0.1, np.ceil(10.0 * max(apart for _, apart in distances)) / 10.0)  # "within" is rounded up
+    which = f"the {len(distances)} modelled facts that were measured too lie"
+    if len(distances) == 1:
         which = "the one modelled fact that was measured too lies"
     text = f"{which} within {largest:.1f} standard deviations"
     return [Check("model", "measured_facts", "good", text, "")]
 
 
-def _modelled(fact: Fact) -> str:
+def _modelled(fact: DatasheetFact) -> str:
     if fact.free_run is not None:
         return f"{_shown(fact, fact.free_run, None)} in the model's free runs"
     return f"{_shown(fact, fact.value, fact.half_width)} by the model"
 
 
-def distance(fact: Fact) -> float | None:
+def distance(fact: DatasheetFact) -> float | None:
     """Distance of model and measurement in standard deviations; None where there is nothing to compare.
 
     They are those of the measured events, and of the model where its own value is compared.
@@ -145,7 +145,7 @@ def distance(fact: Fact) -> float | None:
     return abs(fact.value - fact.measured) / float(np.hypot(spread, (fact.half_width or 0.0) / NORMAL_90))
 
 
-def _shown(fact: Fact, value: float | None, spread: float | None) -> str:
+def _shown(fact: DatasheetFact, value: float | None, spread: float | None) -> str:
     return quantity(value, fact.unit, spread, abs(fact.measured or 0.0))
 
 
@@ -166,7 +166,7 @@ class Datasheet:
     name: str
     model: str | None
     headline: str
-    facts: tuple[Fact, ...]
+    facts: tuple[DatasheetFact, ...]
     checks: tuple[Check, ...]
     wells: Wells | NoWells
     rests: RestFacts
@@ -245,16 +245,16 @@ def _by_model(
     values = device_facts(curves, joint=data.joint)
     drawn = [device_facts(draw, joint=data.joint) for draw in draws]
     limits = intervals(values, drawn) if draws else {}
-    told = {key for key in values if not key.startswith(STABLE)}
-    certain = {key: share for key, share in shares(values, drawn).items() if key in told}
-    return values, {key: ends for key, ends in limits.items() if key in told}, certain
+    certain_keys = {key for key in values if not key.startswith(STABLE)}
+    certain = {key: share for key, share in shares(values, drawn).items() if key in certain_keys}
+    return values, {key: ends for key, ends in limits.items() if key in certain_keys}, certain
 
 
 def _simulated_ring_downs(
     model: DynamicModel, values: Mapping[str, float | None], curves: Curves, inputs: int
 ) -> dict[str, float | None]:
     """Frequency and damping ratio of a small free oscillation in each well, as the whole model simulates it."""
-    found: dict[str, float | None] = {}
+    facts: dict[str, float | None] = {}
     t = np.arange(0.0, RING_TIME, RING_STEP)
     amplitude = RING_AMPLITUDE * float(curves.q[-1] - curves.q[0])
     mass = float(getattr(model, "mass", 1.0))
@@ -264,9 +264,9 @@ def _simulated_ring_downs(
             continue
         run = model.simulate(t, np.zeros((t.size, inputs)), place, amplitude * float(np.sqrt(stiffness / mass)))
         ring = ring_down(t, run.q) if run.status == "ok" and np.isfinite(run.q).all() else None
-        found[f"frequency{side}"] = ring.frequency if ring else None
-        found[f"damping{side}"] = ring.damping if ring else None
-    return found
+        facts[f"frequency{side}"] = ring.frequency if ring else None
+        facts[f"damping{side}"] = ring.damping if ring else None
+    return facts
 
 
 def _rest_errors(
@@ -291,8 +291,8 @@ def _in_free_run(data: RunData, model: str | None, wells: Wells | NoWells) -> di
     if model is None or not logs:
         return {}
     runs = [(log.kinematics["t"], log.predictions[model]["q"], voltages(log.kinematics)) for log in logs]
-    found = _measured(rest_facts(runs, wells, joint=data.joint), wells)
-    return {key: float(np.mean(values)) for key, values in found.items()}
+    events = _measured(rest_facts(runs, wells, joint=data.joint), wells)
+    return {key: float(np.mean(values)) for key, values in events.items()}
 
 
 def _facts(
@@ -303,7 +303,7 @@ def _facts(
     rests: RestFacts,
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
-) -> tuple[Fact, ...]:
+) -> tuple[DatasheetFact, ...]:
     # One rest measured over several modelled ones is the mean of all, and none of them.
     several = values.get("well_left") is not None or any(key.startswith(STABLE) for key in values)
     measured = {} if isinstance(wells, NoWells) and several else _measured(rests, wells)
@@ -319,7 +319,7 @@ def _facts(
         low, high = limits.get(key, (None, None))
         samples = np.empty(0) if seen is None else seen
         facts.append(
-            Fact(
+            DatasheetFact(
                 key,
                 title,
                 units.get(unit, unit),

@@ -71,9 +71,9 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
         weights = np.linalg.lstsq(columns @ columns.T, columns @ q, rcond=None)[0]
         return np.asarray((q - weights @ columns) / size)
 
-    best, _, told, _, _ = leastsq(rest, np.log([2.0 / span, omega]), full_output=True)
+    best, _, outcome, _, _ = leastsq(rest, np.log([2.0 / span, omega]), full_output=True)
     decay, angular = np.exp(np.clip(best, -FARTHEST, FARTHEST))
-    unexplained = float(np.linalg.norm(told["fvec"]))
+    unexplained = float(np.linalg.norm(outcome["fvec"]))
     if unexplained > MOST_UNEXPLAINED or angular * span < 2.0 * np.pi:
         return None
     natural = float(np.hypot(decay, angular))

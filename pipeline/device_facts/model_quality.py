@@ -63,14 +63,14 @@ def _no_validation(data: RunData) -> Check:
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     """Logs that their own mean predicts better."""
-    found = []
+    checks = []
     for own in judged:
         spread = _spread(data, own)
         if own["nrmse"] is not None and own["nrmse"] > spread:
-            found.append((own["nrmse"] / spread, spread, own))
-    if not found:
+            checks.append((own["nrmse"] / spread, spread, own))
+    if not checks:
         return []
-    _, spread, own = max(found, key=lambda each: each[0])
+    _, spread, own = max(checks, key=lambda each: each[0])
     text = (
         f"a constant, its mean, predicts the {log_title(own['role'], own['log'])} better than {own['model']}: "
         f"{percent(spread)} for {percent(own['nrmse'])}"
@@ -92,19 +92,19 @@ def _spread(data: RunData, score: Mapping[str, Any]) -> float:
 def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     """Where another model of the run predicts a log surely better, or at all where this one diverged."""
     rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
-    found = []
+    checks = []
     for own in judged:
         others = {m: e for (*log, m), e in rivals.items() if e and log == [own["role"], own["log"]]}
         if not others:
             continue
         best = min(others, key=lambda name: others[name])
         if own["nrmse"] is None and others[best] < _spread(data, own):  # one that a constant beats is no help
-            found.append((np.inf, best, others[best], own))
+            checks.append((np.inf, best, others[best], own))
         elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
-            found.append((own["nrmse"] / others[best], best, others[best], own))
-    if not found:
+            checks.append((own["nrmse"] / others[best], best, others[best], own))
+    if not checks:
         return []
-    ratio, best, error, own = max(found, key=lambda each: each[0])
+    ratio, best, error, own = max(checks, key=lambda each: each[0])
     name, log = own["model"], log_title(own["role"], own["log"])
     if own["nrmse"] is None:
         text = f"{best} predicts the {log} with {percent(error)}, where {name} diverged"
@@ -149,8 +149,10 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     if outside:
         share = percent(max(outside)) if max(outside) > 0.0 else "none"
         text = f"{share} of the samples lie in states (q, q̇) that no training sample was near"
-        found = graded("model", "outside", max(outside), text, "train on motions as large and as fast")
+        outside_check = graded("model", "outside", max(outside), text, "train on motions as large and as fast")
         errors = [s["nrmse"] for s in judged]
         right = all(error is not None and THRESHOLDS["nrmse"].grade(error) == "good" for error in errors)
-        checks.append(replace(found, grade="fair") if right and found.grade == "poor" else found)
+        checks.append(
+            replace(outside_check, grade="fair") if right and outside_check.grade == "poor" else outside_check
+        )
     return checks

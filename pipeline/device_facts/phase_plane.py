@@ -56,9 +56,9 @@ def basins(outcomes: Callable[[FloatArray], Classes], places: FloatArray, speeds
     while len(blocks) and side:
         corners = blocks[:, None, :] + side * np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
         _look(index, corners.reshape(-1, 2), outcomes, places, speeds)
-        found = index[corners[..., 0], corners[..., 1]]
-        alike = (found == found[:, :1]).all(axis=1)
-        for (i, j), value in zip(blocks[alike], found[alike, 0], strict=True):
+        ended = index[corners[..., 0], corners[..., 1]]
+        alike = (ended == ended[:, :1]).all(axis=1)
+        for (i, j), value in zip(blocks[alike], ended[alike, 0], strict=True):
             part = index[i : i + side + 1, j : j + side + 1]
             part[part < 0] = value
         side //= 2

@@ -72,9 +72,9 @@ def analyse_residual(
         Sample interval [s].
     """
     rows = longest_run(np.isfinite(measured) & np.isfinite(calculated))
-    known, second = rows.stop - rows.start, samples_of(LONGEST_LAG, interval)
-    count = max(second if SHARE * second <= len(measured) else 1, min(FEWEST_LAGS, known // SHARE))
-    if known < SHARE * count:
+    length, second = rows.stop - rows.start, samples_of(LONGEST_LAG, interval)
+    count = max(second if SHARE * second <= len(measured) else 1, min(FEWEST_LAGS, length // SHARE))
+    if length < SHARE * count:
         return None
     q, u = measured[rows], inputs[rows]
     residual = calculated[rows] - q

@@ -169,10 +169,10 @@ class RunData:
     @property
     def model_names(self) -> tuple[str, ...]:
         """Every model with a free run, the headline first."""
-        known = dict.fromkeys(self.models)
+        names = dict.fromkeys(self.models)
         for log in self.logs:
-            known |= dict.fromkeys(log.predictions)
-        return tuple(known)
+            names |= dict.fromkeys(log.predictions)
+        return tuple(names)
 
     def role(self, role: str) -> tuple[LogData, ...]:
         """The logs of one role."""

@@ -51,11 +51,11 @@ def drawn(figure: Any, *endings: str, families: Sequence[str] | None = None) -> 
     import matplotlib as mpl
     from matplotlib.text import Text
 
-    files, known = [], families or sans()
-    with mpl.rc_context(_STYLE | {"font.family": known, "svg.fonttype": "path"}), warnings.catch_warnings():
+    files, fonts = [], families or sans()
+    with mpl.rc_context(_STYLE | {"font.family": fonts, "svg.fonttype": "path"}), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)  # it is drawn as a box
         for text in figure.findobj(Text):
-            text.set_fontfamily(known)
+            text.set_fontfamily(fonts)
         _lay_out(figure)
         for ending in endings:
             buffer = io.BytesIO()
@@ -127,10 +127,10 @@ def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
         FigureCanvasSVG(canvas)  # whose letters the layout measures
         _lay_out(canvas)
         canvas.savefig(text, format="svg", metadata={"Date": None}, transparent=True)
-    drawn = _INLINE.sub(lambda found: _attributes(found[1]), _LEFT_OUT.sub("", text.getvalue()))
+    drawn = _INLINE.sub(lambda match: _attributes(match[1]), _LEFT_OUT.sub("", text.getvalue()))
     drawn = drawn.replace("xlink:href=", "href=")
     # A marker takes the stroke of where it is used: the theme's style does not reach into its shape.
-    drawn = _MARKER.sub(lambda found: _STROKE.sub("", found[0]), drawn)
+    drawn = _MARKER.sub(lambda match: _STROKE.sub("", match[0]), drawn)
     head = _HEAD.search(drawn)
     assert head is not None  # noqa: S101 - matplotlib writes one
     box = re.search(r'viewBox="[^"]*"', head[0])

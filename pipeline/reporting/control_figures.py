@@ -19,15 +19,15 @@ def control_figures(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, Fig
     documents : mapping of str to mapping
         ``linear``, ``map``, ``pulse-to-left``, ``pulse-to-right``, ``design``, as far as they were made.
     """
-    found: list[Figure] = []
+    figures: list[Figure] = []
     if "map" in documents:
-        found += [_map(each) for each in documents["map"]["maps"]]
+        figures += [_map(each) for each in documents["map"]["maps"]]
     if "linear" in documents:
-        found += _bode(documents["linear"])
-    found += [_pulse(documents[name]) for name in ("pulse-to-right", "pulse-to-left") if name in documents]
+        figures += _bode(documents["linear"])
+    figures += [_pulse(documents[name]) for name in ("pulse-to-right", "pulse-to-left") if name in documents]
     if "design" in documents:
-        found.append(_loop(documents["design"]))
-    return {figure.name: figure for figure in found}
+        figures.append(_loop(documents["design"]))
+    return {figure.name: figure for figure in figures}
 
 
 def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
@@ -47,8 +47,12 @@ def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
 
 
 def _map(each: Mapping[str, Any]) -> Figure:
+    from scipy.ndimage import maximum_filter, minimum_filter
+
     probability = np.array(each["probability"])
-    index = np.select([probability < _LIKELY[0], probability < _LIKELY[1]], [0, 3], 2).astype(np.int8)
+    # At an edge the map does not resolve which draws switch: the band is at least as wide as the step of its grid.
+    most, least = maximum_filter(probability, 3, mode="nearest"), minimum_filter(probability, 3, mode="nearest")
+    index = np.select([most < _LIKELY[0], least > _LIKELY[1]], [0, 2], 3).astype(np.int8)
     labels = ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws")
     cells = Cells(labels, np.array(each["durations"]), np.array(each["voltages"]), index)
     caption = (
@@ -73,8 +77,8 @@ def _pulse(document: Mapping[str, Any]) -> Figure:
     t, v = np.append(t, max(t[-1], at[-1])), np.vstack([v, np.zeros(2)])  # off for the rest of the motion
     volts = Panel("voltage", "V", (Line("left", "v1", t, v[:, 0]), Line("right", "v2", t, v[:, 1])))
     settled = document["settling_s"]
-    told = "does not settle" if settled is None else f"settles within 5 % after {1e3 * settled:.0f} ms"
-    caption = f"Feedforward; {told}, switches with probability {document['switching_probability']:.2f}."
+    settling = "does not settle" if settled is None else f"settles within 5 % after {1e3 * settled:.0f} ms"
+    caption = f"Feedforward; {settling}, switches with probability {document['switching_probability']:.2f}."
     return Figure(
         f"control-pulse-{document['to']}",
         f"Snap to the {document['to']}",

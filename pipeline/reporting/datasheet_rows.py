@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pipeline.device_facts.calibrated import Calibrated, calibrated
-from pipeline.device_facts.datasheet import Datasheet, Fact, doubt, is_refused
+from pipeline.device_facts.datasheet import Datasheet, DatasheetFact, doubt, is_refused
 from pipeline.device_facts.run_data import RunData
 from pipeline.runs.columns import FACT_COLUMNS, STABLE, FactColumn
 from pipeline.si_prefix import interval, percent, quantity
@@ -34,7 +34,7 @@ Rows = list[tuple[str, ...]]
 
 
 @dataclass(frozen=True)
-class Shown:
+class ShownDatasheet:
     """A datasheet for the terminal: facts, what the logs show of them, checks, and the verdict in a line."""
 
     title: str
@@ -81,12 +81,12 @@ def sheet_rows(sheet: Datasheet) -> list[SheetRow]:
     return rows
 
 
-def _largest(facts: Mapping[str, Fact], keys: Sequence[str]) -> float:
+def _largest(facts: Mapping[str, DatasheetFact], keys: Sequence[str]) -> float:
     """Both wells of a row have one unit."""
     return max((abs(_shown(facts[key], facts[key].value) or 0.0) for key in keys if key in facts), default=0.0)
 
 
-def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetCell:
+def _cell(facts: Mapping[str, DatasheetFact], keys: Sequence[str], like: float) -> SheetCell:
     values, seen = [], ""
     for fact in (facts[key] for key in keys if key in facts):
         text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like).replace(" ", "\u00a0")
@@ -101,7 +101,7 @@ def _cell(facts: Mapping[str, Fact], keys: Sequence[str], like: float) -> SheetC
     return SheetCell(", ".join(values) or "–", seen)
 
 
-def _shown(fact: Fact, value: float | None) -> float | None:
+def _shown(fact: DatasheetFact, value: float | None) -> float | None:
     return 100.0 * value if fact.unit == "%" and value is not None else value
 
 
@@ -117,16 +117,16 @@ class CalibratedRow:
 
 def calibrated_rows(data: RunData, sheet: Datasheet) -> list[CalibratedRow]:
     """One row for each quantity that the hybrid model's fit moves; none of another headline."""
-    return [_row(one) for one in _known(calibrated(data.models.get(sheet.headline)))]
+    return [_row(fitted) for fitted in _known(calibrated(data.models.get(sheet.headline)))]
 
 
 def structure_summary(data: RunData, sheet: Datasheet) -> str:
     """Which model the headline is, why, how many basis functions act, and what they change."""
-    known = data.descriptions.get(sheet.headline, {})
-    count = known.get("basis_functions")
+    description = data.descriptions.get(sheet.headline, {})
+    count = description.get("basis_functions")
     if count is None:
         return ""
-    physical = known.get("physical_parameters", 0)
+    physical = description.get("physical_parameters", 0)
     sentences = [_WHAT.get((sheet.headline, bool(count)), "").format(count=count, physical=physical)]
     choice = data.choice or {}
     if choice.get("chosen") == sheet.headline and data.why_chosen:
@@ -143,29 +143,29 @@ def structure_summary(data: RunData, sheet: Datasheet) -> str:
     return " ".join(sentence for sentence in sentences if sentence)
 
 
-def _known(found: Sequence[Calibrated]) -> list[Calibrated]:
+def _known(quantities: Sequence[Calibrated]) -> list[Calibrated]:
     """Without pure numbers of the beam's higher terms, whose names say nothing outside the equations."""
-    return [one for one in found if one.unit != "1" or one.nominal == 1.0]
+    return [fitted for fitted in quantities if fitted.unit != "1" or fitted.nominal == 1.0]
 
 
-def _row(one: Calibrated) -> CalibratedRow:
-    half = (one.high - one.low) / 2.0
-    nominal = "–" if one.nominal is None else quantity(one.nominal, one.unit, like=one.value)
-    moved = one.nominal is not None and not one.low <= one.nominal <= one.high
-    if one.low > 0.0 and one.high > WIDE * one.low:  # the interval of a logarithm, far from even
-        value, ends = interval(one.value, one.low, one.high, one.unit)
-        return CalibratedRow(one.name, nominal, f"{value} ({ends})", moved)
-    return CalibratedRow(one.name, nominal, quantity(one.value, one.unit, half), moved)
+def _row(fitted: Calibrated) -> CalibratedRow:
+    half = (fitted.high - fitted.low) / 2.0
+    nominal = "–" if fitted.nominal is None else quantity(fitted.nominal, fitted.unit, like=fitted.value)
+    moved = fitted.nominal is not None and not fitted.low <= fitted.nominal <= fitted.high
+    if fitted.low > 0.0 and fitted.high > WIDE * fitted.low:  # the interval of a logarithm, far from even
+        value, ends = interval(fitted.value, fitted.low, fitted.high, fitted.unit)
+        return CalibratedRow(fitted.name, nominal, f"{value} ({ends})", moved)
+    return CalibratedRow(fitted.name, nominal, quantity(fitted.value, fitted.unit, half), moved)
 
 
-def show_datasheet(document: dict[str, Any]) -> Shown:
+def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
     """The datasheet as text; where the logs show a fact too, beside what the model's free runs over them show."""
     alike: dict[str, float] = {}
     for fact in document["facts"]:
         ends = (abs(fact[key] or 0.0) for key in ("value", "low", "high"))
         alike[_kind(fact)] = max(alike.get(_kind(fact), 0.0), *ends)
     facts: Rows = []
-    known: Rows = []
+    measured_rows: Rows = []
     for fact in document["facts"]:
         factor = 100.0 if fact["unit"] == "%" else 1.0
         value, low, high, seen, spread, own = (
@@ -178,7 +178,7 @@ def show_datasheet(document: dict[str, Any]) -> Shown:
         facts.append((fact["title"], model, limits))
         if fact["events"]:
             measured = f"{quantity(seen, fact['unit'], spread)} ({fact['events']}×)"
-            known.append((fact["title"], quantity(own, fact["unit"]), measured))
+            measured_rows.append((fact["title"], quantity(own, fact["unit"]), measured))
     verdict = document["verdict"]
     checks: Rows = [
         (check["about"], check["grade"], check["statement"], "" if check["grade"] == "good" else check["advice"])
@@ -188,7 +188,7 @@ def show_datasheet(document: dict[str, Any]) -> Shown:
     source = f"facts from {document['facts_from']}" if document["facts_from"] else "no model has curves"
     if document["facts_from"] == document["judged_model"] and is_refused(verdict["checks"]):
         source += NOT_USED
-    return Shown(f"{document['name']}: {source}", facts, known, checks, line)
+    return ShownDatasheet(f"{document['name']}: {source}", facts, measured_rows, checks, line)
 
 
 def _kind(fact: dict[str, Any]) -> str:

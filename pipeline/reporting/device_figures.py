@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device_facts.characteristics import COVERAGE, Curves, Equilibrium, equilibria, outer_wells
+from pipeline.device_facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
 from pipeline.device_facts.data_quality import centre_visits
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, moves_unforced, unforced, visited_range
@@ -116,20 +116,20 @@ class _Curve(NamedTuple):
 
     def inner(self, visited: tuple[float, float]) -> BoolArray:
         """The places in the visited part."""
-        found: BoolArray = (self.q >= visited[0]) & (self.q <= visited[1])
-        return found
+        rows: BoolArray = (self.q >= visited[0]) & (self.q <= visited[1])
+        return rows
 
 
 def _curves_of(sheet: Datasheet, pick: Callable[[Curves], FloatArray | None]) -> list[_Curve]:
-    found = []
+    chosen = []
     for model, curves in sheet.curves.items():
         y = pick(curves)
         if y is None:
             continue
         drawn = [c for draw in sheet.draws.get(model, ()) if (c := pick(draw)) is not None]
         low, high = np.quantile(drawn, [(1 - COVERAGE) / 2, (1 + COVERAGE) / 2], axis=0) if drawn else (y, y)
-        found.append(_Curve(model, curves.q, y, low, high))
-    return found
+        chosen.append(_Curve(model, curves.q, y, low, high))
+    return chosen
 
 
 def _frame(curves: Sequence[_Curve], visited: tuple[float, float], *, widened: bool) -> tuple[float, float]:
@@ -206,17 +206,17 @@ def _energy(data: RunData, sheet: Datasheet) -> Figure:
         lines.append(Line(label, role, curves.q[rows], np.where(energy <= ceiling, energy, np.nan)[rows]))
         rest = [e for e in equilibria(loaded.q, loaded.force) if np.interp(e.q, loaded.q, energy) <= ceiling]
         points += _marked(rest, role, loaded.q, energy)
-    known = f"{name}{NOT_USED}" if sheet.refused and name == sheet.model else name
-    caption = f"Potential of {known} without input and with each input alone, counted from its lowest point."
+    source = f"{name}{NOT_USED}" if sheet.refused and name == sheet.model else name
+    caption = f"Potential of {source} without input and with each input alone, counted from its lowest point."
     panels = (Panel("energy U", data.energy_unit, tuple(lines), points=tuple(points)),)
     return Figure("energy", "Energy landscape", caption, "q", data.displacement, panels, half=True)
 
 
-def _marked(found: Sequence[Equilibrium], role: str, q: FloatArray, heights: FloatArray) -> list[Points]:
+def _marked(places_of_rest: Sequence[CurveEquilibrium], role: str, q: FloatArray, heights: FloatArray) -> list[Points]:
     """Equilibria on a curve over q: dots where stable, rings where not."""
     points = []
     for marker, kind in (("dot", True), ("ring", False)):
-        places = np.array([e.q for e in found if e.stable is kind])
+        places = np.array([e.q for e in places_of_rest if e.stable is kind])
         if places.size:
             at = np.interp(places, q, heights)
             points.append(Points(_EQUILIBRIA[kind], role, places, at, marker))  # type: ignore[arg-type]

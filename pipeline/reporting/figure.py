@@ -47,12 +47,14 @@ def log_ticks(low: float, high: float) -> FloatArray:
 def tick_labels(values: FloatArray) -> list[str]:
     """Labels of a logarithmic axis: round numbers with at most three digits, or all as powers of ten.
 
-    They are powers of ten where the largest is more than a thousand times the smallest and all are such powers.
+    They are powers of ten where all are such powers, and one of them is too long as a number or the largest is more
+    than a thousand times the smallest.
     """
-    exponents = np.round(np.log10(values))
-    if values.size and values[-1] > MOST_PLAIN * values[0] and np.allclose(values, 10.0**exponents, rtol=1e-9):
-        return [f"10{power(int(exponent))}" for exponent in exponents]
-    return [tick_label(float(value)) for value in values]
+    exponents, plain = np.round(np.log10(values)), [tick_label(float(value)) for value in values]
+    short = all(label.replace(".", "").isdecimal() for label in plain) and values[-1] <= MOST_PLAIN * values[0]
+    if short or not np.allclose(values, 10.0**exponents, rtol=1e-9):
+        return plain
+    return [f"10{power(int(exponent))}" for exponent in exponents]
 
 
 def tick_label(value: float) -> str:

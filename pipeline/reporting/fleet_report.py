@@ -12,7 +12,7 @@ from markupsafe import Markup
 from pipeline.numerics.metrics import robust_std
 from pipeline.reporting.fleet_table import (
     FACTS,
-    Quantity,
+    FleetColumn,
     Summary,
     decimals,
     fleet_columns,
@@ -35,37 +35,37 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
     Up to `LISTED` members it is a table of 2 kB for each, which needs no script. More are columns of numbers, 60 bytes
     for each, of which a script shows those rows that are in sight; distributions are then histograms.
     """
-    kept = list(members)
-    quantities, many = _quantities(kept), len(kept) > LISTED
-    done, failed = [member for member in kept if member.done], [member for member in kept if member.reason]
+    fleet = list(members)
+    quantities, many = _quantities(fleet), len(fleet) > LISTED
+    done, failed = [member for member in fleet if member.done], [member for member in fleet if member.reason]
     shown = [(q, decimals(q.values)) for q in quantities]
     context = {
         "title": page_name,
-        "count": len(kept),
+        "count": len(fleet),
         "done": len(done),
         "failed": failed[:LISTED],
         "failures": len(failed),
         "grades": _grades(done),
         "bare": sum(not member.model for member in done),
         "headings": [q.heading for q in quantities],
-        "rows": [] if many else [_row(member, i, shown) for i, member in enumerate(kept)],
-        "columns": json_for_script(fleet_columns(kept, quantities)) if many else "",
+        "rows": [] if many else [_row(member, i, shown) for i, member in enumerate(fleet)],
+        "columns": json_for_script(fleet_columns(fleet, quantities)) if many else "",
         "strips": [
-            (q.title, _distribution(q, kept, many))
+            (q.title, _distribution(q, fleet, many))
             for q in quantities
-            if np.isfinite(_validated(q, kept).values).sum() > 1
+            if np.isfinite(_validated(q, fleet).values).sum() > 1
         ],
         "models": _models(done),
     }
     return render("fleet.html.j2", ("series.js", "tables.js", "fleet_table.js") if many else ("tables.js",), context)
 
 
-def _distribution(q: Quantity, members: Sequence[Summary], many: bool) -> Markup:
+def _distribution(q: FleetColumn, members: Sequence[Summary], many: bool) -> Markup:
     shown = _validated(q, members)
     return histogram(shown) if many else strip_chart(shown, [member.name for member in members])
 
 
-def _validated(q: Quantity, members: Sequence[Summary]) -> Quantity:
+def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:
     """The same without errors on training logs, which say nothing beside those on others."""
     trained = np.array([member.training and q.scored for member in members])
     return replace(q, values=np.where(trained, np.nan, q.values))
@@ -73,24 +73,24 @@ def _validated(q: Quantity, members: Sequence[Summary]) -> Quantity:
 
 def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndarray[tuple[int], np.dtype[np.bool_]]":
     """Which values lie further from the median than 3.5 robust standard deviations, shape (n,)."""
-    known = values[np.isfinite(values)]
-    if known.size < LEAST_VALUES:
+    finite = values[np.isfinite(values)]
+    if finite.size < LEAST_VALUES:
         return np.zeros(values.size, dtype=np.bool_)
-    middle = float(np.median(known))
-    sigma = robust_std(known - middle)
+    middle = float(np.median(finite))
+    sigma = robust_std(finite - middle)
     with np.errstate(invalid="ignore"):
         return np.asarray(np.abs(values - middle) > OUTLIER * sigma if sigma > 0.0 else values != middle) & np.isfinite(
             values
         )
 
 
-def _quantities(members: Sequence[Summary]) -> list[Quantity]:
+def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
     errors, switches = np.array([m.error for m in members]), np.array([m.switches for m in members])
     trained = np.array([m.training for m in members])
     unusual = outliers(np.log10(np.where(trained, np.nan, errors)))
     columns = [
-        Quantity(ERROR, "%", 100.0 * errors, unusual, scored=True),
-        Quantity("switches correct", "%", 100.0 * switches, np.zeros_like(unusual), scored=True),
+        FleetColumn(ERROR, "%", 100.0 * errors, unusual, scored=True),
+        FleetColumn("switches correct", "%", 100.0 * switches, np.zeros_like(unusual), scored=True),
     ]
     largest: dict[tuple[str, str], float] = {}
     for member in members:
@@ -106,7 +106,7 @@ def _quantities(members: Sequence[Summary]) -> list[Quantity]:
         values = np.array([m.facts[key][0] if key in m.facts and m.facts[key][1] == unit else np.nan for m in members])
         # A fact and its twin on the other side have one unit.
         shown, factor = scale(unit, largest[key.partition("_")[0], unit])
-        columns.append(Quantity(heading, shown, values * factor, outliers(values)))
+        columns.append(FleetColumn(heading, shown, values * factor, outliers(values)))
     return [q for q in columns if np.isfinite(q.values).any()]
 
 
@@ -115,17 +115,17 @@ def _text(value: float, places: int | None) -> str:
     return text.replace("-", "−")
 
 
-def _row(member: Summary, index: int, quantities: Sequence[tuple[Quantity, int | None]]) -> dict[str, Any]:
+def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, int | None]]) -> dict[str, Any]:
     cells = []
     for q, places in quantities:
         value = float(q.values[index])
-        known = bool(np.isfinite(value))
+        defined = bool(np.isfinite(value))
         of_training = TRAINING if member.training and q.scored else ""
         unknown = "diverged" if member.diverged and q.title == ERROR else "–"
         cells.append(
             {
-                "text": _text(value, places) + of_training if known else unknown,
-                "value": repr(value) if known else "",
+                "text": _text(value, places) + of_training if defined else unknown,
+                "value": repr(value) if defined else "",
                 "outlier": bool(q.outliers[index]),
             }
         )
@@ -157,11 +157,13 @@ def _models(done: Sequence[Summary]) -> list[dict[str, Any]]:
             errors.setdefault(model, []).append(error)
     rows = []
     for model, values in errors.items():
-        known = 100.0 * np.array([v for v in values if v is not None])
-        quartiles = [float(x) for x in np.quantile(known, [0.5, 0.25, 0.75, 1.0])] if known.size else [float("nan")] * 4
+        defined = 100.0 * np.array([v for v in values if v is not None])
+        quartiles = (
+            [float(x) for x in np.quantile(defined, [0.5, 0.25, 0.75, 1.0])] if defined.size else [float("nan")] * 4
+        )
         cells = [
             {"text": significant(x) if np.isfinite(x) else "–", "value": repr(x) if np.isfinite(x) else ""}
             for x in quartiles
         ]
-        rows.append({"model": model, "logs": len(values), "undefined": len(values) - known.size, "cells": cells})
+        rows.append({"model": model, "logs": len(values), "undefined": len(values) - defined.size, "cells": cells})
     return rows

@@ -103,14 +103,14 @@ def _headline(scores: Any, judged: str, key: str) -> float:
     """The worst score of q of the judged model: on validation logs, else on those of training; NaN if undefined."""
     rows = _of_headline(scores, judged)
     values = [s[key] for s in [s for s in rows if s["role"] == "validation"] or rows]
-    known = [float(value) for value in values if value is not None]
+    defined = [float(value) for value in values if value is not None]
     if key == "switch_accuracy":  # a log without pulses has none
-        return min(known, default=float("nan"))
-    return max(known) if known and len(known) == len(values) else float("nan")
+        return min(defined, default=float("nan"))
+    return max(defined) if defined and len(defined) == len(values) else float("nan")
 
 
 @dataclass(frozen=True)
-class Quantity:
+class FleetColumn:
     """One column: a fact or a score of every member, in the unit that is shown (NaN: unknown), and what stands out.
 
     Scores of training logs are said to be such, and have no part in distributions.
@@ -128,7 +128,7 @@ class Quantity:
         return f"{self.title} in {self.unit}" if self.unit not in ("", "1") else self.title
 
 
-def fleet_columns(members: Sequence[Summary], quantities: Sequence[Quantity]) -> dict[str, Any]:
+def fleet_columns(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> dict[str, Any]:
     """The table as JSON values; what is long is deflated and in base 64.
 
     ``names``: all of them, a line each; ``reasons``: a line for each that failed, in order; ``grades``: a byte each for
@@ -168,10 +168,10 @@ def fleet_columns(members: Sequence[Summary], quantities: Sequence[Quantity]) ->
 
 def decimals(values: FloatArray) -> int | None:
     """Of a column whose values are of one size, so that its points stand under one another; else None."""
-    known = np.abs(values[np.isfinite(values)])
-    if not known.size or known.min() <= 0.0 or known.max() > WIDE * known.min():
+    sizes = np.abs(values[np.isfinite(values)])
+    if not sizes.size or sizes.min() <= 0.0 or sizes.max() > WIDE * sizes.min():
         return None
-    return max(0, 2 - math.floor(math.log10(float(np.median(known)))))
+    return max(0, 2 - math.floor(math.log10(float(np.median(sizes)))))
 
 
 def _line(text: str) -> str:
@@ -194,7 +194,7 @@ WIDE = 20.0  # ratio of the largest to the least value beyond which the axis is 
 BARS, TOP = 60, 10.0
 
 
-def strip_chart(strip: Quantity, names: Sequence[str]) -> Markup:
+def strip_chart(strip: FleetColumn, names: Sequence[str]) -> Markup:
     """Stacked dots as an ``<svg>``; every dot carries its member's name and value as a title, outliers are open."""
     rows = np.flatnonzero(np.isfinite(strip.values))
     values = strip.values[rows]
@@ -241,7 +241,7 @@ def axis_of(values: FloatArray, unit: str) -> tuple[Callable[[FloatArray], Float
     return x, parts
 
 
-def labelled(strip: Quantity, middle: float, parts: Sequence[Markup]) -> Markup:
+def labelled(strip: FleetColumn, middle: float, parts: Sequence[Markup]) -> Markup:
     """The drawing with its label; `middle` is the median."""
     text = Markup('<text class="label mid" x="{}" y="{}">{}</text>').format(
         (LEFT + RIGHT) / 2, BASE + 36, strip.heading
@@ -266,10 +266,10 @@ def _f(value: FloatArray) -> float:
     return float(value)
 
 
-def histogram(strip: Quantity) -> Markup:
+def histogram(strip: FleetColumn) -> Markup:
     """The distribution as an ``<svg>``; outliers have a colour of their own, the upright line is the median."""
-    known = np.isfinite(strip.values)
-    values, marked = strip.values[known], strip.outliers[known]
+    finite = np.isfinite(strip.values)
+    values, marked = strip.values[finite], strip.outliers[finite]
     x, ticks = axis_of(values, strip.unit)
     places = x(values)
     edges = np.linspace(LEFT + RADIUS, RIGHT - RADIUS, BARS + 1)

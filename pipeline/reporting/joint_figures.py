@@ -107,7 +107,7 @@ def characteristics_figure(result: "Characteristics") -> Figure:
 
 
 def equilibria_figure(
-    joint: "JointParameters", found: "list[JointEquilibrium]", energy: "tuple[Any, Any] | None"
+    joint: "JointParameters", rests: "list[JointEquilibrium]", energy: "tuple[Any, Any] | None"
 ) -> Figure:
     """Statics (eqs. 13 to 15): the energy over q with its equilibria, and the beam's shape in each.
 
@@ -116,11 +116,11 @@ def equilibria_figure(
     """
     from pipeline.models.analytical.reduced_order import beam_shapes
 
-    lowest = min((e.energy for e in found), default=0.0)
+    lowest = min((e.energy for e in rests), default=0.0)
     held = () if energy is None else (Line("held at q", "measured", energy[0], energy[1] - lowest, "solid"),)
     points: list[Points] = []
     shapes: list[Line] = []
-    for role, e in zip(COLOURED, found, strict=False):
+    for role, e in zip(COLOURED, rests, strict=False):
         name = f"q = {round(1e3 * e.q, 2) + 0.0:.2f} mm".replace("-", "−") + ("" if e.stable else ", unstable")
         at = np.array([e.q]), np.array([e.energy - lowest])
         points.append(Points(name, role, *at, "dot" if e.stable else "ring"))
@@ -192,13 +192,15 @@ def calibration_figure(start: "JointParameters", fit: "Calibration") -> Any:
     moved, matrix = canvas.subplots(1, 2)
     # A name without a side stands for both membranes, which start from one value.
     begun = [start.value(name if name in VECTOR_NAMES else f"left.{name}") for name in fit.names]
-    known = [(name, value, i) for i, (name, value) in enumerate(zip(fit.names, begun, strict=True)) if value != 0.0]
-    change = [100.0 * (fit.values[i] / value - 1.0) for _, value, i in known]
-    error = [100.0 * abs(fit.standard_errors[i] / value) for _, value, i in known]
-    rows = np.arange(len(known))
+    moved_values = [
+        (name, value, i) for i, (name, value) in enumerate(zip(fit.names, begun, strict=True)) if value != 0.0
+    ]
+    change = [100.0 * (fit.values[i] / value - 1.0) for _, value, i in moved_values]
+    error = [100.0 * abs(fit.standard_errors[i] / value) for _, value, i in moved_values]
+    rows = np.arange(len(moved_values))
     moved.errorbar(change, rows, xerr=error, fmt="o", capsize=3)
     moved.axvline(0.0, color="black", linewidth=0.8)
-    moved.set_yticks(rows, [name for name, _, _ in known])
+    moved.set_yticks(rows, [name for name, _, _ in moved_values])
     moved.invert_yaxis()
     moved.set(xlabel="change [%]", title="Fitted against start, ± standard error")
     picture = matrix.imshow(fit.correlation, vmin=-1.0, vmax=1.0, cmap="PuOr")

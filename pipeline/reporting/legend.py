@@ -61,7 +61,7 @@ class Style:
 
 
 @dataclass(frozen=True)
-class Entry:
+class LegendEntry:
     """A label and what it names."""
 
     label: str
@@ -78,14 +78,14 @@ MARKS = {
 }
 
 
-def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[Entry]:
+def entries(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[LegendEntry]:
     """Everything that is drawn, hidden lines too, each label once; with the `marks` along the axis or without."""
-    found: dict[str, Style] = {}
+    styles: dict[str, Style] = {}
     for panel in figure.panels:
         for label, style in _of(panel, models):
-            found.setdefault(label, style)
-    known = sorted((Entry(*one) for one in found.items()), key=lambda entry: _place(entry.style))
-    return known + [Entry(name, MARKS[name]) for name in figure.marks if marks and name in MARKS]
+            styles.setdefault(label, style)
+    ordered = sorted((LegendEntry(*item) for item in styles.items()), key=lambda entry: _place(entry.style))
+    return ordered + [LegendEntry(name, MARKS[name]) for name in figure.marks if marks and name in MARKS]
 
 
 def _of(panel: Panel, models: Sequence[str]) -> Iterator[tuple[str, Style]]:
@@ -122,12 +122,12 @@ _LINE = '<path class="{}" d="M0 6H30"/>'
 
 def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:
     """Label and sample of everything that is drawn, each label once, for the page: 30 by 12 units, with classes."""
-    found = []
+    samples = []
     for entry in entries(figure, models, marks=marks):
         style = entry.style
         names = " ".join(
             part for part in (style.kind, style.slot, "dash" if style.dash in ("dashed", "dotted") else "") if part
         )
         shape = _SHAPES.get(style.kind.rstrip("0123"), _LINE)
-        found.append((entry.label, Markup(shape).format(names)))  # noqa: S704 - a literal above
-    return found
+        samples.append((entry.label, Markup(shape).format(names)))  # noqa: S704 - a literal above
+    return samples

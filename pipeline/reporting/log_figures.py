@@ -43,7 +43,7 @@ def _timeline(
     switched = {"voltage switched": voltage_switches(t, v)} if data.joint else {}
     marks = switched or {f"{data.input_word} steps": input_steps(t, v)}
     marks["device snaps over"] = t[snaps(q, wells)]
-    known = {name: at[~_unknown(log, at)] for name, at in marks.items()}
+    places = {name: at[~_unknown(log, at)] for name, at in marks.items()}
     return Figure(
         name=f"{log.key}-{kind}",
         title=f"{title}, {log.title}",
@@ -51,7 +51,7 @@ def _timeline(
         x_name="time",
         x_unit="s",
         panels=tuple(panels),
-        marks={name: at for name, at in known.items() if at.size},
+        marks={name: at for name, at in places.items() if at.size},
         gaps=_masked(log.record["t"], log.record["segment"]),
         hidden=_hidden(data, log),
     )
@@ -211,28 +211,29 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
 def residual_figures(data: RunData, wells: Wells | NoWells) -> dict[str, Figure]:
     """Correlations and spectrum for the worst validation log (training log without any); none of a short record."""
     log, model = judged_log(data), data.model_names[0]
-    found = headline_residual(data, log)
-    if found is None:
+    residual = headline_residual(data, log)
+    if residual is None:
         return {}
     return {
-        "residual-correlation": _correlation(data, log, model, found, rings=isinstance(wells, Wells)),
-        "residual-spectrum": _spectrum(data, log, model, found),
+        "residual-correlation": _correlation(data, log, model, residual, rings=isinstance(wells, Wells)),
+        "residual-spectrum": _spectrum(data, log, model, residual),
     }
 
 
-def _correlation(data: RunData, log: LogData, model: str, found: Residual, *, rings: bool) -> Figure:
+def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *, rings: bool) -> Figure:
     def panel(title: str, values: FloatArray, half: float) -> Panel:
         """A correlation within its band."""
-        width = np.full(found.lags.size, half)
-        band = Band("99 % band without correlation", "reference", found.lags, -width, width)
-        return Panel(title, "1", (Line(f"residual of {model}", model, found.lags, values),), (band,))
+        width = np.full(residual.lags.size, half)
+        band = Band("99 % band without correlation", "reference", residual.lags, -width, width)
+        return Panel(title, "1", (Line(f"residual of {model}", model, residual.lags, values),), (band,))
 
-    panels = [panel("autocorrelation", found.correlation, found.band)]
-    for k, (values, half) in enumerate(zip(found.with_inputs, found.input_bands, strict=True), start=1):
+    panels = [panel("autocorrelation", residual.correlation, residual.band)]
+    for k, (values, half) in enumerate(zip(residual.with_inputs, residual.input_bands, strict=True), start=1):
         panels.append(panel(f"correlation with v{k}{'²' if data.squared else ''}", values, float(half)))
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
     caption = (
-        f"Residual of q of {model}, {log.title}, after the input by so much time; {100 * found.outside:.0f} % of the "
+        f"Residual of q of {model}, {log.title}, after the input by so much time; "
+        f"{100 * residual.outside:.0f} % of the "
         "correlations with the inputs lie outside their bands, 1 % would by chance. "
         f"The free run's residual {colour}, so that its autocorrelation leaves the band; correlation with an input is "
         "what the model misses."
@@ -241,10 +242,10 @@ def _correlation(data: RunData, log: LogData, model: str, found: Residual, *, ri
     return Figure("residual-correlation", title, caption, "lag", "s", tuple(panels), columns=len(panels))
 
 
-def _spectrum(data: RunData, log: LogData, model: str, found: Residual) -> Figure:
+def _spectrum(data: RunData, log: LogData, model: str, residual: Residual) -> Figure:
     lines = (
-        Line("measured q", "measured", found.frequency, found.measured_density),
-        Line(f"residual of {model}", model, found.frequency, found.density),
+        Line("measured q", "measured", residual.frequency, residual.measured_density),
+        Line(f"residual of {model}", model, residual.frequency, residual.density),
     )
     caption = f"Power spectral densities by Welch's method, {log.title}: where they meet the model explains nothing."
     unit = f"{data.displacement}²/Hz"

@@ -43,11 +43,13 @@ def described(
     rows: Rows = []
     for key, value in facts.items():
         if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
-            told = key in _FITTED
-            tables.append((_words(key), [_quantity_row(k, v, displacement, fitted=told) for k, v in value.items()]))
+            fitted_part = key in _FITTED
+            tables.append(
+                (_words(key), [_quantity_row(k, v, displacement, fitted=fitted_part) for k, v in value.items()])
+            )
         elif isinstance(value, Mapping):
-            told = key in _FITTED
-            rows += [_quantity_row(f"{key}: {k}", v, displacement, fitted=told) for k, v in value.items()]
+            fitted_part = key in _FITTED
+            rows += [_quantity_row(f"{key}: {k}", v, displacement, fitted=fitted_part) for k, v in value.items()]
         else:
             rows.append(_quantity_row(key, value, displacement))
     return Described(name, equations, rows, tables)
@@ -58,10 +60,10 @@ def _words(key: str) -> str:
 
 
 def _quantity_row(key: str, value: Any, displacement: str, *, fitted: bool = False) -> tuple[str, str]:
-    found = _UNIT_AT_END.match(key)
-    name, unit = (found["name"], found["unit"] or found["suffix"].replace("_per_", "/")) if found else (key, "1")
+    match = _UNIT_AT_END.match(key)
+    name, unit = (match["name"], match["unit"] or match["suffix"].replace("_per_", "/")) if match else (key, "1")
     unit = {"m": displacement, "1/m": f"1/{displacement}"}.get(unit, unit)
-    if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(one, float) for one in value):
+    if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(number, float) for number in value):
         if fitted:
             return _words(name), quantity(value[0], unit, value[1])
         if name.endswith(_ENDS):

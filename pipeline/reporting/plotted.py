@@ -247,10 +247,10 @@ def _cells(on: Axes, cells: Cells, fx: float, fy: float) -> None:
     """Areas of the classes, each over those before it, so that no gap is left; edges run smoothly between the cells."""
     from scipy.ndimage import gaussian_filter
 
-    known = [number for number in range(len(cells.labels)) if (cells.index == number).any()]
-    where = [cells.index < 0, *(cells.index == number for number in known)]
+    classes = [number for number in range(len(cells.labels)) if (cells.index == number).any()]
+    where = [cells.index < 0, *(cells.index == number for number in classes)]
     share = [gaussian_filter(each.astype(float), SMOOTHING) for each in where]
-    for place, number in enumerate(known, start=1):
+    for place, number in enumerate(classes, start=1):
         ahead: FloatArray = np.max(share[place:], axis=0) - np.max(share[:place], axis=0)
         on.contourf(cells.x * fx, cells.y * fy, ahead, levels=[0.0, 2.0], colors=[CELL_COLOURS[number]], zorder=0.2)
 

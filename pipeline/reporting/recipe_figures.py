@@ -92,7 +92,7 @@ def curves_figure(models: Mapping[str, DynamicModel], q: FloatArray) -> Figure:
     units = curve_units("m", "V", squared=True, mass_known=True)
     shown = (("F", "F", "F"), ("d", "d", "d"), ("dC1_dq", "∂C₁/∂q", "dC"), ("dC2_dq", "∂C₂/∂q", "dC"))
     panels = tuple(
-        Panel(title, units[unit], tuple(Line(model, model, q, known[key]) for model, known in curves.items()))
+        Panel(title, units[unit], tuple(Line(model, model, q, own[key]) for model, own in curves.items()))
         for key, title, unit in shown
     )
     return Figure("curves", "Characteristic curves", "", "q", "m", panels, columns=2)
@@ -135,7 +135,7 @@ def _alpha(columns: Columns, units: Mapping[str, str]) -> Figure:
 def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
     groups = np.unique(columns["smoothing"])
     roles = ("v1", "v2", "measured", "reference")
-    known = {**columns, "nrmse": PERCENT * columns["nrmse"]}
+    values = {**columns, "nrmse": PERCENT * columns["nrmse"]}
 
     def lines(key: str) -> tuple[Line, ...]:
         """A quantity over M, a line for each σₙ."""
@@ -144,7 +144,7 @@ def _basis(columns: Columns, units: Mapping[str, str]) -> Figure:
                 f"σₙ = {value:g}",
                 roles[i % 4],
                 columns["basis_functions"][rows],
-                known[key][rows],
+                values[key][rows],
                 dash="dashed" if i > 1 else "role",
             )
             for i, value in enumerate(groups)

@@ -24,8 +24,8 @@ from pipeline.reporting.tables import (
     BEST,
     HEADINGS,
     TIED,
-    Cell,
     NrmseTable,
+    TableCell,
     behaviour_table,
     nrmse_table,
 )
@@ -98,11 +98,11 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
 def verdict(checks: Sequence[Check]) -> str:
     """The verdict in one sentence: the worst of what is wrong, or that nothing is."""
     for grade in ("poor", "fair"):
-        found = [check for check in checks if check.grade == grade]
-        if found:
+        failing = [check for check in checks if check.grade == grade]
+        if failing:
             rest = len([check for check in checks if check.grade != "good"]) - 1
             more = f" And {rest} more below." if rest else ""
-            return f"{found[0].statement[:1].upper()}{found[0].statement[1:]}: {found[0].advice}.{more}"
+            return f"{failing[0].statement[:1].upper()}{failing[0].statement[1:]}: {failing[0].advice}.{more}"
     return "All checks are within their limits."
 
 
@@ -182,7 +182,7 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
     return {"name": name, "headings": headings, "rows": rows, "caption": table.explanation, "repeats": ""}
 
 
-def _cell(cell: Cell) -> dict[str, Any]:
+def _cell(cell: TableCell) -> dict[str, Any]:
     bad = cell.text.startswith("diverged")
     number, bracket, interval = (cell.text, "", "") if bad else cell.text.partition("[")
     value = number.strip() if number.strip().replace(".", "", 1).isdigit() else ""
@@ -219,18 +219,18 @@ def _model(data: RunData, name: str) -> Described:
 
 
 def _provenance(data: RunData) -> dict[str, Any]:
-    known = data.provenance
-    file, run = shlex.quote(known["prototype_file"]), shlex.quote(data.name)
+    provenance = data.provenance
+    file, run = shlex.quote(provenance["prototype_file"]), shlex.quote(data.name)
     studies = [f"debist study {study.name} {run}" for study in data.studies]
     # A study is drawn by the report that follows it.
     again = [*studies, f"debist report {run}"] if studies else []
     return {
         "commands": [f"debist run {file} -o {run}", *again, f"debist verify {run}"],
-        "sources": known["sources"],
-        "artifacts": known["artifacts"],
-        "versions": sorted(known["versions"].items()),
-        "version": known["versions"].get("debist", "of unknown version"),
-        "settings": json.dumps(known["prototype"], indent=1, ensure_ascii=False),
+        "sources": provenance["sources"],
+        "artifacts": provenance["artifacts"],
+        "versions": sorted(provenance["versions"].items()),
+        "version": provenance["versions"].get("debist", "of unknown version"),
+        "settings": json.dumps(provenance["prototype"], indent=1, ensure_ascii=False),
     }
 
 

@@ -57,7 +57,7 @@ BEHAVIOUR_EXPLANATION = " ".join([_HORIZONS, *notes_of(_columns("behaviour"))])
 
 
 @dataclass(frozen=True)
-class Cell:
+class TableCell:
     """One number of the table.
 
     Attributes
@@ -82,7 +82,7 @@ class Row:
     role: str
     log: str
     model: str
-    cells: tuple[Cell, ...]
+    cells: tuple[TableCell, ...]
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
         for model, by_signal in models.items():
             of_q = {**by_signal["q"], **(times or {}).get(model, {})}
             errors = (_error(by_signal.get(s), model, front[s]) for s in signals)
-            rows.append(Row(role, log, model, (*errors, *(Cell(shown(of_q, column)) for column in extras))))
+            rows.append(Row(role, log, model, (*errors, *(TableCell(shown(of_q, column)) for column in extras))))
     return NrmseTable(signals, extras, tuple(rows))
 
 
@@ -128,7 +128,9 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
     """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
-    rows = (Row(r["role"], r["log"], r["model"], tuple(Cell(shown(r, column)) for column in columns)) for r in of_q)
+    rows = (
+        Row(r["role"], r["log"], r["model"], tuple(TableCell(shown(r, column)) for column in columns)) for r in of_q
+    )
     return NrmseTable((), columns, tuple(rows))
 
 
@@ -148,15 +150,15 @@ def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
     return {lowest} | {m for m, low in above.items() if low is not None and low <= 0.0}
 
 
-def _error(record: ScoreRow | None, model: str, front: set[str]) -> Cell:
+def _error(record: ScoreRow | None, model: str, front: set[str]) -> TableCell:
     if record is None:
-        return Cell("–")
+        return TableCell("–")
     if record["status"] == "diverged":
-        return Cell(f"diverged at t = {moment(record['diverged_at_s'])}")
+        return TableCell(f"diverged at t = {moment(record['diverged_at_s'])}")
     if record["nrmse"] is None:
-        return Cell("undefined")
+        return TableCell("undefined")
     text = _number(record, "nrmse", 100.0, 2)
-    return Cell(text, best=front == {model}, tied=len(front) > 1 and model in front)
+    return TableCell(text, best=front == {model}, tied=len(front) > 1 and model in front)
 
 
 def shown(record: ScoreRow, column: Column) -> str:
@@ -195,7 +197,7 @@ def lines(table: NrmseTable, best: str = f"{{}}{BEST}") -> list[list[str]]:
     return [heading, *rows]
 
 
-def _marked(cell: Cell, best: str) -> str:
+def _marked(cell: TableCell, best: str) -> str:
     return best.format(cell.text) if cell.best else cell.text + TIED * cell.tied
 
 

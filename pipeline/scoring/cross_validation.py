@@ -22,7 +22,7 @@ NEGLIGIBLE = 1e-5  # of the range of q; smaller errors are no reason to prefer a
 Choice = TypeVar("Choice")
 
 
-class Motion(Protocol):
+class SimulatedMotion(Protocol):
     """A free run, NaN after a divergence; it also has the other signals that it is judged by."""
 
     @property
@@ -33,7 +33,7 @@ class Motion(Protocol):
 class Simulator(Protocol):
     """A fitted model."""
 
-    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> Motion:
+    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> SimulatedMotion:
         """Free run, see `pipeline.models.base.DynamicModel.simulate`."""
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
 from pipeline.numerics.metrics import rms, signal_range
-from pipeline.scoring.intervals import BLOCK, Interval, block_of, rms_interval
+from pipeline.scoring.intervals import BLOCK, SEED, Interval, block_of, rms_interval
 
 MOST_STARTS = 400
 WARM_UP, WARM_UP_SAMPLES = 1.0, 100
@@ -19,6 +19,29 @@ SHORTEST_HORIZON = 2.0
 
 Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]
 """``(t, v, q, qdot) -> q``: see `pipeline.models.base.predictor`."""
+
+
+@dataclass(frozen=True)
+class MeasuredPath:
+    """A log as predictions are compared with it.
+
+    Attributes
+    ----------
+    t, q, qdot : FloatArray, shape (N,)
+        Uniform time [s] and the measured state; NaN where masked.
+    v : FloatArray, shape (N, K) or (N, r, K)
+        Inputs, as the predictor takes them; NaN where they are not known, which no prediction passes.
+    """
+
+    t: FloatArray
+    v: FloatArray
+    q: FloatArray
+    qdot: FloatArray
+
+    @property
+    def recorded(self) -> BoolArray:
+        """Where all inputs are known, shape (N,)."""
+        return np.asarray(np.all(np.isfinite(self.v).reshape(self.q.size, -1), axis=1))
 
 
 @dataclass(frozen=True)
@@ -49,13 +72,9 @@ class HorizonError:
 
 def horizon_errors(
     predict: Predict,
-    t: FloatArray,
-    v: FloatArray,
-    q: FloatArray,
-    qdot: FloatArray,
+    path: MeasuredPath,
     horizons: Sequence[float],
     *,
-    seed: int,
     joint: bool,
     most_starts: int = MOST_STARTS,
     shared: bool = True,
@@ -69,14 +88,10 @@ def horizon_errors(
     ----------
     predict : callable
         The model's prediction of q from the last of the measured rows on.
-    t, q, qdot : FloatArray, shape (N,)
-        Uniform time [s] and the measured state; NaN where masked.
-    v : FloatArray, shape (N, K) or (N, r, K)
-        Inputs, as `predict` takes them; NaN where they are not known, which no prediction passes.
+    path : MeasuredPath
+        The log.
     horizons : sequence of float
         Times ahead [s]; rounded to samples, at least one.
-    seed : int
-        For the bootstrap.
     joint : bool
         Whether the device can be the bistable joint, see `pipeline.scoring.intervals.block_of`.
     most_starts : int
@@ -89,13 +104,12 @@ def horizon_errors(
     -----
     Cost: the simulated time is at most that of the record for each horizon, plus the call overhead of the restarts.
     """
-    interval = sample_interval(t)
+    q, qdot, interval = path.q, path.qdot, sample_interval(path.t)
     aheads = [samples_of(horizon, interval) for horizon in horizons]
-    told: BoolArray = np.all(np.isfinite(v).reshape(q.size, -1), axis=1)
-    starts = [_starts(q, qdot, told, ahead, most_starts) for ahead in aheads]
-    known = np.zeros(q.size, dtype=np.int64)
-    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot) & told):
-        known[rows] = rows.start
+    starts = [_starts(path, ahead, most_starts) for ahead in aheads]
+    begins = np.zeros(q.size, dtype=np.int64)  # of the stretch without a gap that a sample lies in
+    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot) & path.recorded):
+        begins[rows] = rows.start
     farthest: dict[tuple[int, int], int] = {}
     for ahead, chosen in zip(aheads, starts, strict=True):
         keys = [(start, 0 if shared else ahead) for start in chosen.tolist()]
@@ -103,21 +117,21 @@ def horizon_errors(
     paths: dict[tuple[int, int], FloatArray] = {}
     shown = max(round(WARM_UP / interval), WARM_UP_SAMPLES)
     for (start, apart), ahead in farthest.items():
-        begin = max(int(known[start]), start - shown)
+        begin = max(int(begins[start]), start - shown)
         seen, rows = slice(begin, start + 1), slice(begin, start + ahead + 1)
-        paths[start, apart] = predict(t[rows], v[rows], q[seen], qdot[seen])
+        paths[start, apart] = predict(path.t[rows], path.v[rows], q[seen], qdot[seen])
     span = signal_range(q)
     return [
         _error(
             np.array([paths[start, 0 if shared else ahead][ahead] - q[start + ahead] for start in chosen.tolist()]),
-            chosen, ahead, interval, span, seed, joint=joint,
+            chosen, ahead, interval, span, joint=joint,
         )
         for ahead, chosen in zip(aheads, starts, strict=True)
     ]  # fmt: skip
 
 
 def _error(
-    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, seed: int, *, joint: bool
+    errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, *, joint: bool
 ) -> HorizonError:
     """What the errors `ahead` samples after the starts come to."""
     good = errors[np.isfinite(errors)]
@@ -125,18 +139,18 @@ def _error(
         return HorizonError(ahead * interval, None, None, starts.size, starts.size - good.size)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
     block = block_of((errors,), spacing, joint=joint)
-    band = rms_interval(errors / span, block, np.random.default_rng(seed))
+    band = rms_interval(errors / span, block, np.random.default_rng(SEED))
     value = rms(good) / span
     return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
 
 
-def _starts(q: FloatArray, qdot: FloatArray, told: BoolArray, ahead: int, most: int) -> IntArray:
+def _starts(path: MeasuredPath, ahead: int, most: int) -> IntArray:
     """Rows whose state, target and inputs between are measured, at least `ahead` apart, at most `most`."""
-    last = q.size - ahead
+    q, qdot, last = path.q, path.qdot, path.q.size - ahead
     if last < 1:
         return np.zeros(0, dtype=np.int64)
     rows = np.arange(0, last, max(ahead, -(-last // most)))
-    missing = np.concatenate(([0], np.cumsum(~told)))
-    known = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
-    known &= missing[rows + ahead + 1] == missing[rows]
-    return np.asarray(rows[known], dtype=np.int64)
+    missing = np.concatenate(([0], np.cumsum(~path.recorded)))
+    usable = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
+    usable &= missing[rows + ahead + 1] == missing[rows]
+    return np.asarray(rows[usable], dtype=np.int64)

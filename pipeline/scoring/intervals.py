@@ -59,13 +59,13 @@ def decorrelation_lag(error: FloatArray) -> int:
 
 
 def _first_low_lag(series: FloatArray) -> int:
-    known = np.isfinite(series)
-    if not known.any():
+    finite = np.isfinite(series)
+    if not finite.any():
         return 1
-    rest = np.where(known, series - np.mean(series[known]), 0.0)
+    rest = np.where(finite, series - np.mean(series[finite]), 0.0)
     sums, pairs = (
         np.fft.irfft(np.square(np.abs(np.fft.rfft(each, 2 * each.size))))[: each.size]
-        for each in (rest, known.astype(np.float64))
+        for each in (rest, finite.astype(np.float64))
     )
     scatter = sums / np.maximum(np.round(pairs), 1.0)
     low = np.flatnonzero(scatter <= scatter[0] / np.e)
@@ -92,8 +92,8 @@ def block_of(errors: Sequence[FloatArray], interval: float, *, joint: bool) -> i
     if joint:
         return shortest
     block = max([shortest, *(MEMORIES * decorrelation_lag(error) for error in errors)])
-    known = min((int(np.count_nonzero(np.isfinite(error))) for error in errors), default=0)
-    return block if known < FEWEST_BLOCKS else min(block, known // FEWEST_BLOCKS)
+    samples = min((int(np.count_nonzero(np.isfinite(error))) for error in errors), default=0)
+    return block if samples < FEWEST_BLOCKS else min(block, samples // FEWEST_BLOCKS)
 
 
 def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resamples: int = RESAMPLES) -> FloatArray:
@@ -123,9 +123,9 @@ def block_means(squares: FloatArray, block: int, rng: np.random.Generator, resam
     n = squares.size
     block = max(1, min(block, n))
     wrapped = np.concatenate([squares, squares[: block - 1]])
-    known = np.isfinite(wrapped)
-    sums = np.concatenate([[0.0], np.cumsum(np.where(known, wrapped, 0.0))])
-    counts = np.concatenate([[0], np.cumsum(known)])
+    finite = np.isfinite(wrapped)
+    sums = np.concatenate([[0.0], np.cumsum(np.where(finite, wrapped, 0.0))])
+    counts = np.concatenate([[0], np.cumsum(finite)])
     starts = rng.integers(n, size=(resamples, -(-n // block)))
     total = (sums[starts + block] - sums[starts]).sum(axis=1)
     size = (counts[starts + block] - counts[starts]).sum(axis=1)

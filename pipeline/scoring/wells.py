@@ -62,7 +62,7 @@ def outermost_pair(stable: Sequence[bool], height: Sequence[float]) -> tuple[int
 
     The wells are the outermost stable ones, the saddle the highest unstable one between.
     """
-    wells = [i for i, one in enumerate(stable) if one]
+    wells = [i for i, is_stable in enumerate(stable) if is_stable]
     if len(wells) < 2:
         return None
     left, right = wells[0], wells[-1]
@@ -108,12 +108,12 @@ def places_of_rest(
     joint : bool
         Whether the device can be the bistable joint.
     """
-    found = rests(v, interval, shortest, joint=joint)
+    stretches = rests(v, interval, shortest, joint=joint)
     span = signal_range(q)
     if joint or not span:
-        return found
+        return stretches
     memory = decorrelation_lag(q)
-    return [rest for rest in found if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
+    return [rest for rest in stretches if rest.stop - rest.start >= LEAST_SAMPLES and _stands(q[rest] / span, memory)]
 
 
 def _stands(q: FloatArray, memory: int) -> bool:
@@ -160,7 +160,7 @@ def find_wells(
     -------
     Wells or NoWells
     """
-    found: list[tuple[float, float]] = []
+    pairs: list[tuple[float, float]] = []
     low, high = np.inf, -np.inf
     for q, v, interval in records:
         low = min(low, float(np.min(q, where=np.isfinite(q), initial=np.inf)))
@@ -169,9 +169,9 @@ def find_wells(
             end = q[end_of_rest(rest, interval)]
             if np.any(np.isfinite(end)):
                 shortened = min(1.0, len(end) * interval / LONGEST_WINDOW)
-                found.append((float(np.nanmedian(end)), float(np.nanmax(end) - np.nanmin(end)) / shortened))
+                pairs.append((float(np.nanmedian(end)), float(np.nanmax(end) - np.nanmin(end)) / shortened))
     seen = [
-        _clusters([position for position, swing in found if swing <= share * (high - low)], high - low)
+        _clusters([position for position, swing in pairs if swing <= share * (high - low)], high - low)
         for share in (LARGEST_SWING, WITHIN_WELL, CALM)
     ]
     return next((wells for wells in seen if isinstance(wells, Wells)), seen[1])
@@ -208,14 +208,14 @@ def snaps(q: FloatArray, wells: Wells | NoWells) -> IntArray:
     """
     if isinstance(wells, NoWells):
         return np.empty(0, dtype=np.int64)
-    known = np.flatnonzero(np.isfinite(q))
-    near = np.zeros(known.size, dtype=np.int8)
-    near[q[known] > wells.barrier + WELL_REACHED * (wells.right - wells.barrier)] = 1
-    near[q[known] < wells.barrier - WELL_REACHED * (wells.barrier - wells.left)] = -1
+    finite = np.flatnonzero(np.isfinite(q))
+    near = np.zeros(finite.size, dtype=np.int8)
+    near[q[finite] > wells.barrier + WELL_REACHED * (wells.right - wells.barrier)] = 1
+    near[q[finite] < wells.barrier - WELL_REACHED * (wells.barrier - wells.left)] = -1
     visits = np.flatnonzero(near)
     crossed = []
     for i in np.flatnonzero(near[visits][1:] != near[visits][:-1]):
-        way = known[visits[i] : visits[i + 1] + 1]
+        way = finite[visits[i] : visits[i + 1] + 1]
         side = wells.side(q[way])
         crossed.append(int(way[np.flatnonzero(side[1:] != side[:-1])[-1] + 1]))
     return np.array(crossed, dtype=np.int64)
@@ -276,14 +276,14 @@ def switch_accuracy(
     pulses = right = 0
     for rest in places_of_rest(measured, v, interval, joint=joint):
         rows = end_of_rest(rest, interval)
-        known = np.isfinite(measured[rows])
-        if rest.start == 0 or not known.any():
+        finite = np.isfinite(measured[rows])
+        if rest.start == 0 or not finite.any():
             continue
-        side = wells.side(measured[rows])[known]
+        side = wells.side(measured[rows])[finite]
         if side.any() != side.all():
             continue
         pulses += 1
-        simulated = calculated[rows][known]
+        simulated = calculated[rows][finite]
         right += bool(np.all(np.isfinite(simulated)) and np.all(wells.side(simulated) == side[0]))
     return SwitchAccuracy(pulses, right)
 

@@ -41,8 +41,8 @@ def task(prototype: Prototype, parameters: "JointParameters | None", name: str) 
 
 
 def _needs_parameters(name: str) -> bool:
-    known = entry(name)
-    return known is not None and known.needs_parameters
+    listed = entry(name)
+    return listed is not None and listed.needs_parameters
 
 
 def _write_fit(

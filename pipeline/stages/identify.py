@@ -89,7 +89,7 @@ def identified(
     data: list[Table],
     prototype: Prototype,
     parameters: "JointParameters | None",
-    known: Table | None = None,
+    known_curves: Table | None = None,
     on_progress: OnProgress = silent,
     keep: Keep = make_anew,
 ) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
@@ -104,14 +104,14 @@ def identified(
         The training logs do not show what the models need.
     """
     findings = _findings(data, prototype)
-    told = judge("training logs", findings, prototype.quality, *_stands_in(_wanted(prototype)))
+    remarks = judge("training logs", findings, prototype.quality, *_stands_in(_wanted(prototype)))
     # What even a network needs not is no fault of the data.
     needless = set(_stands_in({"rbf"})[0]) - set(prototype.quality.accept)
-    accepted = [text for finding, text in zip(findings, told, strict=True) if finding.gate not in needless]
-    notes: dict[str, Any] = {"warnings": list(told), "accepted": accepted}
+    accepted = [text for finding, text in zip(findings, remarks, strict=True) if finding.gate not in needless]
+    notes: dict[str, Any] = {"warnings": list(remarks), "accepted": accepted}
     models: dict[str, StoredModel] = {}
     beside: dict[str, StoredModel] = {}
-    whole = training(data, prototype, parameters, known, on_progress)
+    whole = training(data, prototype, parameters, known_curves, on_progress)
     for wanted in prototype.identify.models:
         if wanted in notes.get(IDENTIFIED, ()):  # it was chosen already
             continue
@@ -143,14 +143,14 @@ def identified(
 def _wanted(prototype: Prototype) -> set[str]:
     """The models that the settings ask for, with those among which one is chosen."""
     offered = ("hybrid", "rbf") if prototype.may_be_a_joint else ("rbf",)
-    return {one for name in prototype.identify.models for one in (offered if name == AUTO else (name,))}
+    return {wanted for name in prototype.identify.models for wanted in (offered if name == AUTO else (name,))}
 
 
 def _stands_in(models: Collection[str]) -> tuple[tuple[str, ...], str]:
     """The gates that need not hold because one of the models knows better, and what of it does."""
-    known = {"hybrid": "the joint's equations", "rbf": "the priors of rbf"}
-    gates = dict.fromkeys(gate for one in ENTRIES if one.name in models for gate in one.stands_in)
-    return tuple(gates), " or ".join(what for name, what in known.items() if name in models)
+    knowledge = {"hybrid": "the joint's equations", "rbf": "the priors of rbf"}
+    gates = dict.fromkeys(gate for model in ENTRIES if model.name in models for gate in model.stands_in)
+    return tuple(gates), " or ".join(what for name, what in knowledge.items() if name in models)
 
 
 def _asked(

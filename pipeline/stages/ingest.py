@@ -105,15 +105,15 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     settings = prototype.ingest
     try:
         raw_step = nominal_step(signals.q[0])
-        kept = _trusted(signals, prototype, raw_step)
-        warnings = [*signals.notes, *_warnings(signals, prototype, kept.quality)]
+        trusted = _trusted(signals, prototype, raw_step)
+        warnings = [*signals.notes, *_warnings(signals, prototype, trusted.quality)]
         usable = survey(
-            (signals.q[0], kept.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal,
-            cuts=kept.dropouts.cuts[:, 0],
+            (signals.q[0], trusted.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal,
+            cuts=trusted.dropouts.cuts[:, 0],
         )  # fmt: skip
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
-    quality, left_out = kept.quality, _left_out(kept, warnings, prototype)
+    quality, left_out = trusted.quality, _left_out(trusted, warnings, prototype)
     masked = Resampling(usable, settings.sample_interval).report
     _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
@@ -131,12 +131,12 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     cut = ends / masked.interval
     findings += log_findings(clock, quality, (masked.masked_rows + cut) / (masked.rows + cut), few)
     if settings.rails == "keep":
-        warnings += [f"q: {one.text}; kept ([ingest] rails)" for one in findings if one.gate == "rails"]
-        findings = [one for one in findings if one.gate != "rails"]
+        warnings += [f"q: {finding.text}; kept ([ingest] rails)" for finding in findings if finding.gate == "rails"]
+        findings = [finding for finding in findings if finding.gate != "rails"]
     accepted = judge(where, findings, prototype.quality)
-    said = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
-    said |= left_out | {"cut_off_s": ends, UNKNOWN: _with_cuts(unknown, kept, settings.sample_interval)}
-    return Examined(usable, raw_step, said | _sensor(signals, quality))
+    notes = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
+    notes |= left_out | {"cut_off_s": ends, UNKNOWN: _with_cuts(unknown, trusted, settings.sample_interval)}
+    return Examined(usable, raw_step, notes | _sensor(signals, quality))
 
 
 def _trusted(signals: SiLog, prototype: Prototype, raw_step: float) -> "Trusted":
@@ -198,15 +198,15 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
     from pipeline.signals.missing import missing
     from pipeline.signals.quality_gates import missing_findings
 
-    beside, said = missing(signals.q, signals.beside), []
+    beside, texts = missing(signals.q, signals.beside), []
     for name, lacks in beside.items():
         if lacks.not_finite:
             place = f", the first at {stamped(lacks.first)} s" if np.isfinite(lacks.first) else ""
-            said.append(f"{name}: {counted(lacks.not_finite, 'sample')} not finite{place}")
+            texts.append(f"{name}: {counted(lacks.not_finite, 'sample')} not finite{place}")
         for alone, how in ((lacks.before, "begins {} after q"), (lacks.after, "ends {} before q")):
             if alone > interval:
-                said.append(f"{name} {how.format(f'{alone:.4g} s')}: what q shows there is left out")
-    return said, missing_findings(beside)
+                texts.append(f"{name} {how.format(f'{alone:.4g} s')}: what q shows there is left out")
+    return texts, missing_findings(beside)
 
 
 def _discarded(rows: "TimeRows") -> list[str]:
@@ -227,7 +227,7 @@ def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[
     """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
     from pipeline.rig_logs.remarks import counted, stamped
 
-    found = [
+    kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
         (
             "in the inputs",
@@ -236,30 +236,32 @@ def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[
             "what they were is not known, so fits and free runs start anew behind",
         ),
     ]
-    said = []
-    for what, count, places, then in found:
+    texts = []
+    for what, count, places, then in kinds:
         if count:
             (before, after), several = places[0], "the first " if count > 1 else ""
             place = f"{several}from {stamped(before)} to {stamped(after)} s"
-            said.append(f"{counted(count, 'gap')} {what}, {place}: {then}")
-    return said
+            texts.append(f"{counted(count, 'gap')} {what}, {place}: {then}")
+    return texts
 
 
-def _with_cuts(unknown: Sequence[tuple[float, float]], kept: "Trusted", interval: float) -> list[tuple[float, float]]:
+def _with_cuts(
+    unknown: Sequence[tuple[float, float]], trusted: "Trusted", interval: float
+) -> list[tuple[float, float]]:
     """The spans [s] in which the inputs are not known, and those around places where rows are missing."""
-    return sorted([*unknown, *((a - interval, b + interval) for a, b in kept.dropouts.cuts.tolist())])
+    return sorted([*unknown, *((a - interval, b + interval) for a, b in trusted.dropouts.cuts.tolist())])
 
 
-def _left_out(kept: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
+def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
     from pipeline.rig_logs.remarks import counted
     from pipeline.signals.dropouts import dropout_remarks
 
-    rails, lost, spikes = kept.left_out
+    rails, lost, spikes = trusted.left_out
     unit = prototype.channels.q.unit
-    said = dropout_remarks(kept.dropouts, 1.0 / device(prototype).displacement.factor, unit)
-    warnings += [f"q: {text}: {'split there' if 'jump' in text else 'masked'} ([ingest] lost)" for text in said]
-    lost -= int(np.diff(kept.dropouts.spans).sum())
+    remarks = dropout_remarks(trusted.dropouts, 1.0 / device(prototype).displacement.factor, unit)
+    warnings += [f"q: {text}: {'split there' if 'jump' in text else 'masked'} ([ingest] lost)" for text in remarks]
+    lost -= int(np.diff(trusted.dropouts.spans).sum())
     if rails:
         warnings.append(f"q: {counted(rails, 'sample')} at the ends of its range masked ([ingest] rails)")
     if lost:
@@ -269,7 +271,7 @@ def _left_out(kept: "Trusted", warnings: list[str], prototype: Prototype) -> dic
         )
     if spikes:
         warnings.append(f"q: {counted(spikes, 'single-sample spike')} masked ([ingest] spikes)")
-    return {"masked_at_rails": rails, "masked_without_target": kept.left_out[1], "masked_spikes": spikes}
+    return {"masked_at_rails": rails, "masked_without_target": trusted.left_out[1], "masked_spikes": spikes}
 
 
 def _pieces(
@@ -296,9 +298,9 @@ def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") ->
     from pipeline.signals.plausible_spans import scale_suspicion
     from pipeline.signals.signal_quality import span
 
-    found, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
+    warnings, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
-        return found
+        return warnings
     ends = [("q", (quality.smallest, quality.largest), plant.displacement)] + [
         (f"v{k}", span(column), unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
@@ -307,10 +309,10 @@ def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") ->
         factor = scale_suspicion(largest - smallest, unit.symbol, joint=prototype.may_be_a_joint)
         if factor is not None:
             size = f"{factor:g}× too large" if factor > 1.0 else f"{1.0 / factor:g}× too small"
-            found.append(
+            warnings.append(
                 f"{name} spans {largest - smallest:.3g} {unit.symbol} and looks {size}: check its unit in [channels]"
             )
-    return found
+    return warnings
 
 
 def resamplings(examined_log: Examined, settings: Ingest) -> "tuple[Resampling, Resampling]":

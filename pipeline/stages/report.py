@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 
-ALGORITHM = "30"
+ALGORITHM = "31"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
@@ -63,13 +63,13 @@ def tasks(
     """
     from pipeline.reporting.log_figures import LOG_FIGURES
 
-    known: dict[RunFolder, Prepared] = {}
+    read_before: dict[RunFolder, Prepared] = {}
 
     def prepared(run: RunFolder) -> Prepared:
         """The run as read and judged, once for page and figures."""
-        if run not in known:
-            known[run] = prepare(run, prototype, models, studies, control)
-        return known[run]
+        if run not in read_before:
+            read_before[run] = prepare(run, prototype, models, studies, control)
+        return read_before[run]
 
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     inputs = _inputs(prototype, models, studies, control)

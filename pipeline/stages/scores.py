@@ -185,7 +185,7 @@ def score_text(root: Path, form: "Format") -> str:
 
     if form == "csv":
         return scores_csv(
-            *in_snapshot(root, lambda run: ((found := run.read_records(layout.SCORES)), _times(run, found)))
+            *in_snapshot(root, lambda run: ((records := run.read_records(layout.SCORES)), _times(run, records)))
         )
     return "\n".join(render(table, form) for table in score_tables(root))
 
@@ -195,7 +195,7 @@ def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
     from pipeline.reporting.tables import behaviour_table, nrmse_table
 
     times, shown = in_snapshot(
-        root, lambda run: (_times(run, found := run.read_records(layout.SCORES)), _shown(run, found))
+        root, lambda run: (_times(run, records := run.read_records(layout.SCORES)), _shown(run, records))
     )
     return tuple(table for table in (nrmse_table(shown, times), behaviour_table(shown)) if table.rows)
 

@@ -92,19 +92,19 @@ def _compile(model: DynamicModel, table: Table) -> None:
 
 def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, horizon_errors
-    from pipeline.scoring.intervals import SEED
+    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 
     shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
-    kept = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
+    possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     v = drive(table, fine=model.fine_voltages).copy()
     v[~recorded(table)] = np.nan
-    found = horizon_errors(
-        predictor(model), table["t"], v, table["q"], table["qdot"], list(kept.values()),
-        seed=SEED, most_starts=_RESTARTS, joint=joint, shared=not model.fine_voltages,
-    )  # fmt: skip
-    errors = dict(zip(kept, found, strict=True))
+    path = MeasuredPath(table["t"], v, table["q"], table["qdot"])
+    shared = not model.fine_voltages
+    horizon_scores = horizon_errors(
+        predictor(model), path, list(possible.values()), joint=joint, most_starts=_RESTARTS, shared=shared
+    )
+    errors = dict(zip(possible, horizon_scores, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
 
 
@@ -158,9 +158,9 @@ def trust_notes(
 
 
 def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
-    kept = [table["segment"] >= 0 for table in tables]
+    valid_rows = [table["segment"] >= 0 for table in tables]
     q, qdot = (
-        np.concatenate([table[name][k] for table, k in zip(tables, kept, strict=True)]) for name in ("q", "qdot")
+        np.concatenate([table[name][k] for table, k in zip(tables, valid_rows, strict=True)]) for name in ("q", "qdot")
     )
     return q, qdot
 
@@ -169,8 +169,8 @@ def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells", *, 
     from pipeline.scoring.wells import Wells, places_of_rest, pulse_outcomes
 
     places, t = part_rows(table), table["t"]
-    found = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
-    after = [rest for rest in found if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
+    rests = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
+    after = [rest for rest in rests if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
     if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
         return None
     ensemble = np.full((_DRAWS, len(t)), np.nan)

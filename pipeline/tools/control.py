@@ -26,17 +26,17 @@ DRAWS = 32
 def switching_maps(root: Path, settings: ControlSettings, observer: Observer) -> dict[str, Any]:
     """P(switch | voltage, duration) both ways, with its band."""
 
-    def work(found: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
+    def work(joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
         """Both maps of the run's joint."""
-        converters, known = found.converters(settings)
+        converters, lags_known = joint_run.converters(settings)
         return {
             "format": "debist-switching-map/3",
             "draws": DRAWS,
             "lags_s": converters.lags,
-            "lags_known": known,
+            "lags_known": lags_known,
             "maps": [
-                _one_map(found.model, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
-                _one_map(found.model, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
+                _one_map(joint_run.model, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
+                _one_map(joint_run.model, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
             ],
         }
 
@@ -68,17 +68,17 @@ def pulse(
         raise InputError(f"--from {start}: the joint is there already; a pulse brings it from one well to the other")
     highest = control_run(root).highest(settings)
 
-    def work(found: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
+    def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
         """The pulse and what the model and its posterior make of it."""
         from pipeline.control.ensemble import INTERVAL, ensemble_of
         from pipeline.control.linear import wells_and_saddle
         from pipeline.control.plant import plant_of
         from pipeline.control.pulses import design_pulse
 
-        left, _saddle, right = (each.q for each in wells_and_saddle(plant_of(found.model)))
+        left, _saddle, right = (each.q for each in wells_and_saddle(plant_of(joint_run.model)))
         begin, end = (left, right) if to == "right" else (right, left)
-        converters, known = found.converters(settings)
-        joint = ensemble_of(found.model, DRAWS, converters)
+        converters, lags_known = joint_run.converters(settings)
+        joint = ensemble_of(joint_run.model, DRAWS, converters)
         made = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
         return {
@@ -90,7 +90,7 @@ def pulse(
             "target_m": end,
             "largest_voltage_V": float(made.v.max()),
             "lags_s": converters.lags,
-            "lags_known": known,
+            "lags_known": lags_known,
             "settling_s": _finite(made.settling_s),
             "settling_90_s": [_finite(made.settling_low_s), _finite(made.settling_high_s)],
             "overshoot_m": made.overshoot_m,
@@ -142,29 +142,29 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
     """The controller of a run's joint, kept in the run, and what the model predicts of it."""
     highest = control_run(root).highest(settings)
 
-    def work(found: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
+    def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
         """The controller, kept in the run, and its prediction."""
         from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
         from pipeline.control.linear import wells_and_saddle
         from pipeline.control.plant import plant_of
 
-        plant = plant_of(found.model)
-        converters, known = found.converters(settings)
+        plant = plant_of(joint_run.model)
+        converters, lags_known = joint_run.converters(settings)
         law = design_law(plant, Settings(highest, converters.lags))
         left, saddle, right = (each.q for each in wells_and_saddle(plant))
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
         return {
             "format": "debist-controller/3",
-            "prototype": found.prototype.name,
-            "model": found.name,
-            "origin": found.run.record(found.artifact).content_hash,
+            "prototype": joint_run.prototype.name,
+            "model": joint_run.name,
+            "origin": joint_run.run.record(joint_run.artifact).content_hash,
             "places_m": {"left": left, "saddle": saddle, "right": right},
             "targets_m": [plant.reading(q) for q in law.places],
             "largest_voltage_V": highest,
             "lags_s": converters.lags,
-            "lags_known": known,
+            "lags_known": lags_known,
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": predicted,
             "law": law.to_json(),

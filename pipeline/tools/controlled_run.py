@@ -124,13 +124,13 @@ class ControlRun:
             return Converters((settings.lag, settings.lag), GIVEN, highest=self.limit), "given"
         tables = [self.run.read_table(name) for name in self.records]
         left, right = (converter_lag([(table["t"], table[v]) for table in tables]) for v in ("v1", "v2"))
-        told = [each for each in (left, right) if each is not None]
-        if not told:
+        given = [each for each in (left, right) if each is not None]
+        if not given:
             return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET, highest=self.limit), "assumed"
-        one, other = left or told[0], right or told[0]
-        spread = max(_LEAST_SPREAD, *(each.scatter for each in told))
+        first, other = left or given[0], right or given[0]
+        spread = max(_LEAST_SPREAD, *(each.scatter for each in given))
         counts = " and ".join(str(each.steps if each else 0) for each in (left, right))
-        made = Converters((one.lag, other.lag), spread, highest=self.limit)
+        made = Converters((first.lag, other.lag), spread, highest=self.limit)
         return made, f"from {counts} voltage steps of the training logs"
 
 
@@ -196,16 +196,16 @@ def kept_document(
 ) -> dict[str, Any]:
     """What `work` finds out, kept in the run as ``control/TITLE.json`` until the model or the settings change."""
     with run_lock(root):
-        found = control_run(root)
+        joint_run = control_run(root)
         name = layout.control(title)
 
         def write(run: RunFolder, on_progress: OnProgress) -> dict[str, Written]:
             """Find out and write the document."""
-            made = work(found, on_progress)
+            made = work(joint_run, on_progress)
             document = json.dumps(made, indent=1, allow_nan=False, default=lambda value: value.tolist())
             return {name: run.write_text(name, document + "\n", {})}
 
-        inputs = (found.artifact, *found.records)
+        inputs = (joint_run.artifact, *joint_run.records)
         task = Task("control", title, ALGORITHM, settings, inputs, (name,), write, reports=True)
-        bring_up_to_date(found.run, [task], observer)
-        return read_document(found.run, name)
+        bring_up_to_date(joint_run.run, [task], observer)
+        return read_document(joint_run.run, name)

@@ -22,22 +22,22 @@ def compare_runs(root: Path, other: Path) -> list[Comparison]:
     DebistError
         One of the folders holds no run, or an artifact that must be read is damaged.
     """
-    return in_snapshot(root, lambda one: in_snapshot(other, lambda two: _comparisons(one, two)))
+    return in_snapshot(root, lambda first: in_snapshot(other, lambda second: _comparisons(first, second)))
 
 
-def _comparisons(one: RunFolder, two: RunFolder) -> list[Comparison]:
-    names = sorted(one.manifest.artifacts.keys() | two.manifest.artifacts.keys())
-    return [_compare(one, two, name) for name in names]
+def _comparisons(first: RunFolder, second: RunFolder) -> list[Comparison]:
+    names = sorted(first.manifest.artifacts.keys() | second.manifest.artifacts.keys())
+    return [_compare(first, second, name) for name in names]
 
 
-def _compare(one: RunFolder, two: RunFolder, name: str) -> Comparison:
-    if not all(name in run.manifest.artifacts for run in (one, two)):
+def _compare(first: RunFolder, second: RunFolder, name: str) -> Comparison:
+    if not all(name in run.manifest.artifacts for run in (first, second)):
         return Comparison(name, "missing")
-    if one.record(name).content_hash == two.record(name).content_hash:
-        for run in (one, two):
+    if first.record(name).content_hash == second.record(name).content_hash:
+        for run in (first, second):
             run.checked(name)
         return Comparison(name, "equal", 0.0)
-    columns = [_columns(run, name) for run in (one, two)]
+    columns = [_columns(run, name) for run in (first, second)]
     if columns[0] is None or columns[1] is None:
         return Comparison(name, "drawn")
     return compared_columns(name, columns[0], columns[1])

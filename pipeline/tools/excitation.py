@@ -24,7 +24,7 @@ RATES = (100.0, 100e3)  # Hz, of the sequence that is written
 
 
 @dataclass(frozen=True)
-class Limits:
+class ExcitationLimits:
     """What must not be exceeded: voltage of a converter [V], field in an undeformed film [V/m].
 
     Without a field that of the run's settings holds, or the paper's.
@@ -39,7 +39,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Source:
+class ExcitationSource:
     """What the design is simulated with: a parameter set, or a model of a run; the number of joints and the seed.
 
     Attributes
@@ -65,9 +65,9 @@ class Source:
 
 def excite(
     output: Path,
-    source: Source,
+    source: ExcitationSource,
     wanted: Requirements,
-    limits: Limits,
+    limits: ExcitationLimits,
     rate: float,
     *,
     report: Callable[[float], None] | None = None,
@@ -111,7 +111,7 @@ def excite(
     return design, tuple(rebased(file, staged, output.parent) for file in files)
 
 
-def film(source: Source, parameters: JointParameters) -> tuple[float, float]:
+def film(source: ExcitationSource, parameters: JointParameters) -> tuple[float, float]:
     """Thickness of the undeformed film [m] and its largest field [V/m]: of the run's settings, or of the drawing."""
     if source.run is not None:
         plant = device(RunFolder.open(source.run).prototype)
@@ -134,20 +134,20 @@ def description(design: Design) -> dict[str, Any]:
     }
 
 
-def _figures(found: Assessment) -> dict[str, Any]:
+def _figures(assessment: Assessment) -> dict[str, Any]:
     return {
-        "log_information_per_weight": found.log_information,
-        "log_det_unit_columns_per_weight": found.conditioning.log_det,
-        "condition": found.conditioning.condition,
-        "silent_weights": found.conditioning.silent,
-        "covered_share": found.covered,
-        "samples_per_centre": found.visits.visits,
-        "samples_per_centre_driven": found.visits.driven,
-        "crossings": found.crossings,
+        "log_information_per_weight": assessment.log_information,
+        "log_det_unit_columns_per_weight": assessment.conditioning.log_det,
+        "condition": assessment.conditioning.condition,
+        "silent_weights": assessment.conditioning.silent,
+        "covered_share": assessment.covered,
+        "samples_per_centre": assessment.visits.visits,
+        "samples_per_centre_driven": assessment.visits.driven,
+        "crossings": assessment.crossings,
     }
 
 
-def _simulators(source: Source, parameters: JointParameters, rng: np.random.Generator) -> list[Simulator]:
+def _simulators(source: ExcitationSource, parameters: JointParameters, rng: np.random.Generator) -> list[Simulator]:
     if source.run is not None:
         return [_of_run(source.run, source.model)]
     return drawn_simulators(parameters, rng, source.joints)
@@ -163,11 +163,11 @@ def _of_run(root: Path, name: str | None) -> Simulator:
         raise InputError(
             f"{root}: an excitation is designed for a joint with two squared inputs; this device has others"
         )
-    found = subject(run, prototype, name)
+    joint = subject(run, prototype, name)
 
     def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
-        motion = found.model.simulate(t, v, found.start[0], 0.0)
+        motion = joint.model.simulate(t, v, joint.start[0], 0.0)
         return motion.q, motion.qdot
 
     return simulate
@@ -219,7 +219,7 @@ def _made(parameters: JointParameters, rng: np.random.Generator) -> JointParamet
 
 def _simulator(parameters: JointParameters) -> Simulator | None:
     """Motion of the reduced joint from rest in its left well; None without two wells."""
-    stable = [found.q for found in equilibria(parameters, np.zeros(2)) if found.stable]
+    stable = [rest.q for rest in equilibria(parameters, np.zeros(2)) if rest.stable]
     if len(stable) < 2:
         return None
     reduced, start = reduce_joint(parameters), min(stable)

@@ -198,12 +198,12 @@ def assess(
     """Play a sequence on every simulator and say what its motions tell about the weights."""
     runs = [_play(simulate, bursts, duration) for simulate in simulators]
     information = [weights.information(*run, INTERVAL) for run in runs]
-    found = [_coverage(weights, run) for run in runs]
+    coverages = [_coverage(weights, run) for run in runs]
     mean = float(np.mean([log_information(each) for each in information]))
-    covered = float(np.mean([_covered(each) for each in found]))
+    covered = float(np.mean([_covered(each) for each in coverages]))
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
     judged = conditioning(information[0])
-    return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, found[0], judged, crossings)
+    return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, coverages[0], judged, crossings)
 
 
 def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
@@ -267,13 +267,13 @@ def probed_wells(simulate: Simulator, voltage: float) -> Wells:
                 bursts.append(Burst("pulse", end, duration, *sides, none, none))
                 end += duration + _PROBED_REST
     q, _, v = _play(simulate, bursts, end)
-    found = find_wells([(q, v, INTERVAL)], joint=True)
-    if isinstance(found, NoWells):
+    wells = find_wells([(q, v, INTERVAL)], joint=True)
+    if isinstance(wells, NoWells):
         raise InputError(
             f"pulses of up to {voltage:g} V do not take the joint from well to well; raise --max-voltage "
             "or --max-field, or see `debist physics curves` for what it needs"
         )
-    return found
+    return wells
 
 
 def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> Weights:

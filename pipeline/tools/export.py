@@ -81,15 +81,15 @@ def export_run(
 
 def stale_exports(root: Path) -> list[str]:
     """Files in ``RUN/exports`` that were made from another model, or design, than the run now holds."""
-    run, found = RunFolder.open(root), []
+    run, stale = RunFolder.open(root), []
     for name, entry in written_files(root / layout.EXPORTS).items():
         origin = entry.get("made_from")
         if not isinstance(origin, dict) or not (root / layout.EXPORTS / name).is_file():
             continue
         held = run.manifest.artifacts
         if any(artifact not in held or held[artifact].content_hash != content for artifact, content in origin.items()):
-            found.append(f"{layout.EXPORTS}/{name}")
-    return found
+            stale.append(f"{layout.EXPORTS}/{name}")
+    return stale
 
 
 def _origin(run: RunFolder, prototype: Prototype, target: Target, model: str | None) -> dict[str, str]:
@@ -110,7 +110,7 @@ def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | No
     write = getattr(import_module(f"pipeline.export.{_WRITERS[target]}"), f"write_{target}")
     made: Exported = write(subject(run, prototype, model), folder)
     failed = failed_validations(run, model_artifact(run, prototype, model)[0])
-    return replace(made, notes=[*made.notes, *(f"{one}: do not trust its free runs" for one in failed)])
+    return replace(made, notes=[*made.notes, *(f"{problem}: do not trust its free runs" for problem in failed)])
 
 
 def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
@@ -118,14 +118,14 @@ def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported
     from pipeline.export.controller import ControllerSubject, write_controller
     from pipeline.loading.held_models import load_design
 
-    found = load_design(run)
-    places = found["places_m"]
+    document = load_design(run)
+    places = document["places_m"]
     subject = ControllerSubject(
         prototype=prototype.name,
-        model=found["model"],
-        origin=found["origin"],
-        law=Law.from_json(found["law"]),
-        lags=tuple(found["lags_s"]),
+        model=document["model"],
+        origin=document["origin"],
+        law=Law.from_json(document["law"]),
+        lags=tuple(document["lags_s"]),
         places=(places["left"], places["saddle"], places["right"]),
     )
     return write_controller(subject, folder)
@@ -156,8 +156,8 @@ def _notes(run: RunFolder, environments: Mapping[str, str]) -> list[str]:
     unknown = made.pop("")
     notes = [f"the environment of {len(unknown)} artifacts was not recorded; a new run records it"] if unknown else []
     if len(made) > 1:
-        told = "; ".join(f"{environments[key]}: {_some(names)}" for key, names in made.items())
-        notes.append(f"the run was made in {len(made)} environments ({told}); a new run makes it in one")
+        packages = "; ".join(f"{environments[key]}: {_some(names)}" for key, names in made.items())
+        notes.append(f"the run was made in {len(made)} environments ({packages}); a new run makes it in one")
     return notes
 
 

@@ -103,11 +103,11 @@ def _split(prototype: Prototype, by: By, folds: int | None) -> Folds:
 
 
 def _chosen(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> tuple[str, ...]:
-    known = (*identified_models(run, prototype), *prototype.baselines)
+    fitted = (*identified_models(run, prototype), *prototype.baselines)
     for model in models:
-        if model not in known:
-            raise InputError(f"the run has no model {model!r}; it has {', '.join(known)}")
-    return tuple(dict.fromkeys(models)) or known
+        if model not in fitted:
+            raise InputError(f"the run has no model {model!r}; it has {', '.join(fitted)}")
+    return tuple(dict.fromkeys(models)) or fitted
 
 
 def _task(prototype: Prototype, parameters: "JointParameters | None", split: Folds, model: str, jobs: int) -> Task:

@@ -139,8 +139,8 @@ def identify_signals(
     for text in (*contradictions, *remarks(rows)):
         warnings.warn(f"debist: {text}", stacklevel=_CALLER)
     models, notes = identified(tables, prototype, parameter_set(prototype, Path.cwd() / "settings.toml"))
-    told = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
-    return models, notes | {"warnings": [*told, *notes["warnings"]], "contradictions": contradictions}, tables
+    remarks_of_all = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
+    return models, notes | {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}, tables
 
 
 def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[str, Any]]:
@@ -164,8 +164,8 @@ def column_name(name: str, displacement: str, inputs: str = "V") -> str:
     """``q`` → ``q_m``, ``qdot`` → ``qdot_m_per_s``, ``v1`` → ``v1_V``; pure numbers keep their names."""
     if name in _OF_Q:
         return f"{name}_{_OF_Q[name].format(displacement)}"
-    known = {"t": "s", "phi": "rad", "v1": inputs, "v2": inputs, "u1": inputs, "u2": inputs}.get(name, "1")
-    return name if known == "1" else f"{name}_{known}"
+    unit = {"t": "s", "phi": "rad", "v1": inputs, "v2": inputs, "u1": inputs, "u2": inputs}.get(name, "1")
+    return name if unit == "1" else f"{name}_{unit}"
 
 
 def frame(columns: Mapping[str, Any], displacement: str, inputs: str = "V") -> "pd.DataFrame":

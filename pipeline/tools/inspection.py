@@ -89,7 +89,7 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
     plant, ingest = device(prototype), prototype.ingest
     signals = read_si(log, prototype, plant)
     record = Resampling(survey(signals.q, signals.beside, time_reversal="split"), ingest.sample_interval).record()
-    found = examine_excitation(
+    excitation = examine_excitation(
         record.q,
         record.v[:, : len(plant.inputs)],
         record.segment.astype(np.int64),
@@ -101,8 +101,8 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
     )
     unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)
-    lacking = shortfalls(found, names, factor, unit, joint=plant.joint)
-    return LogExcitation(found, names, assumed, lacking, ingest.sample_interval, factor, unit, plant.joint)
+    lacking = shortfalls(excitation, names, factor, unit, joint=plant.joint)
+    return LogExcitation(excitation, names, assumed, lacking, ingest.sample_interval, factor, unit, plant.joint)
 
 
 def _supposed(inspection: Inspection) -> Prototype:

@@ -23,14 +23,14 @@ MOST_EQUILIBRIA = 9
 def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> dict[str, Any]:
     """Equilibria and their linear models under constant voltages [V], with the measured ring-downs beside them."""
 
-    def work(found: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
+    def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
         """Equilibria and linear models of the run's joint."""
         return {
             "format": "debist-linear/1",
-            "model": found.name,
+            "model": joint_run.name,
             "v_V": list(voltages),
-            "equilibria": [each.to_json() | {"bode": bode(each)} for each in _linear_models(found, voltages)],
-            "measured": _measured_ringing(found),
+            "equilibria": [each.to_json() | {"bode": bode(each)} for each in _linear_models(joint_run, voltages)],
+            "measured": _measured_ringing(joint_run),
         }
 
     control_run(root).check_voltages("--v1, --v2", *voltages)
@@ -39,16 +39,16 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
 
 def linear_models(root: Path, voltages: tuple[float, float]) -> "list[LinearModel]":
     """Equilibria and linear models of a run's joint under constant voltages [V]."""
-    found = control_run(root)
-    found.check_voltages("v1, v2", *voltages)
-    return _linear_models(found, voltages)
+    joint_run = control_run(root)
+    joint_run.check_voltages("v1, v2", *voltages)
+    return _linear_models(joint_run, voltages)
 
 
-def _linear_models(found: ControlRun, voltages: tuple[float, float]) -> "list[LinearModel]":
+def _linear_models(joint_run: ControlRun, voltages: tuple[float, float]) -> "list[LinearModel]":
     from pipeline.control.linear import equilibria
     from pipeline.control.plant import plant_of
 
-    return equilibria(plant_of(found.model), np.array(voltages, dtype=np.float64))
+    return equilibria(plant_of(joint_run.model), np.array(voltages, dtype=np.float64))
 
 
 def bode(model: "LinearModel") -> dict[str, list[float]]:
@@ -58,22 +58,22 @@ def bode(model: "LinearModel") -> dict[str, list[float]]:
     answers = np.array(
         [(model.c @ np.linalg.solve(2j * np.pi * each * identity - model.a, model.b_squared))[0] for each in f]
     )
-    found = {"f_Hz": f.tolist()}
+    answer = {"f_Hz": f.tolist()}
     for side, name in enumerate(("left", "right")):
-        found[f"{name}_dB"] = (20.0 * np.log10(np.abs(answers[:, side]) * 1e9)).tolist()
-        found[f"{name}_deg"] = np.degrees(np.unwrap(np.angle(answers[:, side]))).tolist()
-    return found
+        answer[f"{name}_dB"] = (20.0 * np.log10(np.abs(answers[:, side]) * 1e9)).tolist()
+        answer[f"{name}_deg"] = np.degrees(np.unwrap(np.angle(answers[:, side]))).tolist()
+    return answer
 
 
-def _measured_ringing(found: ControlRun) -> dict[str, Any]:
+def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     """Mean frequency [Hz] and damping ratio of the ring-downs in both wells, over all logs, as in the datasheet."""
     from pipeline.device_facts.events import rest_facts
     from pipeline.scoring.wells import wells_of
     from pipeline.signals.inputs import voltages
 
-    logs = [(role, log) for role, log, _ in layout.logs(found.prototype)]
-    tables = [found.run.read_table(layout.kinematics(*log)) for log in logs]
-    hum = {line for log in logs for line in found.run.record(layout.record(*log)).notes.get("hum", ())}
+    logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
+    tables = [joint_run.run.read_table(layout.kinematics(*log)) for log in logs]
+    hum = {line for log in logs for line in joint_run.run.record(layout.record(*log)).notes.get("hum", ())}
     wells = wells_of(tables, joint=True)
     facts = rest_facts([(table["t"], table["q"], voltages(table)) for table in tables], wells, hum, joint=True)
     rings = {"left": facts.rings_left, "right": facts.rings_right}

@@ -78,8 +78,8 @@ def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> 
 
 def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
     """Read a study that was made, and draw it beside its table; `models` decides their colours."""
-    found, notes = read_study(run, name, device(prototype)), dict(run.record(layout.study(name)).notes)
-    columns, units = dict(found.columns), dict(found.units)
+    study, notes = read_study(run, name, device(prototype)), dict(run.record(layout.study(name)).notes)
+    columns, units = dict(study.columns), dict(study.units)
     return StudyResult(columns, units, _draw(run.root, name, columns, units, models), notes)
 
 
@@ -103,8 +103,8 @@ def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
         return {"order": prototype.differentiate.order}
     plant = {"plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})}
     read = {"basis"} if name == "basis" else {"basis", "basis_functions", "smoothing"}
-    found = plant | {"identify": prototype.identify.model_dump(mode="json", include=read)}
-    return found | {"differentiate": prototype.differentiate.model_dump(mode="json")} if name == "data" else found
+    settings = plant | {"identify": prototype.identify.model_dump(mode="json", include=read)}
+    return settings | {"differentiate": prototype.differentiate.model_dump(mode="json")} if name == "data" else settings
 
 
 def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
@@ -204,8 +204,8 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
 
     def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
         """Smoothed samples and their derivatives."""
-        found = differentiate(samples, interval, **how)
-        return found.q_smooth, found.qdot, found.qddot
+        result = differentiate(samples, interval, **how)
+        return result.q_smooth, result.qdot, result.qddot
 
     total, rng = sum(len(x.t) for x in data), np.random.default_rng(0)
     low, high = operating_range(data)
@@ -237,15 +237,15 @@ def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> t
     for drift in DRIFTS:
         measured, growth = drifted(rows, target, weights, len(model.centres), drift)
         for forgetting in FORGETTING:
-            found = follow(rows, measured, force, growth[:, None] * truth, forgetting=forgetting)
-            constant = np.ones(len(found.samples))
+            errors = follow(rows, measured, force, growth[:, None] * truth, forgetting=forgetting)
+            constant = np.ones(len(errors.samples))
             tables.append(
                 {
                     "forgetting": forgetting * constant,
                     "drift": drift * constant,
-                    "t": interval * found.samples,
-                    "curve_error": found.curve_error,
-                    "prediction_error": found.prediction_error,
+                    "t": interval * errors.samples,
+                    "curve_error": errors.curve_error,
+                    "prediction_error": errors.prediction_error,
                 }
             )
     columns = {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}

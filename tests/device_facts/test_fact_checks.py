@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.device_facts.calibrated import calibrated
 from pipeline.device_facts.characteristics import intervals, shares
-from pipeline.device_facts.datasheet import Fact, distance, fact_checks, make_datasheet
+from pipeline.device_facts.datasheet import DatasheetFact, distance, fact_checks, make_datasheet
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS
 from pipeline.numerics.metrics import NORMAL_90
@@ -17,7 +17,9 @@ from tests.reporting.synthetic import run_data
 
 
 def fact(value, measured, spread, events=13, low=None, high=None):
-    return Fact("damping_right", "damping ratio in the right well", "1", value, low, high, measured, spread, events)
+    return DatasheetFact(
+        "damping_right", "damping ratio in the right well", "1", value, low, high, measured, spread, events
+    )
 
 
 def test_a_damping_far_from_the_measured_one_is_a_finding():

@@ -101,6 +101,12 @@ def test_a_page_renders_without_complaint(
 
 def test_every_figure_is_drawn(browser: Any, pages: dict[str, str]) -> None:
     _open(browser, pages["report"])
+    browser.execute_script("document.querySelectorAll('details').forEach((each) => { each.open = true; })")
+    assert _until(
+        lambda: browser.execute_script(
+            "return [...document.querySelectorAll('.uplot')].every((u) => u.clientWidth > 700)"
+        )
+    )
     inked = browser.execute_script(
         """return [...document.querySelectorAll('.viewer')].map((viewer) => {
              const canvas = viewer.querySelector('canvas');
@@ -115,12 +121,12 @@ def test_buttons_zoom_all_figures_of_a_log_and_no_others(browser: Any, pages: di
     from selenium.webdriver.common.by import By
 
     _open(browser, pages["report"])
-    whole, other = _view(browser, 0), _view(browser, 1)
+    whole, other = _view(browser, 0), _view(browser, 2)
     browser.find_elements(By.CSS_SELECTOR, ".viewer button[data-do=in]")[0].click()
     start, stop = _zoomed(browser, whole)
     assert stop - start == pytest.approx((whole[1] - whole[0]) / 2.0)
-    assert _view(browser, 2) == (start, stop)  # derivatives of the same log
-    assert _view(browser, 1) == other  # signals of the other log
+    assert _view(browser, 1) == (start, stop)  # signals of the same log
+    assert _view(browser, 2) == other  # signals of the other log
     browser.find_elements(By.CSS_SELECTOR, ".viewer button[data-do=whole]")[0].click()
     assert _zoomed(browser, (start, stop)) == whole
 

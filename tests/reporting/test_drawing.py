@@ -9,7 +9,19 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points, linear_ticks, log_ticks, tick_label
+from pipeline.reporting.canvas import page_chart
+from pipeline.reporting.figure import (
+    Band,
+    Cells,
+    Figure,
+    Line,
+    Panel,
+    Points,
+    linear_ticks,
+    log_ticks,
+    tick_label,
+    tick_labels,
+)
 from pipeline.reporting.legend import entries
 from pipeline.reporting.plotted import BUCKETS, CELL_COLOURS, Look, paper_look, plotted
 from tests.reporting.synthetic import run_data, run_figures
@@ -169,3 +181,32 @@ def test_linear_ticks_lie_inside():
         assert low - 1e-9 <= values[0]
         assert values[-1] <= high + 1e-9 * abs(high)
         assert len({f"{v:.{decimals}f}" for v in values}) == len(values)
+
+
+@pytest.mark.parametrize(
+    ("values", "labels"),
+    [
+        ([0.1, 1.0, 10.0, 100.0], ["0.1", "1", "10", "100"]),
+        ([100.0, 1e3, 1e4, 1e5], ["10²", "10³", "10⁴", "10⁵"]),
+        ([1e-6, 1e-3, 1.0], ["10⁻⁶", "10⁻³", "10⁰"]),
+        ([0.02, 0.05, 0.1], ["0.02", "0.05", "0.1"]),
+    ],
+)
+def test_an_axis_has_one_style_of_powers_of_ten(values: list[float], labels: list[str]) -> None:
+    assert tick_labels(np.array(values)) == labels
+
+
+def test_panels_of_a_half_figure_share_their_axis_and_counts_have_whole_ticks() -> None:
+    t = np.linspace(0.0, 3.0, 7)
+    panels = (
+        Panel("q", "m", (Line("q", "measured", t, t),), low=True),
+        Panel("v", "V", (Line("v", "v1", 2.0 * t, t),)),
+    )
+    figure = Figure("f", "", "", "fold", "1", panels, half=True, whole=True)
+    axes = _drawn(figure).axes
+    assert len(page_chart(figure, [])) == 1
+    assert axes[0].get_xlim() == axes[1].get_xlim() == (0.0, 6.0)
+    ticks = axes[1].get_xticks()
+    assert np.all(ticks == np.round(ticks))
+    low, usual = (on.get_position().height for on in axes)
+    assert low < 0.7 * usual

@@ -25,7 +25,7 @@ from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
 from pipeline.reporting.device_figures import _curves
 from pipeline.reporting.figure import Figure, Line, Panel, extreme_places, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
-from pipeline.reporting.fleet_table import Quantity, failed, fleet_columns, strip_chart, summary
+from pipeline.reporting.fleet_table import FleetColumn, failed, fleet_columns, strip_chart, summary
 from pipeline.reporting.log_figures import differentiation, fit_note
 from pipeline.reporting.model_facts import described
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
@@ -139,7 +139,10 @@ def test_a_large_fleet_notes_errors_of_training_too() -> None:
     trained = document | {"scores": [s for s in document["scores"] if s["role"] == "train"]}
     members = [summary("P", document, None), summary("T", trained, None)]
     none = np.zeros(2, dtype=np.bool_)
-    scored = [Quantity("NRMSE of q", "%", np.ones(2), none, scored=True), Quantity("rest left", "mm", np.ones(2), none)]
+    scored = [
+        FleetColumn("NRMSE of q", "%", np.ones(2), none, scored=True),
+        FleetColumn("rest left", "mm", np.ones(2), none),
+    ]
     columns = fleet_columns(members, scored)
     assert [each["scored"] for each in columns["quantities"]] == [True, False]
     flags = zlib.decompress(base64.b64decode(columns["grades"]))
@@ -572,7 +575,7 @@ def test_both_wells_of_a_row_have_one_unit() -> None:
         for fact in sheet.facts
     )
     row = next(r for r in sheet_rows(replace(sheet, facts=facts)) if r.title.startswith("energy barrier"))
-    assert [cell.value for cell in row.cells] == ["0.040 mJ", "0.900 mJ"]
+    assert [cell.value for cell in row.cells] == ["0.040\u00a0mJ", "0.900\u00a0mJ"]
 
 
 def test_the_first_screen_is_verdict_overlay_and_headline_table() -> None:
@@ -609,7 +612,7 @@ def test_no_motion_under_voltage_lies_over_the_basins() -> None:
 
 def test_the_axis_of_a_share_ends_at_all_of_it() -> None:
     values = np.array([97.0, 100.0, 99.0])
-    drawn = str(strip_chart(Quantity("switches correct", "%", values, np.zeros(3, dtype=bool)), ["a", "b", "c"]))
+    drawn = str(strip_chart(FleetColumn("switches correct", "%", values, np.zeros(3, dtype=bool)), ["a", "b", "c"]))
     ticks = [float(text) for text in re.findall(r'class="tick mid"[^>]*>([^<]+)<', drawn)]
     assert max(ticks) <= 100.0
 

@@ -24,7 +24,7 @@ from pipeline.rig.excitation import (
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
-from pipeline.tools.excitation import Limits, Source, drawn_simulators, film
+from pipeline.tools.excitation import ExcitationLimits, ExcitationSource, drawn_simulators, film
 from pipeline.tools.excitation_design import Design, Requirements, assess, design_excitation, probed_wells
 
 WANTED = Requirements(duration=14.0, candidates=6)
@@ -124,10 +124,10 @@ def test_a_design_keeps_the_limits_and_follows_the_seed(design, simulators) -> N
 
 
 def test_the_field_limits_the_voltage() -> None:
-    assert Limits().largest(*film(Source(), NOMINAL)) == pytest.approx(3000.0)
-    assert Limits(field=40e6).largest(*film(Source(), NOMINAL)) == pytest.approx(2000.0)
+    assert ExcitationLimits().largest(*film(ExcitationSource(), NOMINAL)) == pytest.approx(3000.0)
+    assert ExcitationLimits(field=40e6).largest(*film(ExcitationSource(), NOMINAL)) == pytest.approx(2000.0)
     thin = NOMINAL.with_values({"right.d0": 30e-6})
-    assert Limits().largest(*film(Source(), thin)) == pytest.approx(1800.0)
+    assert ExcitationLimits().largest(*film(ExcitationSource(), thin)) == pytest.approx(1800.0)
 
 
 def test_the_film_of_a_runs_settings_limits_the_voltage(tmp_path: Path) -> None:
@@ -136,7 +136,7 @@ def test_the_film_of_a_runs_settings_limits_the_voltage(tmp_path: Path) -> None:
     settings = {"name": "P", "logs": {"train": ["a.csv"]}, "channels": channels, "plant": plant}
     prototype = parse_prototype(settings, "P.toml")
     run = RunFolder.create(tmp_path / "run", prototype.model_dump(mode="json"), tmp_path / "P.toml")
-    assert film(Source(run=run.root), NOMINAL) == pytest.approx((40e-6, 50e6))
+    assert film(ExcitationSource(run=run.root), NOMINAL) == pytest.approx((40e-6, 50e6))
 
 
 @pytest.mark.parametrize("ending", [".csv", ".mat"])

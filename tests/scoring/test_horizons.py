@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.horizons import HorizonError, Predict, horizon_errors
+from pipeline.scoring.horizons import HorizonError, MeasuredPath, Predict, horizon_errors
 
 T = 0.01 * np.arange(1000)
 Q = np.sin(2.0 * T)
@@ -15,7 +15,7 @@ V = np.zeros((1000, 1))
 def horizon_error(
     predict: Predict, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray, horizon: float
 ) -> HorizonError:
-    return horizon_errors(predict, t, v, q, qdot, [horizon], seed=0, joint=True)[0]
+    return horizon_errors(predict, MeasuredPath(t, v, q, qdot), [horizon], joint=True)[0]
 
 
 def persistence(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
@@ -107,11 +107,10 @@ def test_horizons_that_share_restarts_are_those_of_each_alone_from_fewer_predict
         return persistence(t, v, q, qdot)
 
     q = np.where(np.arange(1000) % 97 == 5, np.nan, Q)
-    together = horizon_errors(counted, T, V, q, QDOT, [0.01, 0.1, 1.0], seed=0, joint=True, most_starts=9)
+    path = MeasuredPath(T, V, q, QDOT)
+    together = horizon_errors(counted, path, [0.01, 0.1, 1.0], joint=True, most_starts=9)
     made = len(asked)
     asked.clear()
-    alone = [
-        horizon_errors(counted, T, V, q, QDOT, [h], seed=0, joint=True, most_starts=9)[0] for h in (0.01, 0.1, 1.0)
-    ]
+    alone = [horizon_errors(counted, path, [h], joint=True, most_starts=9)[0] for h in (0.01, 0.1, 1.0)]
     assert together == alone
     assert made < len(asked) == sum(error.starts for error in alone)
