@@ -7,7 +7,8 @@ import numpy as np
 
 from pipeline.checks import limits
 from pipeline.checks.input_lag import input_lag
-from pipeline.checks.undriven_starts import NO_STARTS, undriven_starts
+from pipeline.checks.rest_drift import RestDrift, rest_drift
+from pipeline.checks.undriven_starts import undriven_starts
 from pipeline.checks.weak_form import (
     FORCE_ORDER,
     GAIN_TERMS,
@@ -176,8 +177,10 @@ class LogFacts:
         proportion for by their squares); the latter only where an input takes both signs.
     lag : float or None
         Time constant [s] of a lag of the inputs that explains a late answer surely better than a delay.
-    starts : FloatArray
+    starts : tuple of float
         Times [s] at which q leaves a rest though no input changes.
+    drift : RestDrift or None
+        A drift of the rests that is sure and remarkable.
     """
 
     signals: LogSignals
@@ -193,7 +196,8 @@ class LogFacts:
     unexplained: float | None = None
     under_other_law: float | None = None
     lag: float | None = None
-    starts: FloatArray = NO_STARTS
+    starts: tuple[float, ...] = ()
+    drift: RestDrift | None = None
 
 
 def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: bool) -> LogFacts:
@@ -226,6 +230,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
         unexplained=None if terms is None else unexplained(terms),
         under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if both_signs else None,
         starts=undriven_starts(t, q, v),
+        drift=rest_drift(t, q, v, every * log.interval, wells, joint=joint),
         lag=_lag(log, terms, inputs, sample_interval, squared=squared),
     )
 

@@ -299,9 +299,16 @@ def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") ->
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.remarks import remarks_on
     from pipeline.signals.plausible_spans import scale_suspicion
+    from pipeline.signals.saturation import saturation
     from pipeline.signals.signal_quality import span
+    from pipeline.signals.timebase import nominal_step
 
     found, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
+    found += [
+        f"v{k}: {remark}"
+        for k, signal in enumerate(signals.inputs, 1)
+        for remark in saturation(*signal, nominal_step(signal[0]))
+    ]
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
         return found
     ends = [("q", (quality.smallest, quality.largest), plant.displacement)] + [
