@@ -177,8 +177,8 @@ def _ring_row(fact: LogFacts) -> CheckRow:
 def _drift_row(fact: LogFacts, drift: RestDrift, declared: Declared) -> CheckRow:
     unit, lasts = declared.displacement, float(np.ptp(fact.signals.t))
     advice = (
-        f"the places of rest move by {quantity(drift.rate * lasts, unit)} over the log: let the sensor warm up, fix its "
-        "mount, or take the drift off q"
+        f"the places of rest move by {quantity(drift.rate * lasts, unit)} over the log: let the sensor warm up, fix "
+        "its mount, or take the drift off q"
     )
     found = f"{quantity(drift.rate, f'{unit}/s', drift.error)} over {drift.rests} rests"
     return CheckRow(fact.signals.name, "drift of the rests", found, "", "note", None, advice)
@@ -391,27 +391,30 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         level = float(np.quantile(size, limits.OFF_SHARE))
         rests = float(np.mean(size <= level + limits.REST_LEVEL * peak)) >= limits.REST_SHARE
         if level > limits.REST_LEVEL * peak and rests:
+            signed = float(np.copysign(level, np.median(fact.signals.v[size <= level + limits.REST_LEVEL * peak, i])))
+            found, against = quantity(signed, unit), quantity(-signed, unit)
             advice = (
-                f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; give "
-                "it as `offset` in [channels]"
+                f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; add "
+                f"{against} to its `offset` in [channels]"
             )
             limit = f"≤ {_short(limits.REST_LEVEL * peak, unit)}"
-            found = quantity(level, unit)
             rows.append(CheckRow(fact.signals.name, f"lowest level of v{i + 1}", found, limit, "note", None, advice))
     return rows
 
 
 def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
-    """Whether an input of both signs acts as the settings say."""
+    """Whether the inputs act as the settings say; of inputs of one sign only where the other law explains more."""
     own, other = fact.unexplained, fact.under_other_law
     if own is None or other is None:
         return []
     laws = ("squared", "linear") if declared.squared else ("linear", "squared")
     found = f"{laws[0]} leaves {significant(100.0 * own, 2)} %, {laws[1]} {significant(100.0 * other, 2)} %"
-    fits = other >= limits.OTHER_LAW * own
-    advice = "" if fits else f'an input takes both signs and explains more so: set inputs = "{laws[1]}" in [plant]'
-    state: State = "ok" if fits else "note"
-    return [CheckRow(fact.signals.name, "law of the inputs", found, "", state, None, advice)]
+    fits = other >= (limits.OTHER_LAW if fact.both_signs else limits.OTHER_LAW_OF_ONE_SIGN) * own
+    if fits:
+        return [CheckRow(fact.signals.name, "law of the inputs", found, "")] if fact.both_signs else []
+    why = "an input takes both signs and explains" if fact.both_signs else "the inputs explain"
+    advice = f'{why} more so: set inputs = "{laws[1]}" (in [plant], or as an argument)'
+    return [CheckRow(fact.signals.name, "law of the inputs", found, "", "note", None, advice)]
 
 
 def _short(value: float, unit: str) -> str:

@@ -174,7 +174,9 @@ class LogFacts:
         How often q passes from well to well after all inputs were off: something that was not named moves it.
     unexplained, under_other_law : float or None
         Share of the accelerations that the weak form leaves, and that it leaves where inputs act by their other law (in
-        proportion for by their squares); the latter only where an input takes both signs.
+        proportion for by their squares).
+    both_signs : bool
+        Whether an input takes both signs.
     lag : float or None
         Time constant [s] of a lag of the inputs that explains a late answer surely better than a delay.
     starts : tuple of float
@@ -195,6 +197,7 @@ class LogFacts:
     undriven: int
     unexplained: float | None = None
     under_other_law: float | None = None
+    both_signs: bool = False
     lag: float | None = None
     starts: tuple[float, ...] = ()
     drift: RestDrift | None = None
@@ -228,7 +231,8 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
         natural=natural,
         undriven=_undriven(q, v, every * log.interval, wells, natural, joint=joint),
         unexplained=None if terms is None else unexplained(terms),
-        under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if both_signs else None,
+        under_other_law=_unexplained_by(log, sample_interval, squared=not squared),
+        both_signs=both_signs,
         starts=undriven_starts(t, q, v),
         drift=rest_drift(t, q, v, every * log.interval, wells, joint=joint),
         lag=_lag(log, terms, inputs, sample_interval, squared=squared),

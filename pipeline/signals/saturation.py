@@ -11,7 +11,7 @@ _RAGGED = 0.5
 """Share of the samples elsewhere that differ from the one before, where a probe has noise or the input moves."""
 
 
-def saturation(time: FloatArray, samples: FloatArray, step: float) -> list[str]:
+def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
     """What to say of an input that stays at its largest or smallest value to the last digit, though it has noise.
 
     A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests at
@@ -29,7 +29,8 @@ def saturation(time: FloatArray, samples: FloatArray, step: float) -> list[str]:
             continue
         first = time[np.argmax(samples == rail)]
         said.append(
-            f"{100.0 * share:.2g} % of the samples stay at {rail:.6g} V from {first:.6g} s on, to the last digit, and "
-            "have noise elsewhere: its probe is saturated, and what was applied is not known; widen its range"
+            f"{100.0 * share:.2g} % of the samples stay at {rail:.6g} {unit}, the first at {first:.6g} s, and elsewhere "
+            "no two are equal: a saturated probe? What was applied there is not known: widen the probe's range, unless "
+            "this is a command that is limited there"
         )
     return said

@@ -304,11 +304,8 @@ def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") ->
     from pipeline.signals.timebase import nominal_step
 
     found, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
-    found += [
-        f"v{k}: {remark}"
-        for k, signal in enumerate(signals.inputs, 1)
-        for remark in saturation(*signal, nominal_step(signal[0]))
-    ]
+    for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
+        found += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
         return found
     ends = [("q", (quality.smallest, quality.largest), plant.displacement)] + [
