@@ -92,7 +92,9 @@ class Run:
         return pd.DataFrame(load_scores(self.root))
 
     def log(self, name: str) -> "pd.DataFrame":
-        """Signals of a log: t_s, q_m (q_rad), v1_V, v2_V, segment, qdot_m_per_s, qddot_m_per_s2.
+        """Signals of a log: t_s, q_m (q_rad), v1_V, v2_V, segment, qdot_m_per_s, qddot_m_per_s2; NaN where masked.
+
+        `Model.score` scores it as the report does, gaps included.
 
         Where a training and a validation log share a name it is that of the validation log.
 
@@ -102,9 +104,12 @@ class Run:
             The run has no such log.
         """
         from pipeline.runs import layout
-        from pipeline.tools.in_memory import frame
+        from pipeline.tools.in_memory import OF_RUN, frame
 
-        return frame(self._folder.read_table(layout.kinematics(self._role(name), name)), *self._units)
+        role = self._role(name)
+        table = frame(self._folder.read_table(layout.kinematics(role, name)), *self._units)
+        table.attrs[OF_RUN] = (str(self.root.absolute()), role, name)
+        return table
 
     def model(self, name: str | None = None) -> Model:
         """A model, the headline if none is named.

@@ -1,5 +1,6 @@
 """Models for notebooks and scripts: identified from arrays or DataFrames, simulated, scored and drawn. SI units."""
 
+import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from pipeline.runs.tables import Table
     from pipeline.settings import Prototype
     from pipeline.tools.in_memory import Signals
+
+_CALLER = 4  # frames from a warning up to who called `Model.score`
 
 
 class Model:
@@ -72,8 +75,9 @@ class Model:
         """
         import numpy as np
 
-        from pipeline.tools.in_memory import frame
+        from pipeline.tools.in_memory import frame, refuse_other_units
 
+        refuse_other_units({"q0": abs(q0), "v": float(np.max(np.abs(np.asarray(v)), initial=0.0))}, self._prototype)
         run = self.core.simulate(np.asarray(t), np.asarray(v), q0, qdot0)
         voltages = np.asarray(v, dtype=np.float64)
         columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
@@ -93,13 +97,23 @@ class Model:
         ----------
         t, q, v1, v2 : array_like, shape (N,)
             Times [s], displacement [m or rad] and voltages [V], as raw as they are; or one DataFrame with the columns
-            t_s, q_m, v1_V, v2_V.
+            t_s, q_m, v1_V, v2_V. A log of a run, as `Run.log` returns it, is scored as the report does.
 
         Returns
         -------
         pandas.DataFrame
             One row for q, q̇ and q̈: fit_percent (as MATLAB's ``compare``), nrmse (a fraction, eq. 41) and its 95 %
             interval, rmse, unit, n, status, and for q the agreement of wells and switches.
+
+        Raises
+        ------
+        InputError
+            Signals that do not fit the model or each other, or numbers that look like millimetres or kilovolts.
+
+        Warns
+        -----
+        UserWarning
+            What was noticed and masked in the log.
         """
         import pandas as pd
 
@@ -173,14 +187,24 @@ class Model:
         return si_symbols(self._prototype)
 
     def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Table":
-        from pipeline.tools.in_memory import cleaned
+        from pipeline.tools.in_memory import cleaned, kinematics_of
 
+        if q is None and (table := kinematics_of(t)) is not None:
+            count, unit = sum(name in table for name in ("v1", "v2")), "m" if "q_m" in t else "rad"
+            self._check_columns(count, unit)
+            return table
         (signals,) = _logs(t, q, v1, v2)
-        if signals.v.shape[1] != self.inputs:
-            raise InputError(f"the log has {signals.v.shape[1]} voltage(s), the model {self.name} {self.inputs}")
-        if signals.unit not in (None, self._units[0]):
-            raise InputError(f"q of the log is in {signals.unit}, that of the model {self.name} in {self._units[0]}")
-        return cleaned(signals, self._prototype, "the log").motion
+        self._check_columns(signals.v.shape[1], signals.unit)
+        found = cleaned(signals, self._prototype, "the log")
+        for text in found.warnings:
+            warnings.warn(f"debist: {text}", stacklevel=_CALLER)
+        return found.motion
+
+    def _check_columns(self, count: int, unit: str | None) -> None:
+        if count != self.inputs:
+            raise InputError(f"the log has {count} voltage(s), the model {self.name} {self.inputs}")
+        if unit not in (None, self._units[0]):
+            raise InputError(f"q of the log is in {unit}, that of the model {self.name} in {self._units[0]}")
 
 
 @one_thread

@@ -94,9 +94,10 @@ ALPHA_UNIT = {"m": ("mm", 1e-3), "rad": ("deg", math.pi / 180.0), "V": ("mV", 1e
 
 _MISLEADING = {
     **dict.fromkeys(("grad", "Grad"), "write 'deg' for degrees (360 to a turn), or 'gradian' for gons (400)"),
+    "gr": "write 'g' for grams, or 'grain' for grains (64.8 mg)",
     **dict.fromkeys(("px", "pixel"), "a pixel has no length of its own; give one as `scale`, in a unit such as 'mm'"),
 }
-"""Units by which people and pint mean different things (giga-radians, a 96th of an inch), and what to write."""
+"""Units by which people and pint mean different things (giga-radians, a 96th of an inch, grains), and what to write."""
 
 POWERS = {
     "1": (0, 0, 0, 0),

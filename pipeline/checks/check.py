@@ -8,6 +8,7 @@ import numpy as np
 from pipeline.checks import limits
 from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts
 from pipeline.checks.misfit import misfit
+from pipeline.checks.rest_drift import RestDrift
 from pipeline.checks.rows import CheckRow, State
 from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
@@ -76,14 +77,16 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
     lags = [fact.lag for fact in facts if fact.lag is not None]  # what one log tells of a device is so in all
     facts = [replace(fact, lag=lags[0]) if lags and fact.lag is None else fact for fact in facts]
     rows = [row for fact in facts for row in _of_log(fact, declared)]
-    if sum(fact.starts.size for fact in facts) >= limits.UNDRIVEN_STARTS:
-        rows += [_start_row(fact) for fact in facts if fact.starts.size]
+    if sum(len(fact.starts) for fact in facts) >= limits.UNDRIVEN_STARTS:
+        rows += [_start_row(fact) for fact in facts if fact.starts]
     return rows + [_device_row(facts[0], other, declared) for other in facts[1:]]
 
 
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     rows = [*_unit_rows(fact, declared), _resolution_row(fact, declared), *_rate_rows(fact, declared)]
     rows += [*_wrapped_rows(fact, declared), _natural_row(fact, declared), _ring_row(fact), _rest_row(fact, declared)]
+    if fact.drift is not None:
+        rows.append(_drift_row(fact, fact.drift, declared))
     if fact.undriven >= limits.UNDRIVEN_SNAPS:
         rows.append(_undriven_row(fact))
     for i, known in enumerate(fact.inputs):
@@ -171,6 +174,16 @@ def _ring_row(fact: LogFacts) -> CheckRow:
     return CheckRow(name, "ring-down", found, "")
 
 
+def _drift_row(fact: LogFacts, drift: RestDrift, declared: Declared) -> CheckRow:
+    unit, lasts = declared.displacement, float(np.ptp(fact.signals.t))
+    advice = (
+        f"the places of rest move by {quantity(drift.rate * lasts, unit)} over the log: let the sensor warm up, fix "
+        "its mount, or take the drift off q"
+    )
+    found = f"{quantity(drift.rate, f'{unit}/s', drift.error)} over {drift.rests} rests"
+    return CheckRow(fact.signals.name, "drift of the rests", found, "", "note", None, advice)
+
+
 def _undriven_row(fact: LogFacts) -> CheckRow:
     named = "the input is" if len(fact.inputs) == 1 else "all inputs are"
     found = str(fact.undriven)
@@ -178,8 +191,8 @@ def _undriven_row(fact: LogFacts) -> CheckRow:
 
 
 def _start_row(fact: LogFacts) -> CheckRow:
-    places = ", ".join(f"{start:.4g}" for start in fact.starts[: limits.MOST_PLACES].tolist())
-    found = f"{fact.starts.size}, at {places}{' …' if fact.starts.size > limits.MOST_PLACES else ''} s"
+    places = ", ".join(f"{start:.4g}" for start in fact.starts[: limits.MOST_PLACES])
+    found = f"{len(fact.starts)}, at {places}{' …' if len(fact.starts) > limits.MOST_PLACES else ''} s"
     return CheckRow(
         fact.signals.name, "leaves rest though no input changes", found, "", "note", None, _not_named(fact)
     )  # fmt: skip
@@ -378,27 +391,30 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         level = float(np.quantile(size, limits.OFF_SHARE))
         rests = float(np.mean(size <= level + limits.REST_LEVEL * peak)) >= limits.REST_SHARE
         if level > limits.REST_LEVEL * peak and rests:
+            signed = float(np.copysign(level, np.median(fact.signals.v[size <= level + limits.REST_LEVEL * peak, i])))
+            found, against = quantity(signed, unit), quantity(-signed, unit)
             advice = (
-                f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; give "
-                "it as `offset` in [channels]"
+                f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; add "
+                f"{against} to its `offset` in [channels]"
             )
             limit = f"≤ {_short(limits.REST_LEVEL * peak, unit)}"
-            found = quantity(level, unit)
             rows.append(CheckRow(fact.signals.name, f"lowest level of v{i + 1}", found, limit, "note", None, advice))
     return rows
 
 
 def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
-    """Whether an input of both signs acts as the settings say."""
+    """Whether the inputs act as the settings say; of inputs of one sign only where the other law explains more."""
     own, other = fact.unexplained, fact.under_other_law
     if own is None or other is None:
         return []
     laws = ("squared", "linear") if declared.squared else ("linear", "squared")
     found = f"{laws[0]} leaves {significant(100.0 * own, 2)} %, {laws[1]} {significant(100.0 * other, 2)} %"
-    fits = other >= limits.OTHER_LAW * own
-    advice = "" if fits else f'an input takes both signs and explains more so: set inputs = "{laws[1]}" in [plant]'
-    state: State = "ok" if fits else "note"
-    return [CheckRow(fact.signals.name, "law of the inputs", found, "", state, None, advice)]
+    fits = other >= (limits.OTHER_LAW if fact.both_signs else limits.OTHER_LAW_OF_ONE_SIGN) * own
+    if fits:
+        return [CheckRow(fact.signals.name, "law of the inputs", found, "")] if fact.both_signs else []
+    why = "an input takes both signs and explains" if fact.both_signs else "the inputs explain"
+    advice = f'{why} more so: set inputs = "{laws[1]}" (in [plant], or as an argument)'
+    return [CheckRow(fact.signals.name, "law of the inputs", found, "", "note", None, advice)]
 
 
 def _short(value: float, unit: str) -> str:

@@ -1,13 +1,14 @@
 """What one log shows of its device without any model: pushes, delays, rests, ring-down, spans."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.checks import limits
 from pipeline.checks.input_lag import input_lag
-from pipeline.checks.undriven_starts import NO_STARTS, undriven_starts
+from pipeline.checks.rest_drift import RestDrift, rest_drift
+from pipeline.checks.undriven_starts import undriven_starts
 from pipeline.checks.weak_form import (
     FORCE_ORDER,
     GAIN_TERMS,
@@ -173,11 +174,15 @@ class LogFacts:
         How often q passes from well to well after all inputs were off: something that was not named moves it.
     unexplained, under_other_law : float or None
         Share of the accelerations that the weak form leaves, and that it leaves where inputs act by their other law (in
-        proportion for by their squares); the latter only where an input takes both signs.
+        proportion for by their squares).
+    both_signs : bool
+        Whether an input takes both signs.
     lag : float or None
         Time constant [s] of a lag of the inputs that explains a late answer surely better than a delay.
-    starts : FloatArray
+    starts : tuple of float
         Times [s] at which q leaves a rest though no input changes.
+    drift : RestDrift or None
+        A drift of the rests that is sure and remarkable.
     """
 
     signals: LogSignals
@@ -192,8 +197,10 @@ class LogFacts:
     undriven: int
     unexplained: float | None = None
     under_other_law: float | None = None
+    both_signs: bool = False
     lag: float | None = None
-    starts: FloatArray = field(default_factory=lambda: NO_STARTS)
+    starts: tuple[float, ...] = ()
+    drift: RestDrift | None = None
 
 
 def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: bool) -> LogFacts:
@@ -224,8 +231,10 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
         natural=natural,
         undriven=_undriven(q, v, every * log.interval, wells, natural, joint=joint),
         unexplained=None if terms is None else unexplained(terms),
-        under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if both_signs else None,
+        under_other_law=_unexplained_by(log, sample_interval, squared=not squared),
+        both_signs=both_signs,
         starts=undriven_starts(t, q, v),
+        drift=rest_drift(t, q, v, every * log.interval, wells, joint=joint),
         lag=_lag(log, terms, inputs, sample_interval, squared=squared),
     )
 

@@ -11,11 +11,9 @@ _STILL, _MOVED = 0.01, 0.06
 _STEADY = 0.04
 """Share of its range within which an input counts as steady."""
 
-NO_STARTS: FloatArray = np.empty(0)
 
-
-def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> FloatArray:
-    """Times [s] at which q leaves a rest though every input has been steady since before that rest, shape (n,).
+def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> tuple[float, ...]:
+    """Times [s] at which q leaves a rest though every input has been steady since before that rest.
 
     Parameters
     ----------
@@ -30,7 +28,7 @@ def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> FloatArray:
     """
     rows = _REST + _ANSWER
     if q.size <= rows:
-        return NO_STARTS
+        return ()
     view = np.lib.stride_tricks.sliding_window_view
     reach = float(np.nanmax(q) - np.nanmin(q))
     whole = view(q, rows)
@@ -42,5 +40,4 @@ def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> FloatArray:
         steady &= np.ptp(view(column, rows), axis=1) < _STEADY * np.ptp(column)
     begins = np.flatnonzero(still & moved & steady)
     first = begins[np.diff(begins, prepend=-rows) > _ANSWER]
-    times: FloatArray = t[first + _REST]
-    return times
+    return tuple(t[first + _REST].tolist())

@@ -1,5 +1,7 @@
 """The verdict on the measurement: gaps, noise, rails, excitation, and whether validation stays inside training."""
 
+import re
+
 import numpy as np
 
 from pipeline.device_facts.grades import Check, graded
@@ -35,10 +37,17 @@ MASKS = (
 """What leaves rows without a measurement: ingest's note with its number, one and several of it, and what to do."""
 
 
+DEALT_WITH = re.compile(
+    r"masked|split there|start anew|not finite|single-sample|extreme .*saturated|kept|interpolated$|accepted"
+)
+"""Remarks on what is left out of fits and scores, or what the user has decided on."""
+
+
 def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     """The measurement: gaps, noise, rails, excitation, and whether validation stays inside the training range."""
     advice = "judge every number with that in mind, or record again without it"
     checks = [Check("data", "accepted", "poor", f"used all the same: {text}", advice) for text in data.accepted]
+    checks += _remark_checks(data)
     checks.append(_masked_check(data))
     span, noise, rails = _signal_numbers(data)
     checks.append(_noise_check(data, span, noise))
@@ -62,6 +71,22 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
         checks.append(graded("data", "switches", count, text, advice))
     checks += _coverage_checks(data)
     return checks + _extrapolation_checks(data)
+
+
+def _remark_checks(data: RunData) -> list[Check]:
+    """Every remark on a log, and every (!) of the checks; what was masked or split is graded by its share."""
+    advice = "see to it, or judge every number with that in mind"
+    remarks = [(log.title, str(text)) for log in data.logs for text in log.record_notes.get("warnings", ())]
+    checks = [
+        Check("data", "remark", "good" if DEALT_WITH.search(text) else "fair", f"{title}: {text}", advice)
+        for title, text in remarks
+        if text not in data.accepted
+    ]
+    return checks + [
+        Check("data", "check", "fair", f"{row['log']}: {row['what']}: {row['found']}", row["advice"])
+        for row in data.log_checks
+        if row["state"] == "note"
+    ]
 
 
 def _masked_check(data: RunData) -> Check:

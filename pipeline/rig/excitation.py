@@ -107,7 +107,8 @@ def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5) -> lis
 
     Pulses last 0.3 to 2 s and pauses 0.3 to 1.5 s, so that some find the joint at rest and others in motion.
     """
-    bursts, start = [], REST
+    bursts: list[Burst] = []
+    start = REST
     while start < duration - 0.5:
         length, pause = rng.uniform(0.3, 2.0), rng.uniform(0.3, 1.5)
         sides = (MAX_VOLTAGE, 0.0) if len(bursts) % 2 == 0 else (0.0, MAX_VOLTAGE)

@@ -296,9 +296,13 @@ def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") ->
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.remarks import remarks_on
     from pipeline.signals.plausible_spans import scale_suspicion
+    from pipeline.signals.saturation import saturation
     from pipeline.signals.signal_quality import span
+    from pipeline.signals.timebase import nominal_step
 
     warnings, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
+    for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
+        warnings += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
         return warnings
     ends = [("q", (quality.smallest, quality.largest), plant.displacement)] + [

@@ -21,6 +21,7 @@ from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.signals.missing_codes import codes_in, masked, said_of
+from pipeline.signals.plausible_spans import scale_suspicion
 from pipeline.stages.check import declared, log_signals
 from pipeline.stages.differentiate import kinematics
 from pipeline.stages.identify import identified
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
     from pipeline.models.kind import StoredModel
 
 
+OF_RUN = "debist_log"
+"""Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
 _CALLER = 4  # frames from a warning up to who called `debist.identify`
 _OF_Q = {"q": "{}", "q_measured": "{}", "qdot": "{}_per_s", "qddot": "{}_per_s2"}
 
@@ -96,6 +99,48 @@ class Cleaned:
     warnings: tuple[str, ...]
 
 
+def kinematics_of(table: Any) -> Table | None:
+    """What a model is scored on of a log of a run, as `pipeline.api.Run.log` returns it; None for other signals.
+
+    As it was returned, it is what the run itself simulates: with its parts and with the voltages between the samples.
+    """
+    from pipeline.loading.trajectories import load_motion
+    from pipeline.runs.run_folder import RunFolder
+
+    if not hasattr(table, "columns") or "segment" not in table:
+        return None
+    names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment"}
+    names |= {column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")}
+    columns = {names[name]: np.asarray(table[name]) for name in table.columns if name in names}
+    if not {"t", "q", "qdot", "qddot", "v1"} <= columns.keys():
+        return None
+    if OF_RUN in table.attrs:
+        root, role, log = table.attrs[OF_RUN]
+        run = RunFolder.open(Path(root))
+        stored = load_motion(run, run.prototype, role, log)
+        if all(np.array_equal(stored[name], columns[name], equal_nan=True) for name in columns):
+            return stored
+    return columns
+
+
+def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None:
+    """Refuse magnitudes of q or v that no device has in SI units.
+
+    Raises
+    ------
+    InputError
+        They look like another unit's.
+    """
+    plant = device(prototype)
+    for name, size in sizes.items():
+        unit = plant.displacement.symbol if name.startswith("q") else plant.inputs[0].symbol
+        factor = scale_suspicion(size, unit, joint=plant.joint)
+        if factor is not None and factor > 1.0 and plant.displacement.symbol != "V":
+            raise InputError(
+                f"{name} is up to {size:.4g}, which looks {factor:g} times too large for {unit}: give SI units"
+            )
+
+
 def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     """Clean signals, bring them to the uniform grid and differentiate them.
 
@@ -104,6 +149,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     DataRefusedError
         The quality gates refuse them; the text begins with `where`.
     """
+    refuse_other_units({"q": float(np.nanmax(signals.q) - np.nanmin(signals.q))}, prototype)
     stamps = np.ascontiguousarray(signals.t)
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
