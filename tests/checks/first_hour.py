@@ -175,7 +175,8 @@ def _measured(mistake: Mistake, before: Path) -> tuple[str, float]:
         lines = (done.stderr if mistake.code else done.stdout).splitlines()
         said = next(line for line in lines if mistake.said in line)
         spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-        return re.sub(r"\s+", " ", said.removeprefix("debist: ")).strip(), spent
+        said = said.removeprefix("debist: ").partition(" To use it knowingly")[0]
+        return re.sub(r"\s+", " ", said).strip(), spent
 
 
 def table() -> str:
