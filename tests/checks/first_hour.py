@@ -181,7 +181,7 @@ def _measured(mistake: Mistake, before: Path) -> tuple[str, float]:
 
 def table() -> str:
     """The table of the page, every row as it was said just now."""
-    rows = ["| mistake | what is said | exit code | s |", "|---|---|---|---|"]
+    rows = ["| mistake | message | exit code | s |", "|---|---|---|---|"]
     with tempfile.TemporaryDirectory() as place:
         write_logs(Path(place))
         subprocess.run([Path(sys.executable).with_name("debist"), *RUN], cwd=place, check=True)
