@@ -175,12 +175,13 @@ def _measured(mistake: Mistake, before: Path) -> tuple[str, float]:
         lines = (done.stderr if mistake.code else done.stdout).splitlines()
         said = next(line for line in lines if mistake.said in line)
         spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-        return re.sub(r"\s+", " ", said.removeprefix("debist: ")).strip(), spent
+        said = said.removeprefix("debist: ").partition(" To use it knowingly")[0]
+        return re.sub(r"\s+", " ", said).strip(), spent
 
 
 def table() -> str:
     """The table of the page, every row as it was said just now."""
-    rows = ["| mistake | what is said | exit code | s |", "|---|---|---|---|"]
+    rows = ["| mistake | message | exit code | s |", "|---|---|---|---|"]
     with tempfile.TemporaryDirectory() as place:
         write_logs(Path(place))
         subprocess.run([Path(sys.executable).with_name("debist"), *RUN], cwd=place, check=True)
