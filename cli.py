@@ -5,6 +5,7 @@ that `debist --help` answers at once. `batch` stands here, for its processes run
 """
 
 import gc
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -14,6 +15,7 @@ from pipeline.commands import control, integrity, outcome, physics, raw_logs, re
 from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.console import Json, Quiet, Report, emit_json
 from pipeline.commands.inspection import check
+from pipeline.commands.options import with_options
 from pipeline.errors import BatchFailedError, InputError
 from pipeline.machine import settle_machine
 
@@ -92,37 +94,60 @@ def debist(arguments: list[str]) -> None:
     app(arguments)
 
 
+@dataclass(frozen=True)
+class Schedule:
+    """Which prototypes of a batch run, and how."""
+
+    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1
+    fail_fast: Annotated[bool, typer.Option("--fail-fast/--keep-going", help="Start no more after a failure.")] = False
+    collect: Annotated[
+        bool, typer.Option("--collect", help="Only the fleet tables, from the runs in DIR; joins all shards.")
+    ] = False
+    shard: Annotated[
+        str | None,
+        typer.Option("--shard", metavar="I/N", help="Only part I of N, from 1; which one is decided by the name."),
+    ] = None
+    time_limit: Annotated[
+        str, typer.Option("--time-limit", help="Wall time after which a prototype is stopped and has failed.")
+    ] = "4 h"
+
+
 @app.command()
+@with_options
 def batch(
     fleet: Annotated[list[Path], typer.Argument(metavar="FLEET...", help="Settings files, folders, or a fleet file.")],
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the runs and the tables.")],
-    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1,
-    fail_fast: Annotated[bool, typer.Option("--fail-fast/--keep-going", help="Start no more after a failure.")] = False,
-    collect: Annotated[bool, typer.Option("--collect", help="Only the fleet tables, from the runs in DIR.")] = False,
-    time_limit: Annotated[
-        str, typer.Option("--time-limit", help="Wall time after which a prototype is stopped and has failed.")
-    ] = "4 h",
+    schedule: Schedule,
     with_report: Report = True,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
     """Run many prototypes, one process each; a rerun does only what is missing or stale.
 
-    Writes fleet.parquet and fleet.csv (NRMSE as fractions). Example: debist batch prototypes/ -o runs --jobs 2
+    Writes fleet.parquet and fleet.csv (NRMSE as fractions); a shard leaves them to --collect. While it works,
+    `debist status DIR` shows how far it is. Example: debist batch prototypes/ -o runs --jobs 2
     """
     from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
+    from pipeline.batch.journal import Shard
     from pipeline.units import parse_quantity
 
-    named, limit = named_prototypes(prototype_files(fleet)), parse_quantity(time_limit, ("s",), "--time-limit")
+    named, limit = (
+        named_prototypes(prototype_files(fleet)),
+        parse_quantity(schedule.time_limit, ("s",), "--time-limit"),
+    )
     if not 1.0 <= limit <= 1e7:
-        raise InputError(f"--time-limit {time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
-    if collect:
+        raise InputError(f"--time-limit {schedule.time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
+    shard = None if schedule.shard is None else Shard.parse(schedule.shard)
+    if schedule.collect:
+        if shard is not None:
+            raise InputError("--collect joins all shards; give it without --shard")
         outcomes = collect_batch(named, output)
     else:
-        with outcome.BatchProgress(len(named), quiet=quiet) as progress:
+        count = sum(shard is None or shard.holds(name) for name, _ in named)
+        with outcome.BatchProgress(count, quiet=quiet) as progress:
             outcomes = run_batch(
-                named, output, jobs, progress, program=debist, fail_fast=fail_fast, report=with_report,
-                time_limit=limit,
+                named, output, schedule.jobs, progress, program=debist, fail_fast=schedule.fail_fast,
+                report=with_report, time_limit=limit, shard=shard,
             )  # fmt: skip
     outcome.emit_outcomes(outcomes, output, as_json=as_json)
     failed = [one.name for one in outcomes if one.failed]

@@ -4,11 +4,11 @@ import difflib
 import math
 import time
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Protocol
 
 from pipeline.batch.fleet import FLEET_FILES, existing_outcomes, write_fleet
+from pipeline.batch.journal import JOURNAL, BatchObserver, Shard, journal_of
 from pipeline.batch.worker import Outcome, Program, Worker
 from pipeline.errors import DebistError, InputError
 from pipeline.isolation import next_ready, preload
@@ -19,16 +19,6 @@ from pipeline.runs.manifest import MANIFEST
 from pipeline.settings import load_prototype
 
 _FLEET_KEY = "prototypes"
-
-
-class BatchObserver(Protocol):
-    """Told how a batch goes; the command shows it."""
-
-    def started(self, name: str) -> None:
-        """A prototype's process is about to start."""
-
-    def finished(self, outcome: Outcome) -> None:
-        """A prototype is done, or failed."""
 
 
 def prototype_files(places: Sequence[Path]) -> list[Path]:
@@ -89,6 +79,7 @@ def run_batch(
     fail_fast: bool = False,
     report: bool = True,
     time_limit: float = math.inf,
+    shard: Shard | None = None,
 ) -> list[Outcome]:
     """Run every prototype; what is up to date costs a check only.
 
@@ -110,6 +101,8 @@ def run_batch(
         Make each prototype's report; the tables and the page of the fleet are written anyway.
     time_limit : float
         Wall time [s] after which a prototype's process is killed; it has failed then, and the others go on.
+    shard : Shard, optional
+        Run the prototypes of this shard only, and leave the tables of the fleet to `collect_batch`.
 
     Returns
     -------
@@ -123,8 +116,28 @@ def run_batch(
     """
     make_folder(output)
     preload([program.__module__, "pipeline.batch.preloaded"])
-    waiting, outcomes, running = list(named), list[Outcome](), list[Worker]()
+    own = [(name, path) for name, path in named if shard is None or shard.holds(name)]
     options = () if report else ("--no-report",)
+
+    def begin(name: str, prototype: Path) -> Worker | None:
+        """Its process; None where none is needed."""
+        if _is_up_to_date(prototype, output / name, report):
+            return None
+        return Worker(program, name, prototype, output, options, time_limit=time_limit)
+
+    with journal_of(output, shard or Shard(), [name for name, _ in own], jobs, observer) as journal:
+        outcomes = _run_all(own, jobs, journal, begin, fail_fast=fail_fast)
+    if shard is None:
+        write_fleet(output, outcomes)
+    return sorted(outcomes, key=lambda outcome: outcome.name)
+
+
+def _run_all(
+    named: Sequence[tuple[str, Path]], jobs: int, observer: BatchObserver, begin: Callable[[str, Path], Worker | None],
+    *, fail_fast: bool,
+) -> list[Outcome]:  # fmt: skip
+    """The outcome of each, in the order in which they ended."""
+    waiting, outcomes, running = list(named), list[Outcome](), list[Worker]()
     first_failed = ""
     try:
         while waiting or running:
@@ -132,16 +145,16 @@ def run_batch(
                 name, prototype = waiting.pop(0)
                 observer.started(name)
                 began = time.perf_counter()
-                if _is_up_to_date(prototype, output / name, report):
+                if (worker := begin(name, prototype)) is not None:
+                    running.append(worker)
+                else:
                     outcomes.append(Outcome(name, prototype, 0, "", time.perf_counter() - began))
                     observer.finished(outcomes[-1])
-                else:
-                    running.append(Worker(program, name, prototype, output, options, time_limit=time_limit))
             if running:
                 ready = next_ready(running)
-                with ready as worker:
-                    outcomes.append(worker.outcome())
-                running.remove(worker)
+                with ready:
+                    outcomes.append(ready.outcome())
+                running.remove(ready)
                 observer.finished(outcomes[-1])
             if fail_fast and outcomes and outcomes[-1].failed:
                 first_failed = first_failed or outcomes[-1].name
@@ -150,8 +163,7 @@ def run_batch(
     finally:
         for worker in running:
             worker.__exit__()
-    write_fleet(output, outcomes)
-    return sorted(outcomes, key=lambda outcome: outcome.name)
+    return outcomes
 
 
 def _is_up_to_date(prototype: Path, run: Path, report: bool) -> bool:
@@ -189,8 +201,8 @@ def named_prototypes(prototypes: Sequence[Path]) -> list[tuple[str, Path]]:
             name = load_prototype(path).folder
         except DebistError:
             name = slug(path.stem)  # its own run fails with the reason
-        if name.casefold() in FLEET_FILES:
-            raise InputError(f"{path}: {name!r} is the name of a table of the fleet; name the prototype otherwise")
+        if name.casefold() in FLEET_FILES or JOURNAL.fullmatch(name.casefold()):
+            raise InputError(f"{path}: {name!r} is the name of a file of the fleet; name the prototype otherwise")
         for other in named:
             if name.casefold() == other.casefold():
                 alike = "" if name == other else f" ({other!r}, which some disks take for the same)"

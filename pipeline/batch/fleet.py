@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from pipeline.batch.journal import failures
 from pipeline.batch.worker import Outcome
 from pipeline.errors import DebistError
 from pipeline.loading.report_data import load_datasheet, load_scores
@@ -52,12 +53,17 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
 
 
 def existing_outcomes(named: Sequence[tuple[str, Path]], output: Path) -> list[Outcome]:
-    """What the runs in a folder hold already, without running anything; one without scores counts as failed."""
-    outcomes = []
+    """What the runs in a folder hold already, without running anything.
+
+    One that failed last, by the journals of the batch there, or that has no scores counts as failed.
+    """
+    failed_last, outcomes = failures(output) if output.is_dir() else {}, []
     for name, prototype in named:
         try:
-            load_scores(output / name)
-            outcomes.append(Outcome(name, prototype, 0, ""))
+            event = failed_last.get(name)
+            if event is None:
+                load_scores(output / name)
+            outcomes.append(Outcome(name, prototype, event.exit_code if event else 0, event.reason if event else ""))
         except DebistError as error:
             outcomes.append(Outcome(name, prototype, error.exit_code, str(error)))
     return outcomes

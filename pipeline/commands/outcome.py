@@ -4,6 +4,7 @@ import sys
 import time
 from collections.abc import Sequence
 from dataclasses import asdict
+from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
@@ -15,6 +16,7 @@ from pipeline.commands.console import brief, clock, emit_json, emit_table, emit_
 if TYPE_CHECKING:
     from typing import Literal
 
+    from pipeline.batch.progress import FleetProgress
     from pipeline.batch.worker import Outcome
     from pipeline.reporting.tables import Format
     from pipeline.runs.engine import TaskStatus
@@ -98,6 +100,33 @@ def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, 
         state = "unreadable" if error else "stale" if stale else "up to date"
         rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))
     emit_table("runs", ("run", "state", "why"), rows, numeric_from=3)
+
+
+def emit_fleet_progress(folder: Path, progress: "FleetProgress", *, as_json: bool) -> None:
+    """Print for each prototype of a batch whether it is done, running or failed, and when all are expected to be."""
+    from pipeline.batch.progress import shard_notes
+
+    end = progress.expected_end
+    if as_json:
+        members = [vars(member) | {"since": member.since and member.since.isoformat()} for member in progress.members]
+        emit_json(
+            {
+                "folder": folder, "counts": progress.counts, "expected_end": end and end.isoformat(),
+                "shards": progress.shards, "shards_begun": progress.begun, "prototypes": members,
+            }
+        )  # fmt: skip
+        return
+    rows = [
+        (member.name, member.state, member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "", member.reason)
+        for member in progress.members
+        if member.state != "waiting"
+    ]
+    emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=4)
+    counted = ", ".join(f"{count} {state}" for state, count in progress.counts.items() if count)
+    left = f"; expected end {end:%Y-%m-%d %H:%MZ}" if end else ""
+    emit_text(f"{len(progress.members)} prototypes: {counted}{left}")
+    if note := shard_notes(progress):
+        emit_text(note)
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:
@@ -185,13 +214,13 @@ class BatchProgress:
         self._done += 1
         self._made += not _up_to_date(outcome)
         self._running.remove(outcome.name)
-        state = outcome.reason or ("up to date" if _up_to_date(outcome) else "done")
-        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s){self._left()}"
-        line = printable(line)
         if self._quiet:
             return
-        if self._bar is None:
-            typer.echo(line, err=True)
+        state = f"failed: {outcome.reason}" if outcome.failed else "up to date" if _up_to_date(outcome) else "done"
+        line = f"[{self._done}/{self._total}] {outcome.name}: {state} ({outcome.seconds:.1f} s){self._left()}"
+        line = printable(line)
+        if self._bar is None:  # a cluster's log: each line stands alone
+            typer.echo(f"{datetime.now(UTC):%Y-%m-%dT%H:%M:%SZ} {line}", err=True)
         else:
             self._bar.console.print(line, markup=False, highlight=False, soft_wrap=True)
         self._show()

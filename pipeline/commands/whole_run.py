@@ -1,5 +1,6 @@
 """A run as a whole: made, looked at, drawn."""
 
+import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -23,6 +24,7 @@ from pipeline.commands.console import (
     emit_table,
 )
 from pipeline.commands.options import with_options
+from pipeline.errors import InputError
 
 
 @dataclass(frozen=True)
@@ -156,12 +158,20 @@ def _announce_compilation(quiet: bool) -> None:
 def status(
     runs: Runs,
     brief_form: Annotated[bool, typer.Option("--brief", help="One line for each run, as always for several.")] = False,
+    watch: Annotated[bool, typer.Option("--watch", help="Of a batch: show it anew until nothing runs.")] = False,
     as_json: Json = False,
 ) -> None:
-    """What is stale in a run, and why: its artifacts against the logs and the settings file of today.
+    """What is stale in a run, and why; of the folder of a batch: what is done, running or failed, and the expected end.
 
-    Example: debist status runs/P1
+    A run's artifacts are compared with the logs and the settings file of today. Example: debist status runs/P1
     """
+    from pipeline.batch.progress import is_fleet
+
+    if len(runs) == 1 and is_fleet(runs[0]):
+        _fleet_status(runs[0], watch=watch, as_json=as_json)
+        return
+    if watch:
+        raise InputError("--watch is for one folder of a batch, the DIR of `debist batch`")
     from pipeline.stages.run import fleet_status, missing_settings, run_status
 
     if brief_form or len(runs) > 1:
@@ -171,6 +181,24 @@ def status(
     outcome.emit_stale_exports(runs[0])
     if said := missing_settings(runs[0]):
         typer.echo(f"note: {said}", err=True)
+
+
+_REFRESH = 2.0
+"""Time [s] between two looks at a batch."""
+
+
+def _fleet_status(folder: Path, *, watch: bool, as_json: bool) -> None:
+    from rich.console import Console
+
+    from pipeline.batch.progress import fleet_progress
+
+    console, progress = Console(), fleet_progress(folder)
+    while watch and not as_json and progress.counts["running"]:
+        console.clear()
+        outcome.emit_fleet_progress(folder, progress, as_json=False)
+        time.sleep(_REFRESH)
+        progress = fleet_progress(folder)
+    outcome.emit_fleet_progress(folder, progress, as_json=as_json)
 
 
 def warmup(

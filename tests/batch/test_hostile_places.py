@@ -134,7 +134,11 @@ def test_the_reason_names_every_mistake():
 
 @pytest.mark.parametrize(
     ("names", "said"),
-    [(("Arm", "arm"), "which some disks take for the same"), (("Fleet.csv",), "a table of the fleet")],
+    [
+        (("Arm", "arm"), "which some disks take for the same"),
+        (("Fleet.csv",), "a file of the fleet"),
+        (("batch-1-of-2.jsonl",), "a file of the fleet"),
+    ],
 )
 def test_names_that_collide_on_some_disks_are_refused(tmp_path, names, said):
     for number, name in enumerate(names):
