@@ -2,7 +2,7 @@
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
@@ -66,6 +66,18 @@ def emit_verdict(run: Path) -> None:
         if check["grade"] != "good":
             emit_text(f"  {check['about']}, {check['grade']}: {check['statement']}", indent="    ")
     emit_text(f"report: {run / 'report.html'}")
+
+
+def emit_table_2(table: "Iterable[Mapping[str, Any]]") -> None:
+    """Print the rows of the paper's Table 2 (`pipeline.reporting.paper_page.table_2`)."""
+    from pipeline.reporting.paper_page import table_2_row
+
+    rows = []
+    for row in map(table_2_row, table):
+        cells = (f"{computed} ({printed})" if printed else computed for computed, printed in row["cells"])
+        rows.append((row["log"], row["model"], *cells))
+    title = "Table 2 of the paper: NRMSE in %, in brackets as printed"
+    emit_table(title, ("log", "model", "q", "φ", "q̇", "q̈")[: len(rows[0])], rows, numeric_from=2)
 
 
 def emit_stale_exports(run: Path) -> None:

@@ -10,6 +10,7 @@ import typer
 from pipeline.choices import Target
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
+from pipeline.commands.outcome import emit_table_2
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.si_prefix import percent
 
@@ -148,7 +149,6 @@ def paper(
     Differentiates, identifies and simulates by the recipe of the paper in a run of its own; writes paper.html, and the
     figures as paper/*.svg and *.pdf. Example: debist paper runs/P1
     """
-    from pipeline.reporting.paper_page import table_2_row
     from pipeline.tools.paper import run_paper
 
     with Progress(quiet=quiet or as_json) as progress:
@@ -156,14 +156,7 @@ def paper(
     if as_json:
         emit_json({"page": str(made.page), "figures": str(made.root / "paper"), "table_2": made.table})
         return
-
-    rows = []
-    for row in map(table_2_row, made.table):
-        cells = (f"{computed} ({printed})" if printed else computed for computed, printed in row["cells"])
-        rows.append((row["log"], row["model"], *cells))
-    emit_table(
-        "Table 2: NRMSE in %, in brackets as printed", ("log", "model", "q", "φ", "q̇", "q̈"), rows, numeric_from=2
-    )
+    emit_table_2(made.table)
     typer.echo(f"page: {made.page}\nfigures: {made.root / 'paper'}")
 
 

@@ -1,6 +1,6 @@
 """The demo prototype: a recording of the virtual rig that comes with the program, so no kernel of the rig is compiled.
 
-`tests/rig/record_demo.py` records it anew, from a drawn joint of the analytical model's physics.
+`tests/rig/record_demo.py` records it anew: the paper's experiment on a drawn joint of the analytical model's physics.
 """
 
 import json
@@ -17,6 +17,8 @@ from pipeline.runs.outputs import new_outputs, rebased
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
 INTERVAL = 1e-3
 """Of the recording [s]."""
+_SET = 'parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances\n'
+_COMPARED = '\n[compare]\nmodels = ["analytical", "sindy", "narx"]\n'
 STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
 """Of the recorder [m, V]: a third of the instruments' noise."""
 
@@ -58,7 +60,8 @@ def write_demo(folder: Path) -> Path:
     (folder / "truth.json").write_text(f"{truth}\n", encoding="utf-8")
     mass = float(json.loads(truth)["moving_mass"])
     prototype = folder / "demo.toml"
-    write_text(prototype, prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat"))
+    settings = prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_SET)
+    write_text(prototype, settings + _COMPARED)
     return prototype  # written last and whole: where it is there, so are the logs
 
 

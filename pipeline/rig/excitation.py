@@ -105,12 +105,12 @@ def alternating_pulses(*, duration: float = 37.5, rest: float = REST, voltage: f
 def switching_pulses(rng: np.random.Generator, *, duration: float = 37.5) -> list[Burst]:
     """Full pulses, left and right in turn, of random lengths: the paper's experiment (figures 11 and 15).
 
-    Pulses last 0.3 to 2 s and pauses 0.3 to 1.5 s, so that some find the joint at rest and others in motion.
+    Pulses and pauses last 1 to 2 s, in which the joint nearly comes to rest.
     """
     bursts: list[Burst] = []
     start = REST
     while start < duration - 0.5:
-        length, pause = rng.uniform(0.3, 2.0), rng.uniform(0.3, 1.5)
+        length, pause = rng.uniform(1.0, 2.0, 2)
         sides = (MAX_VOLTAGE, 0.0) if len(bursts) % 2 == 0 else (0.0, MAX_VOLTAGE)
         bursts.append(Burst("pulse", start, float(length), *sides, np.empty(0), np.empty(0)))
         start += float(length + pause)

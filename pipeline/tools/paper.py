@@ -171,7 +171,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
         for ending, content in zip(ENDINGS, files, strict=True):
             artifact = layout.paper_figure(name, ending)
             written[artifact] = run.write_bytes(artifact, content, {"title": FIGURES[name]})
-    rows = table_2(data)
+    rows = table_2(data.scores)
     page = paper_page(prototype.name, pictures, table_1(parameters), rows, data, str(prototype.plant.parameters))
     return written | {layout.PAPER: run.write_text(layout.PAPER, page, {"table_2": rows})}
 

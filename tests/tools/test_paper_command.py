@@ -1,7 +1,6 @@
 """`debist paper`: the recipe as printed, on the example logs, and every figure and table under its number."""
 
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -66,7 +65,7 @@ def test_printed_errors_stand_beside_training_rows_alone() -> None:
         {"role": role, "log": "a", "model": "rbf-paper", "signal": "q", "nrmse": nrmse}
         for role, nrmse in (("validation", None), ("train", 0.03))
     ]
-    rows = table_2(SimpleNamespace(scores=scores))
+    rows = table_2(scores)
     assert [table_2_row(row)["cells"][0] for row in rows] == [("3.00", "2.1"), ("diverged", "")]
 
 
