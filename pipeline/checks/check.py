@@ -82,6 +82,8 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
         rows += [_start_row(fact) for fact in facts if fact.starts]
     for other in facts[1:]:
         gain = _gain(facts[0], other, declared)
+        if gain is not None and not _gain_explains(facts[0], other, declared, gain):
+            gain = None
         rows += _gain_rows(facts[0], other, gain)
         rows.append(_device_row(facts[0], other, declared, gain))
     return rows
@@ -478,9 +480,12 @@ def _gain_rows(first: LogFacts, other: LogFacts, gain: LogGain | None) -> list[C
     return rows
 
 
-def _gain_explains(first: LogFacts, other: LogFacts, declared: Declared, gain: LogGain | None) -> bool:
-    """Whether two logs show one device once the inputs of one are multiplied by its gain."""
-    if gain is None or not _off(gain):
+def _gain_explains(first: LogFacts, other: LogFacts, declared: Declared, gain: LogGain) -> bool:
+    """Whether two logs show one device once the inputs of one are multiplied by a gain that is surely off.
+
+    Another device, or a sensor that was zeroed anew, changes what inputs do too; but no gain mends it.
+    """
+    if not _off(gain):
         return False
     corrected = replace(other, signals=replace(other.signals, v=other.signals.v * gain.factors))
     terms = _terms(first, corrected, declared)
@@ -500,7 +505,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared, gain: LogG
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
     sure = sure and lasts > limits.SURE_LENGTH * declared.sample_interval and coarsest < limits.SURE_INTERVAL
     sure = sure and _driven_alike(first, other)
-    if not same and _gain_explains(first, other, declared, gain):
+    if not same and gain is not None:
         advice = "it is one device, but for the gain of this log's inputs"
         return CheckRow(
             other.signals.name, what, f"{significant(found.ratio, 2)} × misfit", f"≤ {limits.MOST_MISFIT:g}", "note",
