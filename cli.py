@@ -153,3 +153,31 @@ def batch(
     failed = [one.name for one in outcomes if one.failed]
     if failed:
         raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {', '.join(failed)}")
+
+
+@results.study.command("settings")
+def study_settings(
+    prototype: Annotated[Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings that are varied.")],
+    sets: Annotated[
+        list[str], typer.Option("--set", metavar="KEY=V,V", help="A key and its values; repeat for more keys.")
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the runs and the tables.")],
+    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Run one prototype with every combination of some settings, and compare the runs: NRMSE of q in percent.
+
+    Example: debist study settings P1.toml --set identify.basis_functions=6,8 --set differentiate.alpha=auto,0.01 -o m
+    """
+    from pipeline.batch.batch import named_prototypes, run_batch
+    from pipeline.batch.matrix import matrix_rows, write_matrix
+
+    variants = write_matrix(prototype, sets, output)
+    named = named_prototypes([variant.path for variant in variants])
+    with outcome.BatchProgress(len(named), quiet=quiet or as_json) as progress:
+        outcomes = run_batch(named, output, jobs, progress, program=debist, report=False)
+    runs = {variant.name: output / run.name for variant, run in zip(variants, outcomes, strict=True) if not run.failed}
+    results.emit_matrix(matrix_rows(runs, variants), as_json=as_json)
+    if failed := [one for one in outcomes if one.failed]:
+        raise BatchFailedError(f"{len(failed)} of {len(outcomes)} runs failed: {failed[0].name}: {failed[0].reason}")

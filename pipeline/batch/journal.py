@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from hashlib import sha256
 from pathlib import Path
 from typing import Literal, NamedTuple, Protocol
 
@@ -16,6 +15,7 @@ from pydantic import AwareDatetime, BaseModel, ConfigDict, ValidationError
 
 from pipeline.batch.worker import Outcome
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.names import part_holds, part_of
 from pipeline.runs.atomic import not_written, reading, refuse_link
 from pipeline.runs.manifest import MANIFEST
 
@@ -40,15 +40,13 @@ class Shard(NamedTuple):
         InputError
             It names none.
         """
-        match = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text)
-        shard = cls(*map(int, match.groups())) if match else cls(0, 0)
-        if not 1 <= shard.number <= shard.count:
+        if (part := part_of(text)) is None:
             raise InputError(f"--shard {text}: write number/count such as 3/100; the numbers count from 1")
-        return shard
+        return cls(*part)
 
     def holds(self, name: str) -> bool:
         """Whether the prototype `name` belongs to it: this depends on name and count alone, not on the other names."""
-        return int.from_bytes(sha256(name.encode()).digest()[:8], "big") % self.count == self.number - 1
+        return part_holds(self.number, self.count, name)
 
     @property
     def journal(self) -> str:

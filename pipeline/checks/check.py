@@ -7,10 +7,11 @@ import numpy as np
 
 from pipeline.checks import limits
 from pipeline.checks.log_facts import InputFacts, LogFacts, log_facts
+from pipeline.checks.log_gain import LogGain, log_gain
 from pipeline.checks.misfit import misfit
 from pipeline.checks.rest_drift import RestDrift
 from pipeline.checks.rows import CheckRow, State
-from pipeline.checks.weak_form import LogSignals, scales_of, weak_terms
+from pipeline.checks.weak_form import LogSignals, WeakTerms, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
 from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, CheckGate
 from pipeline.si_prefix import quantity, scale, short, significant
@@ -79,7 +80,13 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
     rows = [row for fact in facts for row in _of_log(fact, declared)]
     if sum(len(fact.starts) for fact in facts) >= limits.UNDRIVEN_STARTS:
         rows += [_start_row(fact) for fact in facts if fact.starts]
-    return rows + [_device_row(facts[0], other, declared) for other in facts[1:]]
+    for other in facts[1:]:
+        gain = _gain(facts[0], other, declared)
+        if gain is not None and not _gain_explains(facts[0], other, declared, gain):
+            gain = None
+        rows += _gain_rows(facts[0], other, gain)
+        rows.append(_device_row(facts[0], other, declared, gain))
+    return rows
 
 
 def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
@@ -429,13 +436,67 @@ def _times(ratio: float | None) -> str:
     return f"{significant(ratio, 2)} times" if ratio >= 1.0 else f"1/{significant(1.0 / ratio, 2)}"
 
 
-def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRow:
-    """Whether a log shows the device of the first training log."""
+def _terms(first: LogFacts, other: LogFacts, declared: Declared) -> tuple[WeakTerms, WeakTerms] | None:
+    """The weak forms of two logs under the scales of the first."""
     scales = scales_of(first.signals, squared=declared.squared)
-    terms = [
+    a, b = (
         weak_terms(fact.signals, declared.sample_interval, scales, squared=declared.squared) for fact in (first, other)
-    ]
-    found = None if terms[0] is None or terms[1] is None else misfit(terms[0], terms[1])
+    )
+    return None if a is None or b is None else (a, b)
+
+
+def _gain(first: LogFacts, other: LogFacts, declared: Declared) -> LogGain | None:
+    """The gain of a log's inputs against the first log, where both show what the inputs do."""
+    unseen = any(one is None or abs(one.push.value) <= limits.SIGN_CERTAINTY * one.push.error for one in first.inputs)
+    unseen |= any(one is None for one in other.inputs)
+    terms = None if unseen else _terms(first, other, declared)
+    return None if terms is None else log_gain(*terms, squared=declared.squared)
+
+
+def _off(gain: LogGain | None) -> list[tuple[str, float, float]]:
+    """The inputs whose gain is surely off, with factor and standard error."""
+    if gain is None:
+        return []
+    least, sure = limits.GAIN_OF_ALL if gain.together else limits.GAIN_OF_ONE
+    names = ["voltages"] if gain.together else [f"v{k + 1}" for k in range(gain.factors.size)]
+    found = zip(names, gain.factors.tolist(), gain.errors.tolist(), strict=True)
+    return [(name, g, error) for name, g, error in found if abs(g - 1.0) > max(least, sure * error)]
+
+
+def _gain_rows(first: LogFacts, other: LogFacts, gain: LogGain | None) -> list[CheckRow]:
+    """A log whose inputs are all too small or too large: another probe, another range of the amplifier."""
+    rows = []
+    for name, factor, error in _off(gain):
+        percent, side = 100.0 * (1.0 / factor - 1.0), "low" if factor > 1.0 else "high"
+        found = f"{quantity(abs(percent), '%', 100.0 * error / factor**2)} {side}"
+        advice = (
+            f"against {first.signals.name}, the {name} of this log look {found}: correct its probe ratio (times "
+            f"{significant(factor, 3)}), or leave the log out"
+        )
+        wrong = abs(factor - 1.0) > limits.WRONG_GAIN
+        state: State = "wrong" if wrong else "note"
+        what = f"gain of {name}"
+        rows.append(CheckRow(other.signals.name, what, found, "± 3 %", state, "scale" if wrong else None, advice))
+    return rows
+
+
+def _gain_explains(first: LogFacts, other: LogFacts, declared: Declared, gain: LogGain) -> bool:
+    """Whether two logs show one device once the inputs of one are multiplied by a gain that is surely off.
+
+    Another device, or a sensor that was zeroed anew, changes what inputs do too; but no gain mends it.
+    """
+    if not _off(gain):
+        return False
+    corrected = replace(other, signals=replace(other.signals, v=other.signals.v * gain.factors))
+    terms = _terms(first, corrected, declared)
+    found = None if terms is None else misfit(*terms)
+    return found is not None and found.ratio <= limits.MOST_MISFIT
+
+
+def _device_row(first: LogFacts, other: LogFacts, declared: Declared, gain: LogGain | None) -> CheckRow:
+    """Whether a log shows the device of the first training log."""
+    terms = _terms(first, other, declared)
+    found = None if terms is None else misfit(*terms)
     what = "same device"
     if found is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
@@ -444,6 +505,12 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared) -> CheckRo
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
     sure = sure and lasts > limits.SURE_LENGTH * declared.sample_interval and coarsest < limits.SURE_INTERVAL
     sure = sure and _driven_alike(first, other)
+    if not same and gain is not None:
+        advice = "it is one device, but for the gain of this log's inputs"
+        return CheckRow(
+            other.signals.name, what, f"{significant(found.ratio, 2)} × misfit", f"≤ {limits.MOST_MISFIT:g}", "note",
+            None, advice,
+        )  # fmt: skip
     state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,

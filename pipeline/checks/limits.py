@@ -29,6 +29,13 @@ ALIKE = 1.5
 """Factor between the largest voltages of two logs up to which they can be of one device for sure or not: a joint driven
 at 35 % of the voltage, or by one side only, has had 2.4 to 5.7 times the misfit of its training log."""
 
+GAIN_OF_ALL, GAIN_OF_ONE = (0.032, 2.5), (0.08, 4.0)
+"""Least deviation, and standard errors, from which the gain of a log's inputs is off: of all of them together, or of
+one. Thirty honest pairs of logs have up to 0.029 together, and up to 0.08 of one where electrodes charge slowly."""
+
+WRONG_GAIN = 0.25
+"""Deviation from which on a log's voltages are refused: forces go with their square."""
+
 OF_LAG = 2.0
 """Times a lag that some log of the device tells, up to which an input that acts late is explained by it."""
 

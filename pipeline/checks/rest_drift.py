@@ -49,7 +49,7 @@ def rest_drift(
     """
     reach, times, places = float(np.nanmax(q) - np.nanmin(q)), [], []
     for rows in quiet_rows(v, interval, joint=joint):
-        last = slice(rows.stop - max(_FEWEST, (rows.stop - rows.start) // _LAST), rows.stop)
+        last = slice(rows.stop - max(1, (rows.stop - rows.start) // _LAST), rows.stop)
         if np.isfinite(q[last]).all() and np.ptp(q[last]) < _SETTLED * reach:
             times.append(float(np.mean(t[last])))
             places.append(float(np.median(q[last])))

@@ -1,9 +1,11 @@
 """What a run is taken for: `debist diff`, `export`, `paper`, `study`, and the comparison of `verify --against`."""
 
+import csv
+import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -23,12 +25,13 @@ _LONGEST = 60
 
 def diff(
     runs: Annotated[list[Path], typer.Argument(metavar="RUN...", help="Two or more run folders.")],
+    form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
     as_json: Json = False,
 ) -> None:
     """Runs side by side: only what differs in settings, versions, raw logs, scores, facts of the device and artifacts.
 
-    NRMSE in percent, a fraction in JSON; artifacts are compared with those of the first run. Exit code 0 whether they
-    differ or not. Example: debist diff runs/P1 runs/P1b
+    NRMSE in percent, a fraction in JSON and CSV; artifacts are compared with those of the first run. Exit code 0
+    whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
     from pipeline.tools.diff import diff_runs
 
@@ -37,8 +40,41 @@ def diff(
     different = diff_runs(runs)
     if as_json:
         emit_json(asdict(different) | {"equal": different.equal})
+    elif form == "csv":
+        _emit_csv(different)
     else:
         _emit_differences(different)
+
+
+def _emit_csv(runs: "RunDifferences") -> None:
+    """Print a row for each key that differs: its part, the key, and the value of each run as it is stored."""
+    from pipeline.reporting.tables import disarmed
+
+    writer = csv.writer(sys.stdout, lineterminator="\n")
+    writer.writerow(("part", "key", *map(disarmed, runs.names)))
+    for part in ("settings", "versions", "sources", "scores", "facts"):
+        writer.writerows((part, disarmed(row.key), *map(disarmed, row.values)) for row in getattr(runs, part))
+
+
+def emit_matrix(rows: "Sequence[dict[str, Any]]", *, as_json: bool) -> None:
+    """Print what was set in each run of a matrix, and the NRMSE of q by log and model."""
+    if as_json:
+        emit_json({"runs": rows})
+        return
+    if not rows:
+        return
+    scores = [{(r["role"], r["log"], r["model"]): r["nrmse"] for r in row["scores"]} for row in rows]
+    columns = sorted({key for of_run in scores for key in of_run}, key=lambda key: (key[0] == "train", key))
+    keys = list(rows[0]["settings"])
+    emit_table(
+        "NRMSE of q in %",
+        ("run", *keys, *(f"{role} {log} {model}" for role, log, model in columns)),
+        [
+            (row["name"], *(str(row["settings"][key]) for key in keys), *(percent(s.get(c)) for c in columns))
+            for row, s in zip(rows, scores, strict=True)
+        ],
+        numeric_from=1 + len(keys),
+    )
 
 
 def _emit_differences(runs: "RunDifferences") -> None:

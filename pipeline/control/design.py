@@ -63,13 +63,17 @@ class Settings:
     lags: tuple[float, float] = (ASSUMED_LAG, ASSUMED_LAG)
 
 
+LEAST_OF_TRAINED = 0.05
+"""Share of the largest trained voltage below which no controller is designed: forces go with the square."""
+
+
 def design(plant: ControlledJoint, settings: Settings) -> Law:
     """The controller of a plant.
 
     Raises
     ------
     InputError
-        The joint is not bistable, or the voltage limit is no voltage of the trained range.
+        The joint is not bistable, or the voltage limit is no voltage of the trained range, or moves nothing.
 
     Notes
     -----
@@ -78,6 +82,12 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     if not 0.0 < settings.highest <= plant.highest * (1.0 + 1e-9):
         raise InputError(
             f"a largest voltage of {settings.highest:g} V lies outside the trained range 0 to {plant.highest:.0f} V"
+        )
+    if settings.highest < LEAST_OF_TRAINED * plant.highest:
+        raise InputError(
+            f"a largest voltage of {settings.highest:g} V does not move the joint: its force is less than "
+            f"{100.0 * LEAST_OF_TRAINED**2:.2g} % of that at {plant.highest:.0f} V; give at least "
+            f"{LEAST_OF_TRAINED * plant.highest:.0f} V"
         )
     wells = wells_and_saddle(plant)
     left, saddle, right = (float(each.x[0]) for each in wells)

@@ -14,6 +14,7 @@ from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import Channel, Recording
 from pipeline.rig_logs.remarks import Clock, Context, remarks_on
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
+from pipeline.signals.dropouts import NONE, dropout_remarks, dropouts
 from pipeline.signals.missing_codes import codes_in, masked, said_of
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
@@ -132,6 +133,9 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         context = Context(own_clock, channel.name in inputs, max(alike, default=np.nan))
         own = codes.get(channel.name, {})
         remarks = () if channel.name in bare else (*said_of(own), *remarks_on(quality, context))
+        if position is not None and channel.name not in inputs:
+            time = column if channel.time is None else channel.time
+            remarks += _dropouts(time, channel.samples, quality, bases[position].step, channel.unit)
         channels.append(
             InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks, tuple(own))
         )
@@ -139,6 +143,14 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     return Inspection(
         path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes)
     )
+
+
+def _dropouts(
+    time: FloatArray | None, samples: FloatArray, quality: SignalQuality, step: float, unit: str
+) -> tuple[str, ...]:
+    """What to say of samples of a channel that no motion reaches."""
+    found = NONE if time is None or quality.levels else dropouts((time, samples), (), quality, step)
+    return tuple(dropout_remarks(found, unit=unit))
 
 
 def _without_codes(recording: Recording) -> tuple[Recording, dict[str, dict[float, int]]]:

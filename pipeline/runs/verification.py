@@ -1,11 +1,14 @@
 """Everything in a run folder against what was written, with the rest named."""
 
 import os
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from random import SystemRandom
 
 from pipeline.errors import InputError, SupersededError
+from pipeline.names import part_holds, part_of
 from pipeline.runs.atomic import TEMPORARY_MARK
 from pipeline.runs.checkpoints import FOLDER as CHECKPOINTS
 from pipeline.runs.hashing import file_sha256
@@ -29,12 +32,15 @@ class Verified:
         Files and links that do not belong to the run, by their paths in the folder.
     leftover : list of str
         Files that an interrupted run leaves, by their paths in the folder.
+    left_out : int
+        Number of artifacts that a subset left out.
     """
 
     checked: int
     problems: list[dict[str, str]] = field(default_factory=list)
     unknown: list[str] = field(default_factory=list)
     leftover: list[str] = field(default_factory=list)
+    left_out: int = 0
 
     @property
     def intact(self) -> bool:
@@ -42,18 +48,48 @@ class Verified:
         return not (self.problems or self.unknown or self.leftover)
 
 
-def verified(run: RunFolder) -> Verified:
-    """Check every file of a run.
+Chosen = Callable[[str], bool]
+"""Whether a file is read and hashed; its argument is the file's path behind the folder's name."""
+
+
+def every(path: str) -> bool:
+    """All of them."""
+    return True
+
+
+def subset(text: str) -> Chosen:
+    """A subset of files: ``3/10``, which their names decide, so that ten calls read all; or 5%, drawn at random.
+
+    Raises
+    ------
+    InputError
+        The text is neither.
+    """
+    if (part := part_of(text)) is not None:
+        return lambda path: part_holds(*part, path)
+    match = re.fullmatch(r"(\d{1,3}(?:\.\d{1,6})?) ?%", text)
+    share = float(match[1]) / 100.0 if match else 0.0
+    if not 0.0 < share <= 1.0:
+        raise InputError(f"--subset {text}: write a part such as 3/10, or a share up to 100% such as 5%")
+    draw = SystemRandom()
+    return lambda path: draw.random() < share
+
+
+def verified(run: RunFolder, chosen: Chosen = every) -> Verified:
+    """Check the files of a run: all of them belong there, and the `chosen` ones have the bytes that were written.
 
     Raises
     ------
     SupersededError
         Another process went on writing into it.
     """
+    names = [name for name in sorted(run.manifest.artifacts) if chosen(f"{run.root.name}/{name}")]
     problems = [
         {"artifact": name, "stage": stage, "problem": problem}
-        for name, stage, problem in (*_artifacts(run), *_stage_manifests(run), *_written_files(run.root))
-    ]
+        for name, stage, problem in (
+            *_artifacts(run, names), *_stage_manifests(run), *_written_files(run.root, chosen)
+        )
+    ]  # fmt: skip
     others = sorted(_others(run))
     leftover = [path for path in others if _is_leftover(path)]
     if leftover and is_held(run.root):
@@ -65,17 +101,17 @@ def verified(run: RunFolder) -> Verified:
     if (run.root / NEXT_MANIFEST).exists() or not run.manifest.stages:
         unknown = [path for path in unknown if not path.startswith(f"{STAGES}/")]
     unknown, leftover = ([path for path in some if os.path.lexists(run.root / path)] for some in (unknown, leftover))
-    return Verified(len(run.manifest.artifacts), problems, unknown, leftover)
+    return Verified(len(names), problems, unknown, leftover, len(run.manifest.artifacts) - len(names))
 
 
-def _artifacts(run: RunFolder) -> Iterator[tuple[str, str, str]]:
-    for name, record in sorted(run.manifest.artifacts.items()):
+def _artifacts(run: RunFolder, names: Iterable[str]) -> Iterator[tuple[str, str, str]]:
+    for name in names:
         try:
             problem = run.problem(name)
         except InputError as error:  # the disk refuses to read it; the others shall be checked nevertheless
             problem = str(error)
         if problem:
-            yield name, record.recipe.stage, problem
+            yield name, run.manifest.artifacts[name].recipe.stage, problem
 
 
 def _stage_manifests(run: RunFolder) -> Iterator[tuple[str, str, str]]:
@@ -85,16 +121,18 @@ def _stage_manifests(run: RunFolder) -> Iterator[tuple[str, str, str]]:
             yield stage_file(stage), stage, f"{problem}; `debist run` writes it anew"
 
 
-def _written_files(root: Path) -> Iterator[tuple[str, str, str]]:
+def _written_files(root: Path, chosen: Chosen) -> Iterator[tuple[str, str, str]]:
     """File, command and what is wrong, for what was written beside the artifacts."""
     for folder in EXTRA_FOLDERS:
-        for name, command, problem in file_problems(root / folder):
+        for name, command, problem in file_problems(root / folder, chosen):
             yield f"{folder}/{name}", command, f"{problem}; write it anew"
 
 
-def file_problems(folder: Path) -> Iterator[tuple[str, str, str]]:
+def file_problems(folder: Path, chosen: Chosen = every) -> Iterator[tuple[str, str, str]]:
     """File, command and what is wrong, for the files in the list of a folder (`pipeline.runs.outputs`)."""
     for name, entry in sorted(written_files(folder).items()):
+        if not chosen(f"{folder.parent.name}/{folder.name}/{name}"):
+            continue
         try:
             same = file_sha256(folder / name) in (entry.get("sha256"), entry.get("replaces"))
             problem = "" if same else "does not have the bytes that were written"

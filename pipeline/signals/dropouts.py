@@ -154,7 +154,7 @@ def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> 
     """Rows of what lies between a jump to a level and one back, and these levels."""
     bursts, levels, last = [], [], -1
     for before, end in zip(jumps[:-1].tolist(), jumps[1:].tolist(), strict=True):
-        if before < last or not 2 <= end - before <= longest:
+        if before <= last or not 2 <= end - before <= longest:
             continue
         part = samples[before + 1 : end + 1]
         there, back = samples[before + 1] - samples[before], samples[end + 1] - samples[end]

@@ -29,7 +29,7 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
             continue
         first = time[np.argmax(samples == rail)]
         said.append(
-            f"{100.0 * share:.2g} % of the samples stay at {rail:.6g} {unit}, first at {first:.6g} s, and elsewhere "
+            f"{100.0 * share:.2g} % of the samples stay at {rail:.6g} {unit}, the first at {first:.6g} s, elsewhere "
             "no two are equal: a saturated probe? What was applied there is not known: widen the probe's range, unless "
             "this is a command that is limited there"
         )

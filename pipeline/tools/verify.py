@@ -11,7 +11,7 @@ from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.outputs import written_files
 from pipeline.runs.run_folder import CORRUPT_MARK, in_snapshot
-from pipeline.runs.verification import Verified, file_problems, verified
+from pipeline.runs.verification import Chosen, Verified, every, file_problems, verified
 from pipeline.stages.run import rebuild_run, run_prototype
 
 _DEEPEST = 3
@@ -31,8 +31,8 @@ class VerifiedRun:
         return not self.failure and self.found.intact
 
 
-def verify_everything(root: Path) -> Verified:
-    """Check every file of a run, in one state of it though another process may go on writing.
+def verify_everything(root: Path, chosen: Chosen = every) -> Verified:
+    """Check the files of a run, in one state of it though another process may go on writing.
 
     Raises
     ------
@@ -41,10 +41,10 @@ def verify_everything(root: Path) -> Verified:
     CorruptArtifactError
         Its manifest is damaged.
     """
-    return in_snapshot(root, verified)
+    return in_snapshot(root, lambda run: verified(run, chosen))
 
 
-def verify_all(folder: Path) -> list[VerifiedRun]:
+def verify_all(folder: Path, chosen: Chosen = every) -> list[VerifiedRun]:
     """Check every run in a folder, and the tables of a fleet there.
 
     Raises
@@ -56,12 +56,12 @@ def verify_all(folder: Path) -> list[VerifiedRun]:
     if not roots:
         raise InputError(f"{folder}: holds no runs")
     tables = _fleet_tables(folder)
-    return [*(_verified_run(root) for root in roots), *([tables] if tables is not None else [])]
+    return [*(_verified_run(root, chosen) for root in roots), *([tables] if tables is not None else [])]
 
 
-def _verified_run(root: Path) -> VerifiedRun:
+def _verified_run(root: Path, chosen: Chosen) -> VerifiedRun:
     try:
-        return VerifiedRun(root, verify_everything(root))
+        return VerifiedRun(root, verify_everything(root, chosen))
     except DebistError as error:
         return VerifiedRun(root, Verified(0), str(error))
 

@@ -11,7 +11,7 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.verification import Verified
+from pipeline.runs.verification import Verified, subset
 from pipeline.tools.verify import repair_run, verify_all, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once
@@ -138,6 +138,26 @@ def test_all_runs_of_a_folder_are_verified_and_the_fleet_tables(run, tmp_path):
     assert result.exit_code == 4 and "3 of 3 are not intact" in result.stderr
     document = json.loads(debist("verify", "--all", tmp_path, "--json").stdout)
     assert len(document["runs"]) == 3
+
+
+def test_the_parts_of_a_subset_read_every_file_once(run):
+    whole = verify_everything(run)
+    (run / "scores.parquet").write_text("x")
+    parts = [verify_everything(run, subset(f"{number}/3")) for number in (1, 2, 3)]
+    assert sum(part.checked for part in parts) == whole.checked
+    assert [part.checked + part.left_out for part in parts] == [whole.checked] * 3
+    assert [problem["artifact"] for part in parts for problem in part.problems] == ["scores.parquet"]
+
+
+def test_a_share_is_drawn_anew_and_what_is_none_is_refused(run):
+    assert verify_everything(run, subset("100%")).left_out == 0
+    half = subset("50 %")
+    assert 300 < sum(half(str(number)) for number in range(1000)) < 700
+    said = debist("verify", run, "--subset", "1/2")
+    assert said.exit_code == 0 and " of " in said.stdout
+    for wrong in ("0%", "101%", "3/2", "x"):
+        assert debist("verify", run, "--subset", wrong).exit_code == 2
+    assert "without --subset" in debist("verify", run, "--subset", "1/2", "--against", run).stderr
 
 
 def test_repair_sets_aside_and_rebuilds(bench, run):

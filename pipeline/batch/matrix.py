@@ -1,0 +1,138 @@
+"""A matrix of settings: one prototype with every combination of some values, as settings files of a batch."""
+
+import copy
+import itertools
+import json
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pipeline.errors import InputError
+from pipeline.loading.report_data import load_scores
+from pipeline.runs.atomic import write_text
+from pipeline.settings import parse_prototype, read_document
+
+FOLDER = "settings"
+"""Where the settings files of a matrix lie, in the folder of its runs."""
+
+LARGEST = 1000
+"""Combinations that a matrix may have."""
+
+_PATHS = (
+    ("logs", "train"),
+    ("logs", "validation"),
+    ("plant", "parameters"),
+    ("plant", "curves"),
+    ("compare", "curves"),
+)
+"""Keys with paths that are relative to the settings file."""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One combination: its name, its settings file, and what was set."""
+
+    name: str
+    path: Path
+    values: dict[str, Any]
+
+
+def write_matrix(prototype_file: Path, sets: Sequence[str], output: Path) -> list[Variant]:
+    """Write a settings file for each combination into ``settings/`` of `output`; all are checked before one is written.
+
+    Parameters
+    ----------
+    prototype_file : Path
+        The settings that are varied.
+    sets : sequence of str
+        ``SECTION.KEY=VALUE,VALUE,…``; the values as in TOML, texts without quotes.
+    output : Path
+        The folder of the runs.
+
+    Raises
+    ------
+    InputError
+        A text is no such set, a key or a value is none of the settings, or there are too many combinations.
+    """
+    document = read_document(prototype_file)
+    parse_prototype(document, str(prototype_file))
+    varied = dict(map(_varied, sets))
+    combinations = [dict(zip(varied, values, strict=True)) for values in itertools.product(*varied.values())]
+    if not varied or len(combinations) > LARGEST:
+        raise InputError(f"--set: {len(combinations)} combinations; a matrix has at least one --set and {LARGEST} runs")
+    digits, documents = len(str(len(combinations))), []
+    for number, values in enumerate(combinations, start=1):
+        named = _anchored(_with(document, values), prototype_file.resolve().parent)
+        named["name"] = f"{document['name']}-{number:0{digits}d}"
+        parse_prototype(named, "--set " + " ".join(f"{key}={value}" for key, value in values.items()))
+        documents.append(named)
+    variants = []
+    for values, named in zip(combinations, documents, strict=True):
+        path = output / FOLDER / f"{named['name']}.toml"
+        write_text(path, "".join(f"{key} = {_toml(value)}\n" for key, value in named.items()), within=output)
+        variants.append(Variant(named["name"], path, values))
+    return variants
+
+
+def matrix_rows(runs: Mapping[str, Path], variants: Sequence[Variant]) -> list[dict[str, Any]]:
+    """For each variant whose run is there, what was set and the scores of q; `runs` are run folders by name."""
+    return [
+        {
+            "name": variant.name,
+            "settings": variant.values,
+            "scores": [row for row in load_scores(runs[variant.name]) if row["signal"] == "q"],
+        }
+        for variant in variants
+        if variant.name in runs
+    ]
+
+
+def _varied(text: str) -> tuple[str, list[Any]]:
+    key, equals, values = text.partition("=")
+    if not equals or not values or not key.strip():
+        raise InputError(f"--set {text}: write SECTION.KEY=VALUE,VALUE, such as identify.basis_functions=6,8,10")
+    return key.strip(), [_value(part.strip()) for part in values.split(",")]
+
+
+def _value(text: str) -> Any:
+    """A value as TOML has it, or the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (tomllib.TOMLDecodeError, KeyError):
+        return text
+
+
+def _with(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    changed = copy.deepcopy(document)
+    for key, value in values.items():
+        *sections, last = key.split(".")
+        table = changed
+        for section in sections:
+            table = table.setdefault(section, {})
+            if not isinstance(table, dict):
+                raise InputError(f"--set {key}: {section!r} is no section of the settings")
+        table[last] = value
+    return changed
+
+
+def _anchored(document: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Settings whose paths are absolute."""
+    for section, key in _PATHS:
+        table = document.get(section, {})
+        value = table.get(key)
+        if isinstance(value, list):
+            table[key] = [str(folder / path) for path in value]
+        elif isinstance(value, str) and Path(value).suffix:
+            table[key] = str(folder / value)
+    return document
+
+
+def _toml(value: Any) -> str:
+    """A value of settings as TOML, tables in one line; JSON and TOML write texts and switches alike."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{json.dumps(key)} = {_toml(entry)}" for key, entry in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return repr(value) if isinstance(value, float) else json.dumps(value)

@@ -1,0 +1,94 @@
+"""Every mistake of the first week is told, in every format, and honest logs are told nothing of."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pipeline.rig_logs.inspection import inspect_log
+from tests.mistakes.table import HEAD, MISTAKES, PAGE, Log, Mistake, bursts, log, lose_rows, rows, sentence, told
+
+
+def test_there_are_fifty():
+    assert len(MISTAKES) == len({mistake.done for mistake in MISTAKES}) == 50
+
+
+@pytest.mark.parametrize("mistake", MISTAKES, ids=lambda mistake: mistake.done)
+def test_it_is_told_as_the_page_says(mistake: Mistake) -> None:
+    said = sentence(mistake)
+    assert said, mistake.tell()
+    page = PAGE.read_text(encoding="utf-8")
+    assert page.startswith(HEAD)
+    (row,) = [line for line in page.splitlines() if line.startswith(f"| {mistake.done} |")]
+    assert mistake.said in row
+
+
+def test_nothing_is_said_of_honest_logs():
+    assert told([log(1), log(3)]) == []
+    halves = [rows(log(1), slice(0, 10_000)), rows(log(1), slice(10_000, None))]
+    assert not [text for text in told(halves) if "shared" in text or "gain" in text]
+
+
+@pytest.mark.parametrize("every", [1, 2, 5, 10])
+@pytest.mark.parametrize("digits", [None, 1e-6, 1e-5])
+def test_coarser_rates_and_digits_are_no_fault(every: int, digits: float | None) -> None:
+    said = told([rows(log(seed), slice(None, None, every), 0.0, digits) for seed in (1, 3)])
+    assert not [text for text in said if "burst" in text or "jump" in text or "held" in text or "shared" in text]
+
+
+def _write(path: Path, one: Log) -> None:
+    """The log in mm and kV, in the format that the ending names."""
+    columns = {"time": one.t, "q": 1e3 * one.q, "v1": 1e-3 * one.v[:, 0], "v2": 1e-3 * one.v[:, 1]}
+    if path.suffix == ".csv":
+        np.savetxt(path, np.column_stack(list(columns.values())), "%.9g", ",", header=",".join(columns), comments="")
+    elif path.suffix == ".mat":
+        from scipy.io import savemat
+
+        savemat(path, columns)
+    elif path.suffix == ".h5":
+        import h5py
+
+        with h5py.File(path, "w") as file:
+            for name, column in columns.items():
+                file[name] = column
+    elif path.suffix == ".npz":
+        np.savez(path, **columns)
+    elif path.suffix == ".parquet":
+        import pandas as pd
+
+        pd.DataFrame(columns).to_parquet(path)
+    else:
+        from asammdf import MDF, Signal
+
+        signals = [Signal(column, one.t, name=name) for name, column in list(columns.items())[1:]]
+        with MDF(version="4.10") as file:
+            file.append(signals)
+            file.save(path, overwrite=True)
+
+
+@pytest.mark.parametrize("ending", ["csv", "mat", "h5", "npz", "parquet", "mf4"])
+def test_the_silent_faults_of_a_log_are_told_in_every_format(ending, tmp_path):
+    """By `inspect` and by ingest, with what stands in the file."""
+    from pipeline.loading.device import device
+    from pipeline.loading.si_log import read_si
+    from pipeline.settings import parse_prototype
+    from pipeline.stages.ingest import examined
+
+    damaged = bursts(0.0)(lose_rows(log(1)))
+    damaged = Log(damaged.t, damaged.q, np.minimum(damaged.v, 2500.0))
+    path = tmp_path / f"log.{ending}"
+    _write(path, damaged)
+    channels = {"q": {"channel": "q", "unit": "mm"}, "v1": {"channel": "v1", "unit": "kV"}}
+    channels["v2"] = {"channel": "v2", "unit": "kV"}
+    if ending != "mf4":
+        channels["time"] = {"channel": "time", "unit": "s"}
+    else:
+        channels = {name: {**channel, "scale": 1.0} for name, channel in channels.items()}
+    document = {"name": "P", "logs": {"train": [path.name]}, "channels": channels}
+    prototype = parse_prototype(document, "P.toml")
+    warnings = "\n".join(examined(read_si(path, prototype, device(prototype)), prototype, "log").notes["warnings"])
+    for part in ("samples at 0 mm, which no motion reaches", "rows are missing though time goes on", "saturated probe"):
+        assert part in warnings
+    (remarks,) = [channel.remarks for channel in inspect_log(path).channels if channel.name == "q"]
+    assert any("which no motion reaches" in remark for remark in remarks)
+    assert any("rows are missing" in remark for remark in remarks)
