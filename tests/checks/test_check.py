@@ -79,7 +79,7 @@ def test_an_input_that_is_not_named_is_told(pair: list[LogSignals]) -> None:
         row for row in check_logs(logs, replace(JOINT, inputs=("V",))) if row.what == "snaps while the input is off"
     ]
     assert rows and {row.state for row in rows} == {"note"}
-    assert all("v2 in [channels]" in row.advice for row in rows)
+    assert all("the second input as v2" in row.advice for row in rows)
 
 
 def test_what_cannot_be_seen_of_an_input_is_said_by_what_the_input_does(pair: list[LogSignals]) -> None:

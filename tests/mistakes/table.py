@@ -16,9 +16,8 @@ from pipeline.errors import DebistError
 from pipeline.loading.si_log import SiLog
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import parse_prototype
-from pipeline.signals.uniform_record import Resampling
 from pipeline.stages.check import declared, log_signals
-from pipeline.stages.ingest import examined, record_columns, record_interval
+from pipeline.stages.ingest import examined, record_columns, resamplings
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
@@ -69,12 +68,12 @@ def told(logs: Sequence[Log], plant: dict | None = None, **tables: dict) -> list
     said: list[str] = []
     try:
         prototype = parse_prototype(document, "P.toml")
-        seen, ingest = [], prototype.ingest
+        seen = []
         for number, one in enumerate(logs, start=1):
             signals = SiLog((one.t, one.q), tuple((one.t, np.ascontiguousarray(column)) for column in one.v.T))
             found = examined(signals, prototype, f"log {number}")
             said += found.notes["warnings"]
-            record = Resampling(found.usable, record_interval(ingest, found.raw_step)).record()
+            record = resamplings(found, prototype.ingest)[0].record()
             notes = {**found.notes, "raw_step": found.raw_step}
             seen.append(log_signals(f"log {number}", record_columns(record, tuple(signals.beside)), notes))
         stated = declared(prototype)
