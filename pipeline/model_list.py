@@ -64,9 +64,9 @@ BASIS_FUNCTIONS = (
 
 def entry(name: str) -> Entry | None:
     """The model of that name, if there is one."""
-    return next((one for one in ENTRIES if one.name == name), None)
+    return next((model for model in ENTRIES if model.name == name), None)
 
 
 def names(part: Literal["identify", "compare"]) -> tuple[str, ...]:
     """The models that a stage can fit, in order."""
-    return tuple(one.name for one in ENTRIES if one.part == part)
+    return tuple(model.name for model in ENTRIES if model.part == part)

@@ -96,11 +96,11 @@ def _of_log(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         rows.append(_drift_row(fact, fact.drift, declared))
     if fact.undriven >= limits.UNDRIVEN_SNAPS:
         rows.append(_undriven_row(fact))
-    for i, known in enumerate(fact.inputs):
-        if known is None:
+    for i, driven in enumerate(fact.inputs):
+        if driven is None:
             rows.append(_unseen_push_row(fact, i))
             continue
-        rows += [_push_row(fact, i, known, declared), _delay_row(fact, i, known, declared)]
+        rows += [_push_row(fact, i, driven, declared), _delay_row(fact, i, driven, declared)]
     rows += [*_correlated_rows(fact, declared), *_law_rows(fact, declared)]
     if declared.joint:
         rows += [_field_row(fact, declared), *_rest_level_rows(fact, declared)]
@@ -167,18 +167,18 @@ def _rate_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         return [rate]
     per_period = 1.0 / (fact.ring * interval)
     enough = per_period >= limits.LEAST_PER_PERIOD
-    found, limit = f"{per_period:.{0 if per_period >= 2.0 else 1}f} samples", f"≥ {limits.LEAST_PER_PERIOD:g}"
+    measured, limit = f"{per_period:.{0 if per_period >= 2.0 else 1}f} samples", f"≥ {limits.LEAST_PER_PERIOD:g}"
     finer = advised_interval(fact.ring, log.raw_step)
     advice = "" if enough or finer >= interval else f"set [ingest] sample_interval = {finer:g}"
-    return [rate, CheckRow(log.name, "uniform, a period", found, limit, "ok" if enough else "note", None, advice)]
+    return [rate, CheckRow(log.name, "uniform, a period", measured, limit, "ok" if enough else "note", None, advice)]
 
 
 def _ring_row(fact: LogFacts) -> CheckRow:
     name = fact.signals.name
     if fact.ring is None or fact.damping is None:
         return CheckRow(name, "ring-down", "no clear ring-down after a switch-off", "", "not seen")
-    found = f"{quantity(fact.ring, 'Hz')}, ζ = {significant(fact.damping, 2)}"
-    return CheckRow(name, "ring-down", found, "")
+    measured = f"{quantity(fact.ring, 'Hz')}, ζ = {significant(fact.damping, 2)}"
+    return CheckRow(name, "ring-down", measured, "")
 
 
 def _drift_row(fact: LogFacts, drift: RestDrift, declared: Declared) -> CheckRow:
@@ -187,21 +187,21 @@ def _drift_row(fact: LogFacts, drift: RestDrift, declared: Declared) -> CheckRow
         f"the places of rest move by {quantity(drift.rate * lasts, unit)} over the log: let the sensor warm up, fix "
         "its mount, or take the drift off q"
     )
-    found = f"{quantity(drift.rate, f'{unit}/s', drift.error)} over {drift.rests} rests"
-    return CheckRow(fact.signals.name, "drift of the rests", found, "", "note", None, advice)
+    measured = f"{quantity(drift.rate, f'{unit}/s', drift.error)} over {drift.rests} rests"
+    return CheckRow(fact.signals.name, "drift of the rests", measured, "", "note", None, advice)
 
 
 def _undriven_row(fact: LogFacts) -> CheckRow:
     named = "the input is" if len(fact.inputs) == 1 else "all inputs are"
-    found = str(fact.undriven)
-    return CheckRow(fact.signals.name, f"snaps while {named} off", found, "", "note", None, _not_named(fact))
+    measured = str(fact.undriven)
+    return CheckRow(fact.signals.name, f"snaps while {named} off", measured, "", "note", None, _not_named(fact))
 
 
 def _start_row(fact: LogFacts) -> CheckRow:
     places = ", ".join(f"{start:.4g}" for start in fact.starts[: limits.MOST_PLACES])
-    found = f"{len(fact.starts)}, at {places}{' …' if len(fact.starts) > limits.MOST_PLACES else ''} s"
+    measured = f"{len(fact.starts)}, at {places}{' …' if len(fact.starts) > limits.MOST_PLACES else ''} s"
     return CheckRow(
-        fact.signals.name, "leaves rest though no input changes", found, "", "note", None, _not_named(fact)
+        fact.signals.name, "leaves rest though no input changes", measured, "", "note", None, _not_named(fact)
     )  # fmt: skip
 
 
@@ -217,32 +217,32 @@ def _natural_row(fact: LogFacts, declared: Declared) -> CheckRow:
     name, what = fact.signals.name, "natural frequency"
     if fact.natural is None:
         return CheckRow(name, what, "no stable rest in the motion", "", "not seen")
-    found = quantity(fact.natural, "Hz")
+    measured = quantity(fact.natural, "Hz")
     if not declared.joint:
-        return CheckRow(name, what, found, "")
+        return CheckRow(name, what, measured, "")
     low, high = limits.DRAWN_RING_DOWN / limits.MOST_RATIO, limits.DRAWN_RING_DOWN * limits.MOST_RATIO
     limit = f"{significant(low, 1)} … {significant(high, 2)} Hz"
     if low <= fact.natural <= high:
-        return CheckRow(name, what, found, limit)
+        return CheckRow(name, what, measured, limit)
     advice = "check the unit of time in [channels] and the recorder's clock"
-    return CheckRow(name, what, found, limit, "wrong", "time-base", advice)
+    return CheckRow(name, what, measured, limit, "wrong", "time-base", advice)
 
 
-def _push_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> CheckRow:
-    push, what = known.push, f"push of v{i + 1}"
+def _push_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -> CheckRow:
+    push, what = driven.push, f"push of v{i + 1}"
     unit = f"{declared.displacement}/s²"
-    found = quantity(push.value, unit, push.error)
+    measured = quantity(push.value, unit, push.error)
     if abs(push.value) <= limits.SIGN_CERTAINTY * push.error:
         state: State = "note" if declared.joint else "not seen"
         advice = f"v{i + 1} hardly moves q: is it the channel that drives this device?"
-        return CheckRow(fact.signals.name, what, found, "", state, None, advice)
+        return CheckRow(fact.signals.name, what, measured, "", state, None, advice)
     if not declared.joint:
-        return CheckRow(fact.signals.name, what, found, "")
+        return CheckRow(fact.signals.name, what, measured, "")
     right = (push.value > 0.0) == (i == 0)
     return CheckRow(
         fact.signals.name,
         what,
-        found,
+        measured,
         _SIDES[i],
         "ok" if right else "wrong",
         None if right else "sides",
@@ -250,22 +250,22 @@ def _push_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> 
     )
 
 
-def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) -> CheckRow:
-    delay, what = known.delay, f"delay of q after v{i + 1}"
-    reached = " or more" if known.at_the_end else ""
-    found = f"{quantity(delay.value, 's', delay.error, like=declared.sample_interval)}{reached}"
+def _delay_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -> CheckRow:
+    delay, what = driven.delay, f"delay of q after v{i + 1}"
+    reached = " or more" if driven.at_the_end else ""
+    measured = f"{quantity(delay.value, 's', delay.error, like=declared.sample_interval)}{reached}"
     if not declared.joint:
-        return CheckRow(fact.signals.name, what, found, "")
+        return CheckRow(fact.signals.name, what, measured, "")
     intervals = abs(delay.value) / declared.sample_interval
     sure = abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
-    unsure = abs(known.push.value) <= limits.SIGN_CERTAINTY * known.push.error
+    unsure = abs(driven.push.value) <= limits.SIGN_CERTAINTY * driven.push.error
     noted = sure and intervals > limits.NOTED_DELAY
     if noted and fact.lag is not None and 0.0 < delay.value < limits.OF_LAG * fact.lag:
         advice = (
             f"a lag of about {_short(fact.lag, 's')} explains it better than any delay, as of electrodes that charge "
             'slowly: hybrid estimates it, rbf with drive = "lag" in [identify]'
         )
-        return CheckRow(fact.signals.name, what, found, "", "note", None, advice)
+        return CheckRow(fact.signals.name, what, measured, "", "note", None, advice)
     late = sure and intervals > limits.MOST_DELAY
     advice = f"v{i + 1} hardly moves q: see first whether it is the channel that drives this device; then " * unsure
     advice += (
@@ -276,7 +276,7 @@ def _delay_row(fact: LogFacts, i: int, known: InputFacts, declared: Declared) ->
     return CheckRow(
         fact.signals.name,
         what,
-        found,
+        measured,
         f"± {_short((limits.MOST_DELAY if late else limits.NOTED_DELAY) * declared.sample_interval, 's')}",
         "wrong" if late and not unsure else "note" if noted else "ok",
         "delay" if late and not unsure else None,
@@ -294,16 +294,16 @@ def _wrapped_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     if not jumps:
         return []
     advice = "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device"
-    found = f"{jumps} by {_short(fact.span, 'rad')}"
-    return [CheckRow(fact.signals.name, "jumps of the angle", found, "none", "wrong", "wrapped", advice)]
+    measured = f"{jumps} by {_short(fact.span, 'rad')}"
+    return [CheckRow(fact.signals.name, "jumps of the angle", measured, "none", "wrong", "wrapped", advice)]
 
 
 def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     """Mass and units: what they make of the coupling of a membrane, half the slope of its capacitance over q."""
     pushes = [
-        abs(known.push.value) / float(peak) ** 2
-        for known, peak in zip(fact.inputs, fact.peaks, strict=True)
-        if known is not None and abs(known.push.value) > limits.SIGN_CERTAINTY * known.push.error
+        abs(driven.push.value) / float(peak) ** 2
+        for driven, peak in zip(fact.inputs, fact.peaks, strict=True)
+        if driven is not None and abs(driven.push.value) > limits.SIGN_CERTAINTY * driven.push.error
     ]
     if not pushes:
         return []
@@ -336,11 +336,11 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
 
 def _side_rows(fact: LogFacts) -> list[CheckRow]:
     """Membranes of one joint couple about as strongly."""
-    known = [one for one in fact.inputs if one is not None]
-    unsure = any(abs(one.push.value) <= limits.SIGN_CERTAINTY * one.push.error for one in known)
-    if len(known) < 2 or unsure or not isinstance(fact.wells, Wells):
+    driven = [each for each in fact.inputs if each is not None]
+    unsure = any(abs(each.push.value) <= limits.SIGN_CERTAINTY * each.push.error for each in driven)
+    if len(driven) < 2 or unsure or not isinstance(fact.wells, Wells):
         return []
-    left, right = (abs(one.push.value) / float(peak) ** 2 for one, peak in zip(known, fact.peaks, strict=True))
+    left, right = (abs(each.push.value) / float(peak) ** 2 for each, peak in zip(driven, fact.peaks, strict=True))
     ratio = left / right
     off = max(ratio, 1.0 / ratio)
     state: State = "wrong" if off > limits.MOST_SIDES else "note" if off > limits.NOTED_SIDES else "ok"
@@ -369,8 +369,8 @@ def _correlated_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     advice = (
         "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
     )
-    found, limit = f"correlation {correlation:.4f}", f"< {limits.MOST_CORRELATED:g}"
-    return [CheckRow(fact.signals.name, "v2 beside v1", found, limit, "note", None, advice)]
+    measured, limit = f"correlation {correlation:.4f}", f"< {limits.MOST_CORRELATED:g}"
+    return [CheckRow(fact.signals.name, "v2 beside v1", measured, limit, "note", None, advice)]
 
 
 def _field_row(fact: LogFacts, declared: Declared) -> CheckRow:
@@ -399,13 +399,13 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         rests = float(np.mean(size <= level + limits.REST_LEVEL * peak)) >= limits.REST_SHARE
         if level > limits.REST_LEVEL * peak and rests:
             signed = float(np.copysign(level, np.median(fact.signals.v[size <= level + limits.REST_LEVEL * peak, i])))
-            found, against = quantity(signed, unit), quantity(-signed, unit)
+            measured, against = quantity(signed, unit), quantity(-signed, unit)
             advice = (
                 f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; add "
                 f"{against} to its `offset` in [channels]"
             )
             limit = f"≤ {_short(limits.REST_LEVEL * peak, unit)}"
-            rows.append(CheckRow(fact.signals.name, f"lowest level of v{i + 1}", found, limit, "note", None, advice))
+            rows.append(CheckRow(fact.signals.name, f"lowest level of v{i + 1}", measured, limit, "note", None, advice))
     return rows
 
 
@@ -415,13 +415,13 @@ def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     if own is None or other is None:
         return []
     laws = ("squared", "linear") if declared.squared else ("linear", "squared")
-    found = f"{laws[0]} leaves {significant(100.0 * own, 2)} %, {laws[1]} {significant(100.0 * other, 2)} %"
+    measured = f"{laws[0]} leaves {significant(100.0 * own, 2)} %, {laws[1]} {significant(100.0 * other, 2)} %"
     fits = other >= (limits.OTHER_LAW if fact.both_signs else limits.OTHER_LAW_OF_ONE_SIGN) * own
     if fits:
-        return [CheckRow(fact.signals.name, "law of the inputs", found, "")] if fact.both_signs else []
+        return [CheckRow(fact.signals.name, "law of the inputs", measured, "")] if fact.both_signs else []
     why = "an input takes both signs and explains" if fact.both_signs else "the inputs explain"
     advice = f'{why} more so: set inputs = "{laws[1]}" (in [plant], or as an argument)'
-    return [CheckRow(fact.signals.name, "law of the inputs", found, "", "note", None, advice)]
+    return [CheckRow(fact.signals.name, "law of the inputs", measured, "", "note", None, advice)]
 
 
 def _short(value: float, unit: str) -> str:
@@ -447,8 +447,10 @@ def _terms(first: LogFacts, other: LogFacts, declared: Declared) -> tuple[WeakTe
 
 def _gain(first: LogFacts, other: LogFacts, declared: Declared) -> LogGain | None:
     """The gain of a log's inputs against the first log, where both show what the inputs do."""
-    unseen = any(one is None or abs(one.push.value) <= limits.SIGN_CERTAINTY * one.push.error for one in first.inputs)
-    unseen |= any(one is None for one in other.inputs)
+    unseen = any(
+        each is None or abs(each.push.value) <= limits.SIGN_CERTAINTY * each.push.error for each in first.inputs
+    )
+    unseen |= any(each is None for each in other.inputs)
     terms = None if unseen else _terms(first, other, declared)
     return None if terms is None else log_gain(*terms, squared=declared.squared)
 
@@ -459,8 +461,8 @@ def _off(gain: LogGain | None) -> list[tuple[str, float, float]]:
         return []
     least, sure = limits.GAIN_OF_ALL if gain.together else limits.GAIN_OF_ONE
     names = ["voltages"] if gain.together else [f"v{k + 1}" for k in range(gain.factors.size)]
-    found = zip(names, gain.factors.tolist(), gain.errors.tolist(), strict=True)
-    return [(name, g, error) for name, g, error in found if abs(g - 1.0) > max(least, sure * error)]
+    measured = zip(names, gain.factors.tolist(), gain.errors.tolist(), strict=True)
+    return [(name, g, error) for name, g, error in measured if abs(g - 1.0) > max(least, sure * error)]
 
 
 def _gain_rows(first: LogFacts, other: LogFacts, gain: LogGain | None) -> list[CheckRow]:
@@ -468,15 +470,15 @@ def _gain_rows(first: LogFacts, other: LogFacts, gain: LogGain | None) -> list[C
     rows = []
     for name, factor, error in _off(gain):
         percent, side = 100.0 * (1.0 / factor - 1.0), "low" if factor > 1.0 else "high"
-        found = f"{quantity(abs(percent), '%', 100.0 * error / factor**2)} {side}"
+        measured = f"{quantity(abs(percent), '%', 100.0 * error / factor**2)} {side}"
         advice = (
-            f"against {first.signals.name}, the {name} of this log look {found}: correct its probe ratio (times "
+            f"against {first.signals.name}, the {name} of this log look {measured}: correct its probe ratio (times "
             f"{significant(factor, 3)}), or leave the log out"
         )
         wrong = abs(factor - 1.0) > limits.WRONG_GAIN
         state: State = "wrong" if wrong else "note"
         what = f"gain of {name}"
-        rows.append(CheckRow(other.signals.name, what, found, "± 3 %", state, "scale" if wrong else None, advice))
+        rows.append(CheckRow(other.signals.name, what, measured, "± 3 %", state, "scale" if wrong else None, advice))
     return rows
 
 
@@ -489,33 +491,33 @@ def _gain_explains(first: LogFacts, other: LogFacts, declared: Declared, gain: L
         return False
     corrected = replace(other, signals=replace(other.signals, v=other.signals.v * gain.factors))
     terms = _terms(first, corrected, declared)
-    found = None if terms is None else misfit(*terms)
-    return found is not None and found.ratio <= limits.MOST_MISFIT
+    measured = None if terms is None else misfit(*terms)
+    return measured is not None and measured.ratio <= limits.MOST_MISFIT
 
 
 def _device_row(first: LogFacts, other: LogFacts, declared: Declared, gain: LogGain | None) -> CheckRow:
     """Whether a log shows the device of the first training log."""
     terms = _terms(first, other, declared)
-    found = None if terms is None else misfit(*terms)
+    measured = None if terms is None else misfit(*terms)
     what = "same device"
-    if found is None:
+    if measured is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
-    same, lasts = found.ratio <= limits.MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
-    sure = declared.joint and found.ratio > limits.SURELY_MISFIT and found.unexplained <= limits.MOST_UNEXPLAINED
+    same, lasts = measured.ratio <= limits.MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
+    sure = declared.joint and measured.ratio > limits.SURELY_MISFIT and measured.unexplained <= limits.MOST_UNEXPLAINED
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
     sure = sure and lasts > limits.SURE_LENGTH * declared.sample_interval and coarsest < limits.SURE_INTERVAL
     sure = sure and _driven_alike(first, other)
     if not same and gain is not None:
         advice = "it is one device, but for the gain of this log's inputs"
         return CheckRow(
-            other.signals.name, what, f"{significant(found.ratio, 2)} × misfit", f"≤ {limits.MOST_MISFIT:g}", "note",
+            other.signals.name, what, f"{significant(measured.ratio, 2)} × misfit", f"≤ {limits.MOST_MISFIT:g}", "note",
             None, advice,
         )  # fmt: skip
     state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,
         what,
-        f"{significant(found.ratio, 2)} × misfit",
+        f"{significant(measured.ratio, 2)} × misfit",
         f"≤ {limits.MOST_MISFIT:g}",
         state,
         "device" if state == "wrong" else None,
@@ -548,15 +550,15 @@ def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:
     if not isinstance(fact.wells, Wells):
         reason = fact.wells.reason if declared.joint else fact.wells.reason.partition(":")[0]
         return CheckRow(name, "rests", reason, "", "not seen")
-    found = f"{quantity(fact.wells.left, unit)}, {quantity(fact.wells.right, unit)}"
+    measured = f"{quantity(fact.wells.left, unit)}, {quantity(fact.wells.right, unit)}"
     if not declared.joint or fact.wells.left < 0.0 < fact.wells.right:
-        return CheckRow(name, "rests", found, "")
+        return CheckRow(name, "rests", measured, "")
     middle = quantity(-0.5 * (fact.wells.left + fact.wells.right), unit)
     advice = (
         "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
         f"zero the sensor, or give `offset` in [channels] q (about {middle})"
     )
-    return CheckRow(name, "rests", found, "left < 0 < right", "note", None, advice)
+    return CheckRow(name, "rests", measured, "left < 0 < right", "note", None, advice)
 
 
 def _side_by_side(first: LogFacts, other: LogFacts, declared: Declared) -> list[str]:

@@ -143,11 +143,11 @@ class ErrorBoundary(WholeLines):
                 raise _interruption() from error
             if memory_failure(error):
                 raise
-            told = _told(error)
-            if told is None:
+            remedy = _told(error)
+            if remedy is None:
                 traceback.print_exc(file=sys.stderr)
-            typer.echo(f"debist: {told or 'this is a bug in debist; please report the lines above'}", err=True)
-            raise typer.Exit(1 if told is None else InputError.exit_code) from error
+            typer.echo(f"debist: {remedy or 'this is a bug in debist; please report the lines above'}", err=True)
+            raise typer.Exit(1 if remedy is None else InputError.exit_code) from error
 
 
 def _interruption(goes_on: str = "") -> typer.Exit:

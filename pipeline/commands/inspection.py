@@ -22,11 +22,11 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
     from pipeline.runs.manifest import to_json
 
     if isinstance(excitation, str):
-        found: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
+        coverage: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
     else:
-        known = {name: value for name, value in asdict(excitation).items() if name not in ("factor", "unit", "joint")}
-        found = {"excitation": known}
-    return to_json(asdict(inspection) | found)
+        shown = {name: value for name, value in asdict(excitation).items() if name not in ("factor", "unit", "joint")}
+        coverage = {"excitation": shown}
+    return to_json(asdict(inspection) | coverage)
 
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
@@ -56,24 +56,24 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
         _emit_excitation(excitation)
 
 
-def _emit_excitation(found: "LogExcitation") -> None:
+def _emit_excitation(coverage: "LogExcitation") -> None:
     from pipeline.scoring.wells import Wells
 
-    known = found.excitation
-    title = f"Samples per basis centre, one every {1e3 * found.interval:g} ms"
-    emit_visits(title, known.centres, known.visits, found.inputs, found.factor, found.unit)
-    if isinstance(known.wells, Wells):
-        left, right = (found.factor * rest for rest in (known.wells.left, known.wells.right))
+    shown = coverage.excitation
+    title = f"Samples per basis centre, one every {1e3 * coverage.interval:g} ms"
+    emit_visits(title, shown.centres, shown.visits, coverage.inputs, coverage.factor, coverage.unit)
+    if isinstance(shown.wells, Wells):
+        left, right = (coverage.factor * rest for rest in (shown.wells.left, shown.wells.right))
         emit_text(
-            f"rests at {left:.2f} and {right:.2f} {found.unit}; snaps {known.switches[0]} times to the right and "
-            f"{known.switches[1]} to the left; condition number of the regressor {known.conditioning.condition:.0f}"
+            f"rests at {left:.2f} and {right:.2f} {coverage.unit}; snaps {shown.switches[0]} times to the right and "
+            f"{shown.switches[1]} to the left; condition number of the regressor {shown.conditioning.condition:.0f}"
         )
-    if found.assumed:
+    if coverage.assumed:
         emit_text("the channels were taken by name and unit; --settings PROTOTYPE.toml says which they are")
-    rows = [(shortfall.finding, shortfall.add) for shortfall in found.shortfalls]
+    rows = [(shortfall.finding, shortfall.add) for shortfall in coverage.shortfalls]
     if rows:
         emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)
-        if found.joint:
+        if coverage.joint:
             emit_text("`debist rig excite` designs a sequence for a joint with two membranes")
     else:
         emit_text("everything is excited")

@@ -44,16 +44,16 @@ def verify(
     if every:
         _emit_all(verify_all(run, chosen), as_json)
         return
-    found = verify_everything(run, chosen)
-    if against is not None and found.intact:
+    checked = verify_everything(run, chosen)
+    if against is not None and checked.intact:
         from pipeline.commands.results import emit_comparison
         from pipeline.tools.diff import compare_runs
 
         emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
         return
-    _emit(found, as_json)
-    _fail_where(run, found)
-    _fail_beside(run, found)
+    _emit(checked, as_json)
+    _fail_where(run, checked)
+    _fail_beside(run, checked)
 
 
 def repair(
@@ -72,31 +72,34 @@ def repair(
     from pipeline.tools.verify import repair_run
 
     with Progress(quiet=quiet) as progress:
-        done, found = repair_run(run, progress, prototype)
+        done, checked = repair_run(run, progress, prototype)
     redone = [status for status in done if not status.up_to_date]
     if as_json:
-        emit_json({"redone": [vars(status) for status in redone], **vars(found)})
+        emit_json({"redone": [vars(status) for status in redone], **vars(checked)})
     else:
-        typer.echo(f"{len(redone)} of {len(done)} tasks done anew; {found.checked} artifacts, " + _state(found))
-    _fail_where(run, found)
+        typer.echo(f"{len(redone)} of {len(done)} tasks done anew; {checked.checked} artifacts, " + _state(checked))
+    _fail_where(run, checked)
 
 
-def _emit(found: "Verified", as_json: bool) -> None:
+def _emit(checked: "Verified", as_json: bool) -> None:
     if as_json:
-        emit_json(vars(found))
+        emit_json(vars(checked))
         return
-    if found.intact:
-        of = f" of {found.checked + found.left_out}" if found.left_out else ""
-        typer.echo(f"{found.checked}{of} artifacts checked, all intact")
-    for what, names in (("does not belong to the run", found.unknown), ("left by an interrupted run", found.leftover)):
+    if checked.intact:
+        of = f" of {checked.checked + checked.left_out}" if checked.left_out else ""
+        typer.echo(f"{checked.checked}{of} artifacts checked, all intact")
+    for what, names in (
+        ("does not belong to the run", checked.unknown),
+        ("left by an interrupted run", checked.leftover),
+    ):
         for name in names[:_MOST_NAMED]:
             typer.echo(printable(f"{what}: {name}"), err=True)
         if len(names) > _MOST_NAMED:
             typer.echo(f"and {len(names) - _MOST_NAMED} more", err=True)
 
 
-def _state(found: "Verified") -> str:
-    return f"{len(found.problems)} not as they were written" if found.problems else "all intact"
+def _state(checked: "Verified") -> str:
+    return f"{len(checked.problems)} not as they were written" if checked.problems else "all intact"
 
 
 def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
@@ -129,20 +132,20 @@ def _first(run: "VerifiedRun") -> str:
     return run.failure or next(iter((*problems, *others)), "")
 
 
-def _fail_where(run: Path, found: "Verified") -> None:
+def _fail_where(run: Path, checked: "Verified") -> None:
     from pipeline.errors import CorruptArtifactError
 
-    if found.problems:
+    if checked.problems:
         raise CorruptArtifactError(
-            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in found.problems)
+            "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
             + f"; `debist repair {run}` sets aside and rebuilds what is damaged"
         )
 
 
-def _fail_beside(run: Path, found: "Verified") -> None:
+def _fail_beside(run: Path, checked: "Verified") -> None:
     from pipeline.errors import CorruptArtifactError
 
-    if found.unknown:
-        raise CorruptArtifactError(f"{run}: {len(found.unknown)} files do not belong to the run; move them elsewhere")
-    if found.leftover:
+    if checked.unknown:
+        raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
+    if checked.leftover:
         raise CorruptArtifactError(f"{run}: a run was interrupted; `debist run` completes it and removes what it left")

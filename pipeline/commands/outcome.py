@@ -89,7 +89,7 @@ def emit_stale_exports(run: Path) -> None:
         typer.echo(f"warning: {brief(stale)} {made} from another model than the run now holds; export again", err=True)
 
 
-def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, as_json: bool) -> None:
+def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *, as_json: bool) -> None:
     """Print for each run its stale stages with the first reason, or why it cannot be read.
 
     A run whose report was never made is up to date in the table; JSON names the stage, as workflows make it.
@@ -99,12 +99,12 @@ def emit_fleet_status(found: "Sequence[tuple[Path, list[TaskStatus], str]]", *, 
     if as_json:
         runs = [
             {"run": root, "stale": list(dict.fromkeys(r.stage for r in results if not r.up_to_date)), "error": error}
-            for root, results, error in found
+            for root, results, error in states
         ]
         emit_json({"runs": runs})
         return
     rows = []
-    for root, results, error in found:
+    for root, results, error in states:
         stale = [result for result in results if not result.up_to_date]
         if stale and all(result.stage == "report" and result.reasons == [FIRST_TIME] for result in stale):
             rows.append((str(root), "up to date", f"without a report; `debist report {root}` makes it"))
@@ -157,12 +157,12 @@ def emit_tasks(done: "Sequence[TaskStatus]", *, as_json: bool) -> None:
         typer.echo(summary(done))
 
 
-def emit_status(title: str, found: "Sequence[TaskStatus]", *, as_json: bool) -> None:
+def emit_status(title: str, states: "Sequence[TaskStatus]", *, as_json: bool) -> None:
     """Print for each task whether it is up to date, and why not."""
     if as_json:
-        emit_tasks(found, as_json=True)
+        emit_tasks(states, as_json=True)
         return
-    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in found]
+    rows = [(r.stage, r.title, "up to date" if r.up_to_date else "to do", brief(r.reasons)) for r in states]
     emit_table(title, ("stage", "task", "state", "why"), rows, numeric_from=4)
 
 

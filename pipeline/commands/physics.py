@@ -120,17 +120,17 @@ def equilibria(
         joint = physics.with_mounts_at(joint, _quantity(b, "m", "--b"))
     left, right = _quantity(v1, "V", "--v1"), _quantity(v2, "V", "--v2")
     pull = _quantity(force, "N", "--force")
-    found = physics.equilibria(joint, v1=left, v2=right, force=pull)
+    held = physics.equilibria(joint, v1=left, v2=right, force=pull)
     if figure is not None:
         energy = physics.energy_over_q(joint, v1=left, v2=right, force=pull)
-        _draw(figure, "equilibria_figure", joint, found, energy)
+        _draw(figure, "equilibria_figure", joint, held, energy)
     if as_json:
-        emit_json({"equilibria": [{"q": e.q, "phi": e.phi, "stable": e.stable, "energy": e.energy} for e in found]})
+        emit_json({"equilibria": [{"q": e.q, "phi": e.phi, "stable": e.stable, "energy": e.energy} for e in held]})
         return
-    lowest = min((e.energy for e in found), default=0.0)
+    lowest = min((e.energy for e in held), default=0.0)
     rows = [
         (f"{1e3 * e.q:z.3f}", f"{degrees(e.phi):z.2f}", f"{1e6 * (e.energy - lowest):.1f}", "yes" if e.stable else "no")
-        for e in found
+        for e in held
     ]
     emit_table("Equilibria", ("q [mm]", "φ [deg]", "energy [µJ]", "stable"), rows, numeric_from=0)
 

@@ -112,7 +112,7 @@ def _text(value: object) -> str:
     return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
-def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as_json: bool) -> None:
+def emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *, as_json: bool) -> None:
     """Print what is not equal, and how many artifacts are.
 
     Raises
@@ -123,9 +123,9 @@ def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as
     from pipeline.runs.comparison import STATES
 
     if as_json:
-        emit_json({"artifacts": [asdict(comparison) for comparison in found]})
+        emit_json({"artifacts": [asdict(comparison) for comparison in compared]})
     else:
-        unequal = [c for c in found if c.state != "equal"]
+        unequal = [c for c in compared if c.state != "equal"]
         if unequal:
             rows = [
                 (c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column) for c in unequal
@@ -133,8 +133,8 @@ def emit_comparison(run: Path, other: Path, found: "Sequence[Comparison]", *, as
             emit_table(f"{run} and {other}", ("artifact", "state", "deviation", "in"), rows, numeric_from=2)
             for state in dict.fromkeys(c.state for c in unequal):
                 emit_text(f"{state}: {STATES[state]}")
-        emit_text(f"{len(found) - len(unequal)} of {len(found)} artifacts have the same content hash")
-    apart = [comparison.artifact for comparison in found if comparison.state in _ALARMING]
+        emit_text(f"{len(compared) - len(unequal)} of {len(compared)} artifacts have the same content hash")
+    apart = [comparison.artifact for comparison in compared if comparison.state in _ALARMING]
     if apart:
         raise CorruptArtifactError(
             f"{run}: not the content of {other}: {', '.join(apart)}; compare settings and versions in both manifests"

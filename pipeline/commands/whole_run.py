@@ -183,8 +183,8 @@ def status(
         return
     outcome.emit_status(f"{runs[0]}", run_status(runs[0]), as_json=as_json)
     outcome.emit_stale_exports(runs[0])
-    if said := missing_settings(runs[0]):
-        typer.echo(f"note: {said}", err=True)
+    if note := missing_settings(runs[0]):
+        typer.echo(f"note: {note}", err=True)
 
 
 _REFRESH = 2.0

@@ -65,7 +65,10 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
         write_text(folder / file, text)
         written.append(folder / file)
     guid = identity(subject.prototype, subject.model, subject.origin, sources[f"{NAME}.c"])
-    estimated = [(one.name, f"estimate for the next period: {one.meaning}", "output", one.unit) for one in ESTIMATES]
+    estimated = [
+        (estimate.name, f"estimate for the next period: {estimate.meaning}", "output", estimate.unit)
+        for estimate in ESTIMATES
+    ]
     more = {
         "guid": guid,
         "variables": [*_VARIABLES, *estimated],

@@ -129,8 +129,8 @@ def _files(crate: Any, run: RunFolder, packed: Packed, place: Path) -> tuple[lis
 
 def _file(crate: Any, source: Path, name: str, title: str, **more: str) -> Any:
     kind = _FORMATS.get(source.suffix) or mimetypes.guess_type(name)[0] or "application/octet-stream"
-    known = {"encodingFormat": kind, "contentSize": str(source.stat().st_size), "sha256": file_sha256(source)}
-    return crate.add_file(source, dest_path=name, properties={"name": title, **more, **known})
+    described = {"encodingFormat": kind, "contentSize": str(source.stat().st_size), "sha256": file_sha256(source)}
+    return crate.add_file(source, dest_path=name, properties={"name": title, **more, **described})
 
 
 def environment_files(manifest: Manifest) -> dict[str, str]:

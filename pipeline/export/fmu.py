@@ -156,15 +156,15 @@ class Fact:
 def facts(subject: Subject, realisation: Realisation) -> list[Fact]:
     """Range of the training logs, steps and delay."""
     v = subject.validity
-    found = [
+    declared = [
         Fact("q_min", v.q[0], v.q_unit, "least displacement of the training logs"),
         Fact("q_max", v.q[1], v.q_unit, "largest displacement of the training logs"),
     ]
     for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1):
-        found.append(Fact(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
-        found.append(Fact(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
+        declared.append(Fact(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
+        declared.append(Fact(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
     return [
-        *found,
+        *declared,
         Fact("sample_interval", v.sample_interval, "s", "interval of the samples on which the model was identified"),
         Fact("longest_step", realisation.step, "s", "longest internal step of co-simulation"),
         Fact("delay", realisation.delay, "s", "outputs belong to a time this much later than the voltages"),
@@ -174,11 +174,11 @@ def facts(subject: Subject, realisation: Realisation) -> list[Fact]:
 def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     """All variables; their positions are the value references of the source."""
     unit, v = subject.validity.q_unit, subject.validity
-    found = [
+    declared = [
         FmuVariable(f"v{i}", each, f"input {i}, as measured", "input", "continuous", start=0.0)
         for i, each in enumerate(v.v_units, start=1)
     ]
-    found += [
+    declared += [
         FmuVariable("q", unit, "displacement of the joint, positive to the right", "output", "continuous"),
         FmuVariable("qdot", f"{unit}/s", "its velocity", "output", "continuous"),
         FmuVariable("qddot", f"{unit}/s2", "its acceleration", "output", "continuous"),
@@ -186,7 +186,7 @@ def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
         _parameter("q_start", unit, "displacement at the start, after a long rest there", subject.start[0]),
         _parameter("qdot_start", f"{unit}/s", "velocity at the start", subject.start[1]),
     ]
-    first = len(found) + 1
+    first = len(declared) + 1
     states = [
         FmuVariable(x.name, x.unit, x.meaning, "local", "continuous", "calculated", nominal=x.nominal)
         for x in realisation.states
@@ -199,21 +199,21 @@ def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
         FmuVariable(fact.name, fact.unit, fact.meaning, "local", "constant", "exact", start=fact.value)
         for fact in facts(subject, realisation)
     ]
-    return [*found, *states, *rates, *constants]
+    return [*declared, *states, *rates, *constants]
 
 
 def description(subject: Subject, realisation: Realisation, guid: str) -> str:
     """``modelDescription.xml``."""
-    found = variables(subject, realisation)
-    places = {each.name: i for i, each in enumerate(found, start=1)}
-    outputs = [places[each.name] for each in found if each.causality == "output"]
-    derivatives = [places[each.name] for each in found if each.derivative]
+    declared = variables(subject, realisation)
+    places = {each.name: i for i, each in enumerate(declared, start=1)}
+    outputs = [places[each.name] for each in declared if each.causality == "output"]
+    derivatives = [places[each.name] for each in declared if each.derivative]
     states = [places[x.name] for x in realisation.states]
     fields: dict[str, Any] = model_fields(subject, realisation) | {
         "guid": guid,
         "description": f"{realisation.structure}. Training range: {'; '.join(bounds(subject))}.",
-        "variables": found,
-        "units": [(name, _BASE_UNITS.get(name)) for name in sorted({each.unit for each in found if each.unit})],
+        "variables": declared,
+        "units": [(name, _BASE_UNITS.get(name)) for name in sorted({each.unit for each in declared if each.unit})],
         "stop": math.ceil(float(subject.t[-1] - subject.t[0])),
         "outputs": outputs,
         "derivatives": derivatives,

@@ -40,15 +40,15 @@ def _corrections(q: Any, basis: FloatArray, weights: FloatArray) -> Values:
     first, reach = float(basis[0]), WIDTHS * float(basis[2])
     near = function("lt", function("abs", q - first), reach)
     bell = apply(FIRST_BELL, clip(q, first - reach, first + reach), *basis)
-    found: Values = [0.0] * VALUES
+    summed: Values = [0.0] * VALUES
     for column in weights.T:
         slope, *following = apply(NEXT_BELL, *bell, *basis)
         for row in range(CURVES):
-            found[row] = found[row] + float(column[row]) * bell[1]
+            summed[row] = summed[row] + float(column[row]) * bell[1]
         for row, weight in enumerate(column[CURVED]):
-            found[CURVES + row] = found[CURVES + row] + float(weight) * slope
+            summed[CURVES + row] = summed[CURVES + row] + float(weight) * slope
         bell = following
-    return [choose(near, value, 0.0) for value in found]
+    return [choose(near, value, 0.0) for value in summed]
 
 
 def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation:
@@ -122,10 +122,10 @@ class _Joint:
 
     def shape(self, x: Values, u: Values) -> Outputs:
         """Forces on slope and interior mode at rest, as rates of their overdamped relaxation, and their derivatives."""
-        found = self._forces(x, u)
+        summed = self._forces(x, u)
         slope, interior = (BENDS[i][i] * self.constant["bending"] for i in (1, 2))
-        by = found["by_shape"]
-        scaled = [found["forces"][1] / slope, found["forces"][2] / interior]
+        by = summed["by_shape"]
+        scaled = [summed["forces"][1] / slope, summed["forces"][2] / interior]
         return {"f": [*scaled, by[2] / slope, by[3] / slope, by[4] / interior, by[5] / interior]}
 
     def stick(self, x: Values, u: Values) -> Outputs:

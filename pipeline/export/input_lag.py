@@ -15,14 +15,14 @@ def lagged_nodes(
     The lag [s] may be far shorter than the step.
     """
     half = 0.5 * h
-    middles = [_behind(half, lag, *one) for one in zip(lagged, before, within, strict=True)]
-    return middles, [_behind(half, lag, *one) for one in zip(middles, within, after, strict=True)]
+    middles = [_behind(half, lag, *interval) for interval in zip(lagged, before, within, strict=True)]
+    return middles, [_behind(half, lag, *interval) for interval in zip(middles, within, after, strict=True)]
 
 
 def _behind(h: Any, lag: float, lagged: Any, before: Any, after: Any) -> Any:
     """Lagged input after h [s] in which the input goes on a line."""
     ratio = h / lag
-    known = function("lt", 0.0, ratio)
-    share = choose(known, -function("expm1", -ratio) / choose(known, ratio, 1.0), 1.0)
-    kept = function("exp", -ratio)
-    return kept * lagged + (share - kept) * before + (1.0 - share) * after
+    positive = function("lt", 0.0, ratio)
+    share = choose(positive, -function("expm1", -ratio) / choose(positive, ratio, 1.0), 1.0)
+    decay = function("exp", -ratio)
+    return decay * lagged + (share - decay) * before + (1.0 - share) * after

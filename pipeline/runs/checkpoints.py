@@ -90,10 +90,10 @@ def _described(array: np.ndarray[Any, Any]) -> dict[str, Any]:
     return {"shape": array.shape, _BYTES: base64.b64encode(content).decode()}
 
 
-def _array(found: dict[str, Any]) -> Any:
-    if _BYTES not in found:
-        return found
-    return np.frombuffer(bytearray(base64.b64decode(found[_BYTES])), dtype="<f8").reshape(found["shape"])
+def _array(document: dict[str, Any]) -> Any:
+    if _BYTES not in document:
+        return document
+    return np.frombuffer(bytearray(base64.b64decode(document[_BYTES])), dtype="<f8").reshape(document["shape"])
 
 
 def clear_checkpoints(root: Path) -> None:

@@ -92,10 +92,10 @@ def changes(runs: Sequence[Mapping[str, Any]]) -> tuple[Change, ...]:
     return tuple(row for row in rows if any(not _same(row.values[0], value) for value in row.values[1:]))
 
 
-def _same(one: Any, other: Any) -> bool:
-    if isinstance(one, float) and isinstance(other, float):
-        return math.isclose(one, other, rel_tol=10.0 ** (1 - DIGITS))
-    return bool(one == other)
+def _same(first: Any, other: Any) -> bool:
+    if isinstance(first, float) and isinstance(other, float):
+        return math.isclose(first, other, rel_tol=10.0 ** (1 - DIGITS))
+    return bool(first == other)
 
 
 def plain_numbers(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
@@ -108,36 +108,36 @@ def plain_numbers(values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
 
 
 def compared_columns(
-    name: str, one: Mapping[str, np.ndarray[Any, Any]], two: Mapping[str, np.ndarray[Any, Any]]
+    name: str, first: Mapping[str, np.ndarray[Any, Any]], second: Mapping[str, np.ndarray[Any, Any]]
 ) -> Comparison:
     """Compare the content of an artifact in two runs, by column or path."""
-    if one.keys() != two.keys() or any(one[c].shape != two[c].shape for c in one):
+    if first.keys() != second.keys() or any(first[c].shape != second[c].shape for c in first):
         return Comparison(name, "differs")
-    deviations = {column: _deviation(one[column], two[column]) for column in one}
+    deviations = {column: _deviation(first[column], second[column]) for column in first}
     worst = max(deviations, key=lambda column: deviations[column])
-    if all(rounded_digest(one[c], DIGITS) == rounded_digest(two[c], DIGITS) for c in one):
+    if all(rounded_digest(first[c], DIGITS) == rounded_digest(second[c], DIGITS) for c in first):
         return Comparison(name, "rounded", deviations[worst], worst)
-    state: State = "close" if all(_within_a_unit(one[c], two[c]) for c in one) else "differs"
+    state: State = "close" if all(_within_a_unit(first[c], second[c]) for c in first) else "differs"
     return Comparison(name, state, deviations[worst] if np.isfinite(deviations[worst]) else None, worst)
 
 
-def _deviation(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> float:
+def _deviation(first: np.ndarray[Any, Any], second: np.ndarray[Any, Any]) -> float:
     """Largest difference over the largest magnitude; infinite where what is no number differs."""
-    apart, largest = _apart(one, two)
+    apart, largest = _apart(first, second)
     return apart / largest if largest else (np.inf if apart else 0.0)
 
 
-def _within_a_unit(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> bool:
+def _within_a_unit(first: np.ndarray[Any, Any], second: np.ndarray[Any, Any]) -> bool:
     """Whether two columns differ by no more than rounding to `DIGITS` may move a number."""
-    apart, largest = _apart(one, two)
-    return apart <= rounding_unit(max(largest, _apart(two, one)[1]), DIGITS)
+    apart, largest = _apart(first, second)
+    return apart <= rounding_unit(max(largest, _apart(second, first)[1]), DIGITS)
 
 
-def _apart(one: np.ndarray[Any, Any], two: np.ndarray[Any, Any]) -> tuple[float, float]:
+def _apart(first: np.ndarray[Any, Any], second: np.ndarray[Any, Any]) -> tuple[float, float]:
     """Largest difference, infinite where what is no number differs, and largest magnitude."""
-    if one.dtype.kind not in "fiub" or two.dtype.kind not in "fiub":
-        return (0.0 if np.array_equal(one, two) else np.inf), 0.0
-    a, b = one.astype(np.float64), two.astype(np.float64)
+    if first.dtype.kind not in "fiub" or second.dtype.kind not in "fiub":
+        return (0.0 if np.array_equal(first, second) else np.inf), 0.0
+    a, b = first.astype(np.float64), second.astype(np.float64)
     if not np.array_equal(np.isfinite(a), np.isfinite(b)):
         return np.inf, 0.0
     finite = np.isfinite(a)

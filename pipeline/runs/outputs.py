@@ -88,17 +88,17 @@ def _place(staged: Path, folder: Path, written: list[Path], about: dict[str, Any
 
     The list is there before them and knows what they replace: whatever interrupts, each file is one that it names.
     """
-    known = written_files(folder)
+    listed = written_files(folder)
     coming = {name.as_posix(): about | {"sha256": file_sha256(staged / name)} for name in written}
     own = [
-        name for name in coming if known.get(name, {}).get("command") == about["command"] and (folder / name).is_file()
+        name for name in coming if listed.get(name, {}).get("command") == about["command"] and (folder / name).is_file()
     ]
     replacing = coming | {name: coming[name] | {"replaces": file_sha256(folder / name)} for name in own}
-    write_text(folder / WRITTEN, _list(known | replacing))
+    write_text(folder / WRITTEN, _list(listed | replacing))
     for name in written:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         replace(staged / name, folder / name)
-    write_text(folder / WRITTEN, _list(known | coming))
+    write_text(folder / WRITTEN, _list(listed | coming))
 
 
 def _list(files: dict[str, Any]) -> str:
@@ -113,11 +113,11 @@ def check_places(folder: Path, names: Iterable[str], command: str, *, force: boo
     InputError
         As `new_outputs`.
     """
-    known = written_files(folder)
+    listed = written_files(folder)
     for name in names:
         path = folder / name
         refuse_link(path)
-        if not path.exists() or _is_known(path, known.get(Path(name).as_posix()), command):
+        if not path.exists() or _is_known(path, listed.get(Path(name).as_posix()), command):
             continue
         if not path.is_file():
             raise InputError(f"{path}: is no file; name another place")
@@ -133,15 +133,15 @@ def check_places(folder: Path, names: Iterable[str], command: str, *, force: boo
 
 def remove_outdated(folder: Path, names: Iterable[str], command: str) -> None:
     """Remove files that a command wrote earlier and would not write any more; what was changed since is left alone."""
-    known = written_files(folder)
+    listed = written_files(folder)
     outdated = [
-        name for name in names if (folder / name).is_file() and _is_known(folder / name, known.get(name), command)
+        name for name in names if (folder / name).is_file() and _is_known(folder / name, listed.get(name), command)
     ]
     for name in outdated:
         (folder / name).unlink()
-        del known[name]
+        del listed[name]
     if outdated:
-        write_text(folder / WRITTEN, _list(known))
+        write_text(folder / WRITTEN, _list(listed))
 
 
 def _is_known(path: Path, entry: Any, command: str) -> bool:
