@@ -11,7 +11,7 @@ AUTO = "auto"
 
 
 @dataclass(frozen=True)
-class Entry:
+class ModelEntry:
     """One model.
 
     Attributes
@@ -37,14 +37,18 @@ class Entry:
 
 
 ENTRIES = (
-    Entry("hybrid", "pipeline.models.hybrid.identify:HYBRID", "identify", stands_in=("one-well", "visits", "rank")),
-    Entry("rbf", "pipeline.models.rbf.identify:RBF", "identify", stands_in=("visits", "rank")),
-    Entry("rbf-paper", "pipeline.models.paper.model:RBF_PAPER", "identify"),
-    Entry("sindy", "pipeline.models.sindy.model:SINDY"),
-    Entry("sindy-default", "pipeline.models.sindy.model:SINDY_DEFAULT"),
-    Entry("narx", "pipeline.models.narx.model:NARX"),
-    Entry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True),
-    Entry("analytical-calibrated", "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED", needs_parameters=True),
+    ModelEntry(
+        "hybrid", "pipeline.models.hybrid.identify:HYBRID", "identify", stands_in=("one-well", "visits", "rank")
+    ),
+    ModelEntry("rbf", "pipeline.models.rbf.identify:RBF", "identify", stands_in=("visits", "rank")),
+    ModelEntry("rbf-paper", "pipeline.models.paper.model:RBF_PAPER", "identify"),
+    ModelEntry("sindy", "pipeline.models.sindy.model:SINDY"),
+    ModelEntry("sindy-default", "pipeline.models.sindy.model:SINDY_DEFAULT"),
+    ModelEntry("narx", "pipeline.models.narx.model:NARX"),
+    ModelEntry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True),
+    ModelEntry(
+        "analytical-calibrated", "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED", needs_parameters=True
+    ),
 )
 
 CENTRES, SMOOTHING = 10, 0.5
@@ -62,7 +66,7 @@ BASIS_FUNCTIONS = (
 """Name of each radial basis function in the settings, and where its law is, from which its kernel is generated."""
 
 
-def entry(name: str) -> Entry | None:
+def entry(name: str) -> ModelEntry | None:
     """The model of that name, if there is one."""
     return next((model for model in ENTRIES if model.name == name), None)
 

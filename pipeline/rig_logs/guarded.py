@@ -13,8 +13,8 @@ from pipeline.isolation import Isolated, death, preload
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs import child
 from pipeline.rig_logs.recording import (
-    Channel,
     Places,
+    RecordedChannel,
     Recording,
     mapped_columns,
 )
@@ -156,7 +156,7 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Fl
         return columns[key]
 
     channels = tuple(
-        Channel(
+        RecordedChannel(
             name=str(entry["name"]),
             unit=str(entry["unit"]),
             time=None if entry["time"] is None else found(entry["time"]),

@@ -11,7 +11,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.channel_roles import Suggestion, is_record, suggest, suggested_unit
 from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
 from pipeline.rig_logs.guarded import read_recording
-from pipeline.rig_logs.recording import Channel, Recording
+from pipeline.rig_logs.recording import RecordedChannel, Recording
 from pipeline.rig_logs.remarks import Clock, Context, remarks_on
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
 from pipeline.signals.dropouts import NONE, dropout_remarks, dropouts
@@ -116,7 +116,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
     stamps: list[FloatArray] = []
     bases: list[TimeQuality] = []
-    examined: list[tuple[Channel, int | None, SignalQuality, Clock]] = []
+    examined: list[tuple[RecordedChannel, int | None, SignalQuality, Clock]] = []
     for channel in recording.channels:
         time = column if channel.time is None and not own_time else channel.time
         position = _time_base(time, stamps, bases, notes) if time is not None else None
@@ -169,7 +169,7 @@ def _without_codes(recording: Recording) -> tuple[Recording, dict[str, dict[floa
     return replace(recording, channels=tuple(channels)), {name: counts for name, counts in codes.items() if counts}
 
 
-def _constant_rates(channels: Sequence[Channel], notes: list[str]) -> dict[str, float]:
+def _constant_rates(channels: Sequence[RecordedChannel], notes: list[str]) -> dict[str, float]:
     """Sample rates [Hz] that columns of one number state (`fs`, `Ts`), which may stand in the first row only."""
     rates = {}
     for channel in channels:
@@ -184,7 +184,7 @@ def _constant_rates(channels: Sequence[Channel], notes: list[str]) -> dict[str, 
 
 
 def _roles(
-    channels: Sequence[Channel], rates: Collection[str], notes: list[str], *, own_time: bool
+    channels: Sequence[RecordedChannel], rates: Collection[str], notes: list[str], *, own_time: bool
 ) -> tuple[tuple[Suggestion, ...], tuple[str, ...]]:
     """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
     usual = [channel for channel in channels if channel.time is not None or not own_time]
@@ -209,7 +209,7 @@ def _rises_evenly(samples: FloatArray) -> bool:
 
 
 def _time_column(
-    channels: Sequence[Channel], roles: Sequence[Suggestion], notes: list[str]
+    channels: Sequence[RecordedChannel], roles: Sequence[Suggestion], notes: list[str]
 ) -> tuple[FloatArray | None, Clock]:
     """The column that is taken for time in the description, in s, and in what places are told then."""
     name = next((role.only for role in roles if role.role == "time"), None)

@@ -23,7 +23,7 @@ _NUMBERED = re.compile(r"column \d+")
 
 
 @dataclass(frozen=True)
-class Channel:
+class RecordedChannel:
     """One channel of a raw log, in the numbers of the log.
 
     Attributes
@@ -57,7 +57,7 @@ class Recording:
         The file.
     format : str
         Its format in words, such as ``MAT v5, ControlDesk``.
-    channels : tuple of Channel
+    channels : tuple of RecordedChannel
         The channels that were asked for, under the names by which they were asked for.
     listed : tuple of str
         Names of all numeric channels of the log.
@@ -69,12 +69,12 @@ class Recording:
 
     path: Path
     format: str
-    channels: tuple[Channel, ...]
+    channels: tuple[RecordedChannel, ...]
     listed: tuple[str, ...]
     notes: tuple[str, ...] = ()
     rates: Mapping[str, float] = field(default_factory=dict)
 
-    def channel(self, name: str) -> Channel:
+    def channel(self, name: str) -> RecordedChannel:
         """The channel of that name.
 
         Raises
