@@ -94,12 +94,16 @@ def _compiled(sources: dict[str, str], identifier: str) -> bytes | None:
         for name, text in sources.items():
             (Path(place) / name).write_text(text, encoding="utf-8")
         library = f"{identifier}.so"
-        done = subprocess.run(
-            [compiler, *FLAGS, "-shared", "fmu.c", "-o", library, "-lm"], cwd=place, capture_output=True
-        )
-        if done.returncode:
+        words = [compiler, *FLAGS, "-shared", "fmu.c", "-o", library, "-lm"]
+        try:
+            subprocess.run(words, cwd=place, capture_output=True, check=True, timeout=_COMPILING)
+        except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
             return None
         return (Path(place) / library).read_bytes()
+
+
+_COMPILING = 120.0
+"""Seconds after which a compiler is given up; it takes two."""
 
 
 def _zipped(files: dict[str, bytes]) -> bytes:
