@@ -252,15 +252,24 @@ def test_milliseconds_read_as_seconds_are_caught(pair: list[LogSignals]) -> None
     [
         DoubleWell(stiffness=9.0),
         DoubleWell(left_well=10.0e-3),
-        DoubleWell(left_force=7.0e-9, right_force=9.8e-9),
         DoubleWell(damping=0.25),
     ],
-    ids=["stiffer", "another left well", "other membranes", "more damping"],
+    ids=["stiffer", "another left well", "more damping"],
 )
 def test_the_log_of_another_joint_is_caught(pair: list[LogSignals], other: DoubleWell) -> None:
     rows = check_logs([pair[0], _log(other, "validation/other", 36, "validation")], JOINT)
     assert _wrong(rows) == {"device"}
     assert not _wrong(check_logs([_beginning(pair[0]), _beginning(_log(other, "validation/other", 36))], JOINT))
+
+
+def test_other_membranes_look_like_other_probes_and_are_told_as_such(pair: list[LogSignals]) -> None:
+    """A log cannot tell a stronger membrane from a probe that shows too little."""
+    stronger = _log(DoubleWell(left_force=7.0e-9, right_force=9.8e-9), "validation/other", 36, "validation")
+    rows = check_logs([pair[0], stronger], JOINT)
+    assert not _wrong(rows)
+    told = {row.what: row.advice for row in rows if row.state == "note" and row.log == "validation/other"}
+    assert any(what.startswith("gain of") for what in told)
+    assert "but for the gain of this log's inputs" in told["same device"]
 
 
 def test_a_sensor_that_was_zeroed_anew_is_told_from_another_device(pair: list[LogSignals]) -> None:

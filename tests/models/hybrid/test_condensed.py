@@ -489,6 +489,7 @@ print(hashlib.sha256(q.tobytes()).hexdigest())
 """
 
 
+@pytest.mark.long
 def test_a_process_that_compiles_the_kernels_gets_the_bits_of_one_that_loads_them(tmp_path: Path) -> None:
     # Callees that are no part of their caller's code were linked to another version of themselves in the first one.
     environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}

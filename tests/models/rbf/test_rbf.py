@@ -194,6 +194,7 @@ def test_a_known_curve_outside_the_data_is_refused():
         identify_rbf([log(planted(), 11, n=200)], choice=RbfChoice("lag", 8, 1.0), measured=known)
 
 
+@pytest.mark.long
 def test_bands_cover_the_truth_about_as_often_as_they_claim():
     truth, q = planted(), np.linspace(-0.016, 0.016, 33)
     planted_curves, covered = truth.curves(q), {"F": [], "dC1_dq": [], "dC2_dq": []}
@@ -326,6 +327,7 @@ def test_end_stops_are_seen():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-2 * np.ptp(fresh.q)  # they set in more softly than planted
 
 
+@pytest.mark.long
 def test_a_drive_that_saturates_is_seen():
     model = identify_rbf([slider(7, n=600, bend=1.2)], inputs="linear")
     assert model.theta[model.parameters.slices["input_bend"]] == pytest.approx(1.2, abs=0.05)
@@ -487,6 +489,7 @@ def test_the_settings_take_away_what_other_joints_teach():
     assert not any(str(one).endswith("population prior") for one in model.diagnostics["candidates"])
 
 
+@pytest.mark.long
 def test_a_joint_unlike_simulated_ones_is_not_taken_for_one():
     """The planted joint has another friction and constant gains: what is chosen is what smooth curves alone give."""
     both = [identify_rbf([seen(21)], choice=RbfChoice(population=learnt)) for learnt in (True, False)]
@@ -499,6 +502,7 @@ def _looser(model):
     return [str(one) for one in model.diagnostics["candidates"] if one.endswith("mirror-symmetric to 10 %")]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("device", [{"bend": 0.2}, {"weaker": 0.4}, {"shift": 3e-3}], ids=str)
 def test_sides_are_not_taken_for_alike_where_the_log_says_that_they_are_not(device):
     """And the fit leaves clearly less than if they were."""

@@ -147,15 +147,9 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
     drive, free = joint.Drive(none, np.zeros((2, *none.shape)), none[0], False), joint.Coupling(still, still, 0.0)
     states, _, valid = joint.observed_run(c, drive, free, (2.0, 0.0), 0.005, 2, joint.no_sensitivities())
     assert valid == n
-    basis, unused, bends = np.empty(c.curves.shape[1]), np.empty(c.curves.shape[1]), np.empty(len(c.centres))
-
-    def force(x):
-        joint.basis_at(x, c, basis, unused, bends)
-        stopped = STOP_FORCE.evaluate(x=np.full((1, 1), x), p=np.zeros((1, 1)), stops=c.stops[None])
-        return c.curves[0] @ basis + float(stopped["value"][0, 0])
-
     grid = np.linspace(-2.1, 2.1, 8001)
-    values = np.array([force(x) for x in grid])
+    at_rest = {"x": grid[:, None], "p": np.zeros((grid.size, 1)), "stops": np.tile(c.stops, (grid.size, 1))}
+    values = joint.basis(grid, c) @ c.curves[0] + STOP_FORCE.evaluate(**at_rest)["value"][:, 0]
     well = -np.concatenate(([0.0], np.cumsum(0.5 * (values[1:] + values[:-1]) * np.diff(grid))))
     x, speed, w, s = states[:, 0], states[:, 1], states[:, 3:5], states[:, 5]
     inertia = 1 + c.inertia[0] * (x - c.inertia[1]) ** 2
