@@ -6,18 +6,30 @@ The reference page of the settings is generated from the descriptions below.
 
 import difflib
 import errno
+import math
 import re
 import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError, field_validator, model_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    Strict,
+    Tag,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
 
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.model_list import AUTO, BASIS_FUNCTIONS, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
-from pipeline.names import FILL_IN, check_log_name, check_name, log_name, slug
+from pipeline.names import FILL_IN, check_log_name, check_name, log_name, slug, true_name
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
 from pipeline.settings_errors import mistakes
+from pipeline.units import TIME, parse_quantity
 
 # Numbers are written as such: neither true nor "0.01" is one, and neither inf nor nan is.
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
@@ -91,13 +103,62 @@ class Quantity(_Settings):
     """Its unit in pint notation."""
 
 
-class Logs(_Settings):
-    """Raw logs, as paths relative to the settings file."""
+class LogPart(_Settings):
+    """A part of a recording: all samples from `start` to before `stop`, by the time that the log itself has."""
 
-    train: tuple[str, ...] = Field(min_length=1)
-    """Logs on which the models are identified."""
-    validation: tuple[str, ...] = ()
-    """Logs that no identification sees."""
+    file: str = Field(min_length=1)
+    """The log."""
+    start: str | None = None
+    """Where the part begins, as "12 s"; left out, with the log."""
+    stop: str | None = None
+    """Where it ends, as "49.5 s"; left out, with the log."""
+
+    @model_validator(mode="after")
+    def _lasts(self) -> "LogPart":
+        try:
+            start, stop = self.span
+        except InputError as error:
+            raise ValueError(str(error)) from None
+        if not start < stop:
+            raise ValueError(f"stop = {self.stop!r} is not after start = {self.start!r}; correct one of them")
+        return self
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From when to when it lasts [s]."""
+        start, stop = self.start, self.stop
+        return (
+            -math.inf if start is None else parse_quantity(start, TIME, "start"),
+            math.inf if stop is None else parse_quantity(stop, TIME, "stop"),
+        )
+
+    @property
+    def label(self) -> str:
+        """What a person calls it, in place of a file's name: ``long from 12 s to 49.5 s.mf4``."""
+        ends = [f"from {self.start}"] * (self.start is not None) + [f"to {self.stop}"] * (self.stop is not None)
+        return " ".join([true_name(self.file), *ends]) + (Path(self.file).suffix or ".log")
+
+
+Log = Annotated[
+    Annotated[str, Tag("str")] | Annotated[LogPart, Tag("LogPart")],
+    Discriminator(lambda log: "LogPart" if isinstance(log, dict | LogPart) else "str"),
+]
+"""A raw log, or a part of it."""
+
+
+def log_label(log: Log) -> str:
+    """What a log is called: its path, or what `LogPart.label` says."""
+    return log if isinstance(log, str) else log.label
+
+
+class Logs(_Settings):
+    """Raw logs, as paths relative to the settings file, or parts of them: { file, start, stop }."""
+
+    train: tuple[Log, ...] = Field(min_length=1)
+    """Logs on which the models are identified; a part of one is { file = "long.mf4", start = "12 s", stop = "49.5 s" },
+    by the log's own time."""
+    validation: tuple[Log, ...] = ()
+    """Logs that no identification sees; parts of a recording too, where none of it is for training."""
 
 
 class Channels(_Settings):
@@ -363,13 +424,13 @@ class Prototype(_Settings):
     @model_validator(mode="after")
     def _log_names(self) -> "Prototype":
         for role in ROLES:
-            logs = getattr(self.logs, role)
+            logs = [log_label(log) for log in getattr(self.logs, role)]
             filed = [log_name(log) for log in logs]
             for log, name in zip(logs, filed, strict=True):
                 check_log_name(log)
                 if [other.casefold() for other in filed].count(name.casefold()) > 1:
                     raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
-        twice = set(self.logs.train) & set(self.logs.validation)
+        twice = set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation))
         if twice:
             raise ValueError(f"logs.validation: {min(twice)!r} is a training log too; validate on a log of its own")
         return self

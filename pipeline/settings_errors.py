@@ -3,11 +3,11 @@
 import difflib
 import re
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, get_args
 
 from pydantic import BaseModel
 
-_BRANCH = re.compile(r"int|float|literal\[.*\]|constrained-.*|tuple\[.*\]", re.DOTALL)
+_BRANCH = re.compile(r"int|float|str|LogPart|literal\[.*\]|constrained-.*|tuple\[.*\]", re.DOTALL)
 """Parts of pydantic's locations that name a branch of a union and no key."""
 
 _TOO_FAST = {
@@ -113,9 +113,13 @@ def _table_at(location: list[str], settings: type[BaseModel]) -> type[BaseModel]
         if part.isdigit():
             continue
         annotation = model.model_fields[part].annotation
-        candidates = [annotation, *getattr(annotation, "__args__", ())]
-        tables = [c for c in candidates if isinstance(c, type) and issubclass(c, BaseModel)]
+        tables = [c for c in _within(annotation) if isinstance(c, type) and issubclass(c, BaseModel)]
         if not tables:
             return None
         model = tables[0]
     return model
+
+
+def _within(annotation: Any) -> list[Any]:
+    """A type, and those that it is made of."""
+    return [annotation, *(part for inner in get_args(annotation) for part in _within(inner))]

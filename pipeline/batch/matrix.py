@@ -123,7 +123,10 @@ def _anchored(document: dict[str, Any], folder: Path) -> dict[str, Any]:
         table = document.get(section, {})
         value = table.get(key)
         if isinstance(value, list):
-            table[key] = [str(folder / path) for path in value]
+            table[key] = [
+                str(folder / log) if isinstance(log, str) else {**log, "file": str(folder / log["file"])}
+                for log in value
+            ]
         elif isinstance(value, str) and Path(value).suffix:
             table[key] = str(folder / value)
     return document

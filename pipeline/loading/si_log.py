@@ -1,5 +1,6 @@
 """A raw log by the settings: displacement and inputs in SI units, each with its time base."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,7 +10,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.loading.device import Device
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
 from pipeline.settings import Channel, LogColumn, Prototype
 from pipeline.signals.columns import Signal, chunks, column, equal, held, one_sign, scaled, sparse
 from pipeline.signals.missing_codes import codes_in, masked, said_of
@@ -77,6 +78,36 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
     wanted = [each.channel for each in used if each is not None]
     csv = CsvOptions(**prototype.ingest.csv.model_dump())
     return _si_log(read_recording(path, channels=wanted, csv=csv, progress=progress), prototype, plant)
+
+
+def part_of_log(log: SiLog, span: tuple[float, float], path: Path) -> SiLog:
+    """The samples of a log from the first to before the second time [s].
+
+    Raises
+    ------
+    InputError
+        The log at `path` has none of q there.
+    """
+    if span == (-math.inf, math.inf):
+        return log
+    signals = [log.q, *log.beside.values()]
+    rows = {id(time): _within(time, span) for time, _ in signals}
+    bases = {id(time): time[rows[id(time)]] for time, _ in signals}
+    if not bases[id(log.q[0])].size:
+        raise InputError(
+            f"{path}: has no sample from {span[0]:.6g} to {span[1]:.6g} s: its time runs from "
+            f"{np.nanmin(log.q[0]):.6g} to {np.nanmax(log.q[0]):.6g} s; correct start and stop in [logs]"
+        )
+    q, *others = ((bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
+    inputs = len(log.inputs)
+    return SiLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, log.notes)
+
+
+def _within(time: FloatArray, span: tuple[float, float]) -> "slice | BoolArray":
+    """The rows of a time base within a span [s]; as a slice where they follow each other, so that nothing is copied."""
+    inside: BoolArray = (time >= span[0]) & (time < span[1])
+    rows = runs_of(inside)
+    return rows[0] if len(rows) == 1 else inside
 
 
 def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLog:

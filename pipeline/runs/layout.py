@@ -1,9 +1,12 @@
 """Where the artifacts of a run lie (contract: run folder)."""
 
+import math
+from collections.abc import Mapping
 from pathlib import Path, PurePosixPath, PureWindowsPath
+from typing import Any
 
 from pipeline.names import log_name
-from pipeline.settings import ROLES, Prototype, Role
+from pipeline.settings import ROLES, Log, LogPart, Prototype, Role, log_label
 
 CHECK = "check.json"
 MODELS = "model.h5"
@@ -24,13 +27,27 @@ def inside(name: str) -> bool:
 
 
 def logs(prototype: Prototype) -> list[tuple[Role, str, str]]:
-    """Every log of a prototype: role, name in the run, path as written in the settings."""
-    return [(role, log_name(log), log) for role in ROLES for log in getattr(prototype.logs, role)]
+    """Every log of a prototype: role, name in the run, path as written in the settings or what its part is called."""
+    return [(role, log_name(label), label) for role, label, _ in _logs(prototype)]
 
 
-def source(log: str, prototype_file: Path) -> Path:
-    """The raw log's path, relative paths being relative to the settings file."""
-    return prototype_file.parent / log
+def raw_logs(prototype: Prototype, prototype_file: Path) -> list[tuple[str, Path, tuple[float, float]]]:
+    """Path and span [s] of every log in the order of `logs`, and what it is called first."""
+    return [
+        (label, source(log, prototype_file), log.span if isinstance(log, LogPart) else (-math.inf, math.inf))
+        for _, label, log in _logs(prototype)
+    ]
+
+
+def _logs(prototype: Prototype) -> list[tuple[Role, str, Log]]:
+    return [(role, log_label(log), log) for role in ROLES for log in getattr(prototype.logs, role)]
+
+
+def source(log: Log | Mapping[str, Any], prototype_file: Path) -> Path:
+    """The path of a raw file, relative paths being relative to the settings file."""
+    return prototype_file.parent / (
+        log if isinstance(log, str) else log["file"] if isinstance(log, Mapping) else log.file
+    )
 
 
 def record(role: Role, log: str) -> str:

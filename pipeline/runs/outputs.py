@@ -169,7 +169,7 @@ def _named_by(path: Path) -> Path | None:
         for settings in sorted(place.glob("*.toml"))[:_MOST_SETTINGS]:
             try:
                 logs = read_toml(settings)["logs"]
-                named = [log for role in logs.values() for log in role]
+                named = [log if isinstance(log, str) else log["file"] for role in logs.values() for log in role]
                 if any((settings.parent / log).samefile(path) for log in named if (settings.parent / log).exists()):
                     return settings
             except (OSError, ValueError, KeyError, TypeError, AttributeError):

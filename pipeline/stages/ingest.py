@@ -1,5 +1,6 @@
 """Ingest: raw logs to uniform records in SI units."""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
@@ -11,7 +12,7 @@ import numpy as np
 from pipeline.checks.gates import accepted_settings, judge
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
-from pipeline.loading.si_log import SiLog, read_si
+from pipeline.loading.si_log import SiLog, part_of_log, read_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.progress import OnProgress
@@ -40,36 +41,46 @@ _MUCH_DISCARDED = 0.03
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """One task per log."""
     return [
-        _task(prototype, role, log, layout.source(path, prototype_file), log_title(role, true_name(path)))
-        for role, log, path in layout.logs(prototype)
+        _task(prototype, role, log, raw)
+        for (role, log, _), raw in zip(layout.logs(prototype), layout.raw_logs(prototype, prototype_file), strict=True)
     ]
 
 
-def _task(prototype: Prototype, role: Role, log: str, path: Path, title: str) -> Task:
+def _task(prototype: Prototype, role: Role, log: str, raw: tuple[str, Path, tuple[float, float]]) -> Task:
+    label, path, span = raw
+    ends = {key: end for key, end in zip(("start_s", "stop_s"), span, strict=True) if math.isfinite(end)}
     return Task(
         stage="ingest",
-        title=title,
+        title=log_title(role, true_name(label)),
         algorithm=ALGORITHM,
         settings={
             "channels": prototype.channels.model_dump(mode="json"),
             "ingest": prototype.ingest.model_dump(mode="json"),
             "joint": prototype.may_be_a_joint,  # what its signals plausibly span
+            **({"part": ends} if ends else {}),
             **accepted_settings(prototype.quality, get_args(LogGate)),
         },
         inputs=(),
         sources={path.name: path},
         outputs=(layout.record(role, log), layout.signals(role, log)),
-        work=partial(_ingest, prototype=prototype, role=role, log=log, path=path),
+        work=partial(_ingest, prototype=prototype, role=role, log=log, path=path, span=span),
         reports=True,
     )
 
 
 def _ingest(
-    run: RunFolder, on_progress: OnProgress, *, prototype: Prototype, role: Role, log: str, path: Path
+    run: RunFolder,
+    on_progress: OnProgress,
+    *,
+    prototype: Prototype,
+    role: Role,
+    log: str,
+    path: Path,
+    span: tuple[float, float],
 ) -> Mapping[str, Written]:
     plant = device(prototype)
     written = {}
-    signals = read_si(path, prototype, plant, partial(on_progress, "reading"))
+    signals = part_of_log(read_si(path, prototype, plant, partial(on_progress, "reading")), span, path)
     on_progress("examining", 0.0)
     log_seen = examined(signals, prototype, str(path))
     tables = ((layout.record(role, log), schemas.RECORD), (layout.signals(role, log), schemas.SIGNALS))

@@ -1,5 +1,6 @@
 """Which run folder belongs to which settings file, and the mistakes that can be named before any work."""
 
+import math
 import stat
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -71,8 +72,9 @@ def _missing_logs(document: dict[str, Any], prototype_file: Path) -> Iterator[st
     """Every log that is named and not there."""
     for role, logs in _table(document, "logs").items():
         for log in logs if isinstance(logs, list) else []:
-            if isinstance(log, str) and not layout.source(log, prototype_file).exists():
-                yield f"logs.{role}: {log!r}: no such log; correct its name"
+            file = log.get("file") if isinstance(log, dict) else log
+            if isinstance(file, str) and not layout.source(file, prototype_file).exists():
+                yield f"logs.{role}: {file!r}: no such log; correct its name"
 
 
 def require_sources(tasks: Sequence[Task]) -> None:
@@ -102,29 +104,31 @@ def require_sources(tasks: Sequence[Task]) -> None:
 
 
 def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) -> None:
-    """Make sure that no validation log holds the bytes of a training log, whatever it is called.
+    """Make sure that no validation log holds the bytes of a training log, whatever it is called, at common times.
 
     Raises
     ------
     InputError
-        One does: as a link, a copy or by another path.
+        One does: as a link, a copy or by another path, as a whole or in parts that overlap.
 
     Notes
     -----
     Cost: only logs of equal size are hashed.
     """
-    train, validation = (
-        [(log, layout.source(log, prototype_file)) for role, _, log in layout.logs(prototype) if role == wanted]
-        for wanted in ("train", "validation")
-    )
-    sizes = [(log, path, path.stat().st_size) for log, path in train]
-    for log, path in validation:
+    raw = layout.raw_logs(prototype, prototype_file)
+    train, validation = raw[: len(prototype.logs.train)], raw[len(prototype.logs.train) :]
+    sizes = [(*log, log[1].stat().st_size) for log in train]
+    for log, path, span in validation:
         size = path.stat().st_size
-        for other, place, its_size in sizes:
-            if size == its_size and (path.samefile(place) or file_sha256(path) == file_sha256(place)):
+        for other, place, its_span, its_size in sizes:
+            if size != its_size or max(span[0], its_span[0]) >= min(span[1], its_span[1]):
+                continue
+            if path.samefile(place) or file_sha256(path) == file_sha256(place):
+                whole = math.isinf(span[0]) and math.isinf(span[1]) and span == its_span
                 raise InputError(
-                    f"{prototype_file}: logs.validation: {log!r} has the content of the training log {other!r}; "
-                    "validate on a log of its own, or leave logs.validation empty"
+                    f"{prototype_file}: logs.validation: {log!r} has {'the content' if whole else 'samples'} of the "
+                    f"training log {other!r}; validate on a {'log' if whole else 'part'} of its own, or leave "
+                    "logs.validation empty"
                 )
 
 
@@ -190,7 +194,7 @@ def _refuse_foreign(stored: Manifest, prototype: Prototype, prototype_file: Path
     made_of = {digest for record in stored.artifacts.values() for digest in record.recipe.inputs.values()}
     before = Path(stored.prototype_file)
     paths = {layout.source(log, before).resolve() for role in ROLES for log in stored.prototype["logs"][role]}
-    own = [layout.source(log, prototype_file) for _, _, log in layout.logs(prototype)]
+    own = [path for _, path, _ in layout.raw_logs(prototype, prototype_file)]
     if not any(path.resolve() in paths for path in own) and not any(_digest(path) in made_of for path in own):
         raise InputError(f"{root}: holds a run of {prototype.name!r} from other logs, none of them of today; {advice}")
 

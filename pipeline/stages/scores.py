@@ -206,8 +206,7 @@ def shown_scores(root: Path) -> list[dict[str, Any]]:
 
 
 def _shown(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    logs = run.manifest.prototype["logs"]
-    return with_true_names(scores, [(role, log) for role in logs for log in logs[role]])
+    return with_true_names(scores, [(role, log) for role, _, log in layout.logs(run.prototype)])
 
 
 def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, float | None]]:

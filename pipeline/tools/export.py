@@ -12,13 +12,14 @@ from pipeline.errors import InputError
 from pipeline.loading.held_models import failed_validations, model_artifact
 from pipeline.loading.measured_curves import named_curves
 from pipeline.loading.run_models import subject
+from pipeline.names import log_name
 from pipeline.runs import layout
 from pipeline.runs.atomic import refuse_link
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import ROLES, Prototype
+from pipeline.settings import ROLES, Prototype, log_label
 
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported
@@ -172,9 +173,13 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
     home = Path(run.manifest.prototype_file)
     for role in ROLES:
         moved = []
-        for source in (layout.source(log, home) for log in getattr(prototype.logs, role)):
-            moved.append(f"inputs/{role}/{source.name}")
-            inputs[moved[-1]] = source
+        for log, stated in zip(getattr(prototype.logs, role), settings["logs"][role], strict=True):
+            source = layout.source(log, home)
+            place = f"inputs/{role}/{source.name}"
+            if inputs.get(place, source) != source:  # parts of two files of one name
+                place = f"inputs/{role}/{log_name(log_label(log))}/{source.name}"
+            inputs[place] = source
+            moved.append(place if isinstance(log, str) else {**stated, "file": place})
         settings["logs"][role] = moved
     for artifact, source in _sources(prototype, home):
         made = run.record(artifact).recipe.inputs[source.name]
@@ -192,7 +197,7 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
 
 def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[str, Path]]:
     """An artifact that was made of it, and the file, for every raw log and every table of measured curves."""
-    for role, log, path in layout.logs(prototype):
-        yield layout.signals(role, log), layout.source(path, home)
-    for path, artifact in named_curves(prototype):
-        yield artifact, layout.source(path, home)
+    for (role, log, _), (_, path, _) in zip(layout.logs(prototype), layout.raw_logs(prototype, home), strict=True):
+        yield layout.signals(role, log), path
+    for table, artifact in named_curves(prototype):
+        yield artifact, layout.source(table, home)
