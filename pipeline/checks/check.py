@@ -19,7 +19,7 @@ from pipeline.signals.bandwidth import advised_interval
 from pipeline.signals.noise import below_resolution, is_idle, noise_level
 from pipeline.signals.plausible_spans import plausible_span, scale_suspicion
 from pipeline.signals.signal_quality import takes_both_signs
-from pipeline.units import of_joint
+from pipeline.units import column_suffix, of_joint
 
 _SIDES = ("right (+)", "left (−)")
 _ACCEPT_SIDES = (
@@ -142,7 +142,11 @@ def _unit_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         judged = declared.joint and (still or (wrong is not None and (name == "q" or wrong > 1.0)))
         state: State = "wrong" if judged else "note" if still or wrong is not None else "ok"
         gate: CheckGate | None = "scale" if state == "wrong" else None
-        rows.append(CheckRow(fact.signals.name, f"range of {name}", quantity(span, unit), limit, state, gate, advice))
+        values = _values("range", unit, span)
+        measured = quantity(span, unit)
+        rows.append(
+            CheckRow(fact.signals.name, f"range of {name}", measured, limit, state, gate, advice, values=values)
+        )
     return rows
 
 
@@ -157,20 +161,25 @@ def _resolution_row(fact: LogFacts, declared: Declared) -> CheckRow:
     limit = f"≤ {_short(limits.MOST_RESOLUTION * fact.span, unit)}"
     state: State = "ok" if fine else "note"
     advice = "" if fine else "velocities come in steps: use the sensor's finer range, or average before recording"
-    return CheckRow(log.name, "resolution of q", quantity(log.resolution, unit), limit, state, None, advice, noise)
+    values = _values("resolution", unit, log.resolution) | _values("noise", unit, log.noise)
+    measured = quantity(log.resolution, unit)
+    return CheckRow(log.name, "resolution of q", measured, limit, state, None, advice, noise, values)
 
 
 def _rate_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     log, interval = fact.signals, declared.sample_interval
-    rate = CheckRow(log.name, "sampling rate", quantity(1.0 / log.raw_step, "Hz"), "")
+    rate = 1.0 / log.raw_step
+    rates = [CheckRow(log.name, "sampling rate", quantity(rate, "Hz"), "", values=_values("rate", "Hz", rate))]
     if fact.ring is None:
-        return [rate]
+        return rates
     per_period = 1.0 / (fact.ring * interval)
     enough = per_period >= limits.LEAST_PER_PERIOD
     measured, limit = f"{per_period:.{0 if per_period >= 2.0 else 1}f} samples", f"≥ {limits.LEAST_PER_PERIOD:g}"
     finer = advised_interval(fact.ring, log.raw_step)
     advice = "" if enough or finer >= interval else f"set [ingest] sample_interval = {finer:g}"
-    return [rate, CheckRow(log.name, "uniform, a period", measured, limit, "ok" if enough else "note", None, advice)]
+    values = _values("samples_per_period", "1", per_period)
+    state: State = "ok" if enough else "note"
+    return [*rates, CheckRow(log.name, "uniform, a period", measured, limit, state, None, advice, values=values)]
 
 
 def _ring_row(fact: LogFacts) -> CheckRow:
@@ -178,7 +187,8 @@ def _ring_row(fact: LogFacts) -> CheckRow:
     if fact.ring is None or fact.damping is None:
         return CheckRow(name, "ring-down", "no clear ring-down after a switch-off", "", "not seen")
     measured = f"{quantity(fact.ring, 'Hz')}, ζ = {significant(fact.damping, 2)}"
-    return CheckRow(name, "ring-down", measured, "")
+    values = _values("frequency", "Hz", fact.ring) | _values("damping_ratio", "1", fact.damping)
+    return CheckRow(name, "ring-down", measured, "", values=values)
 
 
 def _drift_row(fact: LogFacts, drift: RestDrift, declared: Declared) -> CheckRow:
@@ -188,7 +198,8 @@ def _drift_row(fact: LogFacts, drift: RestDrift, declared: Declared) -> CheckRow
         "its mount, or take the drift off q"
     )
     measured = f"{quantity(drift.rate, f'{unit}/s', drift.error)} over {drift.rests} rests"
-    return CheckRow(fact.signals.name, "drift of the rests", measured, "", "note", None, advice)
+    values = _values("drift", f"{unit}/s", drift.rate, drift.error)
+    return CheckRow(fact.signals.name, "drift of the rests", measured, "", "note", None, advice, values=values)
 
 
 def _undriven_row(fact: LogFacts) -> CheckRow:
@@ -217,27 +228,27 @@ def _natural_row(fact: LogFacts, declared: Declared) -> CheckRow:
     name, what = fact.signals.name, "natural frequency"
     if fact.natural is None:
         return CheckRow(name, what, "no stable rest in the motion", "", "not seen")
-    measured = quantity(fact.natural, "Hz")
+    measured, values = quantity(fact.natural, "Hz"), _values("frequency", "Hz", fact.natural)
     if not declared.joint:
-        return CheckRow(name, what, measured, "")
+        return CheckRow(name, what, measured, "", values=values)
     low, high = limits.DRAWN_RING_DOWN / limits.MOST_RATIO, limits.DRAWN_RING_DOWN * limits.MOST_RATIO
     limit = f"{significant(low, 1)} … {significant(high, 2)} Hz"
     if low <= fact.natural <= high:
-        return CheckRow(name, what, measured, limit)
+        return CheckRow(name, what, measured, limit, values=values)
     advice = "check the unit of time in [channels] and the recorder's clock"
-    return CheckRow(name, what, measured, limit, "wrong", "time-base", advice)
+    return CheckRow(name, what, measured, limit, "wrong", "time-base", advice, values=values)
 
 
 def _push_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -> CheckRow:
     push, what = driven.push, f"push of v{i + 1}"
     unit = f"{declared.displacement}/s²"
-    measured = quantity(push.value, unit, push.error)
+    measured, values = quantity(push.value, unit, push.error), _values("push", unit, push.value, push.error)
     if abs(push.value) <= limits.SIGN_CERTAINTY * push.error:
         state: State = "note" if declared.joint else "not seen"
         advice = f"v{i + 1} hardly moves q: is it the channel that drives this device?"
-        return CheckRow(fact.signals.name, what, measured, "", state, None, advice)
+        return CheckRow(fact.signals.name, what, measured, "", state, None, advice, values=values)
     if not declared.joint:
-        return CheckRow(fact.signals.name, what, measured, "")
+        return CheckRow(fact.signals.name, what, measured, "", values=values)
     right = (push.value > 0.0) == (i == 0)
     return CheckRow(
         fact.signals.name,
@@ -247,6 +258,7 @@ def _push_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) ->
         "ok" if right else "wrong",
         None if right else "sides",
         "" if right else _ACCEPT_SIDES,
+        values=values,
     )
 
 
@@ -254,8 +266,9 @@ def _delay_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -
     delay, what = driven.delay, f"delay of q after v{i + 1}"
     reached = " or more" if driven.at_the_end else ""
     measured = f"{quantity(delay.value, 's', delay.error, like=declared.sample_interval)}{reached}"
+    values = _values("delay", "s", delay.value, delay.error)
     if not declared.joint:
-        return CheckRow(fact.signals.name, what, measured, "")
+        return CheckRow(fact.signals.name, what, measured, "", values=values)
     intervals = abs(delay.value) / declared.sample_interval
     sure = abs(delay.value) > limits.SIGN_CERTAINTY * delay.error
     unsure = abs(driven.push.value) <= limits.SIGN_CERTAINTY * driven.push.error
@@ -265,7 +278,7 @@ def _delay_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -
             f"a lag of about {_short(fact.lag, 's')} explains it better than any delay, as of electrodes that charge "
             'slowly: hybrid estimates it, rbf with drive = "lag" in [identify]'
         )
-        return CheckRow(fact.signals.name, what, measured, "", "note", None, advice)
+        return CheckRow(fact.signals.name, what, measured, "", "note", None, advice, values=values)
     late = sure and intervals > limits.MOST_DELAY
     advice = f"v{i + 1} hardly moves q: see first whether it is the channel that drives this device; then " * unsure
     advice += (
@@ -281,6 +294,7 @@ def _delay_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -
         "wrong" if late and not unsure else "note" if noted else "ok",
         "delay" if late and not unsure else None,
         advice if noted else "",
+        values=values,
     )
 
 
@@ -330,6 +344,7 @@ def _scale_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
             "scale" if state == "wrong" else None,
             "" if state == "ok" else f"that is {_times(ratio)} the coupling of the joint as drawn: {advice}",
             f"stiffness in the wells {stiffness}" if stiffness else "",
+            _values("coupling", "N/V²", coupling),
         )
     ]
 
@@ -354,6 +369,7 @@ def _side_rows(fact: LogFacts) -> list[CheckRow]:
         CheckRow(
             fact.signals.name, "coupling of v1 over v2", significant(ratio, 3),
             f"1/{most:g} … {most:g}", state, "scale" if state == "wrong" else None, advice,
+            values=_values("ratio", "1", ratio),
         )
     ]  # fmt: skip
 
@@ -370,7 +386,8 @@ def _correlated_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         "v1 and v2 go together all the time, so what each does cannot be told apart: drive them apart, or leave v2 out"
     )
     measured, limit = f"correlation {correlation:.4f}", f"< {limits.MOST_CORRELATED:g}"
-    return [CheckRow(fact.signals.name, "v2 beside v1", measured, limit, "note", None, advice)]
+    values = _values("correlation", "1", correlation)
+    return [CheckRow(fact.signals.name, "v2 beside v1", measured, limit, "note", None, advice, values=values)]
 
 
 def _field_row(fact: LogFacts, declared: Declared) -> CheckRow:
@@ -381,7 +398,7 @@ def _field_row(fact: LogFacts, declared: Declared) -> CheckRow:
     advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
     return CheckRow(
         fact.signals.name, "largest field", f"{significant(1e-6 * field)} V/µm", f"≤ {limit_shown} V/µm",
-        "note" if above else "ok", None, advice if above else "",
+        "note" if above else "ok", None, advice if above else "", values=_values("field", "V/m", field),
     )  # fmt: skip
 
 
@@ -405,7 +422,8 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
                 f"{against} to its `offset` in [channels]"
             )
             limit = f"≤ {_short(limits.REST_LEVEL * peak, unit)}"
-            rows.append(CheckRow(fact.signals.name, f"lowest level of v{i + 1}", measured, limit, "note", None, advice))
+            values, what = _values("level", unit, signed), f"lowest level of v{i + 1}"
+            rows.append(CheckRow(fact.signals.name, what, measured, limit, "note", None, advice, values=values))
     return rows
 
 
@@ -416,12 +434,22 @@ def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         return []
     laws = ("squared", "linear") if declared.squared else ("linear", "squared")
     measured = f"{laws[0]} leaves {significant(100.0 * own, 2)} %, {laws[1]} {significant(100.0 * other, 2)} %"
+    values = _values(f"left_by_{laws[0]}", "1", own) | _values(f"left_by_{laws[1]}", "1", other)
     fits = other >= (limits.OTHER_LAW if fact.both_signs else limits.OTHER_LAW_OF_ONE_SIGN) * own
     if fits:
-        return [CheckRow(fact.signals.name, "law of the inputs", measured, "")] if fact.both_signs else []
+        return (
+            [CheckRow(fact.signals.name, "law of the inputs", measured, "", values=values)] if fact.both_signs else []
+        )
     why = "an input takes both signs and explains" if fact.both_signs else "the inputs explain"
     advice = f'{why} more so: set inputs = "{laws[1]}" (in [plant], or as an argument)'
-    return [CheckRow(fact.signals.name, "law of the inputs", measured, "", "note", None, advice)]
+    return [CheckRow(fact.signals.name, "law of the inputs", measured, "", "note", None, advice, values=values)]
+
+
+def _values(name: str, unit: str, value: float | None, error: float | None = None) -> dict[str, float]:
+    """A number for `CheckRow.values` under a key with its SI unit, and its standard error; nothing where it is none."""
+    end = "" if unit == "1" else f"_{column_suffix(unit)}"
+    numbers = {f"{name}{end}": value, f"{name}_error{end}": error}
+    return {key: float(number) for key, number in numbers.items() if number is not None and np.isfinite(number)}
 
 
 def _short(value: float, unit: str) -> str:
@@ -478,7 +506,9 @@ def _gain_rows(first: LogFacts, other: LogFacts, gain: LogGain | None) -> list[C
         wrong = abs(factor - 1.0) > limits.WRONG_GAIN
         state: State = "wrong" if wrong else "note"
         what = f"gain of {name}"
-        rows.append(CheckRow(other.signals.name, what, measured, "± 3 %", state, "scale" if wrong else None, advice))
+        gate: CheckGate | None = "scale" if wrong else None
+        values = _values("gain", "1", factor, error)
+        rows.append(CheckRow(other.signals.name, what, measured, "± 3 %", state, gate, advice, values=values))
     return rows
 
 
@@ -507,11 +537,12 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared, gain: LogG
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
     sure = sure and lasts > limits.SURE_LENGTH * declared.sample_interval and coarsest < limits.SURE_INTERVAL
     sure = sure and _driven_alike(first, other)
+    values = _values("misfit", "1", measured.ratio)
     if not same and gain is not None:
         advice = "it is one device, but for the gain of this log's inputs"
         return CheckRow(
             other.signals.name, what, f"{significant(measured.ratio, 2)} × misfit", f"≤ {limits.MOST_MISFIT:g}", "note",
-            None, advice,
+            None, advice, values=values,
         )  # fmt: skip
     state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
@@ -525,6 +556,7 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared, gain: LogG
         if same
         else f"this {'is' if state == 'wrong' else 'may be'} {_ANOTHER_DEVICE}{_moved(first, other, declared)}",
         "; ".join(_side_by_side(first, other, declared)),
+        values,
     )
 
 
@@ -551,14 +583,15 @@ def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:
         reason = fact.wells.reason if declared.joint else fact.wells.reason.partition(":")[0]
         return CheckRow(name, "rests", reason, "", "not seen")
     measured = f"{quantity(fact.wells.left, unit)}, {quantity(fact.wells.right, unit)}"
+    values = _values("left", unit, fact.wells.left) | _values("right", unit, fact.wells.right)
     if not declared.joint or fact.wells.left < 0.0 < fact.wells.right:
-        return CheckRow(name, "rests", measured, "")
+        return CheckRow(name, "rests", measured, "", values=values)
     middle = quantity(-0.5 * (fact.wells.left + fact.wells.right), unit)
     advice = (
         "both wells are on one side of zero, where a joint, its parameter set and its mirror plane have the middle: "
         f"zero the sensor, or give `offset` in [channels] q (about {middle})"
     )
-    return CheckRow(name, "rests", measured, "left < 0 < right", "note", None, advice)
+    return CheckRow(name, "rests", measured, "left < 0 < right", "note", None, advice, values=values)
 
 
 def _side_by_side(first: LogFacts, other: LogFacts, declared: Declared) -> list[str]:

@@ -1,7 +1,7 @@
 """What a check says: one row for each thing looked at, with its number, its limit, and what to do."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Literal
 
 from pipeline.settings import CheckGate
@@ -33,6 +33,8 @@ class CheckRow:
         What to do unless the state is ok.
     more : str
         Other numbers that speak for or against it.
+    values : mapping of str to float
+        The numbers of `found` in SI, the unit at the end of the key, as in ``delay_s``.
     """
 
     log: str
@@ -43,6 +45,7 @@ class CheckRow:
     gate: CheckGate | None = None
     advice: str = ""
     more: str = ""
+    values: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def sentence(self) -> str:

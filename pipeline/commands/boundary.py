@@ -13,9 +13,11 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
+from pipeline.commands.console import emit_json, printable, printed
 from pipeline.errors import DebistError, InputError, interrupted, memory_failure
 
 _STOPPED = "a file is written whole or not at all; the same command starts again"
+_BUG = "this is a bug in debist; please report the lines above"
 _NO_MEMORY = "debist: not enough memory; end other programs, or lower --jobs, and run again"
 _PLACES = frozenset(
     getattr(errno, name)
@@ -93,8 +95,13 @@ def _interrupt(number: int, frame: FrameType | None) -> None:
 class ErrorBoundary(WholeLines):
     """A command group that prints a known failure as one line and an unknown one as a traceback."""
 
+    _as_json = False
+
     def main(self, *arguments: Any, **options: Any) -> Any:
         """Run the program; also help and version meet a standard output that takes nothing."""
+        given = arguments[0] if arguments else options.get("args")
+        self._as_json = "--json" in (sys.argv[1:] if given is None else given)
+        printed.clear()
         try:
             return super().main(*arguments, **options)
         except MemoryError:
@@ -123,12 +130,11 @@ class ErrorBoundary(WholeLines):
                 raise _interruption() from error
             if memory_failure(error):
                 raise  # what it says is only what came of it
-            from pipeline.commands.console import printable
-
             first, *more = getattr(error, "lines", (str(error),))
             typer.echo(f"debist: {printable(first)}", err=True)
             for line in more:
                 typer.echo(f"  {printable(line)}", err=True)
+            self._emit_error(str(error), error.exit_code)
             raise typer.Exit(error.exit_code) from error
         except KeyboardInterrupt as stopped:
             raise _interruption(str(stopped)) from stopped
@@ -138,6 +144,7 @@ class ErrorBoundary(WholeLines):
             if isinstance(error, OSError) and _stdout_fails():
                 raise
             if type(error).__module__.startswith(("typer", "click")):
+                self._emit_error(getattr(error, "message", str(error)), InputError.exit_code)
                 raise  # a usage error, which typer prints itself
             if interrupted(error) or _signals:
                 raise _interruption() from error
@@ -146,8 +153,15 @@ class ErrorBoundary(WholeLines):
             remedy = _told(error)
             if remedy is None:
                 traceback.print_exc(file=sys.stderr)
-            typer.echo(f"debist: {remedy or 'this is a bug in debist; please report the lines above'}", err=True)
-            raise typer.Exit(1 if remedy is None else InputError.exit_code) from error
+            code, text = (1, _BUG) if remedy is None else (InputError.exit_code, remedy)
+            typer.echo(f"debist: {text}", err=True)
+            self._emit_error(text, code)
+            raise typer.Exit(code) from error
+
+    def _emit_error(self, message: str, exit_code: int) -> None:
+        """Print a failure as the JSON document of a command with --json, unless it has printed its own before."""
+        if self._as_json and not printed:
+            emit_json({"error": {"message": message, "exit_code": exit_code}})
 
 
 def _interruption(goes_on: str = "") -> typer.Exit:
@@ -167,8 +181,6 @@ def _told(error: Exception) -> str | None:
     if isinstance(error, FileNotFoundError) and not error.filename:
         return "the current folder was deleted; change into another one"
     if isinstance(error, OSError) and error.filename and error.errno in _PLACES:
-        from pipeline.commands.console import printable
-
         place, why = printable(os.fsdecode(error.filename)), os.strerror(error.errno or 0)
         denied = error.errno in (errno.EACCES, errno.EPERM)
         unreadable = denied and Path(place).exists() and not os.access(error.filename, os.R_OK)

@@ -86,8 +86,13 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
+printed: list[Any] = []
+"""JSON documents that the command has printed: there is one at most."""
+
+
 def emit_json(document: Any) -> None:
     """Print one JSON document; a number that is not finite would be a bug and raises."""
+    printed.append(document)
     typer.echo(json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False, default=_jsonable))
 
 
@@ -166,6 +171,7 @@ class Progress:
         self._bar: Any = None
         self._watch = Stopwatch(())
         self._made = 0
+        self._quarter = 0
 
     def planned(self, stages: Sequence[str]) -> None:
         """Count from here on."""
@@ -186,8 +192,14 @@ class Progress:
             typer.echo(printable(line), err=True)
 
     def progressed(self, task: "Task", what: str, share: float) -> None:
-        """Show a bar with the elapsed time in place of the spinner."""
+        """Show a bar with the elapsed time in place of the spinner; without a terminal, a line for each quarter of a
+        task of `debist control`, which may take minutes.
+        """
         if self._status is None:
+            quarter = int(4.0 * share)
+            if not self._quiet and task.stage == "control" and quarter > self._quarter:
+                typer.echo(printable(f"{task.stage} {task.title}: {what}, {100.0 * share:.0f} %"), err=True)
+            self._quarter = quarter
             return
         if self._bar is None:
             from rich.console import Console

@@ -22,13 +22,24 @@ if TYPE_CHECKING:
     from pipeline.runs.engine import TaskStatus
 
 
-def emit_scores(run: Path, *, as_json: bool, form: "Format | Literal['text']" = "text", details: bool = False) -> None:
-    """Print the scores: the headline table, or with details both score tables; as records for JSON."""
-    from pipeline.loading.report_data import load_scores
+def emit_scores(
+    run: Path,
+    *,
+    as_json: bool,
+    form: "Format | Literal['text']" = "text",
+    details: bool = False,
+    with_report: bool = False,
+) -> None:
+    """Print the scores: the headline table, or with details both score tables; as records for JSON.
+
+    With a report, the JSON document holds its verdict and its path too.
+    """
+    from pipeline.loading.report_data import load_datasheet, load_scores
     from pipeline.stages.scores import score_text, shown_scores
 
     if as_json:
-        emit_json({"scores": load_scores(run)})
+        page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
+        emit_json({"scores": load_scores(run), **page})
         return
     if form != "text":
         typer.echo(score_text(run, form), nl=False)
@@ -149,12 +160,39 @@ def summary(results: "Sequence[TaskStatus]") -> str:
     return f"{redone} of {len(results)} tasks done, {len(results) - redone} were up to date"
 
 
-def emit_tasks(done: "Sequence[TaskStatus]", *, as_json: bool) -> None:
-    """Print how many tasks were done; for JSON each of them."""
+def emit_tasks(
+    done: "Sequence[TaskStatus]", *, as_json: bool, results: "Sequence[Mapping[str, Any]] | None" = None
+) -> None:
+    """Print what a stage came to, a line for each log or model, and how many tasks were done; for JSON all of it."""
     if as_json:
-        emit_json({"tasks": [{**vars(task), "up_to_date": task.up_to_date} for task in done]})
-    else:
-        typer.echo(summary(done))
+        tasks = [{**vars(task), "up_to_date": task.up_to_date} for task in done]
+        emit_json({"tasks": tasks} | ({} if results is None else {"results": results}))
+        return
+    for result in results or ():
+        emit_text(result_line(result), indent="  ")
+    typer.echo(summary(done))
+
+
+def result_line(result: "Mapping[str, Any]") -> str:
+    """What a stage came to for one log or model (`pipeline.loading.stage_results`), as a line."""
+    from pipeline.si_prefix import quantity
+
+    if "rows" in result:
+        lost = f", {result['masked_rows']} of them masked" if result["masked_rows"] else ""
+        gaps = f"{result['gaps']} gap{'s' if result['gaps'] != 1 else ''}"
+        return f"{result['log']}: {result['rows']} rows every {quantity(result['interval_s'], 's')}{lost}; {gaps}"
+    if "method" in result:
+        alpha, noise = (" to ".join(f"{x:.3g}" for x in _ends(result[key])) for key in ("alphas", "noises"))
+        shown = f", α = {alpha} {result['alpha_unit']}" if alpha else ""
+        return f"{result['log']}: {result['method']}{shown}; noise of {result['of']} {noise} {result['noise_unit']}"
+    seconds = "" if result["fit_s"] is None else f" in {result['fit_s']:.1f} s"
+    chosen = f"; chosen: {result['reason']}" if result["reason"] else ""
+    return f"{result['model']}: identified{seconds}{', the headline' if result['headline'] else ''}{chosen}"
+
+
+def _ends(values: "Sequence[float]") -> "list[float]":
+    """The smallest and the largest value, where they differ."""
+    return sorted({min(values), max(values)}) if values else []
 
 
 def emit_status(title: str, states: "Sequence[TaskStatus]", *, as_json: bool) -> None:

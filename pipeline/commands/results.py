@@ -207,9 +207,9 @@ Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a t
 
 @study.command()
 def alpha(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Over- and under-smoothing against alpha (figure 11c); alpha as the settings take it, the rest in SI units.
+    """Over- and under-smoothing against alpha (figure 11c), and the alpha that is chosen, in the unit of the settings.
 
-    Writes studies/alpha.parquet (all in SI units) and .svg.
+    The rest in SI units; writes studies/alpha.parquet (all in SI units) and .svg.
 
     Example: debist study alpha runs/P1
     """
@@ -271,6 +271,7 @@ def folds(
 
 
 def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
+    from pipeline.reporting.short_tables import study_conclusion
     from pipeline.runs.manifest import to_json
     from pipeline.tools.study import run_study
 
@@ -279,7 +280,7 @@ def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -
     if as_json:
         emit_json(to_json(vars(result)))
         return
-    header = [f"{column} [{unit}]" for column, unit in result.units.items()]
-    rows = [[f"{value:.4g}" for value in row] for row in zip(*result.columns.values(), strict=True)]
-    emit_table(f"Study of {name}", header, rows, numeric_from=0)
-    emit_text(f"figure: {result.figure}")
+    columns, conclusion = study_conclusion(name, result.columns, result.units, result.notes)
+    rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]
+    emit_table(f"Study of {name}", list(columns), rows, numeric_from=0)
+    emit_text(f"{conclusion}\nfigure: {result.figure}" if conclusion else f"figure: {result.figure}")

@@ -19,11 +19,14 @@ def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = Fals
 
     Example: debist ingest P1.toml -o runs/P1
     """
+    from pipeline.loading.stage_results import ingested
     from pipeline.stages.run import run_prototype
+    from pipeline.stages.run_place import place_of
 
+    place = place_of(prototype, output)
     with Progress(quiet=quiet) as progress:
-        done = run_prototype(prototype, output, progress, only="ingest")
-    outcome.emit_tasks(done, as_json=as_json)
+        done = run_prototype(place, None, progress, only="ingest")
+    outcome.emit_tasks(done, as_json=as_json, results=ingested(place.root))
 
 
 def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
@@ -31,7 +34,10 @@ def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None
 
     Example: debist differentiate runs/P1
     """
-    outcome.emit_tasks(_done(run, "differentiate", quiet), as_json=as_json)
+    from pipeline.loading.stage_results import differentiated
+
+    done = _done(run, "differentiate", quiet)
+    outcome.emit_tasks(done, as_json=as_json, results=differentiated(run))
 
 
 def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
@@ -39,7 +45,10 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
 
     Example: debist identify runs/P1
     """
-    outcome.emit_tasks(_done(run, "identify", quiet), as_json=as_json)
+    from pipeline.loading.stage_results import identified
+
+    done = _done(run, "identify", quiet)
+    outcome.emit_tasks(done, as_json=as_json, results=identified(run))
 
 
 def validate(
@@ -79,7 +88,7 @@ def report(
     """
     outcome.emit_tasks(_done(run, "report", quiet, figures), as_json=as_json)
     if not as_json:
-        typer.echo(f"open {run / 'report.html'}")
+        outcome.emit_verdict(run)
 
 
 def _done(run: Path, stage: "StageName", quiet: bool, figures: Typeface | None = None) -> "list[TaskStatus]":

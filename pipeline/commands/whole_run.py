@@ -120,7 +120,7 @@ def run_command(
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
         results = run_prototype(place, None, progress, with_report=with_report, replace=replace)
-    outcome.emit_scores(place.root, as_json=as_json, details=details)
+    outcome.emit_scores(place.root, as_json=as_json, details=details, with_report=with_report)
     if not as_json:
         if with_report:
             outcome.emit_verdict(place.root)
@@ -143,7 +143,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
         results = run_prototype(write_demo_logs(folder, force=force), folder, progress)
-    outcome.emit_scores(folder, as_json=as_json)
+    outcome.emit_scores(folder, as_json=as_json, with_report=True)
     if not as_json:
         outcome.emit_table_2(table_2(load_scores(folder)))
         outcome.emit_verdict(folder)

@@ -142,6 +142,7 @@ class _CheckRow(Document):
     gate: str | None = None
     advice: str = ""
     more: str = ""
+    values: dict[str, float] = {}
 
 
 class _Check(Document):

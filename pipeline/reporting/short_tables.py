@@ -4,9 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from pipeline.reporting.tables import BEST, HEADINGS, TIED, ScoreRow, notes_of
 from pipeline.runs.columns import SCORE_COLUMNS, Column
 from pipeline.scoring.cross_validation import NRMSE_COLUMNS
+from pipeline.units import ALPHA_UNIT
 
 _EXTRAS = tuple(column for column in SCORE_COLUMNS if column.cell and column.cell.table == "errors")
 FOLD_EXPLANATION = (
@@ -114,3 +117,44 @@ def _cell(record: Mapping[str, Any], key: str) -> str:
     low, high = record[f"{key}_low"], record[f"{key}_high"]
     band = "" if low is None else f" [{100 * low:.2f}, {100 * high:.2f}]"
     return f"{100 * record[key]:.2f}{band}{_MARKS[record[f'{key}_rank']]}"
+
+
+def study_conclusion(
+    name: str, columns: Mapping[str, Any], units: Mapping[str, str], notes: Mapping[str, Any]
+) -> tuple[dict[str, Any], str]:
+    """The columns of a study as they are printed, by their headings, and what follows of them, if anything does.
+
+    Of each stream of `online` its end alone is left.
+    """
+    if name == "online":
+        return _online_conclusion(columns)
+    shown = {f"{column} [{units[column]}]": values for column, values in columns.items()}
+    if name != "alpha":
+        return shown, ""
+    chosen = notes["automatic_alpha"] / ALPHA_UNIT[units["misfit"]][1]
+    return shown, (
+        f"by the noise of {notes['log']}, alpha is {chosen:.3g} {units['alpha']}, without reweighting; "
+        "`debist differentiate` prints the alpha of each log in use"
+    )
+
+
+_CONVERGED = 0.05
+"""Error of the curve from which on a stream has converged."""
+
+
+def _online_conclusion(columns: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
+    """A row for each stream: its errors at the end, and from when on its curve was as good as `_CONVERGED`."""
+    rows = []
+    for forgetting, drift in dict.fromkeys(zip(columns["forgetting"], columns["drift"], strict=True)):
+        stream = (columns["forgetting"] == forgetting) & (columns["drift"] == drift)
+        t, curve = columns["t"][stream], columns["curve_error"][stream]
+        late = np.flatnonzero(~(curve <= _CONVERGED))  # NaN is no success
+        since = t[0] if not late.size else t[late[-1] + 1] if late[-1] + 1 < t.size else np.nan
+        rows.append((forgetting, drift, t[-1], since, curve[-1], columns["prediction_error"][stream][-1]))
+    titles = ("forgetting", "drift", "stream [s]", "within 5 % from [s]", "curve error", "prediction error")
+    texts = []
+    for drift in dict.fromkeys(row[1] for row in rows):
+        best = min((row for row in rows if row[1] == drift), key=lambda row: row[4])
+        case = f"with a drift of {100.0 * drift:g} %" if drift else "without drift"
+        texts.append(f"{case}, λ = {best[0]:g} follows the curve best: {100.0 * best[4]:.2g} % off at the end")
+    return dict(zip(titles, zip(*rows, strict=True), strict=True)), "; ".join(texts)

@@ -44,6 +44,10 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
     return kept_document(root, "map", chosen, observer, work)
 
 
+_OF_LOWEST = 0.2
+"""Share of a map's time that its lowest voltages take, roughly."""
+
+
 def _one_map(model: "HybridModel", converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
     from pipeline.control.ensemble import ensemble_of
@@ -54,9 +58,15 @@ def _one_map(model: "HybridModel", converters: "Converters", to: Well, on_progre
 
     left, saddle, right = (each.q for each in wells_and_saddle(plant_of(model)))
     places = (left, saddle, right)
-    lowest = [lowest_voltage(model, converters, places, to, duration) for duration in DURATIONS]
+    lowest = []
+    for k, duration in enumerate(DURATIONS):
+        on_progress(f"lowest voltage to the {to}, {duration:g} s", _OF_LOWEST * k / len(DURATIONS))
+        lowest.append(lowest_voltage(model, converters, places, to, duration))
+    on_progress(f"map to the {to}", _OF_LOWEST)
     joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)
-    made = switching_map(joint, places, to, on_progress)
+    made = switching_map(
+        joint, places, to, lambda what, share: on_progress(what, _OF_LOWEST + (1.0 - _OF_LOWEST) * share)
+    )
     return {**asdict(made), "lowest": [asdict(each) for each in lowest if each is not None]}
 
 
