@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.models.base import DynamicModel
 from pipeline.names import log_title, true_name
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import sample_interval
 from pipeline.runs.columns import StudyName
 from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.units import curve_units, of_joint
@@ -28,8 +28,6 @@ class LogData:
         train or validation; name in the run; path as the settings give it.
     record, kinematics : mapping of str to array
         Columns of the fine record and of the kinematics table; NaN where masked.
-    phi : FloatArray or None, shape (N,)
-        Tip rotation [rad] at the rows of `kinematics`.
     predictions : mapping of model to columns
         Free runs at the rows of `kinematics`.
     outcomes : mapping of model to notes
@@ -43,7 +41,6 @@ class LogData:
     source: str
     record: Columns
     kinematics: Columns
-    phi: FloatArray | None
     predictions: Mapping[str, Columns]
     outcomes: Mapping[str, Mapping[str, Any]]
     record_notes: Mapping[str, Any]
@@ -111,7 +108,7 @@ class RunData:
         What `debist control` made of the present model, by title.
     provenance : mapping
         Printed, not used: ``prototype`` (settings), ``versions``, ``artifacts`` and ``sources`` (rows),
-        ``prototype_file``.
+        ``prototype_file``, ``folder`` of the run as seen from there.
     """
 
     name: str

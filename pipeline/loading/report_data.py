@@ -9,10 +9,9 @@ import numpy as np
 
 from pipeline.device_facts.run_data import WHY, LogData, RunData, Study
 from pipeline.errors import DebistError
-from pipeline.loading.device import Device, device, rotation_map
+from pipeline.loading.device import Device, device
 from pipeline.loading.documents import read_document
 from pipeline.loading.held_models import CHOICE, identified_models
-from pipeline.loading.parameter_sets import parameter_set
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
 from pipeline.names import log_title
@@ -37,7 +36,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         squared=prototype.plant.inputs == "squared",
         mass_known=prototype.plant.mass is not None,
         centres=prototype.identify.basis_functions,
-        logs=tuple(_log(run, prototype, models, *log) for log in layout.logs(prototype)),
+        logs=tuple(_log(run, models, *log) for log in layout.logs(prototype)),
         models=loaded,
         descriptions={name: _description(run, prototype, name) | unreadable.get(name, {}) for name in models},
         scores=tuple(row for row in rows if row["model"] in models),
@@ -132,9 +131,8 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
     return told
 
 
-def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
+def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
     kinematics = run.read_table(layout.kinematics(role, name))
-    rotation = rotation_map(parameter_set(prototype, Path(run.manifest.prototype_file)))
     made = {m: layout.predictions(role, name, m) for m in models}
     made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
     return LogData(
@@ -143,7 +141,6 @@ def _log(run: RunFolder, prototype: Prototype, models: Sequence[str], role: Role
         source=source,
         record=run.read_table(layout.record(role, name)),
         kinematics=kinematics,
-        phi=np.asarray(rotation(kinematics["q"])) if rotation is not None else None,
         predictions={m: run.read_table(artifact) for m, artifact in made.items()},
         outcomes={m: run.record(artifact).notes for m, artifact in made.items()},
         record_notes=run.record(layout.record(role, name)).notes,
@@ -171,10 +168,17 @@ def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
     return {
         "prototype": json.loads(prototype.model_dump_json()),
         "prototype_file": run.manifest.prototype_file.rpartition("/")[2],
+        "folder": _folder(run),
         "versions": dict(run.manifest.versions),
         "artifacts": artifacts,
         "sources": sources,
     }
+
+
+def _folder(run: RunFolder) -> str:
+    """The run folder as seen from the folder of the settings file; its name alone where it lies elsewhere."""
+    home, root = Path(run.manifest.prototype_file).parent, run.root.resolve()
+    return root.relative_to(home).as_posix() if root.is_relative_to(home) else root.name
 
 
 def load_scores(root: Path) -> list[dict[str, Any]]:

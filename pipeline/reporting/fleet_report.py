@@ -133,6 +133,7 @@ def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, in
         "name": member.name,
         "link": f"./{quote(member.link)}" if member.link is not None else None,
         "reason": member.reason,
+        "why": member.why,
         "data": member.data,
         "model": member.model,
         "cells": cells,

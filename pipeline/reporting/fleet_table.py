@@ -40,6 +40,8 @@ class Summary:
         Whether it has a datasheet.
     data, model : str
         Grades of the verdict; empty if it has none.
+    why : str
+        The finding that decides the lower of both grades, and how many more there are; empty where both are good.
     diverged : bool
         Whether the judged model diverged on a log.
     error, switches : float
@@ -58,6 +60,7 @@ class Summary:
     done: bool
     data: str
     model: str
+    why: str
     diverged: bool
     error: float
     switches: float
@@ -68,7 +71,7 @@ class Summary:
 
 def failed(name: str, reason: str) -> Summary:
     """A prototype without a datasheet."""
-    return Summary(name, reason, None, False, "", "", False, float("nan"), float("nan"), False, {}, ())
+    return Summary(name, reason, None, False, "", "", "", False, float("nan"), float("nan"), False, {}, ())
 
 
 def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
@@ -81,6 +84,7 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
         True,
         str(sheet["verdict"]["data"]),
         str(sheet["verdict"]["model"]),
+        _why(sheet["verdict"].get("checks", ())),
         any(s["status"] == "diverged" for s in scores if s["model"] == judged),
         _headline(scores, judged, "nrmse"),
         _headline(scores, judged, "switch_accuracy"),
@@ -88,6 +92,12 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
         {fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
         tuple((s["model"], s["nrmse"]) for s in scores if s["signal"] == "q" and s["role"] == "validation"),
     )
+
+
+def _why(checks: Sequence[Mapping[str, Any]]) -> str:
+    failing = [check for grade in ("poor", "fair") for check in checks if check["grade"] == grade]
+    more = f" (and {len(failing) - 1} more)" if failing[1:] else ""
+    return f"{failing[0]['about']}: {failing[0]['statement']}{more}" if failing else ""
 
 
 def _value(fact: Mapping[str, Any]) -> float:
@@ -131,10 +141,10 @@ class FleetColumn:
 def fleet_columns(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> dict[str, Any]:
     """The table as JSON values; what is long is deflated and in base 64.
 
-    ``names``: all of them, a line each; ``reasons``: a line for each that failed, in order; ``grades``: a byte each for
-    data, model, whether a page exists, and 1 where the model diverged, 2 where its error is of training; ``suffix``:
-    what a link adds to a name; and for each quantity ``values`` (four byte planes of 32-bit floats, NaN where unknown),
-    ``outliers`` (a byte each), ``decimals`` and whether it is ``scored``.
+    ``names`` and ``whys``: of all, a line each; ``reasons``: a line for each that failed, in order; ``grades``: a byte
+    each for data, model, whether a page exists, and 1 where the model diverged, 2 where its error is of training;
+    ``suffix``: what a link adds to a name; and for each quantity ``values`` (four byte planes of 32-bit floats, NaN
+    where unknown), ``outliers`` (a byte each), ``decimals`` and whether it is ``scored``.
     """
     grade = {text: code for code, text in enumerate(GRADES)}
     failed = [member for member in members if member.reason]
@@ -152,6 +162,7 @@ def fleet_columns(members: Sequence[Summary], quantities: Sequence[FleetColumn])
         "count": len(members),
         "names": _deflated("\n".join(_line(m.name) for m in members).encode()),
         "reasons": _deflated("\n".join(_line(m.reason) for m in failed).encode()),
+        "whys": _deflated("\n".join(_line(m.why) for m in members).encode()),
         "grades": _deflated(np.array(flags, dtype=np.uint8).T.tobytes()),
         "suffix": suffixes.pop() if len(suffixes) == 1 else "",
         "quantities": [

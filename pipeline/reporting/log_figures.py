@@ -141,11 +141,8 @@ def differentiation(data: RunData, log: LogData) -> str:
 
 
 def measured_signals(log: LogData) -> dict[str, FloatArray]:
-    """The measured signals that models are compared with, by name."""
-    signals = {name: log.kinematics[name] for name in ("q", "qdot", "qddot")}
-    if log.phi is not None:
-        signals["phi"] = log.phi
-    return {name: signals[name] for name in HEADINGS if name in signals}
+    """The measured signals that models are compared with, by name; φ is none: it is computed from q."""
+    return {name: log.kinematics[name] for name in ("q", "qdot", "qddot")}
 
 
 def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
@@ -155,9 +152,7 @@ def _models(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
         lines = [Line(m, m, t, table[name]) for m, table in log.predictions.items() if name in table]
         # The headline is drawn last, over the measurement and its baselines.
         lines = [Line("measured", "measured", t, measured, wide=True), *lines[1:], *lines[:1]]
-        # No angle was measured: that of the frame follows from q.
-        title = "φ from q" if name == "phi" else HEADINGS[name]
-        panels.append(Panel(title, unit[name], tuple(lines), low=name == "phi"))
+        panels.append(Panel(HEADINGS[name], unit[name], tuple(lines)))
     gone = [f"{m} diverged at {moment(n['diverged_at_s'])}" for m, n in log.outcomes.items() if n["status"] != "ok"]
     inputs = f"{data.input_word}s"
     caption = f"Free runs from the log's first sample under its measured {inputs}; nothing is fed back."
@@ -195,8 +190,6 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     t, unit = log.kinematics["t"], signal_units(data.displacement)
     panels = []
     for name, measured in measured_signals(log).items():
-        if name == "phi":
-            continue  # a static map of q: its residual shows nothing that that of q does not
         lines = [
             Line(m, m, t, table[name] - measured, parts=(table[name], measured))
             for m, table in log.predictions.items()

@@ -156,7 +156,7 @@ def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
     scores = with_true_names(({**row, **none} for row in data.scores), [(log.role, log.source) for log in data.logs])
     tables: list[dict[str, Any]] = []
     for role in ("validation", "train"):
-        rows = [row for row in scores if row["role"] == role]
+        rows = [row for row in scores if row["role"] == role and row["signal"] != "phi"]  # which is computed from q
         for name, table in (("nrmse", nrmse_table(rows)), ("behaviour", behaviour_table(rows))) if rows else ():
             made = _score_table(name, table)
             if role == "train" and tables:
@@ -220,7 +220,7 @@ def _model(data: RunData, name: str) -> Described:
 
 def _provenance(data: RunData) -> dict[str, Any]:
     provenance = data.provenance
-    file, run = shlex.quote(provenance["prototype_file"]), shlex.quote(data.name)
+    file, run = shlex.quote(provenance["prototype_file"]), shlex.quote(provenance["folder"])
     studies = [f"debist study {study.name} {run}" for study in data.studies]
     # A study is drawn by the report that follows it.
     again = [*studies, f"debist report {run}"] if studies else []

@@ -51,6 +51,7 @@ class Headline:
 def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     """The worst validation log of each model; the worst training log where there is no validation log.
 
+    φ is computed from q, so its error says what that of q says: it is left out, as in the tables of the page.
     Shares of wells and pulses, and counts of basis functions, are left out where no model has any.
 
     Parameters
@@ -59,7 +60,7 @@ def headline_table(scores: Sequence[ScoreRow]) -> Headline:
         Rows of ``scores.parquet``, null as None.
     """
     role = "validation" if any(row["role"] == "validation" for row in scores) else "train"
-    judged = [row for row in scores if row["role"] == role]
+    judged = [row for row in scores if row["role"] == role and row["signal"] != "phi"]
     extras = tuple(column for column in _EXTRAS if any(row.get(column.key) is not None for row in judged))
     signals = tuple(signal for signal in HEADINGS if any(row["signal"] == signal for row in judged))
     rows = []

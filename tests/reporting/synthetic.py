@@ -68,7 +68,6 @@ def log_data(role: str, name: str, seed: int, *, seconds: float = 30.0, gap: boo
         source=f"logs/{name}{HOSTILE}.csv",
         record=columns,
         kinematics={**columns, "qdot": truth.qdot * known, "qddot": truth.qddot * known},
-        phi=q * 800.0,
         predictions={"rbf": {**free, "q": off}, "sindy": {**free, "q": diverged}},
         outcomes={
             "rbf": {"status": "ok", "diverged_at_s": None},
@@ -117,6 +116,7 @@ def run_data() -> RunData:
         provenance={
             "prototype": {"name": HOSTILE},
             "prototype_file": f"{HOSTILE}.toml",
+            "folder": f"runs/{HOSTILE}",
             "versions": {"debist": "0.1.0", "numpy": "2.0"},
             "artifacts": [
                 {"artifact": name, "stage": "ingest", "algorithm": "1", "content_hash": "0" * 64, "bytes": size}
@@ -144,7 +144,6 @@ def without_models(data: RunData) -> RunData:
     logs = tuple(
         replace(
             log,
-            phi=None,
             predictions={m: {k: c for k, c in t.items() if k != "phi"} for m, t in log.predictions.items()},
             record_notes={},
             kinematics_notes={},

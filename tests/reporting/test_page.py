@@ -161,6 +161,25 @@ def test_a_device_of_another_kind_takes_no_value_from_the_others() -> None:
     assert f"{heading} in kV" in fleet_report([summary("other", other, None), *joints], "fleet")
 
 
+def test_the_fleet_says_why_a_verdict_is_not_good() -> None:
+    document = _fleet_document()
+    first, *others = document["verdict"]["checks"]
+    worst = first | {"grade": "fair", "statement": "a tenth of the rows are masked"}
+    document["verdict"] = {"data": "fair", "model": "good", "checks": [*others, worst]}
+    page = fleet_report([summary("P1", document, None)], "fleet")
+    assert worst["statement"] in html.unescape(page)
+    columns = fleet_columns([summary("P1", document, None), failed("P2", "no log")], [])
+    whys = zlib.decompress(base64.b64decode(columns["whys"])).decode().split("\n")
+    assert worst["statement"] in whys[0] and whys[1] == ""
+
+
+def test_phi_which_is_computed_from_q_is_in_no_table_of_errors() -> None:
+    scores = [row | {"signal": signal} for row in run_data().scores if row["signal"] == "q" for signal in ("q", "phi")]
+    assert headline_table(scores).signals == ("q",)
+    page = run_report(replace(run_data(), scores=tuple(scores)), run_sheet(), run_figures())
+    assert "φ [%]" not in page and "q [%]" in page
+
+
 def test_the_fleet_says_why_verdicts_are_missing() -> None:
     document = json.loads(json.dumps(run_sheet().to_json(run_data())))
     bare = {**document, "facts": [], "verdict": {"data": "", "model": ""}}
@@ -235,7 +254,7 @@ def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
     def single(columns: Any) -> dict[str, Any]:
         return {name: column for name, column in columns.items() if name != "v2"}
 
-    log = replace(log, record=single(log.record), kinematics=single(log.kinematics), phi=None)
+    log = replace(log, record=single(log.record), kinematics=single(log.kinematics))
     alone = replace(
         data, displacement=unit, voltage="N", mass_known=False, logs=(log,), models={}, scores=data.scores[:2]
     )
@@ -256,7 +275,7 @@ def test_the_page_of_another_device_has_no_words_of_the_joint() -> None:
     free = {"rbf": {"t": t, "q": 0.99 * swing} | rates}
     ok = {"rbf": {"status": "ok", "diverged_at_s": None}}
     log = replace(
-        run_data().logs[1], record=table, kinematics=table | rates, phi=None, predictions=free, outcomes=ok,
+        run_data().logs[1], record=table, kinematics=table | rates, predictions=free, outcomes=ok,
         record_notes={}, source="logs/other.csv",
     )  # fmt: skip
     score = {"well_agreement": None, "switch_accuracy": None}

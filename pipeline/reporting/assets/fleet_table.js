@@ -35,7 +35,7 @@ class FleetTable {
     const [data, model, paged, diverged] = [0, 1, 2, 3].map(part);
     const reasons = new Map(), lines = await text(stored.reasons);
     for (let i = 0; i < n; i++) if (model[i] === 4) reasons.set(i, lines[reasons.size]);
-    return new FleetTable({ count: n, names: await text(stored.names), suffix: stored.suffix, data, model, paged, diverged, reasons, quantities });
+    return new FleetTable({ count: n, names: await text(stored.names), whys: await text(stored.whys), suffix: stored.suffix, data, model, paged, diverged, reasons, quantities });
   }
 
   // Rows without a value stay at the end either way; equal ones keep the order of the names.
@@ -112,6 +112,7 @@ class FleetTable {
         const badge = document.createElement("span");
         badge.className = `badge ${BADGES[grade]}`;
         badge.textContent = BADGES[grade];
+        badge.title = this.whys[i];
         cell.append(badge);
       }
     }
