@@ -13,6 +13,8 @@ from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, m
 from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0
+BESIDE_SPIKE = 2
+"""Samples on either side by which a spike is told."""
 _BESIDE = 100
 """Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
 _FINE = 1e-4
@@ -211,19 +213,27 @@ def _first_not_taken(taken: BoolArray) -> IntArray:
 def _spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:
     """Single samples far off the line between neighbours that agree with each other: how many, and the first ones."""
     count, first = 0, np.empty(0, dtype=np.int64)
-    for rows in chunks(values.size, overlap=2):
-        found = np.flatnonzero(spikes_in(values[rows], noise))
+    for rows in chunks(values.size):
+        begin = max(rows.start - BESIDE_SPIKE, 0)
+        found = begin + 1 + np.flatnonzero(spikes_in(values[begin : rows.stop + BESIDE_SPIKE], noise))
+        found = found[(found >= rows.start) & (found < rows.stop)]
         count += found.size
         if first.size < LOCATED:
-            first = np.concatenate((first, rows.start + 1 + found))[:LOCATED]
+            first = np.concatenate((first, found))[:LOCATED]
     return count, first
 
 
 def spikes_in(part: FloatArray, noise: float) -> BoolArray:
-    """Single samples far off the line between neighbours that agree with each other, shape (N − 2,)."""
+    """Single samples far off the line between neighbours that agree with each other, shape (N − 2,).
+
+    Two samples further on either side lie on that line too; beside a turning point, of which a slow log has few
+    samples, they bend away from it.
+    """
     off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))
     apart = np.abs(part[2:] - part[:-2])
-    found: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * apart) & (noise > 0.0)
+    bend = np.zeros_like(off)
+    bend[1:-1] = 0.5 * np.abs(part[:-4] + part[4:] - part[1:-3] - part[3:-1])
+    found: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * np.maximum(apart, bend)) & (noise > 0.0)
     return found
 
 

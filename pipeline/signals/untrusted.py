@@ -11,9 +11,9 @@ from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.columns import Signal, chunks, column
 from pipeline.signals.dropouts import NONE, Dropouts, dropouts
 from pipeline.signals.lost_target import UNBOUNDED, lost_bounds
-from pipeline.signals.signal_quality import SignalQuality, examine_signal, spikes_in, three_in_a_row
+from pipeline.signals.signal_quality import BESIDE_SPIKE, SignalQuality, examine_signal, spikes_in, three_in_a_row
 
-_NEAR = 2
+_NEAR = BESIDE_SPIKE
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from pipeline.signals.mains_hum import hum
 from pipeline.signals.noise import is_idle, noise_level, resolution
 from pipeline.signals.plausible_spans import scale_suspicion
 from pipeline.signals.signal_quality import examine_signal, usual_span
+from tests.prototypes import motion
 
 RATE = 10_000.0
 T = np.arange(200_000) / RATE
@@ -54,6 +55,18 @@ def test_spikes_are_told_from_steps():
     quality = examine_signal(T, y, 1 / RATE)
     assert quality.spikes == 2
     assert quality.spikes_at == (T[1000], T[150_000])
+
+
+@pytest.mark.parametrize("rate", [50, 100, 200])
+def test_a_turning_point_of_a_slow_log_is_no_spike(rate: int):
+    """Of a joint that snaps, a log has few samples of each swing."""
+    every, masked = 1000 // rate, 0
+    for seed in range(3):
+        t, q, _ = motion(40.0, 1000.0, seed, noise=1e-6)
+        for first in range(3):
+            q_slow = q[first::every]
+            masked += examine_signal(t[: q_slow.size] * every, q_slow, 1.0 / rate).spikes
+    assert masked == 0
 
 
 def test_frozen_stretch():
