@@ -90,6 +90,9 @@ class Channel(LogColumn):
     on_change: bool = False
     """Whether the log has a sample only when it changed, which holds until the next one (event-based recording); of
     an input only."""
+    average: Number = Field(default=0.0, ge=0.0, le=10.0)
+    """Window [s] over which the sensor of q averages before each sample, as some lasers do: half of it is taken off the
+    channel's time, by which the motion is seen late; of q only. Motion within the window stays smoothed."""
     time: LogColumn | None = None
     """The channel's own time, where a table has several: its column and unit; `[channels] time` by default."""
 
@@ -190,6 +193,8 @@ class Channels(_Settings):
             if key in ("q", "qdot") and (part != "all" or column.on_change):
                 why = "is no signed input" if part != "all" else "cannot be recorded on change only"
                 raise ValueError(f"{key} {why}: between two samples it moves")
+            if key != "q" and getattr(column, "average", 0.0):
+                raise ValueError(f"{key} has no average: that is for q, whose sensor is the one that lags")
         if self.v2 == self.v1:
             raise ValueError(
                 f"v1 and v2 are the same channel {self.v1.channel!r}; leave v2 out for a single input, or give both "

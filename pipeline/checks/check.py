@@ -286,6 +286,9 @@ def _delay_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -
         "inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid estimates by how much, and "
         'rbf with drive = "lag" or "delay" in [identify]'
     )
+    if delay.value > 0.0:
+        window = f"average = {significant(2.0 * delay.value, 2)} in [channels] q"
+        advice += f"; if the sensor of q averages over a window, give that, of twice the delay: {window}"
     return CheckRow(
         fact.signals.name,
         what,

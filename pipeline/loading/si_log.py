@@ -120,6 +120,9 @@ def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLo
     notes: list[str] = []
     columns = [_si(recording, channel, unit, name, notes) for (channel, unit), name in zip(signals, names, strict=True)]
     bases = _bases(recording, [channel for channel, _ in signals], prototype, notes)
+    if channels.q.average:
+        bases[0] = _earlier(bases[0], 0.5 * channels.q.average)
+        notes.append(f"q: {1e3 * channels.q.average:.4g} ms averaged by its sensor: half of it is taken off its time")
     _check_rate(recording.path, bases[0], prototype.ingest.sample_rate)
     for (channel, _), base, samples in zip(signals, bases, columns, strict=True):
         if base.size != samples.size:
@@ -135,6 +138,11 @@ def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLo
     )
     inputs = len(plant.inputs)
     return SiLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
+
+
+def _earlier(time: FloatArray, lead: float) -> FloatArray:
+    """A time base moved back by so much [s]."""
+    return column(time.size, (time[rows] - lead for rows in chunks(time.size)), np.float64)
 
 
 def _without_blanks(signal: Signal, name: str, notes: list[str]) -> Signal:

@@ -1,0 +1,43 @@
+"""A sensor that averages over a window sees the motion late: its window in the settings mends the delay."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from cli import app
+from tests.prototypes import motion, settings, write_csv
+
+WINDOW = 80
+PLAIN, AVERAGED = 'unit = "mm" }', 'unit = "mm", average = 0.08 }'
+
+
+@pytest.fixture(scope="module")
+def prototype(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("averaging")
+    t, q, v = motion(30.0, 1000.0, 1, noise=3e-6)
+    sums, last = np.concatenate(([0.0], np.cumsum(q))), np.arange(1, q.size + 1)
+    first = np.maximum(last - WINDOW, 0)
+    write_csv(folder / "log.csv", t, (sums[last] - sums[first]) / (last - first), v)
+    (folder / "P.toml").write_text(settings(), encoding="utf-8")
+    return folder / "P.toml"
+
+
+def test_the_window_is_named_and_taken(prototype: Path) -> None:
+    refused = CliRunner().invoke(app, ["check", str(prototype), "-q"])
+    assert refused.exit_code == 3 and "if the sensor of q averages over a window" in refused.stderr
+    assert "average = 0.078 in [channels] q" in refused.stderr
+    prototype.write_text(settings().replace(PLAIN, AVERAGED), encoding="utf-8")
+    taken = CliRunner().invoke(app, ["check", str(prototype), "-q"])
+    assert taken.exit_code == 0, taken.stderr
+    assert "(!)" not in taken.stdout
+    assert "q: 80 ms averaged by its sensor: half of it is taken off its time" in taken.stderr
+
+
+def test_only_the_sensor_of_q_averages(prototype: Path) -> None:
+    text = settings().replace('"v1", unit = "kV"', '"v1", unit = "kV", average = 0.1')
+    other = prototype.parent / "other.toml"
+    other.write_text(text, encoding="utf-8")
+    result = CliRunner().invoke(app, ["check", str(other), "-q"])
+    assert result.exit_code == 2 and "v1 has no average" in result.stderr
