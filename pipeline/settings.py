@@ -193,7 +193,7 @@ class Channels(_Settings):
             if key in ("q", "qdot") and (part != "all" or column.on_change):
                 why = "is no signed input" if part != "all" else "cannot be recorded on change only"
                 raise ValueError(f"{key} {why}: between two samples it moves")
-            if key != "q" and getattr(column, "average", 0.0):
+            if key != "q" and isinstance(column, Channel) and column.average:
                 raise ValueError(f"{key} has no average: that is for q, whose sensor is the one that lags")
         if self.v2 == self.v1:
             raise ValueError(

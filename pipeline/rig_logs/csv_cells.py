@@ -19,8 +19,13 @@ MISSING = frozenset(
 SWITCH = frozenset({"true", "false"})
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-]\d\d:?\d\d)?")
 """Date and time of day by ISO 8601."""
+_MONTH = "[A-Za-zäéûÄÉ]{3,9}[.]?"
+_DATE = (
+    rf"\d{{1,4}}[./-]\d{{1,2}}[./-]\d{{1,4}}|\d{{1,2}}[. -]{{1,2}}{_MONTH}[ -]\d{{2,4}}|{_MONTH} \d{{1,2}},? \d{{4}}"
+)
 CLOCK = (
-    r"^(?:\d{1,4}[./-]\d{1,2}[./-]\d{1,4}[T ,]+)?(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9})?)"
+    rf"^(?:(?:{_DATE})[T ,]+)?"
+    r"(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9})?)"
     r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))(?: ?(?P<half>[AaPp])[Mm])?$"
 )
 """Time of day, whatever date stands before it, or minutes and seconds with a fraction."""

@@ -3,7 +3,7 @@
 import codecs
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from pipeline.rig_logs.csv_cells import (
@@ -92,6 +92,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     """
     encoding = options.encoding or _find_encoding(start)
     lines = _lines(start, encoding, whole=whole)
+    options = _as_labview(lines, options)
     table = _find_table(lines, options)
     width, header_row = len(table.numeric), options.header_row
     _check_decimal_commas(table)
@@ -103,6 +104,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         raise UnreadableLogError(f"row {header_row} is no header: it must have the {width} cells of the rows below it")
     else:
         units_row = header_row + 1 if header_row + 1 < table.first else None
+    units_row = _labview_units(above) if units_row is None else units_row
     _check_rows_below_header(table, above, header_row)
     header, units, headings = _headings(table, above, header_row, units_row)
     firsts = tuple(_firsts(table))
@@ -126,6 +128,25 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.ragged or (header_row is not None and len(above[header_row]) == width + 1),
     )
+
+
+_LABVIEW, _END_OF_HEADER, _UNITS = "LabVIEW Measurement", "***End_of_Header***", "Y_Unit_Label"
+
+
+def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
+    """The options with the row of the names of a LabVIEW measurement file: the one below its last header."""
+    ends = [i for i, line in enumerate(lines) if line.startswith(_END_OF_HEADER)]
+    if options.header_row is not None or not ends or not lines[0].startswith(_LABVIEW):
+        return options
+    return replace(options, header_row=ends[-1] + 1)
+
+
+def _labview_units(above: "list[Sequence[str]]") -> int | None:
+    """The row of units in the header of a LabVIEW measurement file, whose first cell is its key and no unit."""
+    row = next((i for i, cells in enumerate(above) if cells and cells[0] == _UNITS), None)
+    if row is not None:
+        above[row] = ["", *above[row][1:]]
+    return row
 
 
 def _headings(

@@ -76,6 +76,10 @@ def heading_rows(
         if not (used <= len(row) <= len(numeric) or len(above[i]) == len(numeric) or longer):
             break
         block.insert(0, i)
+    if block and _TIME.match(above[block[-1]][0]) and not _holds_units(above[block[-1]]):
+        lowest = block[-1]
+        if _labels(above[lowest], numeric) == sum(numeric) and any(_holds_units(above[i]) for i in block[:-1]):
+            return lowest, None  # above them stand keys with a value for each channel, as of oscilloscopes
     units = next((i for i in reversed(block[1:]) if _holds_units(above[i])), None)
     labels = {i: _labels(above[i], numeric) for i in block if units is None or i < units}
     names = [i for i in labels if labels[i] and labels[i] == max(labels.values())]
