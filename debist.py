@@ -7,10 +7,21 @@
 """
 
 from pipeline import __version__
-from pipeline.api import Model, Run, identify, open_run
+from pipeline.api import Model, Run, check, compare, differentiate, identify, open_run, read_log
 from pipeline.errors import DebistError
 
-__all__ = ["DebistError", "Model", "Run", "__version__", "identify", "open_run"]
+__all__ = [
+    "DebistError",
+    "Model",
+    "Run",
+    "__version__",
+    "check",
+    "compare",
+    "differentiate",
+    "identify",
+    "open_run",
+    "read_log",
+]
 
 if __name__ == "__main__":  # python -m debist
     from cli import app

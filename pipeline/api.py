@@ -15,6 +15,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from pipeline.api_logs import check, compare, differentiate, read_log
 from pipeline.api_models import Model, identify
 from pipeline.machine import one_thread
 
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from pipeline.settings import Prototype
     from pipeline.tools.plot import RunFigures
 
-__all__ = ["Model", "Run", "identify", "open_run"]
+__all__ = ["Model", "Run", "check", "compare", "differentiate", "identify", "open_run", "read_log"]
 
 
 def open_run(folder: str | Path) -> "Run":

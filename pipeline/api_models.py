@@ -122,6 +122,46 @@ class Model:
 
         return pd.DataFrame(score_table(self.core, self._measured(t, q, v1, v2), device(self._prototype)))
 
+    @one_thread
+    def predict(
+        self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
+        v2: "ArrayLike | None" = None, *, ahead: int = 1,
+    ) -> "pd.DataFrame":  # fmt: skip
+        """Displacement so many samples ahead of the measurement, as a predictive controller finds it.
+
+        Parameters
+        ----------
+        t, q, v1, v2 : array_like, shape (N,)
+            A measured log as of `score`.
+        ahead : int
+            How many samples of the uniform record ahead, at least 1; the default record has one every 10 ms.
+
+        Returns
+        -------
+        pandas.DataFrame
+            t_s, q_m (predicted) and q_measured_m (or _rad); NaN where the measured state `ahead` samples before, or
+            an input since, is not known, and where the prediction diverged.
+
+        Raises
+        ------
+        InputError
+            `ahead` below 1 or beyond the log, or signals that do not fit the model.
+
+        Notes
+        -----
+        Before each restart the model sees up to 1 s of the measurement. Cost: a simulation of that for each sample.
+        """
+        from pipeline.scoring.horizons import predicted
+        from pipeline.stages.validate import measured_path
+        from pipeline.tools.in_memory import frame
+
+        table = self._measured(t, q, v1, v2)
+        if not 1 <= ahead < len(table["t"]):
+            raise InputError(f"ahead is {ahead}; give 1 to {len(table['t']) - 1} samples")
+        path, predict = measured_path(table, self.core)
+        columns = {"t": table["t"], "q": predicted(predict, path, ahead), "q_measured": table["q"]}
+        return frame(columns, *self._units)
+
     def plot(
         self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
         v2: "ArrayLike | None" = None, *, ax: "Axes | None" = None,

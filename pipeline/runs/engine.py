@@ -79,6 +79,25 @@ class Observer(Protocol):
         """Something about a task's data, by its title, or about an artifact deserves a look."""
 
 
+class Unheard:
+    """An observer that tells nobody."""
+
+    def started(self, task: Task, reasons: list[str]) -> None:
+        """Say nothing."""
+
+    def progressed(self, task: Task, what: str, share: float) -> None:
+        """Say nothing."""
+
+    def finished(self, task: Task, seconds: float) -> None:
+        """Say nothing."""
+
+    def skipped(self, task: Task) -> None:
+        """Say nothing."""
+
+    def warned(self, what: str, warning: str) -> None:
+        """Say nothing: what is warned of stands in the notes of the artifacts."""
+
+
 @runtime_checkable
 class Counting(Protocol):
     """An observer that shows how far the whole is."""

@@ -104,22 +104,17 @@ def horizon_errors(
     -----
     Cost: the simulated time is at most that of the record for each horizon, plus the call overhead of the restarts.
     """
-    q, qdot, interval = path.q, path.qdot, sample_interval(path.t)
+    q, interval = path.q, sample_interval(path.t)
     aheads = [samples_of(horizon, interval) for horizon in horizons]
     starts = [_starts(path, ahead, most_starts) for ahead in aheads]
-    begins = np.zeros(q.size, dtype=np.int64)  # of the stretch without a gap that a sample lies in
-    for rows in runs_of(np.isfinite(q) & np.isfinite(qdot) & path.recorded):
-        begins[rows] = rows.start
     farthest: dict[tuple[int, int], int] = {}
     for ahead, chosen in zip(aheads, starts, strict=True):
         keys = [(start, 0 if shared else ahead) for start in chosen.tolist()]
         farthest |= {key: max(ahead, farthest.get(key, 0)) for key in keys}
     paths: dict[tuple[int, int], FloatArray] = {}
-    shown = max(round(WARM_UP / interval), WARM_UP_SAMPLES)
+    begins = _shown_from(path)
     for (start, apart), ahead in farthest.items():
-        begin = max(int(begins[start]), start - shown)
-        seen, rows = slice(begin, start + 1), slice(begin, start + ahead + 1)
-        paths[start, apart] = predict(path.t[rows], path.v[rows], q[seen], qdot[seen])
+        paths[start, apart] = _restarted(predict, path, int(begins[start]), start, ahead)
     span = signal_range(q)
     return [
         _error(
@@ -128,6 +123,29 @@ def horizon_errors(
         )
         for ahead, chosen in zip(aheads, starts, strict=True)
     ]  # fmt: skip
+
+
+def predicted(predict: Predict, path: MeasuredPath, ahead: int) -> FloatArray:
+    """Displacement `ahead` samples after each measured state, at the sample it is for, shape (N,); else NaN."""
+    q, begins = np.full(path.q.size, np.nan), _shown_from(path)
+    for start in _starts(path, ahead, path.q.size, apart=1).tolist():
+        q[start + ahead] = _restarted(predict, path, int(begins[start]), start, ahead)[ahead]
+    return q
+
+
+def _shown_from(path: MeasuredPath) -> IntArray:
+    """From which row on a model is shown the measurement before it restarts in a row, without a gap between."""
+    begins = np.zeros(path.q.size, dtype=np.int64)
+    for rows in runs_of(np.isfinite(path.q) & np.isfinite(path.qdot) & path.recorded):
+        begins[rows] = rows.start
+    shown = max(round(WARM_UP / sample_interval(path.t)), WARM_UP_SAMPLES)
+    return np.maximum(begins, np.arange(path.q.size) - shown)
+
+
+def _restarted(predict: Predict, path: MeasuredPath, begin: int, start: int, ahead: int) -> FloatArray:
+    """The prediction of q from one row on, shape (ahead + 1,)."""
+    seen, rows = slice(begin, start + 1), slice(begin, start + ahead + 1)
+    return predict(path.t[rows], path.v[rows], path.q[seen], path.qdot[seen])
 
 
 def _error(
@@ -144,12 +162,12 @@ def _error(
     return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
 
 
-def _starts(path: MeasuredPath, ahead: int, most: int) -> IntArray:
-    """Rows whose state, target and inputs between are measured, at least `ahead` apart, at most `most`."""
+def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None) -> IntArray:
+    """Rows whose state, target and inputs between are measured, at least `apart` (`ahead`) apart, at most `most`."""
     q, qdot, last = path.q, path.qdot, path.q.size - ahead
     if last < 1:
         return np.zeros(0, dtype=np.int64)
-    rows = np.arange(0, last, max(ahead, -(-last // most)))
+    rows = np.arange(0, last, max(ahead if apart is None else apart, -(-last // most)))
     missing = np.concatenate(([0], np.cumsum(~path.recorded)))
     usable = np.isfinite(q[rows]) & np.isfinite(qdot[rows]) & np.isfinite(q[rows + ahead])
     usable &= missing[rows + ahead + 1] == missing[rows]

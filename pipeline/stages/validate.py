@@ -30,6 +30,7 @@ from pipeline.units import HORIZONS
 
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
+    from pipeline.scoring.horizons import MeasuredPath, Predict
     from pipeline.scoring.wells import NoWells, Wells
 
 ALGORITHM = "21"
@@ -90,19 +91,26 @@ def _compile(model: DynamicModel, table: Table) -> None:
     free_run({name: values[:3] for name, values in parts(table)[0].items()}, model)
 
 
+def measured_path(table: Table, model: DynamicModel) -> "tuple[MeasuredPath, Predict]":
+    """A log as the predictions of a model are compared with it, and what predicts."""
+    from pipeline.scoring.horizons import MeasuredPath
+
+    v = drive(table, fine=model.fine_voltages).copy()
+    v[~recorded(table)] = np.nan
+    return MeasuredPath(table["t"], v, table["q"], table["qdot"]), predictor(model)
+
+
 def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
+    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, horizon_errors
 
     shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
     possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
-    v = drive(table, fine=model.fine_voltages).copy()
-    v[~recorded(table)] = np.nan
-    path = MeasuredPath(table["t"], v, table["q"], table["qdot"])
+    path, predict = measured_path(table, model)
     shared = not model.fine_voltages
     horizon_scores = horizon_errors(
-        predictor(model), path, list(possible.values()), joint=joint, most_starts=_RESTARTS, shared=shared
+        predict, path, list(possible.values()), joint=joint, most_starts=_RESTARTS, shared=shared
     )
     errors = dict(zip(possible, horizon_scores, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}

@@ -1,0 +1,69 @@
+"""`debist.read_log`, `check`, `differentiate`, `compare` and `Model.predict`: the same numbers as in a run."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import debist
+from tests.prototypes import motion, settings, write_csv
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("logs")
+    for name, seed in (("log", 1), ("other", 2)):
+        write_csv(folder / f"{name}.csv", *motion(15.0, 500.0, seed, noise=3e-6))
+    (folder / "P.toml").write_text(settings(), encoding="utf-8")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def model(folder: Path) -> debist.Model:
+    return debist.identify(debist.read_log(folder / "log.csv", folder / "P.toml"), model="rbf-paper")
+
+
+def test_a_log_is_read_in_si_units(folder: Path) -> None:
+    raw = np.loadtxt(folder / "other.csv", delimiter=",", skiprows=1)
+    table = debist.read_log(folder / "other.csv", folder / "P.toml")
+    assert list(table) == ["t_s", "q_m", "v1_V", "v2_V"]
+    np.testing.assert_allclose(table.to_numpy(), raw * [1.0, 1e-3, 1e3, 1e3], rtol=1e-12)
+
+
+def test_the_check_is_a_table_with_numbers(folder: Path) -> None:
+    rows = debist.check(folder / "P.toml").set_index("what")
+    assert rows.loc["sampling rate", "values"] == {"rate_Hz": pytest.approx(500.0)}
+    assert rows.loc["push of v1", "values"]["push_m_per_s2"] > 0.0
+
+
+def test_derivatives_of_a_sine_are_a_cosine() -> None:
+    t = np.arange(2000) / 1000.0
+    noise = np.random.default_rng(1).normal(0.0, 1e-5, t.size)
+    table = debist.differentiate(t, np.sin(2.0 * np.pi * t) + noise)
+    inside = slice(50, -50)
+    assert np.max(np.abs(table.qdot - 2.0 * np.pi * np.cos(2.0 * np.pi * t))[inside]) < 0.05
+    assert table.attrs["noise_std"] == pytest.approx(1e-5, rel=0.2)
+    with pytest.raises(debist.DebistError, match="t is not uniform"):
+        debist.differentiate(t**2, t)
+
+
+def test_models_are_compared_on_one_log(folder: Path, model: debist.Model) -> None:
+    log = debist.read_log(folder / "other.csv", folder / "P.toml")
+    both = debist.compare([model, model], log)
+    assert list(both.columns[:2]) == ["model", "signal"] and len(both) == 6
+    assert both.nrmse[0] == model.score(log).nrmse[0] == both.nrmse[3]
+    with pytest.raises(debist.DebistError, match="models is empty"):
+        debist.compare([], log)
+
+
+def test_a_prediction_ahead_is_a_restart_from_the_measurement(folder: Path, model: debist.Model) -> None:
+    log = debist.read_log(folder / "other.csv", folder / "P.toml")
+    errors = []
+    for ahead in (1, 20):
+        table = model.predict(log, ahead=ahead)
+        assert table.q_m[:ahead].isna().all() and table.q_m[ahead:].notna().any()
+        errors.append(float(np.sqrt(np.nanmean((table.q_m - table.q_measured_m) ** 2))))
+    assert errors[0] < errors[1] < np.ptp(log.q_m)
+    assert errors[0] < 1e-4
+    with pytest.raises(debist.DebistError, match="ahead is 0"):
+        model.predict(log, ahead=0)
