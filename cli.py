@@ -11,7 +11,7 @@ from typing import Annotated
 
 import typer
 
-from pipeline.commands import control, integrity, outcome, physics, raw_logs, results, rig, stages, whole_run
+from pipeline.commands import control, fleet, integrity, outcome, physics, raw_logs, results, rig, stages, whole_run
 from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.console import Json, Quiet, Report, emit_json
 from pipeline.commands.inspection import check
@@ -31,6 +31,7 @@ app = Program(
 )
 
 app.add_typer(control.app, name="control")
+app.add_typer(fleet.app, name="fleet")
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(results.study, name="study")
@@ -107,6 +108,9 @@ class Schedule:
         str | None,
         typer.Option("--shard", metavar="I/N", help="Only part I of N, from 1; which one is decided by the name."),
     ] = None
+    siblings: Annotated[
+        Path | None, typer.Option("--siblings", metavar="FILE", help="Prior of `debist fleet learn` for all of them.")
+    ] = None
     time_limit: Annotated[
         str, typer.Option("--time-limit", help="Wall time after which a prototype is stopped and has failed.")
     ] = "4 h"
@@ -115,7 +119,9 @@ class Schedule:
 @app.command()
 @with_options
 def batch(
-    fleet: Annotated[list[Path], typer.Argument(metavar="FLEET...", help="Settings files, folders, or a fleet file.")],
+    prototypes: Annotated[
+        list[Path], typer.Argument(metavar="FLEET...", help="Settings files, folders, or a fleet file.")
+    ],
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the runs and the tables.")],
     schedule: Schedule,
     with_report: Report = True,
@@ -129,12 +135,15 @@ def batch(
     """
     from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
     from pipeline.batch.journal import Shard
+    from pipeline.batch.matrix import with_siblings
     from pipeline.units import parse_quantity
 
     named, limit = (
-        named_prototypes(prototype_files(fleet)),
+        named_prototypes(prototype_files(prototypes)),
         parse_quantity(schedule.time_limit, ("s",), "--time-limit"),
     )
+    if schedule.siblings is not None and not schedule.collect:
+        named = with_siblings(named, schedule.siblings, output)
     if not 1.0 <= limit <= 1e7:
         raise InputError(f"--time-limit {schedule.time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
     shard = None if schedule.shard is None else Shard.parse(schedule.shard)

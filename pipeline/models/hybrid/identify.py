@@ -10,6 +10,7 @@ from pipeline.device_parameters import NOMINAL, JointParameters
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.fitting.descent import ParallelDescent, Prior
 from pipeline.fitting.homotopy import Callbacks, HomotopyFit, Level, Schedule, fit_homotopy
+from pipeline.fitting.population import Population
 from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
 from pipeline.fitting.regression import basis_centres, basis_width
 from pipeline.models.hybrid import parameters as condensed_parameters
@@ -76,6 +77,7 @@ def identify_hybrid(
     *,
     similarity: Similarity = SAME,
     corrections: Literal["auto", "none", "always"] = "auto",
+    siblings: Population | None = None,
     keep: Keep = make_anew,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
@@ -94,6 +96,8 @@ def identify_hybrid(
         The device in units of the set's joint.
     corrections : {"auto", "none", "always"}
         Whether corrections are fitted, and kept: as above, or never, or whatever they do on the rest of the logs.
+    siblings : Population, optional
+        The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`).
     keep : callable
         Keeps each level that is finished.
 
@@ -118,7 +122,7 @@ def identify_hybrid(
     operating_range(records)
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.set_record(record) for record in records), keep).within(MOST_SAMPLES)
+    search = _Search(tuple(similarity.set_record(record) for record in records), keep, siblings).within(MOST_SAMPLES)
     levels, fits = _first_fits(search, parameters, corrections)
     held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
     harmful_ratio = np.inf if corrections == "always" else HARMFUL_RATIO
@@ -158,7 +162,7 @@ def _first_fits(
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    first = search.early.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+    first = search.early.fit(plain, search.start, COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
     alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
     if not alone.levels:
         raise DataRefusedError(_FOLLOWS_NOT)
@@ -181,6 +185,12 @@ class _Search:
 
     records: tuple[Record, ...]
     keep: Keep
+    siblings: Population | None = None
+
+    @property
+    def start(self) -> FloatArray:
+        """Deviations at which a fit starts: the mean of the prior."""
+        return np.zeros(DEVIATIONS) if self.siblings is None else self.siblings.mean
 
     @property
     def early(self) -> "_Search":
@@ -192,8 +202,9 @@ class _Search:
         return replace(self, records=tuple(within(self.records, samples)))
 
     def prior(self, count: int) -> Prior:
-        """Deviations and weights of corrections about the set."""
-        return Prior(prior_root((count - DEVIATIONS) // CURVES), np.zeros(count))
+        """Deviations about the set or the siblings, and weights of corrections."""
+        root = prior_root((count - DEVIATIONS) // CURVES, siblings=self.siblings)
+        return Prior(root, root @ np.append(self.start, np.zeros(count - DEVIATIONS)))
 
     def fit(
         self,
@@ -214,7 +225,7 @@ class _Search:
 
     def anew(self, plain: CondensedJoint) -> Fitted:
         """The equations alone, fitted to the logs from the set."""
-        first = self.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+        first = self.fit(plain, self.start, COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
         return plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS)
 
     def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
@@ -229,7 +240,7 @@ class _Search:
         """Of the θ of a joint, zero but for the deviations and some corrections."""
         problem, pole, theta = CondensedProblem(joint, self.records), fit.levels[-1].gain, _extended(joint, fit.theta)
         problem.hold_lost(theta, pole)
-        places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows)
+        places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows, self.siblings)
         residual, jacobian = problem.jacobian(theta, pole)
         factor = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
         spread = np.zeros((len(theta), factor.shape[1]))
@@ -313,8 +324,9 @@ def _fit(training: Training) -> HybridModel:
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
         return identify_hybrid(
-            training.records, training.parameters, similarity=own, corrections=corrections, keep=keep
-        )
+            training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings,
+            keep=keep,
+        )  # fmt: skip
 
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
