@@ -27,6 +27,10 @@ from pipeline.numerics.arrays import FloatArray
 FEWEST = 5
 """Siblings from which a population is learnt."""
 
+SUREST = 1e6
+"""Largest precision that a log is trusted with, in units of the prior's: no population is as narrow as its root says,
+and sums with larger numbers lose what other directions say."""
+
 _COLUMNS = {
     "mean": ("1", "mean of the deviations, in prior standard deviations"),
     "covariance": ("1", "covariance of the deviations of one more joint, in prior standard deviations"),
@@ -114,18 +118,21 @@ def information_of(model: HybridModel) -> Information:
     """What the training logs show of the deviations of a joint that was identified without siblings.
 
     The corrections are integrated out. The fit takes its noise to be `NOISE_INFLATION` times the RMS of the residual,
-    and its posterior to be √τ times that, for the autocorrelation time τ: the slope of the misfit follows from the
-    first and the precision from the second.
+    its posterior √τ times that, for the autocorrelation time τ. In units of the prior a direction of precision λ in the
+    posterior so had λ τ / `NOISE_INFLATION`² in the fit, and its pull to zero is undone by that. It is at most doubled:
+    in directions of which logs show little, fits end before they have converged.
     """
-    centres, count = model.joint.centres, len(NAMES)
-    root = prior_root(centres)
-    covariance, prior = model.spread @ model.spread.T, root.T @ root
+    count, own = len(NAMES), prior_root(0)
     tau = float(model.diagnostics["integrated_correlation_time"])
-    best = model.theta - (1.0 - NOISE_INFLATION**2 / tau) * covariance @ (prior @ model.theta)
-    posterior = np.linalg.inv(covariance[:count, :count])
-    own = prior_root(0)
-    values, vectors = np.linalg.eigh(posterior - own.T @ own)
-    return Information((vectors * np.maximum(values, 0.0)) @ vectors.T, posterior @ best[:count])
+    covariance = (model.spread @ model.spread.T)[:count, :count]
+    # shares of the prior's variance that the logs leave are 1 / (1 + λ)
+    shares, directions = np.linalg.eigh(own @ covariance @ own.T)
+    shares = np.clip(shares, np.finfo(float).eps, 1.0)
+    precision = np.minimum(1.0 / shares - 1.0, SUREST)
+    pulled = np.minimum(NOISE_INFLATION**2 / (tau * np.maximum(precision, np.finfo(float).eps)), 1.0)
+    best = directions.T @ (own @ model.theta[:count]) * (1.0 + pulled)
+    turned = own.T @ directions
+    return Information((turned * precision) @ turned.T, turned @ (precision * best))
 
 
 def learn(models: Mapping[str, HybridModel]) -> Learnt:
