@@ -24,7 +24,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.trees import write_tree
 from pipeline.settings import load_prototype
-from pipeline.stages.identify import prior_knowledge_of, known_inputs
+from pipeline.stages.identify import known_inputs, prior_knowledge_of
 from pipeline.stages.run import run_prototype
 from tests.prototypes import Silent, motion, settings, write_csv
 
