@@ -162,7 +162,7 @@ def _first_fits(
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    first = search.early.fit(plain, search.start, COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+    first = search.early.usual.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
     alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
     if not alone.levels:
         raise DataRefusedError(_FOLLOWS_NOT)
@@ -188,9 +188,11 @@ class _Search:
     siblings: Population | None = None
 
     @property
-    def start(self) -> FloatArray:
-        """Deviations at which a fit starts: the mean of the prior."""
-        return np.zeros(DEVIATIONS) if self.siblings is None else self.siblings.mean
+    def usual(self) -> "_Search":
+        """The same about the set: a narrow prior holds a fit near the siblings while its errors are large, and so in
+        another minimum, where the joint is unlike them. Siblings enter once every sample has been followed alone.
+        """
+        return replace(self, siblings=None)
 
     @property
     def early(self) -> "_Search":
@@ -204,7 +206,8 @@ class _Search:
     def prior(self, count: int) -> Prior:
         """Deviations about the set or the siblings, and weights of corrections."""
         root = prior_root((count - DEVIATIONS) // CURVES, siblings=self.siblings)
-        return Prior(root, root @ np.append(self.start, np.zeros(count - DEVIATIONS)))
+        mean = np.zeros(DEVIATIONS) if self.siblings is None else self.siblings.mean
+        return Prior(root, root @ np.append(mean, np.zeros(count - DEVIATIONS)))
 
     def fit(
         self,
@@ -225,7 +228,7 @@ class _Search:
 
     def anew(self, plain: CondensedJoint) -> Fitted:
         """The equations alone, fitted to the logs from the set."""
-        first = self.fit(plain, self.start, COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+        first = self.usual.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
         return plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS)
 
     def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
