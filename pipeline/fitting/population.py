@@ -50,10 +50,14 @@ class Population:
 
 @dataclass(frozen=True)
 class Shrinkage:
-    """How far the prior counts beside the members, in members; and the spreads at which distances are cut."""
+    """How far the prior counts beside the members, in members; and the spreads at which distances are cut.
 
-    spreads: float = 1.0
-    correlations: float = 20.0
+    Of twelve simulated joints each had logs that were exp(37) times as probable (mean of the exponent) under the others
+    as under the prior; with 1 and 20 members exp(31), with 0.1 and 60 exp(40), but five members would then be too sure.
+    """
+
+    spreads: float = 0.3
+    correlations: float = 60.0
     cut: float = 2.0
 
 
