@@ -1,8 +1,8 @@
 """What siblings teach a new joint: `python benchmarks/siblings_gain.py FLEET siblings.h5 -o OUT`.
 
-FLEET is a folder of `debist rig fleet N --rate 2000 --seed S` with logs of 37.5 s, siblings.h5 what `debist fleet learn`
-made of other joints. Each joint is identified (`hybrid` alone) on its whole training log and on the first 8 s of it,
-with siblings and without. Printed are NRMSE of q on the validation log in percent, median and largest for each physics,
+FLEET is a folder of `debist rig fleet N --rate 2000 --seed S` with 37.5 s logs, siblings.h5 what `debist fleet learn`
+made of other joints. Each joint is identified (`hybrid` alone) on its whole training log and on its first 8 s, with
+siblings and without. Printed are NRMSE of q on the validation log in percent, median and largest for each physics,
 and the median width of the bands of F and of the capacitances' slopes with siblings over that without.
 """
 
@@ -23,12 +23,6 @@ from pipeline.numerics.arrays import FloatArray
 QUICK = '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n'
 SHORT = 8.0
 CURVES = ("F", "dC1_dq", "dC2_dq")
-
-
-class Quiet(Silent):
-    def started(self, name: str) -> None: ...
-
-    def finished(self, outcome: object) -> None: ...
 
 
 def write_settings(fleet: Path, folder: Path) -> None:
@@ -67,8 +61,8 @@ def main() -> None:
     write_settings(given.fleet, given.output / "settings")
     named = named_prototypes(prototype_files([given.output / "settings"]))
     without, taught = given.output / "without", given.output / "taught"
-    run_batch(named, without, 1, Quiet(), program=debist, report=False)
-    run_batch(with_siblings(named, given.siblings, taught), taught, 1, Quiet(), program=debist, report=False)
+    run_batch(named, without, 1, Silent(), program=debist, report=False)
+    run_batch(with_siblings(named, given.siblings, taught), taught, 1, Silent(), program=debist, report=False)
     for length in ("long", "short"):
         for kind in ("same", "foreign"):
             names = [name for name, _ in named if name.startswith(kind) and name.endswith(length)]

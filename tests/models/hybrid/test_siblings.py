@@ -49,7 +49,8 @@ def fitted(truth: FloatArray, seed: int, centres: int = 0) -> HybridModel:
 
 def siblings(count: int, odd: float = 0.0) -> dict[str, HybridModel]:
     rng = np.random.default_rng(3)
-    truths = 0.5 + 0.2 * rng.standard_normal((count, COUNT))
+    alike = np.linalg.cholesky(usual_prior().covariance)  # as both membranes are cut from one film
+    truths = 0.5 + 0.2 * rng.standard_normal((count, COUNT)) @ alike.T
     truths[1, ODD] += odd
     return {f"J{i}": fitted(truth, i) for i, truth in enumerate(truths)}
 
