@@ -96,7 +96,7 @@ def debist(arguments: list[str]) -> None:
 
 
 @dataclass(frozen=True)
-class Schedule:
+class BatchOptions:
     """Which prototypes of a batch run, and how."""
 
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1
@@ -123,7 +123,7 @@ def batch(
         list[Path], typer.Argument(metavar="FLEET...", help="Settings files, folders, or a fleet file.")
     ],
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the runs and the tables.")],
-    schedule: Schedule,
+    options: BatchOptions,
     with_report: Report = True,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -140,14 +140,14 @@ def batch(
 
     named, limit = (
         named_prototypes(prototype_files(prototypes)),
-        parse_quantity(schedule.time_limit, ("s",), "--time-limit"),
+        parse_quantity(options.time_limit, ("s",), "--time-limit"),
     )
-    if schedule.siblings is not None and not schedule.collect:
-        named = with_siblings(named, schedule.siblings, output)
+    if options.siblings is not None and not options.collect:
+        named = with_siblings(named, options.siblings, output)
     if not 1.0 <= limit <= 1e7:
-        raise InputError(f"--time-limit {schedule.time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
-    shard = None if schedule.shard is None else Shard.parse(schedule.shard)
-    if schedule.collect:
+        raise InputError(f"--time-limit {options.time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
+    shard = None if options.shard is None else Shard.parse(options.shard)
+    if options.collect:
         if shard is not None:
             raise InputError("--collect joins all shards; give it without --shard")
         outcomes = collect_batch(named, output)
@@ -155,7 +155,7 @@ def batch(
         count = sum(shard is None or shard.holds(name) for name, _ in named)
         with outcome.BatchProgress(count, quiet=quiet) as progress:
             outcomes = run_batch(
-                named, output, schedule.jobs, progress, program=debist, fail_fast=schedule.fail_fast,
+                named, output, options.jobs, progress, program=debist, fail_fast=options.fail_fast,
                 report=with_report, time_limit=limit, shard=shard,
             )  # fmt: skip
     outcome.emit_outcomes(outcomes, output, as_json=as_json)

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.fitting.descent import Prior
-from pipeline.fitting.population import Information, Population, Shrinkage, estimate_population
+from pipeline.fitting.population import Information, NormalPopulation, Shrinkage, estimate_population
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.prior import blocks_of
 from pipeline.numerics.arrays import FloatArray
@@ -56,7 +56,7 @@ def estimate_symmetric_population(
         What is believed without them; the covariance counts as that of half a joint.
     """
     both = [*joints, *(Information(image @ one.precision @ image.T, image @ one.vector) for one in joints)]
-    believed = Population(0.5 * (mean + image @ mean), 0.5 * (covariance + image @ covariance @ image.T))
+    believed = NormalPopulation(0.5 * (mean + image @ mean), 0.5 * (covariance + image @ covariance @ image.T))
     found = estimate_population(both, believed, Shrinkage(1.0, 1.0, np.inf))
     return found.mean, found.covariance
 

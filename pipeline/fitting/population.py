@@ -34,7 +34,7 @@ class Information(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Population:
+class NormalPopulation:
     """A normal distribution of θ.
 
     Attributes
@@ -82,20 +82,20 @@ class Oddity:
 
 
 def estimate_population(
-    members: Sequence[Information], prior: Population, shrinkage: Shrinkage | None = None, *,
-    start: Population | None = None, rounds: int = ROUNDS,
-) -> Population:  # fmt: skip
+    members: Sequence[Information], prior: NormalPopulation, shrinkage: Shrinkage | None = None, *,
+    start: NormalPopulation | None = None, rounds: int = ROUNDS,
+) -> NormalPopulation:  # fmt: skip
     """The population of which these are members.
 
     Parameters
     ----------
     members : sequence of Information
         Of N members.
-    prior : Population
+    prior : NormalPopulation
         What is believed without them; its covariance counts as `Shrinkage` has it, its mean as one member's.
     shrinkage : Shrinkage, optional
         How far the prior counts.
-    start : Population, optional
+    start : NormalPopulation, optional
         Where the estimation starts: the prior if left out.
     rounds : int
         Steps. Cost: 4 N P³ flops each.
@@ -117,7 +117,7 @@ def estimate_population(
     inverse = np.linalg.inv(covariance)
     shown = count * inverse - inverse @ np.linalg.inv(precisions + inverse).sum(axis=0) @ inverse
     moved = np.linalg.inv(shown + believed)  # the mean's scatter, none where no member shows anything
-    return Population(mean, _symmetric(covariance + moved @ shown @ moved))
+    return NormalPopulation(mean, _symmetric(covariance + moved @ shown @ moved))
 
 
 def _shrunk(seen: FloatArray, believed: FloatArray, count: int, by: Shrinkage) -> FloatArray:
@@ -143,15 +143,15 @@ def _variance_within(cut: float) -> float:
 
 
 def without_each(
-    members: Sequence[Information], prior: Population, whole: Population, shrinkage: Shrinkage | None = None
-) -> Iterator[Population]:
+    members: Sequence[Information], prior: NormalPopulation, whole: NormalPopulation, shrinkage: Shrinkage | None = None
+) -> Iterator[NormalPopulation]:
     """For each member the population of all the others; `whole` is that of all. Cost: `MORE_ROUNDS` steps for each."""
     for i in range(len(members)):
         others = [*members[:i], *members[i + 1 :]]
         yield estimate_population(others, prior, shrinkage, start=whole, rounds=MORE_ROUNDS)
 
 
-def log_evidence(member: Information, population: Population) -> float:
+def log_evidence(member: Information, population: NormalPopulation) -> float:
     """Logarithm of the probability of a member's logs, but for a constant of the logs."""
     inverse = np.linalg.inv(population.covariance)
     right = member.vector + inverse @ population.mean
@@ -160,7 +160,7 @@ def log_evidence(member: Information, population: Population) -> float:
     return 0.5 * float(quadratic + np.linalg.slogdet(inverse)[1] - np.linalg.slogdet(whole)[1])
 
 
-def oddity(member: Information, others: Population, count: int) -> Oddity:
+def oddity(member: Information, others: NormalPopulation, count: int) -> Oddity:
     """What of a member is odd beside `count` others.
 
     The score of one entry of θ, moved alone, over its standard deviation, which Student's t with count − 1 degrees of

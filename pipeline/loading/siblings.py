@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.fitting.population import Population
+from pipeline.fitting.population import NormalPopulation
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.trees import read_tree
@@ -31,7 +31,7 @@ def read_siblings(path: Path) -> dict[str, Any]:
     return tree
 
 
-def siblings_of(run: RunFolder, parameters: "JointParameters | None") -> Population:
+def siblings_of(run: RunFolder, parameters: "JointParameters | None") -> NormalPopulation:
     """What siblings teach, as the run holds it.
 
     Raises

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.fitting.population import Population
+from pipeline.fitting.population import NormalPopulation
 from pipeline.loading.device import device
 from pipeline.loading.parts import parts, with_parts
 from pipeline.models.kind import KnownCurves, Training
@@ -42,7 +42,7 @@ class PriorKnowledge:
     """What is known beside the logs: measured characteristic curves, and what siblings teach."""
 
     curves: Table | None = None
-    siblings: Population | None = None
+    siblings: NormalPopulation | None = None
 
 
 def training(

@@ -6,7 +6,7 @@ import pytest
 from pipeline.fitting.population import (
     FALSE_ALARMS,
     Information,
-    Population,
+    NormalPopulation,
     estimate_population,
     log_evidence,
     oddity,
@@ -15,7 +15,7 @@ from pipeline.fitting.population import (
 from pipeline.numerics.arrays import FloatArray
 
 COUNT = 20
-PRIOR = Population(np.zeros(COUNT), np.eye(COUNT))
+PRIOR = NormalPopulation(np.zeros(COUNT), np.eye(COUNT))
 SPREAD = np.where(np.arange(COUNT) < 12, 0.2, 1.0)
 MEAN = np.where(np.arange(COUNT) < 12, 0.7, 0.0)
 

@@ -10,7 +10,7 @@ from pipeline.device_parameters import NOMINAL, JointParameters
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.fitting.descent import ParallelDescent, Prior
 from pipeline.fitting.homotopy import Callbacks, HomotopyFit, Level, Schedule, fit_homotopy
-from pipeline.fitting.population import Population
+from pipeline.fitting.population import NormalPopulation
 from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
 from pipeline.fitting.regression import basis_centres, basis_width
 from pipeline.models.hybrid import parameters as condensed_parameters
@@ -77,7 +77,7 @@ def identify_hybrid(
     *,
     similarity: Similarity = SAME,
     corrections: Literal["auto", "none", "always"] = "auto",
-    siblings: Population | None = None,
+    siblings: NormalPopulation | None = None,
     keep: Keep = make_anew,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
@@ -96,7 +96,7 @@ def identify_hybrid(
         The device in units of the set's joint.
     corrections : {"auto", "none", "always"}
         Whether corrections are fitted, and kept: as above, or never, or whatever they do on the rest of the logs.
-    siblings : Population, optional
+    siblings : NormalPopulation, optional
         The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`).
     keep : callable
         Keeps each level that is finished.
@@ -185,7 +185,7 @@ class _Search:
 
     records: tuple[Record, ...]
     keep: Keep
-    siblings: Population | None = None
+    siblings: NormalPopulation | None = None
 
     @property
     def usual(self) -> "_Search":

@@ -10,8 +10,8 @@ from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointP
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.fitting.population import (
     Information,
+    NormalPopulation,
     Oddity,
-    Population,
     estimate_population,
     log_evidence,
     oddity,
@@ -76,7 +76,7 @@ class Odd:
 
 
 @dataclass(frozen=True)
-class Quantity:
+class LearntQuantity:
     """What is known of one deviation: mean and spread of the next joint, and that spread over the prior's."""
 
     name: str
@@ -92,9 +92,9 @@ class Learnt:
 
     Attributes
     ----------
-    population : Population
+    population : NormalPopulation
         Of the deviations, in prior standard deviations.
-    quantities : tuple of Quantity
+    quantities : tuple of LearntQuantity
         The best known first.
     odd : tuple of Odd
         Odd siblings; of usual ones at most `pipeline.fitting.population.FALSE_ALARMS` are called so.
@@ -102,16 +102,16 @@ class Learnt:
         For each sibling the log-evidence [nats] of its logs under what the others teach, less that under the prior.
     """
 
-    population: Population
-    quantities: tuple[Quantity, ...]
+    population: NormalPopulation
+    quantities: tuple[LearntQuantity, ...]
     odd: tuple[Odd, ...]
     gains: dict[str, float]
 
 
-def usual_prior() -> Population:
+def usual_prior() -> NormalPopulation:
     """The prior of a joint without siblings."""
     root = prior_root(0)
-    return Population(np.zeros(len(NAMES)), np.asarray(np.linalg.inv(root.T @ root), dtype=np.float64))
+    return NormalPopulation(np.zeros(len(NAMES)), np.asarray(np.linalg.inv(root.T @ root), dtype=np.float64))
 
 
 def information_of(model: HybridModel) -> Information:
@@ -184,10 +184,10 @@ def _odd(name: str, outlier: Oddity) -> Odd:
     return Odd(name, title(outlier.entry), size, error, deviation.unit)
 
 
-def _quantities(population: Population, prior: Population) -> tuple[Quantity, ...]:
+def _quantities(population: NormalPopulation, prior: NormalPopulation) -> tuple[LearntQuantity, ...]:
     spread, before = (np.sqrt(np.diag(each.covariance)) for each in (population, prior))
     rows = [
-        Quantity(
+        LearntQuantity(
             title(i), float(population.mean[i] * entry.prior_std), float(spread[i] * entry.prior_std),
             "logarithm" if entry.logarithm else entry.unit, float(spread[i] / before[i]),
         )
@@ -208,7 +208,7 @@ def to_tree(learnt: Learnt, parameters: JointParameters, origins: Mapping[str, s
     }
 
 
-def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, Population, Sequence[str]]:
+def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulation, Sequence[str]]:
     """The parameter set, the population and the names of the siblings, from what was filed.
 
     Raises
@@ -224,4 +224,4 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, Population, Seq
             "the siblings are of another version of debist, or no covariance; run `debist fleet learn` again"
         )
     names = str(file.diagnostics.get("siblings", "")).split(" | ")
-    return NOMINAL.with_values(file.parameters), Population(file.mean, file.covariance), names
+    return NOMINAL.with_values(file.parameters), NormalPopulation(file.mean, file.covariance), names

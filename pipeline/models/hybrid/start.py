@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.device_parameters import JointParameters
-from pipeline.fitting.population import Population
+from pipeline.fitting.population import NormalPopulation
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES, INDEX
 from pipeline.models.hybrid.parameters import NAMES
@@ -175,7 +175,9 @@ _MIRRORED = ((0, -1.0), (1, 1.0), (3, -1.0), (2, -1.0), (4, -1.0), (5, 1.0), (7,
 """Of each row of the corrections' weights the row at −q that is its mirror image, and the sign."""
 
 
-def prior_root(centres: int, rows: Sequence[int] = range(CURVES), siblings: Population | None = None) -> FloatArray:
+def prior_root(
+    centres: int, rows: Sequence[int] = range(CURVES), siblings: NormalPopulation | None = None
+) -> FloatArray:
     """Matrix A of the prior ‖A (θ − m)‖²/2 of deviations and corrections, both in widths, shape (P, P).
 
     Parameters
@@ -184,7 +186,7 @@ def prior_root(centres: int, rows: Sequence[int] = range(CURVES), siblings: Popu
         Number of Gaussians of each correction, symmetric about q = 0.
     rows : sequence of int
         The corrections whose weights θ holds, rows of `pipeline.models.hybrid.kernels.CURVES`.
-    siblings : Population, optional
+    siblings : NormalPopulation, optional
         Of the deviations, where joints of the same drawing are known.
     """
     covariance = np.eye(len(NAMES) + CURVES * centres)
