@@ -97,7 +97,8 @@ def identify_hybrid(
     corrections : {"auto", "none", "always"}
         Whether corrections are fitted, and kept: as above, or never, or whatever they do on the rest of the logs.
     siblings : NormalPopulation, optional
-        The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`).
+        The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`), and
+        the first parts of the logs predict the rest better with it.
     keep : callable
         Keeps each level that is finished.
 
@@ -123,7 +124,7 @@ def identify_hybrid(
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     search = _Search(tuple(similarity.set_record(record) for record in records), keep, siblings).within(MOST_SAMPLES)
-    levels, fits = _first_fits(search, parameters, corrections)
+    search, levels, fits, decision = _first_fits(search, parameters, corrections)
     held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
     harmful_ratio = np.inf if corrections == "always" else HARMFUL_RATIO
     helpful = WITH_RBF in held and held[WITH_RBF][0] < harmful_ratio * held[ALONE][0]
@@ -146,7 +147,8 @@ def identify_hybrid(
         search.curve_spread(joint, final),
         _report((*levels, *final.levels), final, similarity)
         | {"held_share": search.held_share(joint, final.theta)}
-        | {"ablation": {name: free for name, (_, free) in held.items()}},
+        | {"ablation": {name: free for name, (_, free) in held.items()}}
+        | decision,
         early=judged,
     )
 
@@ -157,13 +159,23 @@ Fitted = tuple[CondensedJoint, HomotopyFit]
 
 def _first_fits(
     search: "_Search", parameters: JointParameters, corrections: str
-) -> tuple[tuple[Level, ...], dict[str, Fitted]]:
-    """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted."""
+) -> tuple["_Search", tuple[Level, ...], dict[str, Fitted], dict[str, Any]]:
+    """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted.
+
+    Siblings are set aside in the search that is given back where the rest of the logs is predicted better without them.
+    """
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
     first = search.early.usual.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
     alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+    decision: dict[str, Any] = {}
+    if search.siblings is not None:
+        without = search.usual.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+        errors = [search.held_out(plain, fit.theta)[1] if fit.levels else np.inf for fit in (alone, without)]
+        decision = {"siblings_held_out": dict(zip(("with", "without"), map(_finite, errors), strict=True))}
+        if errors[1] <= errors[0]:
+            search, alone = search.usual, without
     if not alone.levels:
         raise DataRefusedError(_FOLLOWS_NOT)
     fits = {ALONE: (plain, alone)}
@@ -171,7 +183,12 @@ def _first_fits(
         joint = replace(plain, centres=BASIS_FUNCTIONS)
         start = _extended(joint, first.theta)
         fits[WITH_RBF] = joint, search.early.fit(joint, start, CORRECTED, last=EARLY_STEPS)
-    return (*first.levels, *alone.levels), fits
+    return search, (*first.levels, *alone.levels), fits, decision
+
+
+def _finite(error: float) -> float:
+    """An error for a file, which holds no infinite number: 1 is the whole operating range."""
+    return float(min(error, 1.0))
 
 
 def _displacements(records: Sequence[Record]) -> FloatArray:
@@ -220,6 +237,7 @@ class _Search:
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
         name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
+        name += "" if self.siblings is None else ", with siblings"
         problem = CondensedProblem(joint, self.records)
         return fit_homotopy(
             problem, start, self.prior(len(start)), Schedule(poles, steps, last, noise_inflation=NOISE_INFLATION),
