@@ -162,8 +162,8 @@ class Plant(_Settings):
     """CSV file of characteristic curves measured on a test stand, which `rbf` keeps while it learns
     the friction: columns "q [mm]" and any of "F [N]", "dC1_dq [nF/m]", "dC2_dq [nF/m]"; needs mass."""
     siblings: str | None = None
-    """File of `debist fleet learn`: what joints of the same drawing teach this one, the prior of `hybrid` where held-out
-    training data speak for it; needs the parameter set of those joints in `parameters`."""
+    """File of `debist fleet learn`: what joints of the same drawing teach this one. It is the prior of `hybrid` where
+    held-out training data speak for it, and needs the parameter set of those joints in `parameters`."""
     film_thickness: Quantity = Quantity(value=FILM_THICKNESS, unit="µm")
     """Thickness of the undeformed film between the electrodes of the joint."""
     field_limit: Quantity = Quantity(value=FIELD_LIMIT, unit="V/µm")
