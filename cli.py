@@ -11,7 +11,7 @@ from typing import Annotated
 
 import typer
 
-from pipeline.commands import control, integrity, outcome, physics, raw_logs, results, rig, stages, whole_run
+from pipeline.commands import control, fleet, integrity, outcome, physics, raw_logs, results, rig, stages, whole_run
 from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.console import Json, Quiet, Report, emit_json
 from pipeline.commands.inspection import check
@@ -31,6 +31,7 @@ app = Program(
 )
 
 app.add_typer(control.app, name="control")
+app.add_typer(fleet.app, name="fleet")
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(results.study, name="study")
@@ -95,7 +96,7 @@ def debist(arguments: list[str]) -> None:
 
 
 @dataclass(frozen=True)
-class Schedule:
+class BatchOptions:
     """Which prototypes of a batch run, and how."""
 
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 1
@@ -107,6 +108,9 @@ class Schedule:
         str | None,
         typer.Option("--shard", metavar="I/N", help="Only part I of N, from 1; which one is decided by the name."),
     ] = None
+    siblings: Annotated[
+        Path | None, typer.Option("--siblings", metavar="FILE", help="Prior of `debist fleet learn` for all of them.")
+    ] = None
     time_limit: Annotated[
         str, typer.Option("--time-limit", help="Wall time after which a prototype is stopped and has failed.")
     ] = "4 h"
@@ -115,9 +119,11 @@ class Schedule:
 @app.command()
 @with_options
 def batch(
-    fleet: Annotated[list[Path], typer.Argument(metavar="FLEET...", help="Settings files, folders, or a fleet file.")],
+    prototypes: Annotated[
+        list[Path], typer.Argument(metavar="FLEET...", help="Settings files, folders, or a fleet file.")
+    ],
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the runs and the tables.")],
-    schedule: Schedule,
+    options: BatchOptions,
     with_report: Report = True,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -129,16 +135,19 @@ def batch(
     """
     from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
     from pipeline.batch.journal import Shard
+    from pipeline.batch.matrix import with_siblings
     from pipeline.units import parse_quantity
 
     named, limit = (
-        named_prototypes(prototype_files(fleet)),
-        parse_quantity(schedule.time_limit, ("s",), "--time-limit"),
+        named_prototypes(prototype_files(prototypes)),
+        parse_quantity(options.time_limit, ("s",), "--time-limit"),
     )
+    if options.siblings is not None and not options.collect:
+        named = with_siblings(named, options.siblings, output)
     if not 1.0 <= limit <= 1e7:
-        raise InputError(f"--time-limit {schedule.time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
-    shard = None if schedule.shard is None else Shard.parse(schedule.shard)
-    if schedule.collect:
+        raise InputError(f"--time-limit {options.time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
+    shard = None if options.shard is None else Shard.parse(options.shard)
+    if options.collect:
         if shard is not None:
             raise InputError("--collect joins all shards; give it without --shard")
         outcomes = collect_batch(named, output)
@@ -146,7 +155,7 @@ def batch(
         count = sum(shard is None or shard.holds(name) for name, _ in named)
         with outcome.BatchProgress(count, quiet=quiet) as progress:
             outcomes = run_batch(
-                named, output, schedule.jobs, progress, program=debist, fail_fast=schedule.fail_fast,
+                named, output, options.jobs, progress, program=debist, fail_fast=options.fail_fast,
                 report=with_report, time_limit=limit, shard=shard,
             )  # fmt: skip
     outcome.emit_outcomes(outcomes, output, as_json=as_json)

@@ -15,9 +15,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 from measure import Silent
-from population_estimate import Information, estimate_population, information_of, write_population
+from population_estimate import estimate_symmetric_population, information_of, write_population
 
 from pipeline.fitting.homotopy import COUPLED
+from pipeline.fitting.population import Information
 from pipeline.loading.trajectories import training, training_tables
 from pipeline.models.rbf.candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
 from pipeline.models.rbf.identify import identify_rbf
@@ -86,7 +87,7 @@ def main() -> None:
             fits.append(fit)
     layouts, joints, means, covariances = zip(*fits, strict=True)
     start = np.mean(means, axis=0), np.linalg.inv(np.mean([np.linalg.inv(each) for each in covariances], axis=0))
-    mean, covariance = estimate_population(joints, mirror_image(layouts[0]), *start)
+    mean, covariance = estimate_symmetric_population(joints, mirror_image(layouts[0]), *start)
     write_population(given.output, layouts[0], mean, covariance)
     print(f"{len(fits)} joints, {len(mean)} parameters: {given.output}")
 

@@ -227,6 +227,9 @@ class Plant(_Settings):
     curves: str | None = None
     """CSV file of characteristic curves measured on a test stand, which `rbf` keeps while it learns
     the friction: columns "q [mm]" and any of "F [N]", "dC1_dq [nF/m]", "dC2_dq [nF/m]"; needs mass."""
+    siblings: str | None = None
+    """File of `debist fleet learn`: what joints of the same drawing teach this one. It is the prior of `hybrid` where
+    held-out training data speak for it, and needs the parameter set of those joints in `parameters`."""
     film_thickness: Quantity = Quantity(value=FILM_THICKNESS, unit="µm")
     """Thickness of the undeformed film between the electrodes of the joint."""
     field_limit: Quantity = Quantity(value=FIELD_LIMIT, unit="V/µm")
@@ -454,6 +457,8 @@ class Prototype(_Settings):
                 "plant.parameters: the joint has two squared inputs; name v1 and v2 in [channels], or leave the set "
                 "out for another device"
             )
+        if self.plant.siblings is not None and self.plant.parameters is None:
+            raise ValueError("plant.siblings: siblings are joints of one drawing; give plant.parameters too")
         if self.plant.curves is not None and self.plant.mass is None:
             raise ValueError("plant.curves: measured forces move a known mass only; give plant.mass")
         return self

@@ -201,7 +201,7 @@ def named_prototypes(prototypes: Sequence[Path]) -> list[tuple[str, Path]]:
             name = load_prototype(path).folder
         except DebistError:
             name = slug(path.stem)  # its own run fails with the reason
-        if name.casefold() in FLEET_FILES or JOURNAL.fullmatch(name.casefold()):
+        if name.casefold() in (*FLEET_FILES, "settings") or JOURNAL.fullmatch(name.casefold()):
             raise InputError(f"{path}: {name!r} is the name of a file of the fleet; name the prototype otherwise")
         for other in named:
             if name.casefold() == other.casefold():

@@ -26,10 +26,10 @@ State = Literal["started", "done", "up to date", "failed", "not started"]
 
 
 class Shard(NamedTuple):
-    """One of `count` parts of a fleet, counted from 1."""
+    """One of `of` parts of a fleet, counted from 1."""
 
     number: int = 1
-    count: int = 1
+    of: int = 1
 
     @classmethod
     def parse(cls, text: str) -> "Shard":
@@ -45,13 +45,13 @@ class Shard(NamedTuple):
         return cls(*part)
 
     def holds(self, name: str) -> bool:
-        """Whether the prototype `name` belongs to it: this depends on name and count alone, not on the other names."""
-        return part_holds(self.number, self.count, name)
+        """Whether the prototype `name` belongs to it, which depends on no other name."""
+        return part_holds(self.number, self.of, name)
 
     @property
     def journal(self) -> str:
         """Name of its journal."""
-        return f"batch-{self.number}-of-{self.count}.jsonl"
+        return f"batch-{self.number}-of-{self.of}.jsonl"
 
 
 class BatchObserver(Protocol):

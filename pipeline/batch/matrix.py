@@ -1,4 +1,4 @@
-"""A matrix of settings: one prototype with every combination of some values, as settings files of a batch."""
+"""Settings files that a batch writes: every combination of some values of one prototype, or siblings for all."""
 
 import copy
 import itertools
@@ -11,11 +11,13 @@ from typing import Any
 
 from pipeline.errors import InputError
 from pipeline.loading.report_data import load_scores
+from pipeline.loading.siblings import read_siblings
+from pipeline.names import slug
 from pipeline.runs.atomic import write_text
 from pipeline.settings import parse_prototype, read_document
 
 FOLDER = "settings"
-"""Where the settings files of a matrix lie, in the folder of its runs."""
+"""Where these files lie, in the folder of the runs."""
 
 LARGEST = 1000
 """Combinations that a matrix may have."""
@@ -68,12 +70,39 @@ def write_matrix(prototype_file: Path, sets: Sequence[str], output: Path) -> lis
         named["name"] = f"{document['name']}-{number:0{digits}d}"
         parse_prototype(named, "--set " + " ".join(f"{key}={value}" for key, value in values.items()))
         documents.append(named)
-    variants = []
-    for values, named in zip(combinations, documents, strict=True):
-        path = output / FOLDER / f"{named['name']}.toml"
-        write_text(path, "".join(f"{key} = {_toml(value)}\n" for key, value in named.items()), within=output)
-        variants.append(Variant(named["name"], path, values))
-    return variants
+    return [
+        Variant(named["name"], _write(output, slug(named["name"]), named), values)
+        for values, named in zip(combinations, documents, strict=True)
+    ]
+
+
+def with_siblings(named: Sequence[tuple[str, Path]], siblings: Path, output: Path) -> list[tuple[str, Path]]:
+    """The prototypes with `siblings` in their settings, which are written into ``settings/`` of `output`.
+
+    One whose settings cannot be read stays as it is, and fails alone.
+
+    Raises
+    ------
+    InputError
+        There is no such file, or it is none of siblings.
+    """
+    read_siblings(siblings)
+    changed = []
+    for name, path in named:
+        try:
+            document = _anchored(read_document(path), path.resolve().parent)
+            document = _with(document, {"plant.siblings": str(siblings.resolve())})
+            parse_prototype(document, str(path))
+            changed.append((name, _write(output, name, document)))
+        except InputError:
+            changed.append((name, path))
+    return changed
+
+
+def _write(output: Path, name: str, document: Mapping[str, Any]) -> Path:
+    path = output / FOLDER / f"{name}.toml"
+    write_text(path, "".join(f"{key} = {_toml(value)}\n" for key, value in document.items()), within=output)
+    return path
 
 
 def matrix_rows(runs: Mapping[str, Path], variants: Sequence[Variant]) -> list[dict[str, Any]]:

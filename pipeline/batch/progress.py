@@ -89,7 +89,7 @@ def fleet_progress(output: Path) -> FleetProgress:
     running = {member.name for member in members if member.state == "running"}
     ends = [end for journal in kept if (end := _expected_end(journal, running, time))]
     of_newest = _newest(kept)
-    shards = of_newest[0].shard.count if of_newest else 0
+    shards = of_newest[0].shard.of if of_newest else 0
     return FleetProgress(members, max(ends, default=None), shards, len(of_newest))
 
 
@@ -97,7 +97,7 @@ def _newest(kept: Iterable[Journal]) -> list[Journal]:
     """The journals of the batch that was begun last: another one may have had another count of shards."""
     by_count: dict[int, list[Journal]] = {}
     for journal in kept:
-        by_count.setdefault(journal.shard.count, []).append(journal)
+        by_count.setdefault(journal.shard.of, []).append(journal)
     return max(by_count.values(), key=_last_time, default=[])
 
 

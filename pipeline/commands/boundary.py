@@ -29,7 +29,7 @@ ORDER = (
     "demo", "init", "inspect", "check", "run",
     "ingest", "differentiate", "identify", "validate", "compare", "report",
     "show", "plot", "status", "verify", "repair", "sign", "diff",
-    "batch", "study", "export", "paper", "control", "rig", "physics", "warmup",
+    "batch", "fleet", "study", "export", "paper", "control", "rig", "physics", "warmup",
 )  # fmt: skip
 
 

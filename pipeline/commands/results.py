@@ -26,6 +26,9 @@ _LONGEST = 60
 def diff(
     runs: Annotated[list[Path], typer.Argument(metavar="RUN...", help="Two or more run folders.")],
     form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
+    page: Annotated[
+        Path | None, typer.Option("--page", metavar="FILE", help="Write a page with curves and free runs, too (.html).")
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """Runs side by side: only what differs in settings, versions, raw logs, scores, facts of the device and artifacts.
@@ -33,11 +36,15 @@ def diff(
     NRMSE in percent, a fraction in JSON and CSV; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
-    from pipeline.tools.diff import diff_runs
+    from pipeline.reporting.diff_page import DiffTable
+    from pipeline.tools.diff import diff_runs, write_diff_page
 
     if len(runs) < 2:
         raise InputError(f"{runs[0]}: name a second run to compare it with")
     different = diff_runs(runs)
+    if page is not None:
+        tables = [DiffTable(title, head, rows) for title, head, rows in _difference_tables(different) if rows]
+        write_diff_page(runs, different.names, tables, page)
     if as_json:
         emit_json(asdict(different) | {"equal": different.equal})
     elif form == "csv":
@@ -77,15 +84,20 @@ def emit_matrix(rows: "Sequence[dict[str, Any]]", *, as_json: bool) -> None:
     )
 
 
-def _emit_differences(runs: "RunDifferences") -> None:
-    """Print what differs, table by table."""
-    tables = (
+def _difference_tables(runs: "RunDifferences") -> "list[tuple[str, str, list[tuple[str, ...]]]]":
+    """Title, heading of the keys, and rows of texts of each part."""
+    return [
         ("settings", "key", [(row.key, *map(_text, row.values)) for row in runs.settings]),
         ("versions", "package", [(row.key, *map(_text, row.values)) for row in runs.versions]),
         ("raw logs (SHA-256)", "log", [(row.key, *map(_text, row.values)) for row in runs.sources]),
         ("NRMSE of free runs", "log · model · signal", [(row.key, *map(percent, row.values)) for row in runs.scores]),
         ("facts", "fact", [(row.key, *map(_text, row.values)) for row in runs.facts]),
-    )
+    ]
+
+
+def _emit_differences(runs: "RunDifferences") -> None:
+    """Print what differs, table by table."""
+    tables = _difference_tables(runs)
     for title, head, rows in tables:
         if rows:
             emit_table(

@@ -1,10 +1,12 @@
 """Kinematics tables as the trajectories and records that identification works on, and the voltages that drive them."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.fitting.population import NormalPopulation
 from pipeline.loading.device import device
 from pipeline.loading.parts import parts, with_parts
 from pipeline.models.kind import KnownCurves, Training
@@ -35,11 +37,19 @@ _FARTHER = 0.1
 """Share of the range of q that nothing but a log's first samples shows, from which they are kept."""
 
 
+@dataclass(frozen=True)
+class PriorKnowledge:
+    """What is known beside the logs: measured characteristic curves, and what siblings teach."""
+
+    curves: Table | None = None
+    siblings: NormalPopulation | None = None
+
+
 def training(
     tables: Sequence[Table],
     prototype: Prototype,
     parameters: "JointParameters | None",
-    known: Table | None = None,
+    prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
     keep: Keep = make_anew,
 ) -> Training:
@@ -53,14 +63,14 @@ def training(
         Settings.
     parameters : JointParameters or None
         Parameter set of the analytical joint.
-    known : Table, optional
-        Measured characteristic curves.
+    prior_knowledge : PriorKnowledge, optional
+        What is known beside the logs.
     on_progress : callable
         Told what a fit is doing.
     keep : callable
         Keeps what a fit has finished.
     """
-    plant = device(prototype)
+    plant, beside = device(prototype), prior_knowledge or PriorKnowledge()
     return Training(
         stretches=tuple(stretch for table in tables for stretch in trajectories(table)),
         records=tuple(record(part) for part in _long_enough([part for table in tables for part in parts(table)])),
@@ -68,7 +78,8 @@ def training(
         inputs=plant.action,
         known_mass=plant.known_mass,
         parameters=parameters,
-        known_curves=None if known is None else _known_curves(known, len(plant.inputs)),
+        known_curves=None if beside.curves is None else _known_curves(beside.curves, len(plant.inputs)),
+        siblings=beside.siblings,
         identify=prototype.identify,
         compare=prototype.compare,
         log_units=(plant.displacement.factor, plant.inputs[0].factor),

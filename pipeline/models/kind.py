@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.fitting.population import NormalPopulation
 from pipeline.model_list import ENTRIES, entry
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
@@ -111,6 +112,8 @@ class Training:
         Units of the log for q and the inputs, in SI.
     inputs_before : {"auto", "first", "zero"}
         What the inputs were before a log.
+    siblings : NormalPopulation or None
+        Prior of the deviations of `hybrid` from joints of the same drawing.
     on_progress : callable
         Called with the step of a fit, and the share of its time limit that is spent.
     keep : callable
@@ -128,6 +131,7 @@ class Training:
     compare: Compare
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
+    siblings: NormalPopulation | None = None
     on_progress: OnProgress = silent
     keep: Keep = make_anew
 

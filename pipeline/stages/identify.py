@@ -14,7 +14,8 @@ from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
 from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.trajectories import sources, training, training_tables
+from pipeline.loading.siblings import siblings_of
+from pipeline.loading.trajectories import PriorKnowledge, sources, training, training_tables
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, kind
 from pipeline.numerics.progress import Keep, OnProgress, kept_under, make_anew, silent
@@ -42,7 +43,7 @@ def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Ta
     """One task for all identified models: they share `model.h5`."""
     settings = {
         "identify": prototype.identify.model_dump(mode="json"),
-        "plant": prototype.plant.model_dump(mode="json", exclude=FILM),
+        "plant": prototype.plant.model_dump(mode="json", exclude=FILM | {"siblings"}),
         "parameters": parameter_values(parameters),
         **accepted_settings(prototype.quality, get_args(TrainingGate)),
     }
@@ -72,7 +73,7 @@ def _identify(
 ) -> dict[str, Written]:
     plant, data = device(prototype), training_tables(run, prototype)
     models, notes = identified(
-        data, prototype, parameters, known_table(run, prototype), on_progress, run.checkpoints().keep
+        data, prototype, parameters, prior_knowledge_of(run, prototype, parameters), on_progress, run.checkpoints().keep
     )
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
@@ -89,7 +90,7 @@ def identified(
     data: list[Table],
     prototype: Prototype,
     parameters: "JointParameters | None",
-    known_curves: Table | None = None,
+    prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
     keep: Keep = make_anew,
 ) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
@@ -111,7 +112,7 @@ def identified(
     notes: dict[str, Any] = {"warnings": list(remarks), "accepted": accepted}
     models: dict[str, StoredModel] = {}
     beside: dict[str, StoredModel] = {}
-    whole = training(data, prototype, parameters, known_curves, on_progress)
+    whole = training(data, prototype, parameters, prior_knowledge, on_progress)
     for wanted in prototype.identify.models:
         if wanted in notes.get(IDENTIFIED, ()):  # it was chosen already
             continue
@@ -201,10 +202,21 @@ def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
 
 
 def known_inputs(prototype: Prototype) -> tuple[str, ...]:
-    """The artifact of the curves that the fit keeps, if the settings name them."""
-    return () if prototype.plant.curves is None else (layout.KNOWN_CURVES,)
+    """The artifacts of what the settings name beside the logs: curves that the fit keeps, and siblings."""
+    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.plant.siblings, layout.SIBLINGS))
+    return tuple(artifact for name, artifact in named if name is not None)
 
 
-def known_table(run: RunFolder, prototype: Prototype) -> Table | None:
-    """The curves that the fit keeps."""
-    return next((run.read_table(name) for name in known_inputs(prototype)), None)
+def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: "JointParameters | None") -> PriorKnowledge:
+    """What is known beside the logs.
+
+    Raises
+    ------
+    InputError
+        The siblings have another parameter set.
+    """
+    named = known_inputs(prototype)
+    return PriorKnowledge(
+        run.read_table(layout.KNOWN_CURVES) if layout.KNOWN_CURVES in named else None,
+        siblings_of(run, parameters) if layout.SIBLINGS in named else None,
+    )

@@ -17,7 +17,18 @@ from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.settings import Prototype, load_prototype
-from pipeline.stages import check, compare, differentiate, identify, ingest, measured_curves, report, scores, validate
+from pipeline.stages import (
+    check,
+    compare,
+    differentiate,
+    identify,
+    ingest,
+    measured_curves,
+    report,
+    scores,
+    siblings,
+    validate,
+)
 from pipeline.stages.run_place import Place, before_any_work, edited, place_of, run_folder
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
@@ -54,7 +65,11 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
 
 def _reading_tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """The tasks that read raw files."""
-    return [*ingest.tasks(prototype, prototype_file), *measured_curves.tasks(prototype, prototype_file)]
+    beside = (measured_curves, siblings)
+    return [
+        *ingest.tasks(prototype, prototype_file),
+        *(t for each in beside for t in each.tasks(prototype, prototype_file)),
+    ]
 
 
 def run_prototype(

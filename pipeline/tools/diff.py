@@ -2,13 +2,22 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from pipeline.loading.device import device
+from pipeline.loading.held_models import identified_models
+from pipeline.loading.run_models import load_run_model
+from pipeline.loading.trajectories import training_tables
+from pipeline.models.base import HasCurves
 from pipeline.names import log_title
+from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.diff_page import CURVES, DiffTable, DrawnRun, diff_page
 from pipeline.runs import layout
+from pipeline.runs.atomic import write_text
 from pipeline.runs.comparison import Comparison, RunDifferences, changes, compared_columns, plain_numbers
 from pipeline.runs.hashing import flatten
 from pipeline.runs.run_folder import RunFolder, in_snapshot
@@ -86,3 +95,40 @@ def _facts(run: RunFolder) -> dict[str, dict[str, Any]]:
         "scores": {f"{log_title(r['role'], r['log'])} · {r['model']} · {r['signal']}": r["nrmse"] for r in rows},
         "facts": {f"{fact['key']} [{fact['unit']}]": fact["value"] for fact in sheet["facts"]},
     }
+
+
+CURVE_PLACES = 201
+"""Places along q at which curves are drawn."""
+
+
+def write_diff_page(roots: Sequence[Path], names: Sequence[str], tables: Sequence[DiffTable], target: Path) -> None:
+    """Write the page of some runs with what differs, their curves and their free runs.
+
+    Raises
+    ------
+    DebistError
+        What is drawn cannot be read, or the page not be written.
+    """
+    drawn = [in_snapshot(root, partial(_drawn, name)) for root, name in zip(roots, names, strict=True)]
+    write_text(target, diff_page(names, tables, drawn))
+
+
+def _drawn(name: str, run: RunFolder) -> DrawnRun:
+    prototype = run.prototype
+    plant, q, curves = device(prototype), np.zeros(0), dict[str, FloatArray]()
+    headline = identified_models(run, prototype)[0]
+    if layout.MODELS in run.manifest.artifacts:
+        model, tables = load_run_model(run, prototype), training_tables(run, prototype)
+        displacements = np.concatenate([table["q"] for table in tables])
+        q = np.linspace(np.nanmin(displacements), np.nanmax(displacements), CURVE_PLACES)
+        if isinstance(model, HasCurves):
+            curves = {key: curve for key, curve in model.curves(q).items() if key in CURVES}
+    units = {key: plant.curve_units["dC" if key.startswith("dC") else key] for key in curves}
+    logs = {}
+    for role, log, _ in layout.logs(prototype):
+        simulated = layout.predictions(role, log, headline)
+        if simulated in run.manifest.artifacts:
+            source = ", ".join(run.record(layout.record(role, log)).recipe.inputs.values())
+            motion, free = run.read_table(layout.kinematics(role, log)), run.read_table(simulated)
+            logs[log_title(role, log), source] = motion["t"], motion["q"], free["q"]
+    return DrawnRun(name, plant.displacement.symbol, q, curves, units, logs)

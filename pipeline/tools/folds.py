@@ -14,7 +14,7 @@ from pipeline.isolation import in_processes
 from pipeline.loading.device import device
 from pipeline.loading.held_models import identified_models
 from pipeline.loading.parameter_sets import parameter_set, parameter_values
-from pipeline.loading.trajectories import load_motion, sources, training, trajectories
+from pipeline.loading.trajectories import PriorKnowledge, load_motion, sources, training, trajectories
 from pipeline.models.kind import kind
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
@@ -151,7 +151,14 @@ def _work(
     numbers = deal([table["segment"] for table in tables], split.count)
     data = _stretches(tables)
     wells = wells_of(tables, joint=device(prototype).joint)
-    judge = _Judge(prototype, parameters, model, signal_ranges(data), wells, identify.known_table(run, prototype))
+    judge = _Judge(
+        prototype,
+        parameters,
+        model,
+        signal_ranges(data),
+        wells,
+        identify.prior_knowledge_of(run, prototype, parameters),
+    )
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
 
@@ -186,7 +193,7 @@ class _Judge:
     model: str
     ranges: Mapping[str, float]
     wells: "Wells | NoWells"
-    known: Table | None
+    prior_knowledge: PriorKnowledge
 
     def __call__(self, cut: tuple[list[Table], list[Table]]) -> tuple[dict[str, Any], str, float]:
         """Row of the table, why it was refused, processor time of the fit [s]."""
@@ -211,7 +218,7 @@ class _Judge:
         return row, "", seconds
 
     def _fit(self, tables: list[Table]) -> Any:
-        return kind(self.model).fit(training(tables, self.prototype, self.parameters, self.known))
+        return kind(self.model).fit(training(tables, self.prototype, self.parameters, self.prior_knowledge))
 
 
 def _stretches(tables: Sequence[Table], *, fine: bool = False) -> "list[Trajectory]":

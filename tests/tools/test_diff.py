@@ -80,3 +80,20 @@ def test_a_folder_without_a_run_is_one_line(planted_run, tmp_path):  # noqa: F81
 def test_one_run_alone_is_refused(planted_run):  # noqa: F811
     result = CliRunner().invoke(app, ["diff", str(planted_run)])
     assert result.exit_code == 2 and "name a second run" in result.stderr
+
+
+def test_a_page_has_what_differs_the_curves_and_the_free_runs_over_one_another(planted_run, twin, tmp_path):  # noqa: F811
+    page = tmp_path / "diff.html"
+    result = CliRunner().invoke(app, ["diff", str(planted_run), str(twin), "--page", str(page), "--format", "csv"])
+    assert result.exit_code == 0, result.output
+    assert "settings,identify.basis_functions,10,12" in result.stdout.splitlines()
+    text = page.read_text(encoding="utf-8")
+    assert "identify.basis_functions" in text and text.count('class="chart"') == 4 + 2
+    for title in (
+        "restoring force F",
+        "∂C₂/∂q",
+        "Free runs of the training log a",
+        "Free runs of the validation log b",
+    ):
+        assert title in text
+    assert text.count(">twin</li>") == 3

@@ -10,6 +10,7 @@ from pipeline.device_parameters import NOMINAL, JointParameters
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.fitting.descent import ParallelDescent, Prior
 from pipeline.fitting.homotopy import Callbacks, HomotopyFit, Level, Schedule, fit_homotopy
+from pipeline.fitting.population import NormalPopulation
 from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
 from pipeline.fitting.regression import basis_centres, basis_width
 from pipeline.models.hybrid import parameters as condensed_parameters
@@ -76,6 +77,7 @@ def identify_hybrid(
     *,
     similarity: Similarity = SAME,
     corrections: Literal["auto", "none", "always"] = "auto",
+    siblings: NormalPopulation | None = None,
     keep: Keep = make_anew,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
@@ -94,6 +96,9 @@ def identify_hybrid(
         The device in units of the set's joint.
     corrections : {"auto", "none", "always"}
         Whether corrections are fitted, and kept: as above, or never, or whatever they do on the rest of the logs.
+    siblings : NormalPopulation, optional
+        The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`), and
+        the first parts of the logs predict the rest better with it.
     keep : callable
         Keeps each level that is finished.
 
@@ -118,8 +123,8 @@ def identify_hybrid(
     operating_range(records)
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.set_record(record) for record in records), keep).within(MOST_SAMPLES)
-    levels, fits = _first_fits(search, parameters, corrections)
+    search = _Search(tuple(similarity.set_record(record) for record in records), keep, siblings).within(MOST_SAMPLES)
+    search, levels, fits, decision = _first_fits(search, parameters, corrections)
     held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
     harmful_ratio = np.inf if corrections == "always" else HARMFUL_RATIO
     helpful = WITH_RBF in held and held[WITH_RBF][0] < harmful_ratio * held[ALONE][0]
@@ -142,7 +147,8 @@ def identify_hybrid(
         search.curve_spread(joint, final),
         _report((*levels, *final.levels), final, similarity)
         | {"held_share": search.held_share(joint, final.theta)}
-        | {"ablation": {name: free for name, (_, free) in held.items()}},
+        | {"ablation": {name: free for name, (_, free) in held.items()}}
+        | decision,
         early=judged,
     )
 
@@ -153,13 +159,23 @@ Fitted = tuple[CondensedJoint, HomotopyFit]
 
 def _first_fits(
     search: "_Search", parameters: JointParameters, corrections: str
-) -> tuple[tuple[Level, ...], dict[str, Fitted]]:
-    """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted."""
+) -> tuple["_Search", tuple[Level, ...], dict[str, Fitted], dict[str, Any]]:
+    """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted.
+
+    Siblings are set aside in the search that is given back where the rest of the logs is predicted better without them.
+    """
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    first = search.early.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+    first = search.early.usual.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
     alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+    decision: dict[str, Any] = {}
+    if search.siblings is not None:
+        without = search.usual.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+        errors = [search.held_out(plain, fit.theta)[1] if fit.levels else np.inf for fit in (alone, without)]
+        decision = {"siblings_held_out": dict(zip(("with", "without"), map(_finite, errors), strict=True))}
+        if errors[1] <= errors[0]:
+            search, alone = search.usual, without
     if not alone.levels:
         raise DataRefusedError(_FOLLOWS_NOT)
     fits = {ALONE: (plain, alone)}
@@ -167,7 +183,12 @@ def _first_fits(
         joint = replace(plain, centres=BASIS_FUNCTIONS)
         start = _extended(joint, first.theta)
         fits[WITH_RBF] = joint, search.early.fit(joint, start, CORRECTED, last=EARLY_STEPS)
-    return (*first.levels, *alone.levels), fits
+    return search, (*first.levels, *alone.levels), fits, decision
+
+
+def _finite(error: float) -> float:
+    """An error for a file, which holds no infinite number: 1 is the whole operating range."""
+    return float(min(error, 1.0))
 
 
 def _displacements(records: Sequence[Record]) -> FloatArray:
@@ -181,6 +202,14 @@ class _Search:
 
     records: tuple[Record, ...]
     keep: Keep
+    siblings: NormalPopulation | None = None
+
+    @property
+    def usual(self) -> "_Search":
+        """The same about the set: a narrow prior holds a fit near the siblings while its errors are large, and so in
+        another minimum, where the joint is unlike them. Siblings enter once every sample has been followed alone.
+        """
+        return replace(self, siblings=None)
 
     @property
     def early(self) -> "_Search":
@@ -192,8 +221,10 @@ class _Search:
         return replace(self, records=tuple(within(self.records, samples)))
 
     def prior(self, count: int) -> Prior:
-        """Deviations and weights of corrections about the set."""
-        return Prior(prior_root((count - DEVIATIONS) // CURVES), np.zeros(count))
+        """Deviations about the set or the siblings, and weights of corrections."""
+        root = prior_root((count - DEVIATIONS) // CURVES, siblings=self.siblings)
+        mean = np.zeros(DEVIATIONS) if self.siblings is None else self.siblings.mean
+        return Prior(root, root @ np.append(mean, np.zeros(count - DEVIATIONS)))
 
     def fit(
         self,
@@ -206,6 +237,7 @@ class _Search:
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
         name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
+        name += "" if self.siblings is None else ", with siblings"
         problem = CondensedProblem(joint, self.records)
         return fit_homotopy(
             problem, start, self.prior(len(start)), Schedule(poles, steps, last, noise_inflation=NOISE_INFLATION),
@@ -214,7 +246,7 @@ class _Search:
 
     def anew(self, plain: CondensedJoint) -> Fitted:
         """The equations alone, fitted to the logs from the set."""
-        first = self.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+        first = self.usual.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
         return plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS)
 
     def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
@@ -229,7 +261,7 @@ class _Search:
         """Of the θ of a joint, zero but for the deviations and some corrections."""
         problem, pole, theta = CondensedProblem(joint, self.records), fit.levels[-1].gain, _extended(joint, fit.theta)
         problem.hold_lost(theta, pole)
-        places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows)
+        places, prior = theta_places(joint.centres, rows), prior_root(joint.centres, rows, self.siblings)
         residual, jacobian = problem.jacobian(theta, pole)
         factor = robust_spread(residual, jacobian[:, places], fit.noise, Prior(prior, np.zeros(len(places))))
         spread = np.zeros((len(theta), factor.shape[1]))
@@ -313,8 +345,9 @@ def _fit(training: Training) -> HybridModel:
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
         return identify_hybrid(
-            training.records, training.parameters, similarity=own, corrections=corrections, keep=keep
-        )
+            training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings,
+            keep=keep,
+        )  # fmt: skip
 
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")

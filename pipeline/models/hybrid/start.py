@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.device_parameters import JointParameters
+from pipeline.fitting.population import NormalPopulation
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES, INDEX
 from pipeline.models.hybrid.parameters import NAMES
@@ -174,8 +175,10 @@ _MIRRORED = ((0, -1.0), (1, 1.0), (3, -1.0), (2, -1.0), (4, -1.0), (5, 1.0), (7,
 """Of each row of the corrections' weights the row at −q that is its mirror image, and the sign."""
 
 
-def prior_root(centres: int, rows: Sequence[int] = range(CURVES)) -> FloatArray:
-    """Matrix A of the prior ‖A θ‖²/2 of deviations and corrections, both in widths, shape (P, P).
+def prior_root(
+    centres: int, rows: Sequence[int] = range(CURVES), siblings: NormalPopulation | None = None
+) -> FloatArray:
+    """Matrix A of the prior ‖A (θ − m)‖²/2 of deviations and corrections, both in widths, shape (P, P).
 
     Parameters
     ----------
@@ -183,12 +186,16 @@ def prior_root(centres: int, rows: Sequence[int] = range(CURVES)) -> FloatArray:
         Number of Gaussians of each correction, symmetric about q = 0.
     rows : sequence of int
         The corrections whose weights θ holds, rows of `pipeline.models.hybrid.kernels.CURVES`.
+    siblings : NormalPopulation, optional
+        Of the deviations, where joints of the same drawing are known.
     """
     covariance = np.eye(len(NAMES) + CURVES * centres)
     for i, name in enumerate(NAMES):
         if name.startswith("left."):
             j = NAMES.index("right." + name.removeprefix("left."))
             covariance[i, j] = covariance[j, i] = 1.0 - (OWN_MATERIAL if "log" in name else OWN_MOUNT)
+    if siblings is not None:
+        covariance[: len(NAMES), : len(NAMES)] = siblings.covariance
     for row, (image, sign) in enumerate(_MIRRORED):
         for n in range(centres):
             i, j = (len(NAMES) + r * centres + m for r, m in ((row, n), (image, centres - 1 - n)))

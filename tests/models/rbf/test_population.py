@@ -6,8 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.population_estimate import Information, estimate_population, information_of, write_population
+from benchmarks.population_estimate import estimate_symmetric_population, information_of, write_population
 from pipeline.fitting.descent import Prior
+from pipeline.fitting.population import Information
 from pipeline.models.rbf.candidates import RbfChoice, first_candidate
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.model import RbfModel
@@ -59,7 +60,7 @@ def test_mean_and_covariance_of_a_population_are_recovered_from_members_that_tel
         seen = rng.standard_normal((2, 4))
         readings = seen @ member / 0.1 + rng.standard_normal(2)
         joints.append(Information(seen.T @ seen / 0.01, seen.T @ readings / 0.1))
-    found, covariance = estimate_population(joints, image, np.zeros(4), np.eye(4))
+    found, covariance = estimate_symmetric_population(joints, image, np.zeros(4), np.eye(4))
     assert found == pytest.approx(mean, abs=0.1)
     assert covariance == pytest.approx(root @ root.T, abs=0.1)
     assert np.allclose(image @ covariance @ image.T, covariance)

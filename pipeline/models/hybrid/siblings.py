@@ -1,0 +1,227 @@
+"""Siblings of a joint: what other joints of one drawing teach the next one, as a prior of its deviations."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar
+
+import numpy as np
+
+from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
+from pipeline.fitting.population import (
+    Information,
+    NormalPopulation,
+    Oddity,
+    estimate_population,
+    log_evidence,
+    oddity,
+    without_each,
+)
+from pipeline.models.hybrid.identify import NOISE_INFLATION
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.parameters import DEVIATIONS, NAMES, PRIOR_STD
+from pipeline.models.hybrid.start import prior_root
+from pipeline.models.model_file import JointValues, ModelFile, Sizes, Table
+from pipeline.numerics.arrays import FloatArray
+
+FEWEST = 5
+"""Siblings from which a population is learnt."""
+
+SUREST = 1e6
+"""Largest precision that a log is trusted with, in units of the prior's: no population is as narrow as its root says,
+and sums with larger numbers lose what other directions say."""
+
+_COLUMNS = {
+    "mean": ("1", "mean of the deviations, in prior standard deviations"),
+    "covariance": ("1", "covariance of the deviations of one more joint, in prior standard deviations"),
+    "prior_std": ("SI", "prior standard deviations of the deviations or of their logarithms"),
+    "deviations": ("text", "names of the deviations"),
+}
+
+
+def column(path: str) -> tuple[str, str]:
+    """Unit and meaning of an entry of the file."""
+    group, _, name = path.rpartition("/")
+    if group == "parameters":
+        return QUANTITIES[name].unit, QUANTITIES[name].meaning
+    return _COLUMNS.get(name, ("text", name.replace("_", " ")))
+
+
+_WORDS = {
+    "C0": "capacitance", "Y": "modulus", "Y_MW": "relaxing modulus", "E": "beam modulus", "eta": "beam loss",
+    "eta_v": "membrane viscosity", "b": "mount distance b", "a": "mount distance a", "e_x": "mount offset e_x",
+    "e_z": "mount offset e_z",
+}  # fmt: skip
+"""What people call quantities that equations call by a letter."""
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"P": (1, 5000)}
+    parameters: JointValues
+    deviations: str
+    prior_std: Annotated[FloatArray, Table("P")]
+    mean: Annotated[FloatArray, Table("P", -300.0, 300.0)]
+    covariance: Annotated[FloatArray, Table("P P", -1e6, 1e6)]
+
+
+@dataclass(frozen=True)
+class Odd:
+    """An odd sibling: its name, the quantity, and how far it is from what the others let expect (`Learnt.unit`)."""
+
+    name: str
+    quantity: str
+    size: float
+    error: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class LearntQuantity:
+    """What is known of one deviation: mean and spread of the next joint, and that spread over the prior's."""
+
+    name: str
+    mean: float
+    spread: float
+    unit: str
+    share: float
+
+
+@dataclass(frozen=True)
+class Learnt:
+    """What siblings teach.
+
+    Attributes
+    ----------
+    population : NormalPopulation
+        Of the deviations, in prior standard deviations.
+    quantities : tuple of LearntQuantity
+        The best known first.
+    odd : tuple of Odd
+        Odd siblings; of usual ones at most `pipeline.fitting.population.FALSE_ALARMS` are called so.
+    gains : dict of str to float
+        For each sibling the log-evidence [nats] of its logs under what the others teach, less that under the prior.
+    """
+
+    population: NormalPopulation
+    quantities: tuple[LearntQuantity, ...]
+    odd: tuple[Odd, ...]
+    gains: dict[str, float]
+
+
+def usual_prior() -> NormalPopulation:
+    """The prior of a joint without siblings."""
+    root = prior_root(0)
+    return NormalPopulation(np.zeros(len(NAMES)), np.asarray(np.linalg.inv(root.T @ root), dtype=np.float64))
+
+
+def information_of(model: HybridModel) -> Information:
+    """What the training logs show of the deviations of a joint that was identified without siblings.
+
+    The corrections are integrated out. The fit takes its noise to be `NOISE_INFLATION` times the RMS of the residual,
+    its posterior √τ times that, for the autocorrelation time τ. In units of the prior a direction of precision λ in the
+    posterior so had λ τ / `NOISE_INFLATION`² in the fit, and its pull to zero is undone by that. It is at most doubled:
+    in directions of which logs show little, fits end before they have converged.
+    """
+    count, own = len(NAMES), prior_root(0)
+    tau = float(model.diagnostics["integrated_correlation_time"])
+    covariance = (model.spread @ model.spread.T)[:count, :count]
+    # shares of the prior's variance that the logs leave are 1 / (1 + λ)
+    shares, directions = np.linalg.eigh(own @ covariance @ own.T)
+    shares = np.clip(shares, np.finfo(float).eps, 1.0)
+    precision = np.minimum(1.0 / shares - 1.0, SUREST)
+    pulled = np.minimum(NOISE_INFLATION**2 / (tau * np.maximum(precision, np.finfo(float).eps)), 1.0)
+    best = directions.T @ (own @ model.theta[:count]) * (1.0 + pulled)
+    turned = own.T @ directions
+    return Information((turned * precision) @ turned.T, turned @ (precision * best))
+
+
+def learn(models: Mapping[str, HybridModel]) -> Learnt:
+    """What identified siblings teach.
+
+    Parameters
+    ----------
+    models : mapping of str to HybridModel
+        By the names of the siblings, identified about one parameter set and without siblings.
+
+    Raises
+    ------
+    DataRefusedError
+        Fewer than `FEWEST`.
+    InputError
+        They have not one parameter set.
+    """
+    if len(models) < FEWEST:
+        raise DataRefusedError(f"{len(models)} siblings: at least {FEWEST} teach the next joint; identify more of them")
+    for name, model in models.items():
+        units = model.joint.similarity
+        if (units.length, units.time, units.voltage) != (1.0, 1.0, 1.0):
+            raise InputError(f"{name}: was scaled by its own logs; give all siblings one set, plant.parameters")
+    first, *others = [model.joint.parameters for model in models.values()]
+    if any(other != first for other in others):
+        raise InputError("the siblings have not one parameter set; name the same plant.parameters for all of them")
+    prior, members = usual_prior(), [information_of(model) for model in models.values()]
+    whole = estimate_population(members, prior)
+    gains, odd = {}, []
+    for name, member, rest in zip(models, members, without_each(members, prior, whole), strict=True):
+        gains[name] = log_evidence(member, rest) - log_evidence(member, prior)
+        if (outlier := oddity(member, rest, len(members) - 1)).odd:
+            odd.append(_odd(name, outlier))
+    return Learnt(whole, _quantities(whole, prior), tuple(odd), gains)
+
+
+def title(entry: int) -> str:
+    """What people call a deviation: ``left capacitance``."""
+    side, dot, name = DEVIATIONS[entry].quantity.rpartition(".")
+    return f"{side}{' ' if dot else ''}{_WORDS.get(name, name)}"
+
+
+def _odd(name: str, outlier: Oddity) -> Odd:
+    deviation = DEVIATIONS[outlier.entry]
+    size, error = outlier.size * deviation.prior_std, outlier.error * deviation.prior_std
+    if deviation.logarithm:
+        size = np.expm1(size)
+        return Odd(name, title(outlier.entry), 100.0 * size, 100.0 * (1.0 + size) * error, "%")
+    return Odd(name, title(outlier.entry), size, error, deviation.unit)
+
+
+def _quantities(population: NormalPopulation, prior: NormalPopulation) -> tuple[LearntQuantity, ...]:
+    spread, before = (np.sqrt(np.diag(each.covariance)) for each in (population, prior))
+    rows = [
+        LearntQuantity(
+            title(i), float(population.mean[i] * entry.prior_std), float(spread[i] * entry.prior_std),
+            "logarithm" if entry.logarithm else entry.unit, float(spread[i] / before[i]),
+        )
+        for i, entry in enumerate(DEVIATIONS)
+    ]  # fmt: skip
+    return tuple(sorted(rows, key=lambda row: row.share))
+
+
+def to_tree(learnt: Learnt, parameters: JointParameters, origins: Mapping[str, str]) -> dict[str, Any]:
+    """What is filed; `origins` has the content hash of each sibling's model."""
+    return {
+        "parameters": {name: parameters.value(name) for name in VECTOR_NAMES},
+        "deviations": " | ".join(NAMES),
+        "prior_std": PRIOR_STD,
+        "mean": learnt.population.mean,
+        "covariance": learnt.population.covariance,
+        "diagnostics": {"siblings": " | ".join(origins), "models_sha256": " | ".join(origins.values())},
+    }
+
+
+def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulation, Sequence[str]]:
+    """The parameter set, the population and the names of the siblings, from what was filed.
+
+    Raises
+    ------
+    CorruptArtifactError
+        An entry is missing, of another kind or shape or beyond its range, or of another version of the program.
+    """
+    file = _File.read(tree, "siblings", "fleet learn")
+    current = file.deviations == " | ".join(NAMES) and np.array_equal(file.prior_std, PRIOR_STD)
+    symmetric = np.allclose(file.covariance, file.covariance.T)
+    if not current or not symmetric or np.linalg.eigvalsh(file.covariance).min() <= 0.0:
+        raise CorruptArtifactError(
+            "the siblings are of another version of debist, or no covariance; run `debist fleet learn` again"
+        )
+    names = str(file.diagnostics.get("siblings", "")).split(" | ")
+    return NOMINAL.with_values(file.parameters), NormalPopulation(file.mean, file.covariance), names
