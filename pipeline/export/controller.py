@@ -8,7 +8,7 @@ from pipeline import __version__
 from pipeline.codegen.sequence import c_sequence, matlab_sequence
 from pipeline.codegen.text_writer import c_function, matlab_function
 from pipeline.control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
-from pipeline.control.estimator import PERIOD, RAMP
+from pipeline.control.estimator import PERIOD, RAMP, STATUS
 from pipeline.control.law import CONTROLLER_STATE, SIDES, Law
 from pipeline.export.fmu import identity, packed
 from pipeline.export.hybrid import states, stop_operators
@@ -29,6 +29,7 @@ ESTIMATES = (
     *stop_operators(),
     *(Variable(f"voltage_{side}", "V", f"voltage behind the converter on the {side}") for side in SIDES),
     Variable("moment", "N.m", "moment on the slope that the model does not explain"),
+    Variable("status", "1", ", ".join(f"{number} {meaning}" for number, meaning in enumerate(STATUS))),
 )
 """What the estimator tells of the joint, in this order (`pipeline.control.estimator.known_state`)."""
 
