@@ -203,7 +203,12 @@ class ClosedLoopOptions:
     lag: str | None = None
     highest: str = "3 kV"
     push: str = ""
+    hand: str = ""
+    shake: str = ""
+    drag: str = "0 N"
+    friction: float = 1.0
     lost: str = ""
+    frozen: str = ""
     barrier: float = 0.0
     noise: float = 1.0
     seed: int = 1
@@ -238,7 +243,12 @@ class ClosedLoopOptions:
                 highest=_positive(self.highest, "V", "--highest"),
                 lag=None if self.lag is None else _positive(self.lag, "s", "--lag"),
                 pushes=_in_time(parse_events(self.push, ("s", "N", "s"), "--push"), duration, "--push"),
+                hands=_in_time(parse_events(self.hand, ("s", "N", "s"), "--hand"), duration, "--hand"),
+                shakes=_in_time(parse_events(self.shake, ("s", "N", "Hz", "s"), "--shake"), duration, "--shake"),
+                drag=abs(parse_quantity(self.drag, ("N",), "--drag")),
+                friction=self.friction,
                 lost=_in_time(parse_events(self.lost, ("s", "s"), "--lost"), duration, "--lost"),
+                frozen=_in_time(parse_events(self.frozen, ("s", "s"), "--frozen"), duration, "--frozen"),
                 barrier=0.01 * self.barrier,
                 noise=self.noise,
                 seed=self.seed,
