@@ -40,7 +40,7 @@ SLOW, LEAK = 0.7, 3.0
 ENGAGED, TIRED = 0.035, 0.8
 """Shares of the largest moment from which the slow moment counts as on, and with which it is given up."""
 LEAST_STIFF = 30.0
-"""Least share of the largest moment that moves a rest by a metre: a model's statics beyond its wells may be inverted."""
+"""Least share of the largest moment that moves a rest by a metre: a model may invert the statics beyond its wells."""
 FADES = 0.2
 """Time constant [s] with which the mean of a stable target's regulator is taken away."""
 ENOUGH, SWINGS = 4.0, 16.0
@@ -164,11 +164,11 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     level = clip(choose(calm, integral, level), -largest, largest)
     moment = choose(calm, hold - now["moment"][0] + level_there, moment)
     motion = regulated(now, acting, moment, place)
-    fading = mean + PERIOD / FADES * (clip(motion, -largest, largest) - mean)
     # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
     outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
-    inside = function("lt", outwards, -stiff * FREE)
-    stays = function("or", calm, inside)
+    stays = function("or", calm, function("lt", outwards, -stiff * FREE))
+    motion = choose(stays, motion, clip(motion, -largest, largest))
+    fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
     share = shares(moment + motion - choose(stays, 0.0, mean), left, right, common)
     share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
     effort, phase, dwell = far(now, n, place)
@@ -176,18 +176,18 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     refused, tried = _refused(
         now, n, regulates, _both(function("lt", common, 0.01), function("lt", TIRED * largest, function("abs", level)))
     )
-    stopped = function("lt", 1.5, refused)
+    stopped = function("lt", choose(regulates, 1.5, 0.5), refused)
     found = {
         "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
         "level": [choose(regulates, level, 0.0)],
-        "mean": [choose(_both(regulates, function("lt", common, 0.01)), choose(inside, 0.0, fading), 0.0)],
+        "mean": [choose(regulates, fading, 0.0)],
         "tried": [tried],
         "refused": [refused],
         "phase": [choose(regulates, now["phase"][0], phase)],
         "dwell": [choose(regulates, now["dwell"][0], dwell)],
     }
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    volts = _voltages(choose(stopped, 0.0, effort), choose(_both(calm, function("le", refused, 1.5)), common, 0.0), top, n)
+    volts = _voltages(choose(stopped, 0.0, effort), choose(stopped, 0.0, choose(calm, common, 0.0)), top, n)
     return {"v": volts, "s": joined(now | found)}
 
 

@@ -17,7 +17,6 @@ from pipeline.tools.controlled_run import ControlRun, ControlSettings, control_r
 if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters
     from pipeline.control.law import Law
-    from pipeline.models.hybrid.model import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32
@@ -35,8 +34,8 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
             "lags_s": converters.lags,
             "lags_known": lags_known,
             "maps": [
-                _one_map(joint_run.model, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
-                _one_map(joint_run.model, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
+                _one_map(joint_run, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
+                _one_map(joint_run, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
             ],
         }
 
@@ -44,15 +43,15 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
     return kept_document(root, "map", chosen, observer, work)
 
 
-def _one_map(model: "HybridModel", converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
+def _one_map(found: ControlRun, converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
     from pipeline.control.ensemble import ensemble_of
     from pipeline.control.linear import wells_and_saddle
     from pipeline.control.lowest_voltage import DURATIONS, lowest_voltage, uncertain
-    from pipeline.control.plant import plant_of
     from pipeline.control.switching_map import switching_map
 
-    left, saddle, right = (each.q for each in wells_and_saddle(plant_of(model)))
+    model = found.model
+    left, saddle, right = (each.q for each in wells_and_saddle(found.plant))
     places = (left, saddle, right)
     lowest = [lowest_voltage(model, converters, places, to, duration) for duration in DURATIONS]
     joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)
@@ -72,10 +71,9 @@ def pulse(
         """The pulse and what the model and its posterior make of it."""
         from pipeline.control.ensemble import INTERVAL, ensemble_of
         from pipeline.control.linear import wells_and_saddle
-        from pipeline.control.plant import plant_of
         from pipeline.control.pulses import design_pulse
 
-        left, _saddle, right = (each.q for each in wells_and_saddle(plant_of(joint_run.model)))
+        left, _saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
         joint = ensemble_of(joint_run.model, DRAWS, converters)
@@ -147,9 +145,8 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
         from pipeline.control.linear import wells_and_saddle
-        from pipeline.control.plant import plant_of
 
-        plant = plant_of(joint_run.model)
+        plant = joint_run.plant
         converters, lags_known = joint_run.converters(settings)
         law = design_law(plant, Settings(highest, converters.lags))
         left, saddle, right = (each.q for each in wells_and_saddle(plant))
