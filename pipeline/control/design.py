@@ -90,7 +90,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     wells = wells_and_saddle(plant)
     left, saddle, right = (float(each.x[0]) for each in wells)
     between = TARGETS - 1 - 2 * BEYOND
-    places = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1)
+    places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
     lags = acting_lags(plant, settings)
     targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0)
     law = condensed_joint_law(plant, lags)

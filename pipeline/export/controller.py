@@ -85,9 +85,9 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
 def _sources(subject: ControllerSubject) -> dict[str, str]:
     """Header and C source by file name."""
     fields = _fields(subject) | {
-        "begins": "e, rests",
-        "constants": ", ".join(("e", *TABLES)),
-        "observes": ", ".join(OBSERVE.given[3:]),
+        "begins": "law_e, law_rests",
+        "constants": ", ".join(f"law_{table}" for table in ("e", *TABLES)),
+        "observes": ", ".join(f"law_{table}" for table in OBSERVE.given[3:]),
         "functions": [
             *(c_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
             c_sequence("begin_control", BEGIN),

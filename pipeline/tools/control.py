@@ -43,15 +43,15 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
     return kept_document(root, "map", chosen, observer, work)
 
 
-def _one_map(found: ControlRun, converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
+def _one_map(joint_run: ControlRun, converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
     from pipeline.control.ensemble import ensemble_of
     from pipeline.control.linear import wells_and_saddle
     from pipeline.control.lowest_voltage import DURATIONS, lowest_voltage, uncertain
     from pipeline.control.switching_map import switching_map
 
-    model = found.model
-    left, saddle, right = (each.q for each in wells_and_saddle(found.plant))
+    model = joint_run.model
+    left, saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
     places = (left, saddle, right)
     lowest = [lowest_voltage(model, converters, places, to, duration) for duration in DURATIONS]
     joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)
@@ -153,7 +153,7 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
         return {
-            "format": "debist-controller/3",
+            "format": "debist-controller/4",
             "prototype": joint_run.prototype.name,
             "model": joint_run.name,
             "origin": joint_run.run.record(joint_run.artifact).content_hash,
@@ -164,6 +164,7 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
             "lags_known": lags_known,
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": predicted,
+            "warnings": _misses(predicted, right - left),
             "law": law.to_json(),
         }
 
@@ -178,6 +179,32 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
                 f"{root}: at most {highest:g} V do not bring the model into its {side} well, not even by swinging it "
                 "up; allow a larger --max-voltage"
             )
+
+
+SETTLES, SWINGS = 0.3, 5e-5
+"""What is promised: settling in a well [s], and RMS [m] about the unstable equilibrium."""
+
+
+def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
+    """What the controller misses on the model itself; a joint that differs will not do better."""
+    from pipeline.control.step_metrics import BAND
+
+    found = []
+    for place, step in zip(("right well", "left well"), predicted["steps"], strict=False):
+        if step["settling_s"] is None or step["settling_s"] > SETTLES:
+            taken = "does not settle" if step["settling_s"] is None else f"takes {1e3 * step['settling_s']:.0f} ms"
+            found.append(
+                f"the model {taken} to the {place}, {1e3 * SETTLES:.0f} ms are usual; allow a larger --max-voltage, or "
+                "play a pulse (`debist control pulse`)"
+            )
+        if step["rms_m"] > BAND * distance:
+            found.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
+    if predicted["steps"][-1]["rms_m"] > SWINGS:
+        found.append(
+            "the unstable equilibrium is hardly held: the model keeps swinging about it, and a joint that differs will "
+            "swing on with the largest voltage; allow a larger --max-voltage, or hold wells only"
+        )
+    return found
 
 
 def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:

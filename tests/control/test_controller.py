@@ -76,7 +76,7 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
     places = tuple(each.q for each in wells_and_saddle(plant))
     subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (places[0], places[1], places[2]))
     header, source = write_controller(subject, tmp_path).written[:2]
-    flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2"]
+    flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wshadow", "-Wfloat-equal", "-Werror", "-O2"]
     library = tmp_path / "controller.so"
     subprocess.run(["gcc", *flags, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"], check=True)
     text = source.read_text(encoding="utf-8")
