@@ -146,6 +146,27 @@ def _voltages(effort: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
     return [function("min", n["highest"], top * function("sqrt", clip(share, 0.0, 1.0))) for share in both]
 
 
+def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, place: Any, n: dict[str, Any]) -> Values:
+    """Moment [N·m] near a target, the next slow moment and the next mean of the regulator.
+
+    `moments` are the one that holds the joint there, the one that acts, and the largest; `calm` at an unstable target.
+    """
+    hold, acting, largest = moments
+    stiff = function("max", slope("holding", place, n), largest * LEAST_STIFF)
+    moment, level = held_slowly(now, hold, stiff, largest)
+    (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
+    integral = level_there - PERIOD / SLOW * stiffness * (now["x"][0] - now["target"][0])
+    level = clip(choose(calm, integral, level), -largest, largest)
+    moment = choose(calm, hold - now["moment"][0] + level_there, moment)
+    motion = regulated(now, acting, moment, place)
+    # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
+    outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
+    stays = function("or", calm, function("lt", outwards, -stiff * FREE))
+    motion = choose(stays, motion, clip(motion, -largest, largest))
+    fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
+    return [moment + motion - choose(stays, 0.0, mean), level, fading]
+
+
 def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     """The voltages of a period, shape (2,) [V]: within 0 … the largest, ramped down without a reading."""
     n, now = named(e), parts(s)
@@ -155,21 +176,10 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     one, other = (volts * volts for volts in now["volts"])
     acting = (left * one - right * other) / (n["highest"] * n["highest"])
     (common,), (hold,) = tabulated("common", place), tabulated("holding", place)
-    calm = _both(regulates, function("lt", 0.01, common))
     largest = 0.5 * (left + right)
-    stiff = function("max", slope("holding", place, n), largest * LEAST_STIFF)
-    moment, level = held_slowly(now, hold, stiff, largest)
-    (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
-    integral = level_there - PERIOD / SLOW * stiffness * (x[0] - now["target"][0])
-    level = clip(choose(calm, integral, level), -largest, largest)
-    moment = choose(calm, hold - now["moment"][0] + level_there, moment)
-    motion = regulated(now, acting, moment, place)
-    # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
-    outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
-    stays = function("or", calm, function("lt", outwards, -stiff * FREE))
-    motion = choose(stays, motion, clip(motion, -largest, largest))
-    fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
-    share = shares(moment + motion - choose(stays, 0.0, mean), left, right, common)
+    calm = _both(regulates, function("lt", 0.01, common))
+    moment, level, fading = _near(now, (hold, acting, largest), calm, place, n)
+    share = shares(moment, left, right, common)
     share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
     effort, phase, dwell = far(now, n, place)
     effort = choose(regulates, share, effort)

@@ -214,6 +214,19 @@ class ClosedLoopOptions:
     seed: int = 1
     start: str | None = None
 
+    def _events(self, duration: float) -> dict[str, Any]:
+        """What happens at times within a run of this length [s]."""
+        given = (
+            ("pushes", self.push, ("s", "N", "s"), "--push"),
+            ("hands", self.hand, ("s", "N", "s"), "--hand"),
+            ("shakes", self.shake, ("s", "N", "Hz", "s"), "--shake"),
+            ("lost", self.lost, ("s", "s"), "--lost"),
+            ("frozen", self.frozen, ("s", "s"), "--frozen"),
+        )
+        return {
+            name: _in_time(parse_events(text, units, option), duration, option) for name, text, units, option in given
+        }
+
     def scenario(self, joint: VirtualJoint) -> Scenario:
         """The scenario on a joint."""
         t, target = parse_target(self.target, joint)
@@ -242,13 +255,9 @@ class ClosedLoopOptions:
                 duration=duration,
                 highest=_positive(self.highest, "V", "--highest"),
                 lag=None if self.lag is None else _positive(self.lag, "s", "--lag"),
-                pushes=_in_time(parse_events(self.push, ("s", "N", "s"), "--push"), duration, "--push"),
-                hands=_in_time(parse_events(self.hand, ("s", "N", "s"), "--hand"), duration, "--hand"),
-                shakes=_in_time(parse_events(self.shake, ("s", "N", "Hz", "s"), "--shake"), duration, "--shake"),
+                **self._events(duration),
                 drag=abs(parse_quantity(self.drag, ("N",), "--drag")),
                 friction=self.friction,
-                lost=_in_time(parse_events(self.lost, ("s", "s"), "--lost"), duration, "--lost"),
-                frozen=_in_time(parse_events(self.frozen, ("s", "s"), "--frozen"), duration, "--frozen"),
                 barrier=0.01 * self.barrier,
                 noise=self.noise,
                 seed=self.seed,
