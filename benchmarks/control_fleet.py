@@ -24,6 +24,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 from control_bound import LATE, lowest_programmes
+from control_disturbances import disturbances, tested
+from control_disturbances import told as told_disturbances
 from control_table import Found, line, recorded, told
 from scipy.signal import lfilter
 
@@ -385,7 +387,7 @@ def main() -> None:
     )
     given = parser.parse_args()
     print(f"seed {given.seed}", flush=True)
-    found = recorded(given.record)
+    found, disturbed = recorded(given.record), {}
     for i in range(given.first, given.first + given.count):
         kind = ("same", "foreign")[i % 2]
         each, seed = Found(f"{kind}-{i:02d}", kind), int(np.random.SeedSequence([given.seed, i]).generate_state(1)[0])
@@ -395,6 +397,7 @@ def main() -> None:
         try:
             with tempfile.TemporaryDirectory() as folder:
                 measure(identified(Path(folder), kind, seed), each, seed % 1000)
+                disturbed[each.name] = disturbances(tested(Path(folder), Path(folder) / "run"))
         except (DebistError, subprocess.CalledProcessError) as error:
             print(f"{each.name}: no controller: {error}", flush=True)
             continue
@@ -405,6 +408,7 @@ def main() -> None:
         own, others = time.process_time() - began, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - spent
         print(f"{line(each)} ({others:.0f} s to identify, {own:.0f} s)", flush=True)
     told(found)
+    told_disturbances(disturbed)
 
 
 if __name__ == "__main__":

@@ -58,7 +58,7 @@ C99 = Language(
         "choose": "({} ? {} : {})", "where": "({} ? {} : R(0.0))", "neg": "(-{})",
         "sign": "((real)(({0} > 0) - ({0} < 0)))",
     },
-    "const real {} = {};",
+    "const {} {} = {};",
     "{}[{} + (int){}]",
 )  # fmt: skip
 
@@ -71,9 +71,13 @@ MATLAB = Language(
         "and": "({} && {})", "or": "({} || {})", "not": "~{}", "finite": "isfinite({})",
         "choose": "choose({}, {}, {})", "where": "choose({}, {}, 0.0)", "neg": "(-{})", "sign": "sign({})",
     },
-    "{} = {};",
+    "{1} = {2};",
     "{}(1 + {} + {})",
 )  # fmt: skip
+
+
+_CONDITIONS = frozenset({"lt", "le", "and", "or", "not", "finite"})
+"""Operations whose value is true or false."""
 
 
 def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
@@ -134,7 +138,8 @@ def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterato
         else:
             expression, keep = language.functions[operation.name].format(*operands), uses[i] > 1
         if uses[i] and (keep or len(expression) > _LONGEST):
-            yield language.assign.format(f"w{i}", _bare(expression))
+            kind = "int" if operation.name in _CONDITIONS else "real"
+            yield language.assign.format(kind, f"w{i}", _bare(expression))
             expression = f"w{i}"
         text.append(expression)
 

@@ -260,7 +260,14 @@ class LoopScenario:
     lag: Annotated[str | None, typer.Option(help="Time constant of the converters [default: the joint's].")] = None
     highest: Annotated[str, typer.Option(help="Largest voltage of the converters.")] = "3 kV"
     push: Annotated[str, typer.Option(help="Forces on the tip: START:FORCE:LENGTH,… e.g. 2s:50mN:20ms.")] = ""
+    hand: Annotated[str, typer.Option(help="A hand pushes and lets go: START:FORCE:LENGTH,… e.g. 2s:10mN:1s.")] = ""
+    shake: Annotated[
+        str, typer.Option(help="The table shakes: START:FORCE:FREQUENCY:LENGTH,… e.g. 2s:5mN:10Hz:1s.")
+    ] = ""
+    drag: Annotated[str, typer.Option(help="Force of a wire that is dragged along, with its unit.")] = "0 N"
+    friction: Annotated[float, typer.Option(help="Factor on the joint's own friction.", min=0.0)] = 1.0
     lost: Annotated[str, typer.Option(help="The laser gives no value: START:LENGTH,… e.g. 3s:0.2s.")] = ""
+    frozen: Annotated[str, typer.Option(help="The laser gives its last value: START:LENGTH,…")] = ""
     barrier: Annotated[float, typer.Option(help="Change of the energy barrier to the end, in percent.")] = 0.0
     noise: Annotated[float, typer.Option(help="Factor on the laser's noise.", min=0.0)] = 1.0
     seed: Annotated[int, typer.Option(help="Draws the noise.", min=0)] = 1

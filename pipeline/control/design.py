@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
 from pipeline.control.controller import PERIOD
-from pipeline.control.design_tables import REACH, SLOW, braking_curves, charged, growth, target_table
+from pipeline.control.design_tables import REACH, braking_curves, target_table
 from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import ASSUMED_LAG, ControlledJoint
@@ -19,8 +19,8 @@ from pipeline.models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
-BEYOND = 1.5e-3
-"""How far beyond the wells targets may lie [m]."""
+BEYOND = 2
+"""Rows of the table of targets beyond each well; a row lies in each well, where the moment that holds it is zero."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator takes over; it lets go at twice that distance."""
 STEEPNESS = 1.0 / 0.04
@@ -35,10 +35,8 @@ TWIST = 5e-4
 """Standard deviation [N·m·√s] of the unknown moment's white part."""
 WALK = 2.5e-4
 """Standard deviation [N·m/√s] of its random walk."""
-CALM = (2.8e-6, 5.7e-7, 7.5e-6)
-"""The same three near an unstable target: a slow estimate, because a model's fast swing of the slope may be wrong."""
-CALMEST = 0.6
-"""Least share of them; it grows with the unstable pole that is left when both sides are charged."""
+CALM = (8.4e-5, 5.7e-6, 7.5e-5)
+"""The same three near a target: a slower estimate, because a model's fast swing of the slope may be wrong."""
 CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-2, 1e-8)
 """Variances of the filter's numbers after a long rest."""
 BOUNDS = (4.0, 0.8, 60.0, 3.0, 300.0, 0.01)
@@ -91,7 +89,8 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         )
     wells = wells_and_saddle(plant)
     left, saddle, right = (float(each.x[0]) for each in wells)
-    places = np.linspace(left - BEYOND, right + BEYOND, TARGETS)
+    between = TARGETS - 1 - 2 * BEYOND
+    places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
     lags = acting_lags(plant, settings)
     targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0)
     law = condensed_joint_law(plant, lags)
@@ -101,9 +100,6 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         "pumped_right": float(slow[0] > SURE * settings.highest),
         "pumped_left": float(slow[1] > SURE * settings.highest), "near": NEAR, "fast": FAST,
     }  # fmt: skip
-    left_over = growth(plant, *charged(plant, wells[1].x, np.zeros(2), settings.highest)[0]) / SLOW
-    for name in ("shake", "twist", "walk"):
-        numbers[f"calm_{name}"] *= float(np.clip(left_over, CALMEST, 1.0)) ** 2
     slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
     braking = [braking_curves(law, wells, slope, places, side, settings.highest) for side in (0, 1)]
     return law._replace(

@@ -31,9 +31,21 @@ PERIOD = 1e-3
 RAMP = 40.0
 """Periods in which the voltages of a controller without readings go to zero."""
 STRUCK, FORGET = 0.3e-3, 0.99
-"""Innovation [m] above which a joint in a well is estimated as one in motion, and what is left of it a period later."""
-LARGEST = 1e-3
-"""Innovation [m] above which a reading counts as much as this."""
+"""Innovation [m] above which a joint near its target is estimated as one in motion, and what is left of it a period
+later."""
+OTHER = 1e-9
+"""Distance [m] from which a target counts as another one."""
+LARGEST, PERSISTENT = 1e-3, 15.0
+"""Innovation [m] above which a reading counts as much as this, and the periods of it after which the estimate begins
+anew."""
+ANEW = (1e-9, 0.03, 1e-3, 1.0, 1e-3, 1.0, 1e-6)
+"""Variances of the filter's numbers then."""
+ANEW_COUNTS = 0.25
+"""Time [s] that a new beginning counts among the attempts on a target."""
+STATUS = ("ok", "recovering", "lost signal", "no authority", "given up")
+"""What the number of the status means: the estimate began anew or differs from the readings; readings are missing, so
+the voltages go to zero; no voltage takes the offset away, so none stays on; the target was not reached, so the voltages
+are zero until the next one."""
 
 
 def named(e: Values) -> dict[str, Any]:
@@ -83,17 +95,34 @@ def begin(told: Values, e: Values, rests: Values) -> Outputs:
 
 def listen(s: Values, told: Values, e: Values, rests: Values) -> Outputs:
     """Correct the estimate by a reading, or count what is missing; take the target over."""
-    n = named(e)
+    n, before = named(e), parts(s)
     q, seen = _reading(told, n)
-    again = function("and", seen, function("le", RAMP, parts(s)["lost"][0]))
-    now = parts([choose(again, fresh, old) for fresh, old in zip(rest(q, n), s, strict=True)])
+    again = function("and", seen, function("le", RAMP, before["lost"][0]))
+    strayed = function("and", seen, function("le", PERSISTENT, before["strayed"][0]))
+    fresh, anew = parts(rest(q, n)), _anew(before, q, n)
+    now = {
+        name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
+        for name, old in before.items()
+    }
     corrected = _corrected(now, q, n)
     found = {name: [choose(seen, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected}
     found["lost"] = [choose(seen, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
     wanted = choose(function("finite", told[1]), told[1], n["offset"]) - n["offset"]
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
-    found["target"] = [choose(function("finite", told[1]), clip(wanted, n["first"], last), now["target"][0])]
+    target = choose(function("finite", told[1]), clip(wanted, n["first"], last), now["target"][0])
+    other = function("lt", OTHER, function("abs", target - now["target"][0]))
+    found["target"] = [target]
+    found["tried"], found["refused"] = ([choose(other, 0.0, now[name][0])] for name in ("tried", "refused"))
     return {"s": joined(now | found)}
+
+
+def _anew(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
+    """The state of a joint that is at q [m] against what was estimated: of its motion little is known."""
+    found = parts(rest(q, n))
+    for i in range(FILTER):
+        found["spread"][_packed(i, i)] = ANEW[i]
+    kept = ("volts", "target", "lost", "refused", "phase", "dwell", "missed")
+    return found | {name: now[name] for name in kept} | {"tried": [now["tried"][0] + ANEW_COUNTS]}
 
 
 def _reading(told: Values, n: dict[str, Any]) -> tuple[Any, Any]:
@@ -105,7 +134,8 @@ def _reading(told: Values, n: dict[str, Any]) -> tuple[Any, Any]:
 
 def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """Estimate and covariance after a reading q [m]."""
-    miss = clip(q - now["x"][0], -LARGEST, LARGEST)
+    whole = q - now["x"][0]
+    miss = clip(whole, -LARGEST, LARGEST)
     column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
     share = [value / (column[0] + n["reading_variance"]) for value in column]
     bounds = [n[f"bound_{i}"] for i in range(FILTER)]
@@ -116,8 +146,10 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
     x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
     spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
     missed = [function("max", function("abs", miss), FORGET * now["missed"][0])]
+    strayed = choose(function("lt", LARGEST, function("abs", whole)), now["strayed"][0] + 1.0, 0.0)
     return {
         "missed": missed,
+        "strayed": [strayed],
         "x": x,
         "moment": moved[CORRECTED:],
         "spread": spread,
@@ -222,8 +254,7 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
     found = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
-    unstruck = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK))
-    calm = function("or", function("lt", 1.5, now["near"][0]), unstruck)
+    calm = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK))
     shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
     for i, j in ((i, j) for i in push for j in push if i >= j):
         noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]
@@ -287,13 +318,16 @@ def heed(v: Values, e: Values) -> Outputs:
 
 
 def known_state(s: Values, e: Values) -> Outputs:
-    """What the state says of the joint, `ESTIMATED` numbers: reading of the laser, rest of x, z, voltages, moment."""
+    """`ESTIMATED` numbers of the state: reading of the laser, rest of x, z, voltages, moment, and the status."""
     n, now = named(e), parts(s)
     q, *others = now["x"]
-    return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"]]}
+    status = choose(function("lt", 0.5 * LARGEST, now["missed"][0]), 1.0, 0.0)
+    status = choose(function("lt", 0.5, now["refused"][0]), 2.0 + now["refused"][0], status)
+    status = choose(function("lt", 0.5, now["lost"][0]), 2.0, status)
+    return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}
 
 
-ESTIMATED = STATES + STOPS + 3
+ESTIMATED = STATES + STOPS + 4
 """Numbers of an estimate."""
 SIZES = {"s": CONTROLLER_STATE, "told": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2, "y": STATES, "dx": STATES}
 """Lengths of the arrays that the functions take."""

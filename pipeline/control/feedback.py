@@ -11,8 +11,9 @@ voltage as large as the moment needs. With the target at q* and the distance s =
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
   target, holds it. What the estimator calls an unknown moment is balanced. At an unstable target both sides are
   charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly.
-  A stable target that takes much more voltage than it should for long, as where a model errs, is given up: the joint
-  comes to rest by itself.
+* a stable target needs no voltage against a small offset. A slow moment takes a larger one away; where it does not
+  help, it is given up. The regulator damps motions about the place where the joint then rests, so an error of
+  the model's statics changes no voltage at rest. A target that is not reached for long is given up.
 
 Traced into a graph as the estimator is (`pipeline.control.estimator`).
 """
@@ -32,9 +33,20 @@ PAST = 0.3
 """Share of the way from the saddle to the target on which a joint that is pumped is still pushed."""
 DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
-TIRED, OVER = 0.5, 0.15
-"""Mean share of the largest moment, beside what holding it should take, with which a stable target is given up, and the
-time constant [s] of the mean."""
+FREE, LEFT = 0.15e-3, 0.05e-3
+"""Offset [m] from a well that takes no voltage, and what is left of a larger one and of one from another target."""
+SLOW, LEAK = 0.7, 3.0
+"""Time constants [s] of the slow moment, and of its decay where the offset is small."""
+ENGAGED, TIRED = 0.035, 0.8
+"""Shares of the largest moment from which the slow moment counts as on, and with which it is given up."""
+LEAST_STIFF = 30.0
+"""Least share of the largest moment that moves a rest by a metre: a model may invert the statics beyond its wells."""
+FADES = 0.2
+"""Time constant [s] with which the mean of a stable target's regulator is taken away."""
+ENOUGH, SWINGS = 4.0, 16.0
+"""Time [s] after which a target that is not reached is given up, and how much more is given to the pump."""
+FORGIVEN = 0.1
+"""Of this time, what each second near the target takes away [s]."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 
@@ -59,13 +71,33 @@ def braking_speed(place: Any, distance: Any, from_right: Any, n: dict[str, Any])
     return one * (1.0 - share) + other * share
 
 
-def regulated(x: Values, acting: Any, d: Any, place: Any) -> Any:
-    """Moment [N·m] of the linear-quadratic regulator at a target."""
-    (hold,), rests, gains = (tabulated(name, place) for name in ("holding", "rests", "gains"))
-    moment = hold - d
+def slope(name: str, place: Any, n: dict[str, Any]) -> Any:
+    """Change of a column of the table of targets with the target [1/m]."""
+    lower, _ = row(place, TARGETS)
+    column = TARGET_COLUMNS[name].start
+    index = float(_WIDTH) * lower
+    return (fetch("targets", column + _WIDTH, index) - fetch("targets", column, index)) * n["per_step"]
+
+
+def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any:
+    """Moment [N·m] of the linear-quadratic regulator of a target, beside the one that holds it."""
+    there, gains = tabulated("rests", place), tabulated("gains", place)
+    moment = -gains[STATES] * (acting - hold)
     for i in range(STATES):
-        moment = moment - gains[i] * (x[i] - rests[i])
-    return moment - gains[STATES] * (acting - hold + d)
+        moment = moment - gains[i] * (now["x"][i] - there[i])
+    return moment
+
+
+def held_slowly(now: dict[str, Values], hold: Any, stiff: Any, largest: Any) -> tuple[Any, Any]:
+    """Moment [N·m] that acts at rest at a stable target of a stiffness [N·m/m], and the next slow moment [N·m]."""
+    level, away = now["level"][0], now["x"][0] - now["target"][0]
+    off = function("le", function("abs", level), ENGAGED * largest)
+    without = _both(function("lt", function("abs", hold), stiff * FREE), off)
+    left = choose(without, FREE, LEFT)
+    outside = away - clip(away, -left, left)
+    slow = choose(function("lt", 0.0, function("abs", outside)), -stiff * outside / SLOW, -level / LEAK)
+    slow = choose(function("lt", 0.5, now["refused"][0]), -level / SLOW, slow)
+    return choose(without, 0.0, hold) + level, level + PERIOD * slow
 
 
 def shares(moment: Any, left: Any, right: Any, common: Any) -> Any:
@@ -114,6 +146,27 @@ def _voltages(effort: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
     return [function("min", n["highest"], top * function("sqrt", clip(share, 0.0, 1.0))) for share in both]
 
 
+def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, place: Any, n: dict[str, Any]) -> Values:
+    """Moment [N·m] near a target, the next slow moment and the next mean of the regulator.
+
+    `moments` are the one that holds the joint there, the one that acts, and the largest; `calm` at an unstable target.
+    """
+    hold, acting, largest = moments
+    stiff = function("max", slope("holding", place, n), largest * LEAST_STIFF)
+    moment, level = held_slowly(now, hold, stiff, largest)
+    (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
+    integral = level_there - PERIOD / SLOW * stiffness * (now["x"][0] - now["target"][0])
+    level = clip(choose(calm, integral, level), -largest, largest)
+    moment = choose(calm, hold - now["moment"][0] + level_there, moment)
+    motion = regulated(now, acting, moment, place)
+    # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
+    outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
+    stays = function("or", calm, function("lt", outwards, -stiff * FREE))
+    motion = choose(stays, motion, clip(motion, -largest, largest))
+    fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
+    return [moment + motion - choose(stays, 0.0, mean), level, fading]
+
+
 def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     """The voltages of a period, shape (2,) [V]: within 0 … the largest, ramped down without a reading."""
     n, now = named(e), parts(s)
@@ -123,20 +176,36 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     one, other = (volts * volts for volts in now["volts"])
     acting = (left * one - right * other) / (n["highest"] * n["highest"])
     (common,), (hold,) = tabulated("common", place), tabulated("holding", place)
+    largest = 0.5 * (left + right)
     calm = _both(regulates, function("lt", 0.01, common))
-    share = shares(regulated(x, acting, now["moment"][0], place), left, right, common)
+    moment, level, fading = _near(now, (hold, acting, largest), calm, place, n)
+    share = shares(moment, left, right, common)
     share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
     effort, phase, dwell = far(now, n, place)
-    effort, spent = choose(regulates, share, effort), now["spent"][0]
-    tired = _both(regulates, function("lt", common, 0.01), function("lt", TIRED, spent))
-    excess = function("abs", effort - clip(shares(hold, left, right, common), -1.0, 1.0))
-    mean = choose(tired, spent, spent + PERIOD / OVER * (excess - spent))
+    effort = choose(regulates, share, effort)
+    refused, tried = _refused(
+        now, n, regulates, _both(function("lt", common, 0.01), function("lt", TIRED * largest, function("abs", level)))
+    )
+    stopped = function("lt", choose(regulates, 1.5, 0.5), refused)
     found = {
         "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
-        "spent": [choose(regulates, mean, 0.0)],
+        "level": [choose(regulates, level, 0.0)],
+        "mean": [choose(regulates, fading, 0.0)],
+        "tried": [tried],
+        "refused": [refused],
         "phase": [choose(regulates, now["phase"][0], phase)],
         "dwell": [choose(regulates, now["dwell"][0], dwell)],
     }
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    volts = _voltages(choose(tired, 0.0, effort), choose(calm, common, 0.0), top, n)
+    volts = _voltages(choose(stopped, 0.0, effort), choose(stopped, 0.0, choose(calm, common, 0.0)), top, n)
     return {"v": volts, "s": joined(now | found)}
+
+
+def _refused(now: dict[str, Values], n: dict[str, Any], regulates: Any, tired: Any) -> tuple[Any, Any]:
+    """What is given up, until another target comes, and the time [s] of attempts on this one."""
+    right = function("lt", now["x"][0], now["target"][0])
+    enough = ENOUGH + SWINGS * choose(right, n["pumped_right"], n["pumped_left"])
+    waits = function("or", regulates, function("lt", 0.5, now["lost"][0]))
+    tried = function("max", now["tried"][0] + choose(waits, -FORGIVEN * PERIOD, PERIOD), 0.0)
+    refused = choose(_both(regulates, tired), function("max", now["refused"][0], 1.0), now["refused"][0])
+    return choose(function("lt", enough, tried), 2.0, refused), function("min", tried, 2.0 * (ENOUGH + SWINGS))

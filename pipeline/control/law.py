@@ -19,14 +19,16 @@ FEEDBACK = STATES + 1
 """Numbers of which the regulator makes a moment: the deviation of x, and that of the moment that acts."""
 
 _SIZES = {
-    "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "spent": 1, "missed": 1,
-    "phase": 1, "dwell": 1, "spread": FILTER * (FILTER + 1) // 2,
+    "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "level": 1, "mean": 1,
+    "missed": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "dwell": 1, "spread": FILTER * (FILTER + 1) // 2,
 }  # fmt: skip
 _ENDS = np.cumsum(list(_SIZES.values()))
 PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_SIZES.items(), _ENDS, strict=True)}
 """Where the controller's state holds the joint's state, stop operators, the converters' voltages, the unknown moment,
-periods without a reading, the target, whether it regulates (2: an unstable target), the mean share of the largest
-moment that this takes, the largest innovation [m] of late, phase and time of the pump, the filter's covariance."""
+periods without a reading, the target, whether it regulates (2: an unstable target), the slow moment that holds it
+[N·m], the mean of what regulates about it [N·m], the largest innovation [m] of late, periods in which it was too large,
+time [s] of late without coming near, what is given up (1: the slow moment, 2: the target), phase and time of the pump,
+the filter's covariance."""
 CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
@@ -55,7 +57,7 @@ TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1
 """Columns of the table of targets: the equilibrium there, the moment [N·m] that holds it, the regulator's gains, and
 the moments of left and right at the largest voltage [N·m], each in its own direction, and the mean share of the
 largest squared voltage on both sides."""
-TARGETS = 25
+TARGETS = 29
 """Rows of that table, from beyond the left well to beyond the right one."""
 REACHES = 24
 """Entries of a braking curve."""

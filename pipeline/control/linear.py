@@ -20,8 +20,9 @@ from pipeline.scoring.wells import outermost_pair
 
 _SAME = 1e-5  # m
 _TOLERANCE = 1e-9  # m
-_FARTHEST, _LOST = 0.2, 0.45
-"""Shares of the beam's length: displacement up to which equilibria are looked for, and at which a search has failed."""
+_BEYOND = 0.5
+"""How far beyond the rests that the logs show equilibria are looked for, as a share of their distance; and the share of
+the wall up to which where the logs show none. A beam's identified length would be no measure: it trades with others."""
 
 _prepare, _slopes, _bell = kernel(PREPARE), kernel(JACOBIAN), formula(BELL_SHAPE)
 _PREPARED, _RATES, _BY_CORRECTIONS = PREPARE.outputs["p"], JACOBIAN.outputs["f"], JACOBIAN.outputs["by_c"]
@@ -159,25 +160,34 @@ def _without_dry_friction(c: Constants) -> Constants:
 
 
 def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
-    """Every equilibrium within a fifth of the beam's length under the voltages `v`, shape (2,) [V], from left to right.
+    """Every equilibrium about the rests of the logs under the voltages `v`, shape (2,) [V], from left to right.
 
     Newton's method on the forces on q, slope and interior shape, from a grid of displacements with the shape at rest
     there, and with the slope of slow motions: a buckled beam has several slopes at one displacement.
     """
     u, found, c = v**2, list[FloatArray](), plant.constants
     length = float(c.k[INDEX["l"]])
-    reach = _FARTHEST * length
-    for q in np.linspace(-reach, reach, 25):
+    low, high = _window(plant)
+    for q in np.linspace(low, high, 25):
         relaxed, _ = rest_state(q, u, c.k, c.p, c.basis, c.weights)
         for shape in (relaxed, still(q, float(c.k[INDEX["slope_ratio"]]) * q / length, 0.0)):
-            x = newton(c, shape, u)
-            if x is not None and abs(x[0]) <= reach and not any(abs(x[0] - y[0]) < _SAME for y in found):
+            x = newton(plant, shape, u)
+            if x is not None and low <= x[0] <= high and not any(abs(x[0] - y[0]) < _SAME for y in found):
                 found.append(x)
     return [linearise(plant, x, v) for x in sorted(found, key=lambda x: float(x[0]))]
 
 
-def newton(c: Constants, near: FloatArray, u: FloatArray) -> FloatArray | None:
+def _window(plant: ControlledJoint) -> tuple[float, float]:
+    """Displacements [m] between which equilibria are looked for."""
+    if plant.rests is None:
+        return -_BEYOND * plant.wall, _BEYOND * plant.wall
+    left, right = (reading - plant.offset for reading in plant.rests)
+    return left - _BEYOND * (right - left), right + _BEYOND * (right - left)
+
+
+def newton(plant: ControlledJoint, near: FloatArray, u: FloatArray) -> FloatArray | None:
     """The equilibrium near a state under the squared voltages `u`, shape (2,) [V²]; None if Newton's method fails."""
+    c = plant.constants
     place, steps = near[[0, 2, 4]], np.array([1e-7, 1e-6, 1e-6])
     for _ in range(30):
         now = forces(still(*place), u[0], u[1], c)
@@ -189,7 +199,7 @@ def newton(c: Constants, near: FloatArray, u: FloatArray) -> FloatArray | None:
         ).T / (2.0 * steps)
         move = np.linalg.solve(slopes, -now)
         place = place + move * min(1.0, 2e-3 / max(abs(move[0]), 1e-12), 0.03 / max(abs(move[1]), 1e-12))
-        if not np.all(np.isfinite(place)) or abs(place[0]) > _LOST * c.k[INDEX["l"]]:
+        if not np.all(np.isfinite(place)) or abs(place[0]) > plant.wall:
             return None
         if abs(move[0]) < _TOLERANCE:
             return still(*place)
@@ -239,7 +249,8 @@ def held(
 def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
     """Left well, unstable equilibrium between, right well, without voltage.
 
-    A joint has further equilibria between, of other shapes; the one nearest to the middle of the wells is taken for the
+    The wells are the stable equilibria next to the rests of the logs, or the outermost ones where the logs show none. A
+    joint has further equilibria between, of other shapes; the one nearest to the middle of the wells is taken for the
     highest.
 
     Raises
@@ -248,12 +259,26 @@ def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
         The joint has not two wells with one unstable equilibrium between them.
     """
     found = equilibria(plant, np.zeros(2))
-    stable = [each.q for each in found if each.stable]
-    middle = 0.5 * (stable[0] + stable[-1]) if stable else 0.0
+    stable = [each for each in found if each.stable]
+    if plant.rests is not None and stable:
+        wells = [_nearest(stable, rest) for rest in plant.rests]
+        found = [each for each in found if wells[0].q <= each.q <= wells[1].q]
+        stable = wells
+    middle = 0.5 * (stable[0].q + stable[-1].q) if stable else 0.0
     pair = outermost_pair([each.stable for each in found], [-abs(each.q - middle) for each in found])
     if pair is None:
-        raise InputError("the identified joint has not two wells; there is nothing to switch between")
+        raise InputError(
+            "the identified joint has not two wells; there is nothing to switch between: it has equilibria at "
+            f"{', '.join(f'{1e3 * each.q:.2f} mm ({_STABLE[each.stable]})' for each in found) or 'no place'}"
+        )
     return [found[i] for i in pair]
+
+
+def _nearest(some: list[LinearModel], q: float) -> LinearModel:
+    return min(some, key=lambda each: abs(each.q - q))
+
+
+_STABLE = {True: "stable", False: "unstable"}
 
 
 def held_at(plant: ControlledJoint, q: float, saddle: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -55,6 +55,8 @@ class ControlledJoint:
         Largest trained voltage [V].
     wall : float
         Displacement [m] that no motion passes.
+    rests : tuple of float or None
+        Readings [m] at which the logs show the joint at rest, left and right; None where they show no two wells.
     """
 
     constants: Constants
@@ -64,6 +66,7 @@ class ControlledJoint:
     probe: FloatArray
     highest: float
     wall: float
+    rests: tuple[float, float] | None = None
 
     def reading(self, q: float) -> float:
         """What the laser shows [m] at the displacement q [m]."""
@@ -74,8 +77,8 @@ class ControlledJoint:
         return reading - self.offset
 
 
-def plant_of(model: "HybridModel") -> ControlledJoint:
-    """The plant of an identified hybrid joint."""
+def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> ControlledJoint:
+    """The plant of an identified hybrid joint, whose logs show these rests (readings [m])."""
     theta, condensed = model.theta, model.joint
     seen = condensed.instruments(theta)
     k = condensed.constants(theta)
@@ -89,6 +92,7 @@ def plant_of(model: "HybridModel") -> ControlledJoint:
         probe,
         condensed.largest_voltage,
         condensed.q_stop,
+        rests,
     )
 
 

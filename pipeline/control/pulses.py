@@ -21,7 +21,7 @@ PERMITTED = {"time": 1.0, "energy": 0.5, "voltage": 0.8}
 BANDS = (0.6, 0.8, 1.0)
 """Shares of the settling band over which the optimisation takes the mean: a narrow one alone asks a joint that creeps
 for what no pulse does (1 s where 0.18 s is possible), a wide one alone leaves nothing for draws that differ."""
-CHARGE_COST, SETTLING_COST, OVERTIME_COST = 0.05, 0.02, 2.0
+CHARGE_COST, SETTLING_COST, OVERTIME_COST = 0.5, 0.02, 2.0
 """Cost of a charge with the largest voltage, of a second of settling beside charge or voltage, and of one beyond
 `PERMITTED`, where a settling time in seconds, or the largest voltage's share, costs 1."""
 CHARGING = 5e-3

@@ -8,7 +8,7 @@ from pipeline import __version__
 from pipeline.codegen.sequence import c_sequence, matlab_sequence
 from pipeline.codegen.text_writer import c_function, matlab_function
 from pipeline.control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
-from pipeline.control.estimator import PERIOD, RAMP
+from pipeline.control.estimator import PERIOD, RAMP, STATUS
 from pipeline.control.law import CONTROLLER_STATE, SIDES, Law
 from pipeline.export.fmu import identity, packed
 from pipeline.export.hybrid import states, stop_operators
@@ -29,6 +29,7 @@ ESTIMATES = (
     *stop_operators(),
     *(Variable(f"voltage_{side}", "V", f"voltage behind the converter on the {side}") for side in SIDES),
     Variable("moment", "N.m", "moment on the slope that the model does not explain"),
+    Variable("status", "1", ", ".join(f"{number} {meaning}" for number, meaning in enumerate(STATUS))),
 )
 """What the estimator tells of the joint, in this order (`pipeline.control.estimator.known_state`)."""
 
@@ -84,9 +85,9 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
 def _sources(subject: ControllerSubject) -> dict[str, str]:
     """Header and C source by file name."""
     fields = _fields(subject) | {
-        "begins": "e, rests",
-        "constants": ", ".join(("e", *TABLES)),
-        "observes": ", ".join(OBSERVE.given[3:]),
+        "begins": "law_e, law_rests",
+        "constants": ", ".join(f"law_{table}" for table in ("e", *TABLES)),
+        "observes": ", ".join(f"law_{table}" for table in OBSERVE.given[3:]),
         "functions": [
             *(c_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
             c_sequence("begin_control", BEGIN),

@@ -19,6 +19,10 @@ HALVES = 2
 """Time steps of the joint in a period of the controller, and rows of the log."""
 PERIOD = 1e-3
 """Of the controller [s]."""
+GONE, FROZEN = 1.0, 2.0
+"""Marks of a laser that gives no value, and of one that gives its last."""
+GIVE = 0.3e-3
+"""How far [m] a wire gives way before it slides."""
 FINE = 10
 """Steps of a converter in a time step of the joint."""
 
@@ -39,9 +43,11 @@ class Surroundings(NamedTuple):
     linearity, linearity_phase, rail, resolution : float
         Of the laser [m] (phase in rad), see `pipeline.rig.bench.Laser`.
     lost : FloatArray, shape (N,)
-        1 where the laser gives no value (NaN).
+        `GONE` where the laser gives no value (NaN), `FROZEN` where it gives its last one, else 0.
     push, spring : FloatArray, shape (N,)
         External force [N] on q, and stiffness [N/m] of a repelling spring, from each row to the next.
+    drag : float
+        Force [N] of a wire that slides; before that it gives way by `GIVE`.
     """
 
     lag: FloatArray
@@ -57,6 +63,7 @@ class Surroundings(NamedTuple):
     lost: FloatArray
     push: FloatArray
     spring: FloatArray
+    drag: float
 
 
 def _call_step(context, address, memory, q, target, v):  # type: ignore[no-untyped-def]  # numba's own form
@@ -99,7 +106,7 @@ def _charge(
 @compiled
 def laser_reading(q: float, row: int, around: Surroundings) -> float:
     """What the laser shows [m] of a displacement at a row of the log."""
-    if around.lost[row] > 0.5:
+    if around.lost[row] == GONE:
         return np.nan
     reading = q + bent(q, around.linearity, around.rail, around.linearity_phase)
     shown = min(max(reading + around.noise[row], -around.rail), around.rail)
@@ -144,9 +151,13 @@ def close_loop(
     state, work = at_rest(p, start), workspace(p, n)
     inverse, vm, total = np.zeros((n, n)), np.zeros(n), 0
     pose, rate, v, membranes, command = np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2)
+    read_tip(state, p, work, pose, rate)
+    reading, anchor = 0.0, pose[0]
     for row in range(out.shape[0]):
         read_tip(state, p, work, pose, rate)
-        reading = laser_reading(pose[0], row, around)
+        if row == 0 or around.lost[row] != FROZEN:
+            reading = laser_reading(pose[0], row, around)
+        anchor = min(max(anchor, pose[0] - GIVE), pose[0] + GIVE)
         if row % HALVES == 0:
             call_step(address, memory, reading, target[row], command.ctypes.data)
             for side in range(2):
@@ -161,7 +172,7 @@ def close_loop(
             out[row, 1 + side], out[row, 3 + side] = v[side], command[side]
             out[row, 5 + 2 * side], out[row, 6 + 2 * side] = pose[side], rate[side]
         _charge(v, membranes, command, h, around, state.charge)
-        state.hand[0], state.hand[1] = around.push[row], around.spring[row]
+        state.hand[0], state.hand[1] = around.push[row] - around.drag * (pose[0] - anchor) / GIVE, around.spring[row]
         taken = advance(h, row % KEEP == 0, state, p, work, inverse, vm)
         if taken < 0:
             return -1

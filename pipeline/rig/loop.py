@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench, Converter, Laser, Probe, kept
-from pipeline.rig.closed_loop import FINE, HALVES, PERIOD, Surroundings, close_loop, laser_reading
+from pipeline.rig.closed_loop import FINE, FROZEN, GONE, HALVES, PERIOD, Surroundings, close_loop, laser_reading
 from pipeline.rig.controllers import Controller
 from pipeline.rig.excitation import MAX_VOLTAGE
 from pipeline.rig.joint import barrier, rest, tip_displacement, wells
@@ -41,8 +41,16 @@ class Scenario:
         Share by which the energy barrier has changed at the end, on a line from the start.
     pushes : tuple of (float, float, float)
         Start [s], force [N] and length [s] of external forces on q.
-    lost : tuple of (float, float)
-        Start and length [s] of stretches in which the laser gives no value.
+    hands : tuple of (float, float, float)
+        Start [s], greatest force [N] and length [s] of forces that rise and fall as half a sine, as a hand pushes.
+    shakes : tuple of (float, float, float, float)
+        Start [s], amplitude [N], frequency [Hz] and length [s] of forces on q, as of a table that shakes.
+    drag : float
+        Force [N] with which a wire resists once it slides; before that it gives way by `GIVE`.
+    friction : float
+        Factor on the joint's own friction.
+    lost, frozen : tuple of (float, float)
+        Start and length [s] of stretches in which the laser gives no value, or its last one.
     seed : int
         Draws the instruments' noise.
     """
@@ -58,7 +66,12 @@ class Scenario:
     mass: float = 1.0
     barrier: float = 0.0
     pushes: tuple[tuple[float, float, float], ...] = ()
+    hands: tuple[tuple[float, float, float], ...] = ()
+    shakes: tuple[tuple[float, float, float, float], ...] = ()
+    drag: float = 0.0
+    friction: float = 1.0
     lost: tuple[tuple[float, float], ...] = ()
+    frozen: tuple[tuple[float, float], ...] = ()
     seed: int = 1
 
 
@@ -100,7 +113,11 @@ def run_loop(
     Cost: 9 ms for a second of motion, 10 ms for the rest at the start, and the controller's own time.
     """
     rng = np.random.default_rng(scenario.seed)
-    heavy = p._replace(mass=p.mass * scenario.mass)
+    heavy = p._replace(
+        mass=p.mass * scenario.mass,
+        slip_force=p.slip_force * scenario.friction,
+        slip_stiffness=p.slip_stiffness * scenario.friction,
+    )
     # What a converter gives too much of acts as more capacitance: forces go with C v².
     gained = heavy._replace(capacitance=heavy.capacitance * scenario.gain**2)
     start = rest(gained, side=scenario.side) if start is None else start
@@ -130,11 +147,10 @@ def _surroundings(
     phase = rng.uniform(0.0, 2.0 * np.pi, 2)
     noise = laser.hum * np.sin(2.0 * np.pi * laser.mains * t + phase[1])
     noise += scenario.noise * laser.noise * rng.standard_normal(t.size)
-    push, lost = np.zeros(t.size), np.zeros(t.size)
-    for start, force, length in scenario.pushes:
-        push[(t >= start) & (t < start + length)] += force
-    for start, length in scenario.lost:
-        lost[(t >= start) & (t < start + length)] = 1.0
+    lost = np.zeros(t.size)
+    for stretches, mark in ((scenario.lost, GONE), (scenario.frozen, FROZEN)):
+        for start, length in stretches:
+            lost[(t >= start) & (t < start + length)] = mark
     spring = np.zeros(t.size)
     if scenario.barrier:
         middle = 0.5 * np.diff(wells(p))[0]
@@ -151,9 +167,24 @@ def _surroundings(
         rail=laser.rail,
         resolution=laser.resolution,
         lost=lost,
-        push=push,
+        push=_pushes(scenario, t),
         spring=spring,
+        drag=scenario.drag,
     )
+
+
+def _pushes(scenario: Scenario, t: FloatArray) -> FloatArray:
+    """External force [N] on q at each row."""
+    push = np.zeros(t.size)
+    for start, force, length in scenario.pushes:
+        push[(t >= start) & (t < start + length)] += force
+    for start, force, length in scenario.hands:
+        during = (t >= start) & (t < start + length)
+        push[during] += force * np.sin(np.pi * (t[during] - start) / length)
+    for start, force, frequency, length in scenario.shakes:
+        during = (t >= start) & (t < start + length)
+        push[during] += force * np.sin(2.0 * np.pi * frequency * (t[during] - start))
+    return push
 
 
 def bench_from_json(values: dict[str, Any]) -> Bench:

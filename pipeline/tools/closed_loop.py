@@ -203,11 +203,29 @@ class ClosedLoopOptions:
     lag: str | None = None
     highest: str = "3 kV"
     push: str = ""
+    hand: str = ""
+    shake: str = ""
+    drag: str = "0 N"
+    friction: float = 1.0
     lost: str = ""
+    frozen: str = ""
     barrier: float = 0.0
     noise: float = 1.0
     seed: int = 1
     start: str | None = None
+
+    def _events(self, duration: float) -> dict[str, Any]:
+        """What happens at times within a run of this length [s]."""
+        given = (
+            ("pushes", self.push, ("s", "N", "s"), "--push"),
+            ("hands", self.hand, ("s", "N", "s"), "--hand"),
+            ("shakes", self.shake, ("s", "N", "Hz", "s"), "--shake"),
+            ("lost", self.lost, ("s", "s"), "--lost"),
+            ("frozen", self.frozen, ("s", "s"), "--frozen"),
+        )
+        return {
+            name: _in_time(parse_events(text, units, option), duration, option) for name, text, units, option in given
+        }
 
     def scenario(self, joint: VirtualJoint) -> Scenario:
         """The scenario on a joint."""
@@ -237,8 +255,9 @@ class ClosedLoopOptions:
                 duration=duration,
                 highest=_positive(self.highest, "V", "--highest"),
                 lag=None if self.lag is None else _positive(self.lag, "s", "--lag"),
-                pushes=_in_time(parse_events(self.push, ("s", "N", "s"), "--push"), duration, "--push"),
-                lost=_in_time(parse_events(self.lost, ("s", "s"), "--lost"), duration, "--lost"),
+                **self._events(duration),
+                drag=abs(parse_quantity(self.drag, ("N",), "--drag")),
+                friction=self.friction,
                 barrier=0.01 * self.barrier,
                 noise=self.noise,
                 seed=self.seed,

@@ -17,7 +17,6 @@ from pipeline.tools.controlled_run import ControlRun, ControlSettings, control_r
 if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters
     from pipeline.control.law import Law
-    from pipeline.models.hybrid.model import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32
@@ -35,8 +34,8 @@ def switching_maps(root: Path, settings: ControlSettings, observer: Observer) ->
             "lags_s": converters.lags,
             "lags_known": lags_known,
             "maps": [
-                _one_map(joint_run.model, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
-                _one_map(joint_run.model, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
+                _one_map(joint_run, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
+                _one_map(joint_run, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
             ],
         }
 
@@ -48,15 +47,15 @@ _OF_LOWEST = 0.2
 """Share of a map's time that its lowest voltages take, roughly."""
 
 
-def _one_map(model: "HybridModel", converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
+def _one_map(joint_run: ControlRun, converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
     from pipeline.control.ensemble import ensemble_of
     from pipeline.control.linear import wells_and_saddle
     from pipeline.control.lowest_voltage import DURATIONS, lowest_voltage, uncertain
-    from pipeline.control.plant import plant_of
     from pipeline.control.switching_map import switching_map
 
-    left, saddle, right = (each.q for each in wells_and_saddle(plant_of(model)))
+    model = joint_run.model
+    left, saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
     places = (left, saddle, right)
     lowest = []
     for k, duration in enumerate(DURATIONS):
@@ -82,10 +81,9 @@ def pulse(
         """The pulse and what the model and its posterior make of it."""
         from pipeline.control.ensemble import INTERVAL, ensemble_of
         from pipeline.control.linear import wells_and_saddle
-        from pipeline.control.plant import plant_of
         from pipeline.control.pulses import design_pulse
 
-        left, _saddle, right = (each.q for each in wells_and_saddle(plant_of(joint_run.model)))
+        left, _saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
         joint = ensemble_of(joint_run.model, DRAWS, converters)
@@ -157,16 +155,15 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
         from pipeline.control.linear import wells_and_saddle
-        from pipeline.control.plant import plant_of
 
-        plant = plant_of(joint_run.model)
+        plant = joint_run.plant
         converters, lags_known = joint_run.converters(settings)
         law = design_law(plant, Settings(highest, converters.lags))
         left, saddle, right = (each.q for each in wells_and_saddle(plant))
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
         return {
-            "format": "debist-controller/3",
+            "format": "debist-controller/4",
             "prototype": joint_run.prototype.name,
             "model": joint_run.name,
             "origin": joint_run.run.record(joint_run.artifact).content_hash,
@@ -177,6 +174,7 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
             "lags_known": lags_known,
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": predicted,
+            "warnings": _misses(predicted, right - left),
             "law": law.to_json(),
         }
 
@@ -191,6 +189,32 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
                 f"{root}: at most {highest:g} V do not bring the model into its {side} well, not even by swinging it "
                 "up; allow a larger --max-voltage"
             )
+
+
+SETTLES, SWINGS = 0.3, 5e-5
+"""What is promised: settling in a well [s], and RMS [m] about the unstable equilibrium."""
+
+
+def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
+    """What the controller misses on the model itself; a joint that differs will not do better."""
+    from pipeline.control.step_metrics import BAND
+
+    found = []
+    for place, step in zip(("right well", "left well"), predicted["steps"], strict=False):
+        if step["settling_s"] is None or step["settling_s"] > SETTLES:
+            taken = "does not settle" if step["settling_s"] is None else f"takes {1e3 * step['settling_s']:.0f} ms"
+            found.append(
+                f"the model {taken} to the {place}, {1e3 * SETTLES:.0f} ms are usual; allow a larger --max-voltage, or "
+                "play a pulse (`debist control pulse`)"
+            )
+        if step["rms_m"] > BAND * distance:
+            found.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
+    if predicted["steps"][-1]["rms_m"] > SWINGS:
+        found.append(
+            "the unstable equilibrium is hardly held: the model keeps swinging about it, and a joint that differs will "
+            "swing on with the largest voltage; allow a larger --max-voltage, or hold wells only"
+        )
+    return found
 
 
 def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:

@@ -20,9 +20,10 @@ from pipeline.settings import Prototype
 
 if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters
+    from pipeline.control.plant import ControlledJoint
     from pipeline.models.hybrid.model import HybridModel
 
-ALGORITHM = "14"
+ALGORITHM = "15"
 _MISSED = 2e-3
 """RMS residual [m] on the training logs above which no control is designed on a model."""
 DATA_SHEET, GIVEN = 0.36, 0.1
@@ -63,6 +64,14 @@ class ControlRun:
     model: "HybridModel"
     name: str
     artifact: str
+    rests: tuple[float, float] | None = None
+
+    @property
+    def plant(self) -> "ControlledJoint":
+        """The identified joint and the rests that its logs show."""
+        from pipeline.control.plant import plant_of
+
+        return plant_of(self.model, self.rests)
 
     @property
     def origin(self) -> dict[str, str]:
@@ -154,23 +163,24 @@ def control_run(root: Path) -> ControlRun:
         joint = "name the model 'hybrid' first in [identify] models"
         advice = joint if device(prototype).joint else "it is for a joint with two membranes, not for another device"
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
-    size = _size(run, prototype)
+    rests = _rests(run, prototype)
+    size = (rests[1] - rests[0]) / _DRAWN_WELLS if rests else 1.0
     if not 1.0 / _SIZES < size < _SIZES:
         raise InputError(
             f"{root}: the wells are {size:.2g} times as far apart as those of the set 'nominal' "
             f"({1e3 * _DRAWN_WELLS:.1f} mm); control is for joints of about its size"
         )
     _refuse_bad_model(run, name, model)
-    return ControlRun(run, prototype, model, name, artifact)
+    return ControlRun(run, prototype, model, name, artifact, rests)
 
 
-def _size(run: RunFolder, prototype: Prototype) -> float:
-    """Distance of the wells that the logs show over that of the joint as drawn; 1 where they show none."""
+def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
+    """Readings [m] at which the logs show the joint at rest; None where they show no two wells."""
     from pipeline.scoring.wells import Wells, wells_of
 
     tables = [run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype)]
     wells = wells_of(tables, joint=True)
-    return (wells.right - wells.left) / _DRAWN_WELLS if isinstance(wells, Wells) else 1.0
+    return (wells.left, wells.right) if isinstance(wells, Wells) else None
 
 
 def _refuse_bad_model(run: RunFolder, name: str, model: "HybridModel") -> None:

@@ -46,9 +46,8 @@ def linear_models(root: Path, voltages: tuple[float, float]) -> "list[LinearMode
 
 def _linear_models(joint_run: ControlRun, voltages: tuple[float, float]) -> "list[LinearModel]":
     from pipeline.control.linear import equilibria
-    from pipeline.control.plant import plant_of
 
-    return equilibria(plant_of(joint_run.model), np.array(voltages, dtype=np.float64))
+    return equilibria(joint_run.plant, np.array(voltages, dtype=np.float64))
 
 
 def bode(model: "LinearModel") -> dict[str, list[float]]:

@@ -16,13 +16,15 @@ from pipeline.control import design_tables
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, estimate, move, observe
 from pipeline.control.design import Settings, acting_lags, condensed_joint_law, design
 from pipeline.control.design_tables import COMMON, charged
-from pipeline.control.estimator import ESTIMATED
+from pipeline.control.estimator import ESTIMATED, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.linear import jacobian, wells_and_saddle
 from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
+from pipeline.generated.condensed_joint import STOPS
+from pipeline.numerics.arrays import FloatArray
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
 
@@ -74,7 +76,7 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
     places = tuple(each.q for each in wells_and_saddle(plant))
     subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (places[0], places[1], places[2]))
     header, source = write_controller(subject, tmp_path).written[:2]
-    flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2"]
+    flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wshadow", "-Wfloat-equal", "-Werror", "-O2"]
     library = tmp_path / "controller.so"
     subprocess.run(["gcc", *flags, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"], check=True)
     text = source.read_text(encoding="utf-8")
@@ -176,7 +178,118 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
     steps = step_metrics(PERIOD * np.arange(q.size), q, target, right - left)[1:]
     assert all(step.settling_s is not None and step.settling_s < 0.25 for step in steps)
     assert max(step.overshoot_m for step in steps) < 1.5e-3
-    assert max(step.rms_m for step in steps) < 0.05e-3
+    assert max(step.rms_m for step in steps[:2]) < 0.2e-3
+    assert steps[2].rms_m < 0.01e-3
+
+
+class Moved:
+    """A controller on another joint of the model's class, and what disturbs both."""
+
+    def __init__(self, law: Law, joint: Law, start: float) -> None:
+        self.law, self.joint = law, joint
+        self.truth, self.state, self.v = np.zeros(CONTROLLER_STATE), np.zeros(CONTROLLER_STATE), np.zeros(2)
+        begin_control(start, joint, self.truth)
+        begin_control(start, law, self.state)
+
+    def run(self, target: float, periods: int, reading: float | None = None) -> FloatArray:
+        """Displacements [m] and voltages [V] of some periods, shape (periods, 3)."""
+        rows = np.empty((periods, 3))
+        for row in rows:
+            seen = self.truth[0] if reading is None else reading
+            control(self.state, seen, target, self.law, self.v)
+            row[:] = self.truth[0], *self.v
+            move(self.truth, self.v, self.joint)
+        return rows
+
+    def push(self, moment: float) -> None:
+        """Put a moment [N·m] on the slope from now on."""
+        self.truth[PLACES["moment"]] = moment
+
+    @property
+    def status(self) -> str:
+        return STATUS[round(estimate(self.state, self.law)[-1])]
+
+
+SLIPPERY = {name: -20.0 for name in (*(f"log stop force {i}" for i in range(STOPS)), "log sliding force")}
+
+
+@pytest.mark.parametrize("lag", [1e-3, 3e-3, 8e-3])
+@pytest.mark.parametrize("planted", [{}, SLIPPERY, SLIPPERY | {"offset": 1.0, "right.b": 0.5}, {"log E": -0.1}])
+def test_the_unstable_equilibrium_is_held_under_bumps_and_loads_on_joints_and_lags_that_differ(
+    planted: dict[str, float], lag: float
+) -> None:
+    plant, law = designed()
+    _, saddle, _ = (each.q for each in wells_and_saddle(plant))
+    other = plant_of(model(**planted))
+    moved = Moved(law, condensed_joint_law(other, (lag, lag)), wells_and_saddle(other)[0].q)
+    moved.run(saddle, 1500)
+    moved.truth[1] += 12e-3  # of a bump of 0.5 mN·s
+    moved.run(saddle, 700)
+    moved.push(0.5e-3)
+    rows = moved.run(saddle, 1500)
+    assert np.abs(rows[-300:, 0] - saddle).max() < 0.05e-3
+    assert moved.status == "ok"
+    assert np.abs(np.diff(rows[-300:, 1:], axis=0)).max() < 5.0  # no limit cycle
+
+
+def test_a_reading_that_stays_away_from_the_estimate_begins_it_anew_and_the_joint_comes_back() -> None:
+    plant, law = designed()
+    left, saddle, _ = (each.q for each in wells_and_saddle(plant))
+    moved = Moved(law, law, left)
+    moved.run(saddle, 1500)
+    moved.truth[1] += 50e-3
+    moved.run(saddle, 1000, reading=saddle)  # a frozen laser: the joint falls
+    assert abs(moved.truth[0] - saddle) > 3e-3
+    moved.run(saddle, 10)
+    assert moved.status == "recovering"
+    moved.run(saddle, 2000)
+    assert moved.status == "ok"
+    assert abs(moved.truth[0] - saddle) < 0.05e-3
+
+
+def test_a_target_that_is_not_reached_is_given_up_until_the_next_one() -> None:
+    plant, law = designed()
+    left, _, right = (each.q for each in wells_and_saddle(plant))
+    stuck = Moved(law, law, left)
+    assert np.any(stuck.run(right, 3000, reading=left)[-1, 1:] > 0.0)
+    assert not np.any(stuck.run(right, 2000, reading=left)[-1000:, 1:])
+    assert stuck.status == "given up"
+    assert np.any(stuck.run(0.9 * right, 100, reading=left)[:, 1:] > 0.0)
+    stuck.run(right, 5, reading=np.nan)
+    assert stuck.status == "lost signal"
+
+
+@pytest.mark.parametrize("load", [-1.5e-3, 0.0, 1.5e-3])
+@pytest.mark.parametrize("side", [0, 2])
+def test_a_well_takes_no_voltage_at_rest_and_a_load_there_is_balanced(side: int, load: float) -> None:
+    plant, law = designed()
+    well = wells_and_saddle(plant)[side].q
+    moved = Moved(law, law, well)
+    moved.push(load)
+    rows = moved.run(well, 8000)
+    assert np.abs(rows[-1000:, 0] - well).max() < 0.1e-3
+    assert np.all(rows[-1000:, 1:].max(axis=1) > 0.0) if load else not np.any(rows[-1000:, 1:])
+    assert np.abs(np.diff(rows[-1000:, 1:], axis=0)).max(initial=0.0) < 5.0
+
+
+def test_a_load_beyond_all_voltage_is_told_and_takes_none() -> None:
+    plant, law = designed()
+    right = wells_and_saddle(plant)[2].q
+    moved = Moved(law, law, right)
+    moved.push(-4.2e-3)
+    rows = moved.run(right, 12000)
+    assert moved.status in ("no authority", "given up")
+    assert not np.any(rows[-1000:, 1:])
+
+
+def test_a_slow_ramp_from_well_to_well_is_followed() -> None:
+    plant, law = designed()
+    left, _, right = (each.q for each in wells_and_saddle(plant))
+    other = plant_of(model(**SLIPPERY, **{"right.b": 0.3}))
+    moved = Moved(law, condensed_joint_law(other, (4e-3, 4e-3)), wells_and_saddle(other)[0].q)
+    ramp = np.linspace(left, right, 12000)
+    errors = [moved.run(float(target), 1)[0, 0] - target for target in ramp]
+    assert np.sqrt(np.mean(np.square(errors))) < 0.15e-3
 
 
 def test_an_unstable_target_charges_both_sides_and_is_held_on_another_joint_and_a_well_charges_one() -> None:

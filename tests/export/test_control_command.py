@@ -76,7 +76,7 @@ def test_the_converters_lag_is_that_of_the_logs_the_one_given_or_assumed(planted
     assert (told["lags_s"], told["lags_known"]) == ([2.5e-3, 2.5e-3], "given")
     lowest = told["maps"][0]["lowest"]
     assert all(each["low"] < each["voltage"] < each["high"] for each in lowest)
-    assert f"0.2 s switch from {1e-3 * lowest[-2]['voltage']:.3f} kV on" in call(
+    assert f"0.2 s switch from {1e-3 * lowest[-2]['voltage']:.3f} kV (" in call(
         "map", planted_run, "--lag", "2.5 ms", "-q"
     )
     run, planted = lagging(planted_run, tmp_path / "run"), (14e-3, 18e-3)

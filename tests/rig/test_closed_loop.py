@@ -74,6 +74,27 @@ def test_pushes_drifts_and_factors_act() -> None:
     assert heavier[0] < calm[0] - 0.05e-3
 
 
+def test_a_hand_a_shaking_table_and_a_wire_act() -> None:
+    idle = python_controller(lambda _q: lambda _q, _target: (0.0, 0.0))
+    scenario = replace(STILL, hands=((0.05, 20e-3, 0.3),))
+    hand, dragged = (run_loop(nominal(), Bench(), replace(scenario, drag=drag), idle).true_q for drag in (0.0, 5e-3))
+    assert np.ptp(hand[:100]) < 1e-6
+    assert 0.2 * np.ptp(hand) < np.ptp(dragged) < 0.9 * np.ptp(hand)
+    shaken = run_loop(nominal(), Bench(), replace(STILL, shakes=((0.1, 5e-3, 20.0, 0.2),)), idle).true_q
+    pushed = run_loop(nominal(), Bench(), replace(STILL, hands=((0.1, 5e-3, 0.025),)), idle).true_q
+    np.testing.assert_allclose(shaken[:240], pushed[:240], atol=1e-7)
+    assert np.ptp(shaken[250:]) > 5e-6
+
+
+def test_without_friction_a_joint_rings_longer_and_a_frozen_laser_gives_its_last_value() -> None:
+    idle = python_controller(lambda _q: lambda _q, _target: (0.0, 0.0))
+    p = nominal()._replace(slip_force=np.array([2e-3]), slip_stiffness=np.array([20.0]))
+    knocked = replace(STILL, pushes=((0.0, 0.1, 0.02),), duration=2.0, frozen=((0.1, 0.05),))
+    runs = [run_loop(p, Bench(), replace(knocked, friction=factor), idle) for factor in (1.0, 0.1)]
+    assert np.ptp(runs[1].true_q[-400:]) > 1.5 * np.ptp(runs[0].true_q[-400:])
+    assert np.ptp(runs[0].q[199:300]) == 0.0 < np.ptp(runs[0].q[300:400])
+
+
 @pytest.mark.parametrize(("family", "seed"), [("same", 3), ("foreign", 7), ("foreign", 5)])  # 5: from a second start
 def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_from_json(
     family: str, seed: int

@@ -1,0 +1,157 @@
+"""Disturbances of controlled joints: what the designed controllers hold on the virtual rig, misses included.
+
+`python benchmarks/control_disturbances.py RIG=RUN …`: for each folder of `debist rig simulate` and the run that was
+identified from it, the controller of the run against the joint itself, with its own converters and laser. Printed are a
+line for each joint and the table. About 15 s of processor time a joint. `control_fleet.py` runs it too.
+"""
+
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from pipeline.control.design import Settings
+from pipeline.control.design import design as design_law
+from pipeline.control.law import Law
+from pipeline.control.linear import wells_and_saddle
+from pipeline.control.step_metrics import one_step
+from pipeline.errors import DebistError
+from pipeline.numerics.arrays import FloatArray
+from pipeline.rig.joint import rest
+from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
+from pipeline.tools.closed_loop import VirtualJoint, designed, virtual_joint
+from pipeline.tools.controlled_run import ControlSettings, control_run
+
+HELD, TRACKED, LEFT, SETTLED = 0.5e-3, 0.15e-3, 0.1e-3, 0.3  # m, m RMS, m, s
+BUMPS = {f"{1e3 * impulse:g} mN s": impulse for impulse in (0.5e-3, -0.5e-3, 1e-3, 3e-3)}
+STEPS = {f"{1e3 * force:g} mN": force for force in (5e-3, -5e-3)}
+FRICTIONS = (1.0, 0.1)
+
+
+@dataclass(frozen=True)
+class Tested:
+    """A joint, its controller, and the readings [m] of left well, saddle and right well of its model."""
+
+    joint: VirtualJoint
+    law: Law
+    places: tuple[float, float, float]
+    starts: dict[tuple[int, float], FloatArray]
+
+    def run(self, targets: dict[float, float], duration: float, side: int = -1, **other: object) -> ClosedLoop:
+        """The loop with targets [m] from times [s] on."""
+        friction = float(other.get("friction", 1.0))  # type: ignore[arg-type]
+        p = self.joint.parameters
+        slippery = p._replace(slip_force=friction * p.slip_force, slip_stiffness=friction * p.slip_stiffness)
+        if (side, friction) not in self.starts:
+            self.starts[side, friction] = rest(slippery, side=side)
+        times, values = np.array(list(targets)), np.array(list(targets.values()))
+        scenario = Scenario(times, values, duration, side=side, seed=7, **other)  # type: ignore[arg-type]
+        return run_loop(p, self.joint.bench, scenario, designed(self.law), self.starts[side, friction])
+
+
+def tested(rig: Path, run: Path) -> Tested:
+    found = control_run(run)
+    law = design_law(found.plant, Settings(min(3000.0, found.limit), found.converters(ControlSettings())[0].lags))
+    left, saddle, right = (each.q for each in wells_and_saddle(found.plant))
+    return Tested(virtual_joint(str(rig)), law, (left, saddle, right), {})
+
+
+def off(run: ClosedLoop, last: float = 1.0) -> FloatArray:
+    """Distance q − target [m] in the last seconds."""
+    late = run.t >= run.t[-1] - last
+    return np.asarray((run.true_q - run.target)[late])
+
+
+def saddles(one: Tested) -> Iterator[tuple[str, float, bool]]:
+    """What is held at the saddle: largest distance [m] in the last second."""
+    left, saddle, _ = one.places
+
+    def held(name: str, **other: object) -> tuple[str, float, bool]:
+        far = float(np.abs(off(one.run({0.0: left, 0.3: saddle}, 5.5, **other))).max())
+        return name, far, far < HELD
+
+    for friction in FRICTIONS:
+        for name, impulse in BUMPS.items():
+            yield held(
+                f"saddle, bump {name}, friction {friction:g}", pushes=((2.5, impulse / 0.02, 0.02),), friction=friction
+            )
+        for name, force in STEPS.items():
+            yield held(f"saddle, step {name}, friction {friction:g}", pushes=((2.5, force, 9.0),), friction=friction)
+        yield held(f"saddle, hand 10 mN, friction {friction:g}", hands=((2.0, 10e-3, 1.0),), friction=friction)
+        yield held(
+            f"saddle, table 5 mN 8 Hz, friction {friction:g}", shakes=((2.0, 5e-3, 8.0, 1.5),), friction=friction
+        )
+    yield held("saddle, wire 1 mN", drag=1e-3, pushes=((2.5, 25e-3, 0.02),))
+    for lag in (1e-3, 5e-3, 8e-3):
+        yield held(f"saddle, lag {1e3 * lag:g} ms untold", lag=lag, pushes=((2.5, 25e-3, 0.02),))
+    yield held("saddle, laser frozen 1 s", frozen=((2.0, 1.0),), pushes=((2.3, 25e-3, 0.02),))
+
+
+def ramps(one: Tested) -> Iterator[tuple[str, float, bool]]:
+    """RMS error [m] along a ramp of 12 s from well to well."""
+    left, _, right = one.places
+    reference = dict(zip(np.linspace(0.5, 12.5, 400).tolist(), np.linspace(left, right, 400).tolist(), strict=True))
+    for friction in FRICTIONS:
+        run = one.run({0.0: left} | reference, 13.0, friction=friction)
+        error = float(np.sqrt(np.mean((run.true_q - run.target)[run.t > 0.5] ** 2)))
+        yield f"ramp, friction {friction:g}", error, error < TRACKED
+
+
+def wells(one: Tested) -> Iterator[tuple[str, float, bool]]:
+    """Settling [s], voltage at rest [V], and what loads leave [m]."""
+    left, _, right = one.places
+    run = one.run({0.0: left, **{0.3 + 2.0 * i: (right, left)[i % 2] for i in range(6)}}, 12.3)
+    times = []
+    for i in range(6):
+        part = (run.t >= 0.3 + 2.0 * i) & (run.t < 1.8 + 2.0 * i)
+        step = one_step(run.t[part], run.true_q[part], (right, left)[i % 2], right - left)
+        times.append(np.inf if step.settling_s is None else step.settling_s)
+    yield "snaps, median settling", float(np.median(times)), float(np.median(times)) <= SETTLED
+    yield "snaps, slowest", max(times), max(times) <= SETTLED
+    for well, side in ((left, -1), (right, 1)):
+        name = "left" if side < 0 else "right"
+        run = one.run({0.0: well}, 8.0, side)
+        volts = float(np.maximum(run.command1, run.command2)[run.t > 7.0].mean())
+        yield f"{name} well, voltage at rest", volts, volts == 0.0
+        for force in (10e-3, -10e-3, 20e-3, -20e-3):
+            run = one.run({0.0: well}, 8.0, side, pushes=((0.5, force, 9.0),))
+            far, late = float(np.abs(off(run)).max()), run.t > 7.0
+            none = bool(np.maximum(run.command1, run.command2)[late].max() == 0.0)
+            yield f"{name} well, load {1e3 * force:g} mN", far, far < LEFT or none
+
+
+def disturbances(one: Tested) -> dict[str, tuple[float, bool]]:
+    """Number and verdict of each disturbance."""
+    return {name: (value, good) for some in (wells, saddles, ramps) for name, value, good in some(one)}
+
+
+def told(found: dict[str, dict[str, tuple[float, bool]]]) -> None:
+    """Print the table."""
+    print("| disturbance | right | " + " | ".join(found) + " |\n|---|---|" + "---|" * len(found))
+    for name in next(iter(found.values()), {}):
+        cells = [each[name] for each in found.values()]
+        scale = 1.0 if "settling" in name or "slowest" in name or "voltage" in name else 1e3
+        shown = " | ".join(f"{scale * value:.3f}{'' if good else ' miss'}" for value, good in cells)
+        print(f"| {name} | {sum(good for _, good in cells)} of {len(cells)} | {shown} |")
+
+
+def main() -> None:
+    found = {}
+    for pair in sys.argv[1:]:
+        rig, _, run = pair.partition("=")
+        try:
+            found[Path(rig).name] = disturbances(tested(Path(rig), Path(run)))
+        except DebistError as error:
+            print(f"{rig}: no controller: {error}", flush=True)
+            continue
+        print(
+            f"{rig}: {sum(good for _, good in found[Path(rig).name].values())} of {len(found[Path(rig).name])}",
+            flush=True,
+        )
+    told(found)
+
+
+if __name__ == "__main__":
+    main()
