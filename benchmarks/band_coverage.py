@@ -20,7 +20,7 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.fleet import Experiment, draw, moving_mass
 from pipeline.rig.joint import membrane_capacitances, potential, rest, tip_displacement
-from pipeline.rig.parameters import JointParameters
+from pipeline.rig.parameters import RigParameters
 
 POINTS, STEP = 33, 5e-5
 LEVEL = (2.5, 97.5)
@@ -34,7 +34,7 @@ UNIT = 1e-9
 CURVES = {"F": "F", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
 
 
-def true_curves(joint: JointParameters, q: FloatArray) -> dict[str, FloatArray]:
+def true_curves(joint: RigParameters, q: FloatArray) -> dict[str, FloatArray]:
     """F [N] and ∂C/∂q [F/m] along the path of least energy at q [m], by central differences."""
     x = rest(joint, side=-1)
     energy, capacitance, moved = np.empty((len(q), 2)), np.empty((len(q), 2, 2)), np.empty(len(q))
@@ -50,7 +50,7 @@ def true_curves(joint: JointParameters, q: FloatArray) -> dict[str, FloatArray]:
     return {"F": force * smooth, "dC1_dq": slopes[:, 0] * smooth, "dC2_dq": slopes[:, 1] * smooth}
 
 
-def held_at(joint: JointParameters, x: FloatArray, at: float) -> tuple[FloatArray, bool]:
+def held_at(joint: RigParameters, x: FloatArray, at: float) -> tuple[FloatArray, bool]:
     """Coordinates of least energy with the tip at `at` [m], from `x` on, and whether they are found.
 
     The minimiser finds the valley, but stops short of its floor or gives up; what is left is solved for.
@@ -72,7 +72,7 @@ def held_at(joint: JointParameters, x: FloatArray, at: float) -> tuple[FloatArra
     return (solved.x[:-1], True) if balanced else (found.x, False)
 
 
-def joint_of(path: Path) -> JointParameters:
+def joint_of(path: Path) -> RigParameters:
     """The joint that a truth was drawn from."""
     truth = json.loads(path.read_text(encoding="utf-8"))
     return draw(Experiment(**truth["experiment"]), np.random.default_rng(truth["seed"]))[0]

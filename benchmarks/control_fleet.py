@@ -54,7 +54,7 @@ from pipeline.rig.controllers import Controller, played
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.rig.joint import rest, wells
 from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
-from pipeline.rig.parameters import JointParameters
+from pipeline.rig.parameters import RigParameters
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
 from pipeline.tools.closed_loop import designed, virtual_joint
@@ -72,7 +72,7 @@ SLOW_RAMP, FAST_RAMP = 60.0, 6.0  # s, of the ramps to 3 kV that give the static
 class Subject:
     """A joint, its bench, its rests, and the model that was identified."""
 
-    p: JointParameters
+    p: RigParameters
     bench: Bench
     model: HybridModel
     paper: RbfPaperModel

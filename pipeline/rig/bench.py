@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.joint import simulate
-from pipeline.rig.parameters import JointParameters
+from pipeline.rig.parameters import RigParameters
 
 _POWER_FLOOR = 100.0  # V: below this the current limit, not the power limit, holds
 
@@ -207,7 +207,7 @@ def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0, charging: 
     return Bench(rate, (converter(), converter()), laser, (probe(), probe()), charging)
 
 
-def record(p: JointParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> BenchRecord:
+def record(p: RigParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np.random.Generator) -> BenchRecord:
     """Play the commands `u` (N, 2) [V] at the bench's times `t` (N,) [s] on the joint `p` at rest in its left well."""
     dt = 1 / bench.rate
     v: FloatArray = np.stack([bench.converters[side].drive(u[:, side], dt) for side in (0, 1)], axis=1)

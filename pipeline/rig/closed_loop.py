@@ -13,7 +13,7 @@ from pipeline.compiled import compiled, intrinsic, types
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.bench import bent, charged
 from pipeline.rig.midpoint import KEEP, advance, at_rest, read_tip, workspace
-from pipeline.rig.parameters import JointParameters
+from pipeline.rig.parameters import RigParameters
 
 HALVES = 2
 """Time steps of the joint in a period of the controller, and rows of the log."""
@@ -115,14 +115,14 @@ def laser_reading(q: float, row: int, around: Surroundings) -> float:
 
 @compiled
 def close_loop(
-    p: JointParameters, start: FloatArray, around: Surroundings, target: FloatArray, address: int, memory: int,
+    p: RigParameters, start: FloatArray, around: Surroundings, target: FloatArray, address: int, memory: int,
     out: FloatArray, refused: IntArray,
 ) -> int:  # fmt: skip
     """Run the loop from rest and fill `out`.
 
     Parameters
     ----------
-    p : JointParameters
+    p : RigParameters
         The joint.
     start : FloatArray, shape (n,)
         Its coordinates at rest.

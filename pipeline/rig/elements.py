@@ -35,7 +35,7 @@ from pipeline.rig.parameters import (
     NEO_HOOKEAN,
     RITZ,
     THICKNESS,
-    JointParameters,
+    RigParameters,
 )
 
 # Six Gauss points on [0, 1]: exact for the bending energy, a polynomial of degree ten.
@@ -44,7 +44,7 @@ _WEIGHTS = 0.5 * np.polynomial.legendre.leggauss(6)[1]
 
 
 @compiled
-def tip(x: FloatArray, p: JointParameters, pose: FloatArray, jacobian: FloatArray) -> None:
+def tip(x: FloatArray, p: RigParameters, pose: FloatArray, jacobian: FloatArray) -> None:
     """Fill `pose` = (q, u_y, φ) of the tip and its `jacobian`, shape (3, n), at the coordinates `x`."""
     n, l = x.size, p.length
     if p.beam == RITZ:
@@ -75,7 +75,7 @@ def tip(x: FloatArray, p: JointParameters, pose: FloatArray, jacobian: FloatArra
 
 
 @compiled
-def inertia(x: FloatArray, v: FloatArray, p: JointParameters, matrix: FloatArray, bias: FloatArray) -> None:
+def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, bias: FloatArray) -> None:
     """Fill the mass `matrix`, shape (n, n), and the velocity-dependent inertia forces `bias`, shape (n,).
 
     The equations of motion read ``M(x) v̇ + bias(x, v) = force(x, v)``.
@@ -109,7 +109,7 @@ def inertia(x: FloatArray, v: FloatArray, p: JointParameters, matrix: FloatArray
 
 
 @compiled
-def _lever(i: int, j: int, n: int, link: float, p: JointParameters) -> float:
+def _lever(i: int, j: int, n: int, link: float, p: RigParameters) -> float:
     """Σ of mass × lever of link i × lever of link j over the lumped masses: half links at each node, and the frame."""
     outer = max(i, j)
     beam = p.line_density * link * (n - outer - 0.5) * link * link
@@ -119,7 +119,7 @@ def _lever(i: int, j: int, n: int, link: float, p: JointParameters) -> float:
 
 
 @compiled
-def elastic(x: FloatArray, v: FloatArray, p: JointParameters, force: FloatArray) -> float:
+def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -> float:
     """Fill `force`, shape (n,), with elasticity and loss of the beam; return its potential energy [J].
 
     The chain's includes the weight of the frame's offset, which the tip's vertical displacement does not carry.
@@ -163,7 +163,7 @@ def elastic(x: FloatArray, v: FloatArray, p: JointParameters, force: FloatArray)
 
 
 @compiled
-def stretch(side: int, pose: FloatArray, p: JointParameters, gradient: FloatArray) -> float:
+def stretch(side: int, pose: FloatArray, p: RigParameters, gradient: FloatArray) -> float:
     """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,)."""
     s = 2.0 * side - 1.0
     sin, cos = math.sin(pose[2]), math.cos(pose[2])
@@ -179,7 +179,7 @@ def stretch(side: int, pose: FloatArray, p: JointParameters, gradient: FloatArra
 
 
 @compiled
-def rubber_stress(stretch_1: float, side: int, p: JointParameters) -> float:
+def rubber_stress(stretch_1: float, side: int, p: RigParameters) -> float:
     """∂U/∂λ1 per volume of the rubber alone [Pa] at `stretch_1` = λ1."""
     modulus: float = p.modulus[side]
     shape: float = p.rubber_shape[0]
@@ -199,7 +199,7 @@ def rubber_stress(stretch_1: float, side: int, p: JointParameters) -> float:
 
 
 @compiled
-def rubber_energy(stretch_1: float, side: int, p: JointParameters) -> float:
+def rubber_energy(stretch_1: float, side: int, p: RigParameters) -> float:
     """Strain energy per volume [J/m³] of the rubber alone at `stretch_1` = λ1, zero at λ1 = 1."""
     modulus: float = p.modulus[side]
     shape: float = p.rubber_shape[0]
@@ -219,7 +219,7 @@ def rubber_energy(stretch_1: float, side: int, p: JointParameters) -> float:
 
 
 @compiled
-def viscous_strain(stretch_1: float, p: JointParameters) -> tuple[float, float]:
+def viscous_strain(stretch_1: float, p: RigParameters) -> tuple[float, float]:
     """The strain that the viscous branches see, and its derivative by λ1: λ3 = λ1^(−1/2), or ln λ1."""
     if p.strain == THICKNESS:
         thickness = 1.0 / math.sqrt(stretch_1)
@@ -228,7 +228,7 @@ def viscous_strain(stretch_1: float, p: JointParameters) -> tuple[float, float]:
 
 
 @compiled
-def slide(z: FloatArray, shift: float, speed: float, dt: float, p: JointParameters, after: FloatArray) -> float:
+def slide(z: FloatArray, shift: float, speed: float, dt: float, p: RigParameters, after: FloatArray) -> float:
     """Friction force [N] against the motion after sliding by `shift` [m] at `speed` [m/s] within `dt` [s].
 
     `z`, shape (elements,), is the state before and `after` the state after [N]. Each law is solved implicitly in it

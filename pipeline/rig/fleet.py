@@ -14,7 +14,7 @@ from pipeline.rig.excitation import EXCITATIONS, Sequence, command, load_sequenc
 from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
 from pipeline.rig.log import LAYOUTS, RawLog
-from pipeline.rig.parameters import JointParameters, as_json, nominal, table1
+from pipeline.rig.parameters import RigParameters, as_json, nominal, table1
 from pipeline.rig.random_joint import random_joint
 from pipeline.runs.outputs import new_outputs, rebased
 
@@ -167,7 +167,7 @@ def simulate_fleet(
         yield simulate_prototype(folder / name, name, replace(experiment, kind=kind), seed=own, force=force)
 
 
-def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[JointParameters, Bench, list[Log]]:
+def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameters, Bench, list[Log]]:
     """A joint, its bench and its logs, drawn until they are worth recording; the drawing is taken as it is.
 
     With the generator of an equal seed it is what `write_prototype` drew.
@@ -204,7 +204,7 @@ def _stem(role: Role, index: int) -> str:
     return role if index == 0 else f"{role}-{index + 1}"
 
 
-def _joint(kind: str, rng: np.random.Generator) -> JointParameters:
+def _joint(kind: str, rng: np.random.Generator) -> RigParameters:
     """The joint of a `kind`."""
     if kind == "nominal":
         return nominal()
@@ -216,7 +216,7 @@ def _joint(kind: str, rng: np.random.Generator) -> JointParameters:
 def _run(
     role: Role,
     index: int,
-    joint: JointParameters,
+    joint: RigParameters,
     bench: Bench,
     experiment: Experiment,
     played: Sequence | None,
@@ -259,7 +259,7 @@ def _write_truth(path: Path, measured: BenchRecord, rate: float) -> None:
     parquet.write_table(table, path, write_page_checksum=True)
 
 
-def moving_mass(joint: JointParameters) -> float:
+def moving_mass(joint: RigParameters) -> float:
     """What a user would know of it: the drawing's, with the part of the beam that moves along [kg]."""
     return joint.mass + _BEAM_SHARE * joint.line_density * joint.length
 

@@ -9,7 +9,7 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.elements import elastic, rubber_energy, stretch, tip
 from pipeline.rig.midpoint import march
-from pipeline.rig.parameters import RITZ, JointParameters, coordinates
+from pipeline.rig.parameters import RITZ, RigParameters, coordinates
 
 _SETTLING, _SETTLING_STEP = 6.0, 2e-3  # s
 _PUSH = 3000.0  # V
@@ -33,12 +33,12 @@ class Motion:
     phi: FloatArray
 
 
-def simulate(p: JointParameters, v: FloatArray, dt: float, *, stride: int = 15, x0: FloatArray | None = None) -> Motion:
+def simulate(p: RigParameters, v: FloatArray, dt: float, *, stride: int = 15, x0: FloatArray | None = None) -> Motion:
     """Simulate from rest under the voltages `v`, shape (N, 2) [V], sampled every `dt` [s].
 
     Parameters
     ----------
-    p : JointParameters
+    p : RigParameters
         The joint.
     v : FloatArray, shape (N, 2)
         Membrane voltages (left, right) [V].
@@ -68,7 +68,7 @@ def simulate(p: JointParameters, v: FloatArray, dt: float, *, stride: int = 15, 
     return Motion(q, qdot, phi)
 
 
-def rest(p: JointParameters, *, side: int) -> FloatArray:
+def rest(p: RigParameters, *, side: int) -> FloatArray:
     """Coordinates of the relaxed equilibrium without voltage on `side` (−1 left, +1 right), shape (n,).
 
     Dynamic relaxation: the joint is held at the side by voltage, released, and settles without friction and creep.
@@ -93,13 +93,13 @@ def rest(p: JointParameters, *, side: int) -> FloatArray:
     return final
 
 
-def wells(p: JointParameters) -> tuple[float, float]:
+def wells(p: RigParameters) -> tuple[float, float]:
     """Tip displacement [m] of the relaxed equilibria on the left and on the right, without voltage."""
     left, right = (tip_displacement(p, rest(p, side=side)) for side in (-1, 1))
     return left, right
 
 
-def saddle(p: JointParameters) -> FloatArray:
+def saddle(p: RigParameters) -> FloatArray:
     """Coordinates of the relaxed unstable equilibrium between the wells, without voltage, shape (n,).
 
     Newton's method on the gradient of the potential by central differences, from mixtures of the shapes in both wells,
@@ -128,21 +128,21 @@ def saddle(p: JointParameters) -> FloatArray:
     raise InputError("the virtual joint has no unstable equilibrium between its wells")
 
 
-def barrier(p: JointParameters) -> float:
+def barrier(p: RigParameters) -> float:
     """Energy [J] from the wells, on average, to the unstable equilibrium between them, without voltage."""
     none = np.zeros(2)
     low = np.mean([potential(p, rest(p, side=side), none) for side in (-1, 1)])
     return float(potential(p, saddle(p), none) - low)
 
 
-def tip_displacement(p: JointParameters, x: FloatArray) -> float:
+def tip_displacement(p: RigParameters, x: FloatArray) -> float:
     """Tip displacement q [m] at the coordinates `x`."""
     pose = np.empty(3)
     tip(x, p, pose, np.empty((3, x.size)))
     return float(pose[0])
 
 
-def potential(p: JointParameters, x: FloatArray, v: FloatArray) -> float:
+def potential(p: RigParameters, x: FloatArray, v: FloatArray) -> float:
     """Energy [J] stored at the coordinates `x`, shape (n,), with relaxed branches, at voltages `v`, shape (2,) [V].
 
     Beam, weight, rubber, and ``−½ C v²`` of the membranes held at their voltages: the force is minus its gradient.
@@ -155,7 +155,7 @@ def potential(p: JointParameters, x: FloatArray, v: FloatArray) -> float:
     return float(energy - 0.5 * membrane_capacitances(p, x) @ v**2)
 
 
-def membrane_capacitances(p: JointParameters, x: FloatArray) -> FloatArray:
+def membrane_capacitances(p: RigParameters, x: FloatArray) -> FloatArray:
     """Capacitance [F] of each membrane at the coordinates `x`, shape (2,)."""
     pose = np.empty(3)
     tip(x, p, pose, np.empty((3, x.size)))

@@ -12,7 +12,7 @@ from pipeline.rig.closed_loop import FINE, FROZEN, GONE, HALVES, PERIOD, Surroun
 from pipeline.rig.controllers import Controller
 from pipeline.rig.excitation import MAX_VOLTAGE
 from pipeline.rig.joint import barrier, rest, tip_displacement, wells
-from pipeline.rig.parameters import JointParameters
+from pipeline.rig.parameters import RigParameters
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ class ClosedLoop:
 
 
 def run_loop(
-    p: JointParameters, bench: Bench, scenario: Scenario, controller: Controller, start: FloatArray | None = None
+    p: RigParameters, bench: Bench, scenario: Scenario, controller: Controller, start: FloatArray | None = None
 ) -> ClosedLoop:
     """Run a controller on a joint, from rest in a well or from the coordinates `start`, shape (n,).
 
@@ -140,7 +140,7 @@ def run_loop(
 
 
 def _surroundings(
-    p: JointParameters, bench: Bench, scenario: Scenario, t: FloatArray, rng: np.random.Generator
+    p: RigParameters, bench: Bench, scenario: Scenario, t: FloatArray, rng: np.random.Generator
 ) -> Surroundings:
     """Instruments of the bench and disturbances of the scenario, at the rows of the log."""
     laser, converters = bench.laser, bench.converters

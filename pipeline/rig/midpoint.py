@@ -18,7 +18,7 @@ import numpy as np
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.elements import elastic, inertia, rubber_stress, slide, stretch, tip, viscous_strain
-from pipeline.rig.parameters import JointParameters
+from pipeline.rig.parameters import RigParameters
 
 _TOLERANCE = 1e-8  # of the Newton step on the midpoint velocity, relative to 1 + its size
 _MAX_NEWTON = 30
@@ -56,7 +56,7 @@ class _Work(NamedTuple):
 
 
 @compiled
-def _imbalance(vm: FloatArray, h: float, state: _State, p: JointParameters, work: _Work, out: FloatArray) -> None:
+def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: _Work, out: FloatArray) -> None:
     """Fill `out`, shape (n,), with the residual of the midpoint rule at the midpoint velocity `vm`."""
     n, x = vm.size, work.x
     for j in range(n):
@@ -89,7 +89,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: JointParameters, work
 
 
 @compiled
-def _membrane_load(dt: float, state: _State, p: JointParameters, work: _Work) -> None:
+def _membrane_load(dt: float, state: _State, p: RigParameters, work: _Work) -> None:
     """Fill `work.load` with the membranes' forces along (q, u_y, φ), `dt` after the state; and `work.branches`."""
     work.load[0] = work.load[1] = work.load[2] = 0.0
     for side in range(2):
@@ -138,7 +138,7 @@ def _invert(a: FloatArray, inverse: FloatArray) -> None:
 
 @compiled
 def _newton(
-    vm: FloatArray, h: float, renew: bool, state: _State, p: JointParameters, work: _Work, inverse: FloatArray
+    vm: FloatArray, h: float, renew: bool, state: _State, p: RigParameters, work: _Work, inverse: FloatArray
 ) -> int:
     """Solve the step for `vm` in place; the iterations taken, or −1. `inverse` is the Jacobian's, renewed on demand."""
     n = vm.size
@@ -183,7 +183,7 @@ def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
 
 
 @compiled
-def at_rest(p: JointParameters, start: FloatArray) -> _State:
+def at_rest(p: RigParameters, start: FloatArray) -> _State:
     """The joint at rest at the coordinates `start`, shape (n,), its viscous branches and friction relaxed."""
     n, branches, elements = start.size, p.branch_modulus.shape, p.slip_force.size
     state = _State(
@@ -197,7 +197,7 @@ def at_rest(p: JointParameters, start: FloatArray) -> _State:
 
 
 @compiled
-def workspace(p: JointParameters, n: int) -> _Work:
+def workspace(p: RigParameters, n: int) -> _Work:
     """Arrays for the steps of a joint with `n` coordinates."""
     return _Work(
         np.zeros(n), np.zeros(3), np.zeros((3, n)), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(n), np.zeros(n),
@@ -206,7 +206,7 @@ def workspace(p: JointParameters, n: int) -> _Work:
 
 
 @compiled
-def read_tip(state: _State, p: JointParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
+def read_tip(state: _State, p: RigParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
     """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state."""
     tip(state.x, p, work.pose, work.jacobian)
     for row in range(2):
@@ -218,7 +218,7 @@ def read_tip(state: _State, p: JointParameters, work: _Work, pose: FloatArray, r
 
 @compiled
 def advance(
-    h: float, renew: bool, state: _State, p: JointParameters, work: _Work, inverse: FloatArray, vm: FloatArray
+    h: float, renew: bool, state: _State, p: RigParameters, work: _Work, inverse: FloatArray, vm: FloatArray
 ) -> int:
     """One step of `h` [s] under `state.charge` and `state.hand`; the Newton iterations taken, or −1.
 
@@ -250,13 +250,13 @@ def advance(
 
 @compiled
 def march(
-    p: JointParameters, start: FloatArray, e: FloatArray, dt: float, stride: int
+    p: RigParameters, start: FloatArray, e: FloatArray, dt: float, stride: int
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
     """March from rest under sampled voltages.
 
     Parameters
     ----------
-    p : JointParameters
+    p : RigParameters
         The joint.
     start : FloatArray, shape (n,)
         Coordinates at rest.

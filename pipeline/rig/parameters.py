@@ -22,7 +22,7 @@ VOLUME = LAYERS * AREA * FILM  # m³
 CAPACITANCE = LAYERS * EPS0 * PERMITTIVITY * AREA / FILM  # F
 
 
-class JointParameters(NamedTuple):
+class RigParameters(NamedTuple):
     """A joint with its own left and right membrane; SI units; pairs are (left, right).
 
     The beam is either a Ritz polynomial with four coordinates (`beam` = ``RITZ``, eqs. 1–13) or a chain of
@@ -67,7 +67,7 @@ class JointParameters(NamedTuple):
     friction_shape: FloatArray  # (4,) constants of the friction law, see friction.py
 
 
-def nominal(*, links: int = 5) -> JointParameters:
+def nominal(*, links: int = 5) -> RigParameters:
     """The designer's drawing: Table 1 as corrected with E = 1.76 GPa, symmetric, without friction and creep."""
     pair = np.ones(2)
     length, modulus, second_moment, section, density = 90e-3, 1.76e9, 1.1e-12, 11e-6, 1200.0
@@ -75,7 +75,7 @@ def nominal(*, links: int = 5) -> JointParameters:
     hinge = np.full(links, modulus * second_moment / link)
     hinge[0] *= 2.0  # the clamp's half cell
     loss = 2 * 3.64e6 * second_moment
-    return JointParameters(
+    return RigParameters(
         beam=RITZ,
         length=length,
         mass=40e-3,
@@ -111,13 +111,13 @@ def nominal(*, links: int = 5) -> JointParameters:
     )  # fmt: skip
 
 
-def table1() -> JointParameters:
+def table1() -> RigParameters:
     """Table 1 as printed, corrected: E = 1.62 GPa; it needs at least 2.4 kV to switch."""
     p, ratio = nominal(), 1.62 / 1.76
     return p._replace(bending=p.bending * ratio, axial=p.axial * ratio, hinge_stiffness=p.hinge_stiffness * ratio)
 
 
-def coordinates(p: JointParameters) -> int:
+def coordinates(p: RigParameters) -> int:
     """How many generalised coordinates the beam has."""
     return 4 if p.beam == RITZ else p.hinge_stiffness.size
 
@@ -129,7 +129,7 @@ _FRICTIONS = ("maxwell-slip", "lugre", "bouc-wen", "dahl")
 _LAWS = {"beam": _BEAMS, "rubber": _RUBBERS, "strain": _STRAINS, "friction": _FRICTIONS}
 
 
-def as_json(p: JointParameters) -> dict[str, object]:
+def as_json(p: RigParameters) -> dict[str, object]:
     """`p` as plain numbers and lists, laws by name."""
     values: dict[str, object] = {
         key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in p._asdict().items()
@@ -137,7 +137,7 @@ def as_json(p: JointParameters) -> dict[str, object]:
     return values | {key: names[getattr(p, key)] for key, names in _LAWS.items()}
 
 
-def from_json(values: Mapping[str, Any]) -> JointParameters:
+def from_json(values: Mapping[str, Any]) -> RigParameters:
     """The joint back from `as_json`.
 
     Raises
@@ -148,4 +148,4 @@ def from_json(values: Mapping[str, Any]) -> JointParameters:
     kept: dict[str, Any] = {
         key: np.array(values[key]) if isinstance(values[key], list) else values[key] for key in nominal()._fields
     }
-    return JointParameters(**kept | {key: names.index(values[key]) for key, names in _LAWS.items()})
+    return RigParameters(**kept | {key: names.index(values[key]) for key, names in _LAWS.items()})

@@ -15,7 +15,7 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig import parameters as law
 from pipeline.rig.joint import simulate, wells
-from pipeline.rig.parameters import JointParameters, nominal
+from pipeline.rig.parameters import RigParameters, nominal
 
 Family = Literal["same", "foreign"]
 
@@ -28,7 +28,7 @@ _TRIAL = 2900.0  # V, of the pulses
 _SLOW, _RISE, _HOLD, _SLOW_STEP = 2400.0, 3.0, 2.0, 1e-3  # V: Table 1, the stiffest drawing, needs as much; s
 
 
-def random_joint(rng: np.random.Generator, family: Family) -> JointParameters:
+def random_joint(rng: np.random.Generator, family: Family) -> RigParameters:
     """Draw a joint of the `family` that rests in two wells and switches between them at 3 kV, both ways.
 
     The beam's stiffness is set last, so that the wells lie where they were drawn, as the adjustment screws of the
@@ -55,7 +55,7 @@ def _spread(rng: np.random.Generator, value: float, relative: float) -> float:
     return value * (1.0 + float(rng.uniform(-relative, relative)))
 
 
-def _asymmetric(rng: np.random.Generator, p: JointParameters) -> JointParameters:
+def _asymmetric(rng: np.random.Generator, p: RigParameters) -> RigParameters:
     """`p` with workshop tolerances, left and right each its own: lengths ±0.3 mm, rubber and capacitance ±5 %."""
 
     def lengths(pair: FloatArray, tolerance: float) -> FloatArray:
@@ -77,7 +77,7 @@ def _asymmetric(rng: np.random.Generator, p: JointParameters) -> JointParameters
     )
 
 
-def _same(rng: np.random.Generator) -> JointParameters:
+def _same(rng: np.random.Generator) -> RigParameters:
     """The analytical model's theory, plus creep and Maxwell slip."""
     p = _asymmetric(rng, nominal())
     elements = 4
@@ -92,7 +92,7 @@ def _same(rng: np.random.Generator) -> JointParameters:
     )
 
 
-def _foreign(rng: np.random.Generator) -> JointParameters:
+def _foreign(rng: np.random.Generator) -> RigParameters:
     """Link chain, other rubber with three relaxation times, other friction, extended frame."""
     links = int(rng.integers(3, 6))
     p = _asymmetric(rng, nominal(links=links))
@@ -122,7 +122,7 @@ def _foreign(rng: np.random.Generator) -> JointParameters:
     return _other_friction(rng, p)
 
 
-def _other_friction(rng: np.random.Generator, p: JointParameters) -> JointParameters:
+def _other_friction(rng: np.random.Generator, p: RigParameters) -> RigParameters:
     """`p` with LuGre, Bouc–Wen or Dahl friction of 0.6 to 2 mN."""
     kind = int(rng.choice([law.LUGRE, law.BOUC_WEN, law.DAHL]))
     force = float(rng.uniform(0.6e-3, 2.0e-3))
@@ -137,12 +137,12 @@ def _other_friction(rng: np.random.Generator, p: JointParameters) -> JointParame
     )
 
 
-def _stiffened(p: JointParameters, factor: float) -> JointParameters:
+def _stiffened(p: RigParameters, factor: float) -> RigParameters:
     """`p` with `factor` on the beam's bending stiffness."""
     return p._replace(bending=p.bending * factor, hinge_stiffness=p.hinge_stiffness * factor)
 
 
-def _tuned(p: JointParameters, target: float) -> JointParameters:
+def _tuned(p: RigParameters, target: float) -> RigParameters:
     """`p` with the bending stiffness at which the wells lie `target` [m] from the middle, on average."""
     low, high = 0.55, 1.6
     for _ in range(9):
@@ -152,7 +152,7 @@ def _tuned(p: JointParameters, target: float) -> JointParameters:
     return _stiffened(p, 0.5 * (low + high))
 
 
-def _switches(p: JointParameters) -> bool:
+def _switches(p: RigParameters) -> bool:
     """Whether the wells lie apart and either side sends the joint over from the other.
 
     By pulses, and with a reserve by a voltage that rises slowly: an operator turns the screws until it does (§2).

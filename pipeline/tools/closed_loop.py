@@ -20,7 +20,7 @@ from pipeline.rig.excitation import load_sequence
 from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS, PER_SI
 from pipeline.rig.loop import ClosedLoop, Scenario, bench_from_json, run_loop
-from pipeline.rig.parameters import JointParameters, from_json, nominal, table1
+from pipeline.rig.parameters import RigParameters, from_json, nominal, table1
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.units import parse_quantity, to_si
@@ -35,7 +35,7 @@ class VirtualJoint:
     """A joint of the virtual rig with its bench and the places that targets may name."""
 
     name: str
-    parameters: JointParameters
+    parameters: RigParameters
     bench: Bench
 
     def places(self) -> dict[str, float]:

@@ -10,7 +10,7 @@ from pipeline.rig import parameters as law
 from pipeline.rig.elements import elastic, inertia, rubber_energy, rubber_stress, slide, tip
 from pipeline.rig.joint import potential, rest, simulate, wells
 from pipeline.rig.midpoint import march
-from pipeline.rig.parameters import JointParameters, coordinates, nominal
+from pipeline.rig.parameters import RigParameters, coordinates, nominal
 
 FRICTIONS = {
     law.MAXWELL_SLIP: np.array([0.0, 1.0, 0.0, 0.0]),
@@ -20,7 +20,7 @@ FRICTIONS = {
 }
 
 
-def conservative(beam: int) -> JointParameters:
+def conservative(beam: int) -> RigParameters:
     """The drawing without any loss."""
     p = nominal()
     return p._replace(
