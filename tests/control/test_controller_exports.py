@@ -11,6 +11,7 @@ from control_joints import Running, designed
 from scipy.io import loadmat, savemat
 
 from pipeline.control.controller import PERIOD, closed_on_model, estimate, observe
+from pipeline.control.law import Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 from pipeline.numerics.arrays import FloatArray
@@ -111,3 +112,48 @@ def test_no_name_leaves_the_comments(text: str, tmp_path: Path) -> None:
         assert "INJECTED" not in re.sub(r"/\*.*?\*/", " ", source, flags=re.DOTALL) and "??" not in source
     script = (tmp_path / "controller.m").read_text(encoding="ascii")
     assert not [line for line in script.splitlines() if "INJECTED" in line and not line.startswith("%")]
+
+
+HARNESS = """
+#include <math.h>
+#include "controller.h"
+int main(void)
+{
+    static const double odd[] = {0.0, -0.01, NAN, 1e300, -INFINITY, 0.01, 5.0, -1e-300};
+    static double state[8192], v[2], out[%d];
+    if (debist_controller_size() > sizeof state) return 2;
+    for (int first = 0; first < 8; first++) {
+        debist_controller_init(state, odd[first]);
+        for (int i = 0; i < 200; i++) {
+            debist_controller_step(state, i %% 3 ? 0.01 : odd[i %% 8], odd[(i / 7) %% 8], v);
+            if (!(v[0] >= 0.0 && v[1] >= 0.0 && v[0] <= %.17g && v[1] <= %.17g)) return 3;
+            debist_controller_observe(state, odd[(i / 5) %% 8], odd + i %% 7);
+            debist_controller_estimate(state, out);
+        }
+    }
+    return 0;
+}
+"""
+
+
+@pytest.mark.long
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+@pytest.mark.parametrize("seed", range(4))
+def test_an_absurd_controller_does_nothing_undefined_and_keeps_its_limits(seed: int, tmp_path: Path) -> None:
+    """One whose numbers are far from what they were, but pass the check of a received design."""
+    plant, law = designed()
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
+    document, random = law.to_json(), np.random.default_rng(seed)
+    fixed = {"curve_last", "highest"}
+    for name, value in document["numbers"].items():
+        if name not in fixed and random.random() < 0.2:
+            document["numbers"][name] = value * 10.0 ** int(random.integers(-6, 7))
+    absurd = Law.from_json(document)
+    subject = ControllerSubject("P1", "hybrid", "0" * 64, absurd, (3e-3, 3e-3), (left, saddle, right))
+    write_controller(subject, tmp_path)
+    highest = absurd.number("highest")
+    (tmp_path / "main.c").write_text(HARNESS % (len(ESTIMATES), highest, highest), encoding="utf-8")
+    sanitised = ("-g", "-O1", "-std=c99", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    subprocess.run(["gcc", *sanitised, "main.c", "controller.c", "-o", "run", "-lm"], cwd=tmp_path, check=True)
+    done = subprocess.run([tmp_path / "run"], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, (done.returncode, done.stderr)
