@@ -272,7 +272,7 @@ class Ingest(_Settings):
     pass that stays there for long, as a drive that rests at its end positions."""
     lost: Literal["mask", "keep"] = "mask"
     """What happens where q jumps to a constant level far outside the rest for 50 ms or more, as when a laser loses its
-    target: "mask" or "keep"."""
+    target, or shows bursts at one level, a value that is held, or lost rows: "mask" (lost rows: split) or "keep"."""
     spikes: Literal["mask", "keep"] = "mask"
     """What happens to single samples of q far off neighbours that agree: "mask" or "keep"."""
     csv: Csv = Csv()

@@ -21,7 +21,7 @@ print(list(model.describe())[:6])
 
 # --8<-- [start:score]
 unseen = run.log(run.logs[-1])
-scores = model.score(unseen.t_s, unseen.q_m, unseen.v1_V, unseen.v2_V)
+scores = model.score(unseen)  # as in the report
 print(scores[["signal", "fit_percent", "nrmse", "rmse", "unit", "status"]])
 ax = model.plot(unseen.t_s, unseen.q_m, unseen.v1_V, unseen.v2_V)
 ax.figure.savefig("from_arrays.svg")

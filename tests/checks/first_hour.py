@@ -1,15 +1,5 @@
-"""Fifteen mistakes of a first hour: how each is made, and what debist must say to it.
+"""Fifteen mistakes of a first hour: how each is made, and what debist must say to it."""
 
-`python -m tests.checks.first_hour` makes each of them in a process of its own and renews the table of the page.
-"""
-
-import os
-import re
-import resource
-import shutil
-import subprocess
-import sys
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +9,6 @@ import numpy as np
 from tests.double_well import DoubleWell
 from tests.prototypes import QUICK, motion, settings, write_csv
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "mistakes.md"
 TOML = settings('[plant]\nmass = { value = 41, unit = "g" }\n' + QUICK, train="train.csv", validation="validation.csv")
 RUN = ("run", "P.toml", "-o", "run", "--no-report", "-q")
 
@@ -157,42 +146,3 @@ MISTAKES = (
         2,
     ),
 )
-
-
-def _measured(mistake: Mistake, before: Path) -> tuple[str, float]:
-    """What is said, and the processor time [s] until then, in a process of its own; `before` holds a finished run."""
-    with tempfile.TemporaryDirectory() as place:
-        folder = Path(shutil.copytree(before, Path(place) / "first-hour"))
-        debist = Path(sys.executable).with_name("debist")
-        settings = {"cwd": folder, "env": {**os.environ, "COLUMNS": "200"}, "capture_output": True, "text": True}
-        if mistake.arguments[0] == "status":  # a run knows its settings file by its path
-            subprocess.run([debist, *RUN], **settings, check=True)
-        mistake.make(folder)
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        done = subprocess.run([debist, *mistake.arguments], **settings)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        assert (done.returncode, mistake.said in done.stdout + done.stderr) == (mistake.code, True), done
-        lines = (done.stderr if mistake.code else done.stdout).splitlines()
-        said = next(line for line in lines if mistake.said in line)
-        spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-        said = said.removeprefix("debist: ").partition(" To use it knowingly")[0]
-        return re.sub(r"\s+", " ", said).strip(), spent
-
-
-def table() -> str:
-    """The table of the page, every row as it was said just now."""
-    rows = ["| mistake | message | exit code | s |", "|---|---|---|---|"]
-    with tempfile.TemporaryDirectory() as place:
-        write_logs(Path(place))
-        subprocess.run([Path(sys.executable).with_name("debist"), *RUN], cwd=place, check=True)
-        for mistake in MISTAKES:
-            said, seconds = _measured(mistake, Path(place))
-            rows.append(f"| {mistake.done} | {said.replace('|', '¦')} | {mistake.code} | {seconds:.1f} |")
-    return "\n".join(rows)
-
-
-if __name__ == "__main__":
-    text = PAGE.read_text(encoding="utf-8")
-    PAGE.write_text(
-        re.sub(r"\| mistake \|.*?\n\n", lambda _: table() + "\n\n", text, flags=re.DOTALL), encoding="utf-8"
-    )
