@@ -14,6 +14,8 @@ from pipeline.stages.run import run_prototype
 from tests.export.joints import paper, pulses
 
 SECONDS = 12.0
+# The planted joint is not of the drawn size, and one test calls its inputs linear.
+pytestmark = pytest.mark.filterwarnings("ignore:debist. log 1. (coupling|law of the inputs)")
 
 
 @pytest.fixture(scope="module")
@@ -175,4 +177,5 @@ def test_a_log_of_other_inputs_is_no_log_of_the_model(log, model):
 
 
 def test_nothing_but_the_public_names():
-    assert set(debist.__all__) == {"DebistError", "Model", "Run", "__version__", "identify", "open_run"}
+    functions = {"check", "compare", "differentiate", "identify", "open_run", "read_log"}
+    assert set(debist.__all__) == {"DebistError", "Model", "Run", "__version__", *functions}

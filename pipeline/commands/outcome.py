@@ -51,7 +51,7 @@ def emit_scores(
 
     table = headline_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)
-    typer.echo(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
+    emit_text(f"{table.explanation}\nIntervals, every log, horizons and times: --details")
 
 
 def _emit_details(run: Path) -> None:

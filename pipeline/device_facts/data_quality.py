@@ -76,7 +76,12 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
 def _remark_checks(data: RunData) -> list[Check]:
     """Every remark on a log, and every (!) of the checks; what was masked or split is graded by its share."""
     advice = "see to it, or judge every number with that in mind"
-    remarks = [(log.title, str(text)) for log in data.logs for text in log.record_notes.get("warnings", ())]
+    remarks = [
+        (log.title, str(text))
+        for log in data.logs
+        for text in log.record_notes.get("warnings", ())
+        if text not in log.record_notes.get("accepted", ())  # which have a row of their own
+    ]
     checks = [
         Check("data", "remark", "good" if DEALT_WITH.search(text) else "fair", f"{title}: {text}", advice)
         for title, text in remarks

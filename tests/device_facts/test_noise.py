@@ -21,7 +21,7 @@ def fast_run(raw_step: float) -> RunData:
     columns = {"t": t, "q": q, "v1": np.sin(t), "v2": np.zeros(t.size), "segment": np.zeros(t.size, dtype=np.int32)}
     free = {"t": t, "q": motion + 1e-4 * np.sin(2.0 * t), "qdot": 0.0 * t, "qddot": 0.0 * t}
     log = LogData(
-        "train", "fast", "fast.csv", columns, {**columns, "qdot": 0.0 * t, "qddot": 0.0 * t}, None, {"rbf": free},
+        "train", "fast", "fast.csv", columns, {**columns, "qdot": 0.0 * t, "qddot": 0.0 * t}, {"rbf": free},
         {"rbf": {"status": "ok", "diverged_at_s": None}}, {"raw_step": raw_step}, {},
     )  # fmt: skip
     return replace(run_data(), logs=(log,))
