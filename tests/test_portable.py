@@ -108,6 +108,7 @@ def test_a_batch_with_a_broken_log_and_its_rerun(surroundings, fleet):
     assert ended.returncode == 0 and "a: up to date" in ended.stderr, ended.stderr
 
 
+@pytest.mark.long
 def test_an_interrupted_batch_goes_on(surroundings, fleet):
     arguments = ("batch", "fleet", "-o", "runs", "--no-report")
     command = [sys.executable, "-P", "-c", PROGRAM, *arguments]

@@ -69,6 +69,7 @@ def test_a_lost_design_is_struck_off_and_the_command_that_makes_it_is_named(plan
     assert (run / layout.control("design")).is_file()
 
 
+@pytest.mark.long
 def test_the_converters_lag_is_that_of_the_logs_the_one_given_or_assumed(planted_run: Path, tmp_path: Path) -> None:
     told = json.loads(call("design", planted_run, "--json", "-q"))
     assert (told["lags_s"], told["lags_known"]) == ([4e-3, 4e-3], "assumed")  # its pulses have soft edges

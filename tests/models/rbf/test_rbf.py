@@ -542,6 +542,7 @@ def test_a_dead_zone_behind_a_slow_drive_starts_where_the_input_acts(drive):
     assert started["dead-zone"] == pytest.approx(started["plain"], rel=0.5)
 
 
+@pytest.mark.long
 def test_a_slow_drive_is_not_taken_for_a_gain_by_place():
     """An arm under a propeller with a lag: a gain by place predicts held-out data better than constants do."""
     rng, interval, lag, u = np.random.default_rng(3), 0.02, 0.12, list[float]()
