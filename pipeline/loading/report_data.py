@@ -168,17 +168,10 @@ def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
     return {
         "prototype": json.loads(prototype.model_dump_json()),
         "prototype_file": run.manifest.prototype_file.rpartition("/")[2],
-        "folder": _folder(run),
         "versions": dict(run.manifest.versions),
         "artifacts": artifacts,
         "sources": sources,
     }
-
-
-def _folder(run: RunFolder) -> str:
-    """The run folder as seen from the folder of the settings file; its name alone where it lies elsewhere."""
-    home, root = Path(run.manifest.prototype_file).parent, run.root.resolve()
-    return root.relative_to(home).as_posix() if root.is_relative_to(home) else root.name
 
 
 def load_scores(root: Path) -> list[dict[str, Any]]:

@@ -220,7 +220,8 @@ def _model(data: RunData, name: str) -> Described:
 
 def _provenance(data: RunData) -> dict[str, Any]:
     provenance = data.provenance
-    file, run = shlex.quote(provenance["prototype_file"]), shlex.quote(provenance["folder"])
+    # The page does not name its own folder: equal runs have equal pages wherever they lie.
+    file, run = shlex.quote(provenance["prototype_file"]), "RUN"
     studies = [f"debist study {study.name} {run}" for study in data.studies]
     # A study is drawn by the report that follows it.
     again = [*studies, f"debist report {run}"] if studies else []

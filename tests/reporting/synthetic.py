@@ -116,7 +116,6 @@ def run_data() -> RunData:
         provenance={
             "prototype": {"name": HOSTILE},
             "prototype_file": f"{HOSTILE}.toml",
-            "folder": f"runs/{HOSTILE}",
             "versions": {"debist": "0.1.0", "numpy": "2.0"},
             "artifacts": [
                 {"artifact": name, "stage": "ingest", "algorithm": "1", "content_hash": "0" * 64, "bytes": size}

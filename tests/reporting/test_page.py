@@ -6,7 +6,6 @@ import html
 import html.parser
 import json
 import re
-import shlex
 import xml.etree.ElementTree as ET
 import zlib
 from dataclasses import replace
@@ -325,7 +324,7 @@ def test_studies_are_drawn_where_they_are() -> None:
     assert "α in mm·s³" in page
     marks = figures["study-alpha"].marks
     assert marks["chosen for the logs"] == pytest.approx([1e-6 * 1e-3])  # that of the logs, for q in mm
-    assert f"debist study alpha {shlex.quote(data.provenance['folder'])}" in html.unescape(page)
+    assert "debist study alpha RUN" in page
     assert "Hyperparameter studies" not in report_page()
 
 

@@ -27,8 +27,7 @@ def test_an_interrupted_run_has_the_report_of_one_that_was_not(tmp_path, steps):
     prototype = write_prototype(tmp_path)
     prototype.write_text(prototype.read_text().replace("models = []", 'models = ["sindy", "narx"]'))
     whole = StoppedAfter(0)
-    run_prototype(prototype, tmp_path / "run", whole)
-    (tmp_path / "run").rename(tmp_path / "whole")  # the page names the folder in which it was made
+    run_prototype(prototype, tmp_path / "whole", whole)
     done = list[str]()
     while True:
         part = StoppedAfter(steps)
