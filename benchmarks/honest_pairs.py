@@ -9,7 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from pipeline.checks.check import Declared, check_logs
+from pipeline.checks.check import check_logs
+from pipeline.checks.declared import Declared
 from pipeline.checks.rows import findings
 from pipeline.checks.weak_form import LogSignals
 from pipeline.commands.console import Progress

@@ -27,6 +27,7 @@ _PATHS = (
     ("logs", "validation"),
     ("plant", "parameters"),
     ("plant", "curves"),
+    ("plant", "siblings"),
     ("compare", "curves"),
 )
 """Keys with paths that are relative to the settings file."""

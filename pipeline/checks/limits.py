@@ -31,7 +31,7 @@ at 35 % of the voltage, or by one side only, has had 2.4 to 5.7 times the misfit
 
 GAIN_OF_ALL, GAIN_OF_ONE = (0.032, 2.5), (0.08, 4.0)
 """Least deviation, and standard errors, from which the gain of a log's inputs is off: of all of them together, or of
-one. Thirty honest pairs of logs have up to 0.029 together, and up to 0.08 of one where electrodes charge slowly."""
+one. Honest pairs of 16 devices have up to 0.029 together, and up to 0.08 of one where electrodes charge slowly."""
 
 WRONG_GAIN = 0.25
 """Deviation from which on a log's voltages are refused: forces go with their square."""
@@ -78,8 +78,8 @@ OTHER_LAW = 0.7
 """Times what the weak form leaves of the accelerations, below which the other law of the inputs is shown."""
 
 OTHER_LAW_OF_ONE_SIGN = 0.93
-"""The same for inputs of one sign, between whose laws only pulses of several heights tell. Declared rightly, 30 logs of
-16 devices have 0.99 to 1.5; 20 of 30 logs of joints declared "linear" 0.64 to 0.92, those of P1 to P3 0.73 to 0.89."""
+"""The same for inputs of one sign, between whose laws only pulses of several heights tell. Declared rightly, logs of
+16 devices have 0.99 to 1.5; joints declared "linear" have 0.64 to 0.92 in two of three, P1 to P3 0.73 to 0.89."""
 
 NOTED_RATIO = 5.0
 """Factor beyond which the same numbers are shown as remarkable."""
@@ -96,7 +96,7 @@ where one of their voltages is left out."""
 
 UNDRIVEN_STARTS, MOST_PLACES = 2, 3
 """Starts from rest without a change of an input, over all logs, from which on they are told, and how many places are.
-No log of twenty prototypes has one; P1 to P3 have 2 to 5 in each log where one of their voltages is left out."""
+No log of 16 prototypes has one; P1 to P3 have 2 to 5 in each log where one of their voltages is left out."""
 
 LEAST_PER_PERIOD = 8.0
 """Uniform samples in a period of the ring-down: with fewer, the accelerations between them are not seen."""

@@ -84,7 +84,7 @@ def overlap(first: LogSignals, second: LogSignals, sample_interval: float) -> Ov
     Excerpts of the shorter log that move are looked for in the longer one on the grid of the identification. The
     offset is then refined on the finer records, and the difference compared with the noise of both.
 
-    Cost: up to 64 Fourier transforms of the longer log: 0.1 to 0.4 s for two
+    Cost: up to 64 Fourier transforms of the longer log: 0.1 to 1.3 s for two
     logs of 37.5 s at 10 ms, most of it for places where the device moves alike.
     """
     if np.isfinite(second.q).sum() * second.interval > np.isfinite(first.q).sum() * first.interval:

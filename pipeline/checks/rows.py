@@ -4,8 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+import numpy as np
+
 from pipeline.settings import CheckGate
+from pipeline.si_prefix import scale, short, significant
 from pipeline.signals.quality_gates import Finding
+from pipeline.units import column_suffix
 
 State = Literal["ok", "note", "wrong", "not seen"]
 """ok: within the limit; note: look at it; wrong: the model would be wrong; not seen: the log does not show it."""
@@ -97,3 +101,23 @@ def findings(rows: Sequence[CheckRow]) -> list[Finding]:
 def remarks(rows: Sequence[CheckRow]) -> list[str]:
     """What deserves a look and does not make the model wrong."""
     return [f"{row.sentence}: {row.advice}" for row in rows if row.state == "note"]
+
+
+def in_si(name: str, unit: str, value: float | None, error: float | None = None) -> dict[str, float]:
+    """A number for `CheckRow.values` under a key with its SI unit, and its standard error; nothing where it is none."""
+    end = "" if unit == "1" else f"_{column_suffix(unit)}"
+    numbers = {f"{name}{end}": value, f"{name}_error{end}": error}
+    return {key: float(number) for key, number in numbers.items() if number is not None and np.isfinite(number)}
+
+
+def short_quantity(value: float, unit: str) -> str:
+    """A round number with its unit."""
+    shown, factor = scale(unit, value)
+    return f"{short(value * factor)} {shown}"
+
+
+def times_text(ratio: float | None) -> str:
+    """How many times as large, in words; empty for None."""
+    if ratio is None:
+        return ""
+    return f"{significant(ratio, 2)} times" if ratio >= 1.0 else f"1/{significant(1.0 / ratio, 2)}"

@@ -74,5 +74,6 @@ def _emit(made: "LearntFile") -> None:
     )
     for odd in made.learnt.odd:
         emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")
-    emit_text(f"{'no sibling is odd' if not made.learnt.odd else 'of usual siblings at most 1 in 40 is called odd'}")
+    if not made.learnt.odd:
+        emit_text("no sibling is odd")
     emit_text(f"written: {made.path}; name it in [plant] siblings, or give it to debist batch --siblings")

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.signals.answers import answer_inputs
 from pipeline.signals.columns import Signal, chunks
-from pipeline.signals.signal_quality import SignalQuality, span
+from pipeline.signals.signal_quality import SignalQuality
 
 _NOISES, _LEAST = 12.0, 0.01
 """Standard deviations of the noise, and share of the usual range, that a jump exceeds."""
@@ -28,11 +29,6 @@ _BACK = 0.5
 """Share of a jump by which the sample behind a burst may differ from the sample before."""
 _HELD, _BEFORE = 3, 64
 """Times the longest run of one value among so many samples before, from which one before a jump was held."""
-_OF_INPUT, _ANSWER = 0.05, 0.03
-"""Share of the range of an input that its change exceeds, and time [s] that a device which jumps takes to answer."""
-_TOGETHER, _BY_CHANCE, _PLACES = 0.75, 0.01, 2000
-"""Share of the jumps that answer an input where the device makes them, the probability below which that is no chance,
-and at how many places it is seen how often an input changes."""
 _MOST_JUMPS = 10_000
 """Jumps beyond which a signal is one that jumps, as a command does."""
 
@@ -97,7 +93,7 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     if not 0 < jumps.size <= _MOST_JUMPS:
         return NONE
     times = stamps[jumps + 1]
-    if _answers_inputs(times[np.isfinite(times)], inputs, q, step):
+    if answer_inputs(times[np.isfinite(times)], inputs, stamps, step):
         return NONE
     bursts, levels = _bursts(samples, jumps, round(_LONGEST / step) + 1, _FLAT * quality.roughness)
     left = jumps[~np.isin(jumps, bursts.ravel() - 1)]
@@ -110,31 +106,6 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     cuts = ends[np.isfinite(ends).all(axis=1)]
     first = [float(stamps[spans[0, 0]]) if spans.size else np.nan for spans in (bursts, held)]
     return Dropouts(bursts, held, _ranked(levels), cuts, (first[0], first[1]))
-
-
-def _answers_inputs(times: FloatArray, inputs: Sequence[Signal], q: Signal, step: float) -> bool:
-    """Whether an input has changed just before most of these times [s], more of them than by chance."""
-    from scipy.special import bdtrc
-
-    anywhere = q[0][:: max(1, q[0].size // _PLACES)]
-    answers, chance = np.zeros(times.size, dtype=np.bool_), np.zeros(anywhere.size, dtype=np.bool_)
-    for signal in inputs:
-        answers |= _changed(signal, times, step)
-        chance |= _changed(signal, anywhere, step)
-    count = int(np.count_nonzero(answers))
-    likely = count > 0 and count >= _TOGETHER * times.size
-    return likely and bool(bdtrc(count - 1, times.size, float(np.mean(chance))) < _BY_CHANCE)
-
-
-def _changed(signal: Signal, times: FloatArray, step: float) -> BoolArray:
-    """Whether an input differs at these times [s] from what it was shortly before."""
-    smallest, largest = span(signal[1])
-    before = np.searchsorted(signal[0], times - max(5.0 * step, _ANSWER))
-    now = np.searchsorted(signal[0], times + step)
-    last = signal[1].size - 1
-    change = np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)])
-    found: BoolArray = change > _OF_INPUT * (largest - smallest)
-    return found
 
 
 def _jumps(samples: FloatArray, least: float) -> IntArray:

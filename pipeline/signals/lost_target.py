@@ -1,12 +1,13 @@
 """The level that a sensor shows while it has lost its target, told from a place where the device itself stays."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.signals.answers import answer_inputs
 from pipeline.signals.columns import Signal, chunks
-from pipeline.signals.signal_quality import SignalQuality, span
+from pipeline.signals.signal_quality import SignalQuality
 
 _LOST_FOR = 0.05
 """Time [s] that a sensor stays at the level which says that it lost its target, on average at least."""
@@ -20,14 +21,6 @@ _MOST = 0.5
 """Share of a log that may be without a target."""
 _JUMP = 2
 """Samples that the jumps to it and back may show between the two."""
-_STEP = 0.1
-"""Change of an input from one sample to the next that is a step, as a share of its range."""
-_ANSWER = 5, 0.03
-"""Samples, and time [s], the longer of which a device that jumps takes to answer a step of an input."""
-_TOGETHER = 0.75
-"""Share of the jumps to a level and back that go with steps of an input where the device makes them."""
-_BY_CHANCE = 0.01
-"""Probability below which it is no chance that so many do."""
 
 UNBOUNDED = (-np.inf, np.inf)
 
@@ -83,7 +76,7 @@ def _bound(
         return None
     ends = np.unique(runs)
     times = stamps[ends[(ends > 0) & (ends < samples.size)]]
-    return None if _goes_with(times[np.isfinite(times)], inputs, step, step * samples.size) else bound
+    return None if answer_inputs(times[np.isfinite(times)], inputs, stamps, step) else bound
 
 
 def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, step: float, sign: float) -> float | None:
@@ -115,37 +108,3 @@ def _runs_beyond(samples: FloatArray, bound: float, sign: float) -> IntArray:
         before = bool(beyond[-1])
     edges.append(np.full(int(before), samples.size))
     return np.concatenate(edges).reshape(-1, 2)
-
-
-def _goes_with(times: FloatArray, inputs: Sequence[Signal], step: float, duration: float) -> bool:
-    """Whether jumps at these times [s] answer steps of the inputs, more of them than by chance.
-
-    step: of time [s] · duration: of the log [s].
-    """
-    from scipy.special import bdtrc
-
-    earliest, latest = -max(_ANSWER[0] * step, _ANSWER[1]), step
-    answers, covered = np.zeros(times.size, dtype=np.bool_), 0.0
-    for signal in inputs:
-        last = -np.inf
-        for steps in _steps(signal):
-            answers |= np.searchsorted(steps, times + latest, side="right") > np.searchsorted(steps, times + earliest)
-            covered += float(np.minimum(np.diff(steps, prepend=last), latest - earliest).sum())
-            last = float(steps[-1])
-    count, chance = int(np.count_nonzero(answers)), min(covered / duration, 1.0)
-    if not count or count < _TOGETHER * times.size:
-        return False
-    return bool(bdtrc(count - 1, times.size, chance) < _BY_CHANCE)
-
-
-def _steps(signal: Signal) -> Iterator[FloatArray]:
-    """The times [s] at which an input steps, chunk by chunk, without the chunks in which it does not."""
-    time, samples = signal
-    smallest, largest = span(samples)
-    for rows in chunks(samples.size if largest > smallest else 0, overlap=1):
-        with np.errstate(invalid="ignore"):
-            found = np.abs(np.diff(samples[rows])) >= _STEP * (largest - smallest)
-        steps = time[rows][1:][found]
-        steps = np.sort(steps[np.isfinite(steps)])
-        if steps.size:
-            yield steps

@@ -19,7 +19,7 @@ from pipeline.settings import CheckGate, Prototype
 from pipeline.signals.inputs import voltages
 
 if TYPE_CHECKING:
-    from pipeline.checks.check import Declared
+    from pipeline.checks.declared import Declared
     from pipeline.checks.rows import CheckRow
     from pipeline.checks.weak_form import LogSignals
 
@@ -102,7 +102,7 @@ def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignal
 
 def declared(prototype: Prototype) -> "Declared":
     """What the settings say of the device."""
-    from pipeline.checks.check import Declared
+    from pipeline.checks.declared import Declared
 
     plant = device(prototype)
     return Declared(

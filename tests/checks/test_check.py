@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.checks.check import Declared, check_logs
+from pipeline.checks.check import check_logs
+from pipeline.checks.declared import Declared
 from pipeline.checks.log_facts import log_facts
 from pipeline.checks.rows import CheckRow, findings
 from pipeline.checks.weak_form import LogSignals
