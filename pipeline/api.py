@@ -125,23 +125,41 @@ class Run:
         return Model(load_run_model(self._folder, self._prototype, name), self._prototype)
 
     @one_thread
-    def simulate(self, model: str | None = None, log: str | None = None) -> "pd.DataFrame":
+    def simulate(
+        self, model: str | None = None, log: str | None = None, *, tube: bool = False
+    ) -> "pd.DataFrame":  # fmt: skip
         """Free run of a model over a log under its measured voltages; of the headline, over the last log, if left out.
+
+        Parameters
+        ----------
+        model, log : str, optional
+            Their names.
+        tube : bool
+            With the 90 % tubes of q, for a model that has them (`hybrid`).
 
         Returns
         -------
         pandas.DataFrame
             t_s, q_m, qdot_m_per_s, qddot_m_per_s2 (rad for an angle), the voltages, and q_measured_m; NaN after a
-            divergence. ``attrs`` holds ``status`` and ``diverged_at_s``.
+            divergence. With tubes q_low_m, q_high_m, and q_other_low_m, q_other_high_m where the model is not sure of
+            the well. ``attrs`` holds ``status`` and ``diverged_at_s``.
+
+        Raises
+        ------
+        InputError
+            No such model or log, or a model without tubes.
         """
-        from pipeline.loading.free_runs import free_run
+        from pipeline.loading.free_runs import drawn_runs, free_run, tubes_about
         from pipeline.loading.trajectories import load_motion
         from pipeline.tools.in_memory import frame
 
         name = log or self.logs[-1]
         table = load_motion(self._folder, self._prototype, self._role(name), name)
-        found = free_run(table, self.model(model).core)
+        core = self.model(model).core
+        found = free_run(table, core)
         columns = {"t": found.t, "q": found.q, "qdot": found.qdot, "qddot": found.qddot}
+        if tube:
+            columns |= tubes_about(found.q, drawn_runs(table, core), core)
         columns |= {key: table[key] for key in ("v1", "v2") if key in table}
         result = frame(columns | {"q_measured": table["q"]}, *self._units)
         result.attrs = {"status": found.status, "diverged_at_s": found.diverged_at_s}

@@ -50,7 +50,9 @@ class Model:
         return self.core.input_count
 
     @one_thread
-    def simulate(self, t: "ArrayLike", v: "ArrayLike", q0: float, qdot0: float = 0.0) -> "pd.DataFrame":
+    def simulate(
+        self, t: "ArrayLike", v: "ArrayLike", q0: float, qdot0: float = 0.0, *, tube: bool = False
+    ) -> "pd.DataFrame":
         """Free run from an initial state.
 
         Parameters
@@ -61,26 +63,36 @@ class Model:
             Voltages [V]; between the samples as the model takes them, `hybrid` by a cubic spline, others by lines.
         q0, qdot0 : float
             Initial displacement [m] and velocity [m/s].
+        tube : bool
+            With the 90 % tubes of q, for a model that has them (`hybrid`).
 
         Returns
         -------
         pandas.DataFrame
-            t_s, q_m, qdot_m_per_s, qddot_m_per_s2 (rad for an angle) and the voltages; NaN after a divergence.
+            t_s, q_m, qdot_m_per_s, qddot_m_per_s2 (rad for an angle) and the voltages; NaN after a divergence. With
+            tubes q_low_m, q_high_m, and q_other_low_m, q_other_high_m where the model is not sure of the well.
             ``attrs`` holds ``status`` ("ok" or "diverged") and ``diverged_at_s``.
 
         Raises
         ------
         InputError
-            Signals that do not fit the model or each other.
+            Signals that do not fit the model or each other, or a model without tubes.
         """
         import numpy as np
 
+        from pipeline.loading.free_runs import tubes_about
+        from pipeline.models.base import HasDraws
         from pipeline.tools.in_memory import frame, refuse_other_units
 
         refuse_other_units({"q0": abs(q0), "v": float(np.max(np.abs(np.asarray(v)), initial=0.0))}, self._prototype)
         run = self.core.simulate(np.asarray(t), np.asarray(v), q0, qdot0)
         voltages = np.asarray(v, dtype=np.float64)
         columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
+        if tube:
+            drawn = (
+                self.core.simulate_draws(run.t, np.asarray(v), q0, qdot0) if isinstance(self.core, HasDraws) else None
+            )
+            columns |= tubes_about(run.q, None if drawn is None else drawn[0], self.core)
         columns |= {f"v{k + 1}": voltages.reshape(len(run.t), -1)[:, k] for k in range(self.inputs)}
         table = frame(columns, *self._units)
         table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}

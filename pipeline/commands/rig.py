@@ -33,7 +33,8 @@ class SimulatedLogs:
     """What the logs of a simulated prototype are like."""
 
     kind: Annotated[
-        str, typer.Option(help="same, foreign (physics as in the analytical model, or other), nominal, table1.")
+        str,
+        typer.Option(help="same, foreign (the analytical physics, or other), worn (yields, softens), nominal, table1."),
     ] = "same"
     form: Format = "mat"
     rate: Rate = 30_000.0
@@ -284,7 +285,9 @@ class LoopScenario:
 def closed_loop(
     joint: Annotated[
         str,
-        typer.Argument(metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, same:SEED, foreign:SEED."),
+        typer.Argument(
+            metavar="JOINT", help="Folder of `debist rig`, or nominal, table1, same:SEED, foreign:SEED, worn:SEED."
+        ),
     ],
     scenario: LoopScenario,
     controller: Annotated[

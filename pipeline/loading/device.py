@@ -84,12 +84,13 @@ class Device:
         units = [unit.symbol for unit in self.inputs]
         return of_joint(self.displacement.symbol, units, squared=self.action == "squared")
 
-    def schema(self, schema: Schema, *, phi: bool = False) -> Schema:
+    def schema(self, schema: Schema, *, phi: bool = False, tubes: bool = False) -> Schema:
         """The schema with this device's units and inputs."""
         inputs = tuple(unit.symbol for unit in self.inputs)
         return resolve(
-            schema, displacement=self.displacement.symbol, inputs=inputs, phi=phi, velocity=self.velocity is not None
-        )
+            schema, displacement=self.displacement.symbol, inputs=inputs, phi=phi, velocity=self.velocity is not None,
+            tubes=tubes,
+        )  # fmt: skip
 
     def model_column(self, path: str) -> tuple[str, str]:
         """Unit and meaning of an entry of a model's file, by its path there."""

@@ -4,11 +4,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from pipeline.errors import InputError
 from pipeline.loading.parts import part, part_rows
 from pipeline.loading.trajectories import EDGE, begins_in_motion, drive
-from pipeline.models.base import DynamicModel, FreeRun
+from pipeline.models.base import DynamicModel, FreeRun, HasDraws, HasTubes
 from pipeline.numerics.arrays import FloatArray
+from pipeline.runs.columns import TUBE_COLUMNS
 from pipeline.runs.tables import Table
+from pipeline.scoring.tubes import Tubes
+
+DRAWS = 32
+"""Free runs that show what the training data leave open."""
 
 
 class Start(NamedTuple):
@@ -39,6 +45,39 @@ def free_run(table: Table, model: DynamicModel) -> FreeRun:
         if made.status != "ok":
             return FreeRun(table["t"], q, qdot, qddot, made.status, made.diverged_at_s)
     return FreeRun(table["t"], q, qdot, qddot, "ok", None)
+
+
+def drawn_runs(table: Table, model: DynamicModel) -> FloatArray | None:
+    """Free runs over the parts of a log drawn from the posterior of a model's parameters, q of shape (`DRAWS`, N).
+
+    NaN before, between and behind the parts; None for a model without draws.
+    """
+    if not isinstance(model, HasDraws):
+        return None
+    ensemble = np.full((DRAWS, len(table["t"])), np.nan)
+    for rows in part_rows(table):
+        ensemble[:, rows], _ = model.simulate_draws(*start_of(part(table, rows), model), count=DRAWS)
+    return ensemble
+
+
+def tube_columns(tubes: Tubes) -> dict[str, FloatArray]:
+    """Tubes by the columns of the predictions."""
+    ends = (tubes.low, tubes.high, tubes.other_low, tubes.other_high)
+    return dict(zip((column.key for column in TUBE_COLUMNS), ends, strict=True))
+
+
+def tubes_about(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel) -> dict[str, FloatArray]:
+    """The columns of the tubes about a free run with these draws.
+
+    Raises
+    ------
+    InputError
+        The model has no tubes.
+    """
+    tubes = model.tubes(q, ensemble) if isinstance(model, HasTubes) and ensemble is not None else None
+    if tubes is None:
+        raise InputError(f"{model.name} has no tubes: its errors on held-out data are not known; take hybrid")
+    return tube_columns(tubes)
 
 
 def start_of(piece: Table, model: DynamicModel) -> Start:

@@ -10,6 +10,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.scoring.tubes import Tubes
 from pipeline.signals.timebase import is_uniform
 
 
@@ -112,6 +113,14 @@ class HasDraws(Protocol):
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
         """Free runs of `count` draws, q of shape (count, N), and the draws."""
+
+
+@runtime_checkable
+class HasTubes(HasDraws, Protocol):
+    """A model that knows how far its free runs are from what another log shows."""
+
+    def tubes(self, free: FloatArray, ensemble: FloatArray) -> Tubes | None:
+        """Tubes about a free run q, shape (N,), with its draws, (draws, N); None without a scale."""
 
 
 @runtime_checkable

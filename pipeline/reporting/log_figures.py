@@ -1,5 +1,6 @@
 """The figures of one log along its time: signals, derivatives, models, residuals (figs. 11–13, 15)."""
 
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -175,15 +176,32 @@ def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
     """Q as measured and as the headline model runs freely, with the fit that MATLAB's ``compare`` states."""
     headline, t, measured = data.model_names[0], log.kinematics["t"], log.kinematics["q"]
     lines, below = [Line("measured", "measured", t, measured, wide=True)], [_inputs(data, log, low=True)]
+    caption = f"Free run from the first sample under the measured {data.input_word}s; {FIT}."
+    bands: tuple[Band, ...] = ()
     if headline in log.predictions:
-        free = log.predictions[headline]["q"]
+        predicted = log.predictions[headline]
+        free = predicted["q"]
         lines.append(Line(f"{headline}: {fit_note(measured, free)}", headline, t, free))
         error = Line("model − measured", "raw", t, free - measured, parts=(free, measured))
-        below.insert(0, Panel("error", data.displacement, (error,), low=True))
-    caption = f"Free run from the first sample under the measured {data.input_word}s; {FIT}."
-    panels = [Panel("q", data.displacement, tuple(lines)), *below]
+        about: tuple[Band, ...] = ()
+        if "q_low" in predicted:
+            bands = tuple(_tubes(predicted, headline))
+            about = (Band(TUBE, headline, t, predicted["q_low"] - free, predicted["q_high"] - free),)
+            caption += " Nine in ten samples of another log are expected inside the tube."
+        below.insert(0, Panel("error", data.displacement, (error,), bands=about, low=True))
+    panels = [Panel("q", data.displacement, tuple(lines), bands=bands), *below]
     figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
     return replace(figure, hidden=())
+
+
+TUBE, OTHER_TUBE = "90 % tube", "90 % tube in the other well"
+
+
+def _tubes(predicted: Mapping[str, FloatArray], model: str) -> Iterator[Band]:
+    """The tubes about a free run; that of the other well where the model is not sure of the well."""
+    yield Band(TUBE, model, predicted["t"], predicted["q_low"], predicted["q_high"])
+    if np.isfinite(predicted["q_other_low"]).any():
+        yield Band(OTHER_TUBE, "reference", predicted["t"], predicted["q_other_low"], predicted["q_other_high"])
 
 
 def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:

@@ -174,6 +174,16 @@ def _viewer_panel(
         }
         for line in panel.lines
     ]
+    bands = [
+        {
+            "label": band.label,
+            "slot": slot(band.role, models),
+            "factor": factor,
+            "low": store(band.low),
+            "high": store(band.high),
+        }
+        for band in panel.bands
+    ]
     x = panel.lines[0].x
     return {
         "label": axis_label(panel.name, unit),
@@ -181,6 +191,7 @@ def _viewer_panel(
         "stop": float(x[-1]),
         "low": panel.low,
         "series": lines,
+        "bands": bands,
     }
 
 

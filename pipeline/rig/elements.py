@@ -163,6 +163,37 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
 
 
 @compiled
+def hinge_angle(x: FloatArray, i: int) -> float:
+    """Angle [rad] by which link i of a chain is turned against the one before."""
+    return float(x[i] - x[i - 1] if i > 0 else x[i])
+
+
+@compiled
+def yielding(
+    x: FloatArray, start: FloatArray, layers: FloatArray, p: RigParameters, force: FloatArray, after: FloatArray
+) -> None:
+    """Add the moments of the layers of a chain's hinges that yield to `force`, shape (n,).
+
+    Perfectly plastic layers in parallel with the elastic hinge (Prandtl–Ishlinskii): each holds an elastic angle that
+    follows the hinge since `start`, shape (n,), and stops at its yield. `layers`, shape (layers, n), holds these
+    angles [rad] before, `after` those at `x`.
+    """
+    n = x.size
+    if p.beam == RITZ:
+        return
+    for i in range(n):
+        moved = hinge_angle(x, i) - start[i]
+        moment = 0.0
+        for k in range(p.plastic_share.size):
+            most = p.plastic_yield[k] * p.length / n
+            after[k, i] = min(max(layers[k, i] + moved, -most), most)
+            moment += p.plastic_share[k] * p.hinge_stiffness[i] * after[k, i]
+        force[i] -= moment
+        if i > 0:
+            force[i - 1] += moment
+
+
+@compiled
 def stretch(side: int, pose: FloatArray, p: RigParameters, gradient: FloatArray) -> float:
     """λ1 of membrane `side` (0 left, 1 right) at `pose` = (q, u_y, φ); fills ∂λ1/∂pose, shape (3,)."""
     s = 2.0 * side - 1.0

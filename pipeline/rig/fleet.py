@@ -4,7 +4,7 @@ import json
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Literal, get_args
+from typing import Literal, cast, get_args
 
 import numpy as np
 
@@ -15,10 +15,10 @@ from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import RigParameters, as_json, nominal, table1
-from pipeline.rig.random_joint import random_joint
+from pipeline.rig.random_joint import Family, random_joint
 from pipeline.runs.outputs import new_outputs, rebased
 
-Kind = Literal["same", "foreign", "nominal", "table1"]
+Kind = Literal["same", "foreign", "worn", "nominal", "table1"]
 Role = Literal["train", "validation"]
 
 TRUTH_INTERVAL = 1e-3  # s
@@ -38,8 +38,8 @@ class Experiment:
     Attributes
     ----------
     kind : str
-        ``same`` and ``foreign`` draw a joint, see :mod:`pipeline.rig.random_joint`; ``nominal`` and ``table1`` are
-        the drawing itself.
+        ``same``, ``foreign`` and ``worn`` draw a joint, see :mod:`pipeline.rig.random_joint`; ``nominal`` and
+        ``table1`` are the drawing itself.
     format : str
         A name in :data:`pipeline.rig.log.LAYOUTS`.
     rate, duration : float
@@ -179,7 +179,7 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
     """
     sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
     for _ in range(_MAX_TRIES):
-        drawn = experiment.kind in ("same", "foreign")
+        drawn = experiment.kind in get_args(Family)
         joint = _joint(experiment.kind, rng)
         bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging)
         logs = []
@@ -210,7 +210,7 @@ def _joint(kind: str, rng: np.random.Generator) -> RigParameters:
         return nominal()
     if kind == "table1":
         return table1()
-    return random_joint(rng, "same" if kind == "same" else "foreign")
+    return random_joint(rng, cast(Family, kind))
 
 
 def _run(

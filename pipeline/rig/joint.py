@@ -77,6 +77,8 @@ def rest(p: RigParameters, *, side: int) -> FloatArray:
     still = p._replace(
         branch_modulus=np.zeros_like(p.branch_modulus),
         slip_stiffness=np.zeros_like(p.slip_stiffness),
+        plastic_share=np.zeros_like(p.plastic_share),
+        softening=0.0,
         friction_shape=np.array([0.0, 1.0, 0.0, 0.0]),  # the laws divide by the second
         bending_loss=4 * p.bending_loss,
         hinge_loss=4 * p.hinge_loss,

@@ -17,7 +17,17 @@ import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.elements import elastic, inertia, rubber_stress, slide, stretch, tip, viscous_strain
+from pipeline.rig.elements import (
+    elastic,
+    hinge_angle,
+    inertia,
+    rubber_stress,
+    slide,
+    stretch,
+    tip,
+    viscous_strain,
+    yielding,
+)
 from pipeline.rig.parameters import RigParameters
 
 _TOLERANCE = 1e-8  # of the Newton step on the midpoint velocity, relative to 1 + its size
@@ -36,6 +46,9 @@ class _State(NamedTuple):
     z: FloatArray  # (elements,) friction [N]
     sliding: FloatArray  # (1,) [m]
     charge: FloatArray  # (2,) squared voltages, mean over the step [V²]
+    layers: FloatArray  # (layers, n) elastic angles of yielding layers [rad]
+    bends: FloatArray  # (n,) angles of the hinges [rad]
+    age: FloatArray  # (1,) [s]
     hand: FloatArray  # (2,) what else acts on q: a force [N] and the stiffness of a repelling spring [N/m]
 
 
@@ -53,6 +66,7 @@ class _Work(NamedTuple):
     matrix: FloatArray  # (n, n)
     branches: FloatArray  # (2, branches) at the midpoint
     z: FloatArray  # (elements,) at the end of what was asked last
+    layers: FloatArray  # (layers, n) at the end of what was asked last
 
 
 @compiled
@@ -62,6 +76,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: 
     for j in range(n):
         x[j] = state.x[j] + 0.5 * h * vm[j]
     elastic(x, vm, p, work.force)
+    yielding(x, state.bends, state.layers, p, work.force, work.layers)
     tip(x, p, work.pose, work.jacobian)
     for c in range(3):
         work.speed[c] = 0.0
@@ -92,13 +107,14 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: 
 def _membrane_load(dt: float, state: _State, p: RigParameters, work: _Work) -> None:
     """Fill `work.load` with the membranes' forces along (q, u_y, φ), `dt` after the state; and `work.branches`."""
     work.load[0] = work.load[1] = work.load[2] = 0.0
+    soft = 1.0 - p.softening * (1.0 - np.exp(-state.age[0] / p.softening_time))
     for side in range(2):
         l1 = stretch(side, work.pose, p, work.gradient)
         rate = 0.0
         for c in range(3):
             rate += work.gradient[c] * work.speed[c]
         strain, slope = viscous_strain(l1, p)
-        pull = rubber_stress(l1, side, p) + p.kelvin_voigt * slope * slope * rate
+        pull = soft * rubber_stress(l1, side, p) + p.kelvin_voigt * slope * slope * rate
         for b in range(p.branch_time.size):
             e = (state.branches[side, b] + strain - state.strain[side]) / (1.0 + dt / p.branch_time[b])
             work.branches[side, b] = e
@@ -188,11 +204,13 @@ def at_rest(p: RigParameters, start: FloatArray) -> _State:
     n, branches, elements = start.size, p.branch_modulus.shape, p.slip_force.size
     state = _State(
         start.copy(), np.zeros(n), np.zeros(branches), np.zeros(2), np.zeros(elements), np.zeros(1), np.zeros(2),
-        np.zeros(2),
+        np.zeros((p.plastic_share.size, n)), np.zeros(n), np.zeros(1), np.zeros(2),
     )  # fmt: skip
     pose, jacobian = np.zeros(3), np.zeros((3, n))
     tip(state.x, p, pose, jacobian)
     state.sliding[0] = pose[0] + p.friction_arm * pose[2]
+    for i in range(n):
+        state.bends[i] = hinge_angle(state.x, i)
     return state
 
 
@@ -202,6 +220,7 @@ def workspace(p: RigParameters, n: int) -> _Work:
     return _Work(
         np.zeros(n), np.zeros(3), np.zeros((3, n)), np.zeros(3), np.zeros(3), np.zeros(3), np.zeros(n), np.zeros(n),
         np.zeros((n, n)), np.zeros(p.branch_modulus.shape), np.zeros(p.slip_force.size),
+        np.zeros((p.plastic_share.size, n)),
     )  # fmt: skip
 
 
@@ -245,6 +264,12 @@ def advance(
     for i in range(p.slip_force.size):
         state.z[i] = work.z[i]
     state.sliding[0] = sliding
+    yielding(state.x, state.bends, state.layers, p, work.force, work.layers)
+    for i in range(vm.size):
+        state.bends[i] = hinge_angle(state.x, i)
+        for k in range(p.plastic_share.size):
+            state.layers[k, i] = work.layers[k, i]
+    state.age[0] += h
     return taken
 
 

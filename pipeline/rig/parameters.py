@@ -65,6 +65,10 @@ class RigParameters(NamedTuple):
     slip_stiffness: FloatArray  # (elements,) [N/m]
     slip_force: FloatArray  # (elements,) [N]
     friction_shape: FloatArray  # (4,) constants of the friction law, see friction.py
+    plastic_share: FloatArray  # (layers,) share of the hinges' stiffness in layers that yield
+    plastic_yield: FloatArray  # (layers,) curvature at which they do [1/m]
+    softening: float  # share of the rubber's modulus that is lost with use
+    softening_time: float  # [s]
 
 
 def nominal(*, links: int = 5) -> RigParameters:
@@ -95,12 +99,10 @@ def nominal(*, links: int = 5) -> RigParameters:
         free_length=51e-3 * pair,
         volume=VOLUME * pair,
         modulus=1.2e6 * pair,
-        rubber=NEO_HOOKEAN,
-        rubber_shape=np.zeros(2),
+        rubber=NEO_HOOKEAN, rubber_shape=np.zeros(2),
         capacitance=CAPACITANCE * pair,
         capacitance_exponent=1.0,
-        kelvin_voigt=300.0,
-        strain=THICKNESS,
+        kelvin_voigt=300.0, strain=THICKNESS,
         branch_modulus=np.full((2, 1), 0.31e6),
         branch_time=np.array([83.5e3 / 0.31e6]),
         friction=MAXWELL_SLIP,
@@ -108,6 +110,8 @@ def nominal(*, links: int = 5) -> RigParameters:
         slip_stiffness=np.zeros(1),
         slip_force=np.ones(1),
         friction_shape=np.zeros(4),
+        plastic_share=np.zeros(1), plastic_yield=np.ones(1),
+        softening=0.0, softening_time=1.0,
     )  # fmt: skip
 
 

@@ -1,10 +1,12 @@
-"""Random prototypes: joints as a workshop makes them, none like the drawing, in two families of physics.
+"""Random prototypes: joints as a workshop makes them, none like the drawing, in three families of physics.
 
 ``same``    the analytical model's own theory (Ritz beam, neo-Hookean rubber, one Maxwell branch) with left/right
             asymmetries, creep and Maxwell-slip friction, which that model does not have;
 ``foreign``  another beam (a link chain: geometrically exact), another rubber (Gent, Mooney–Rivlin or Ogden with three
             relaxation times), another capacitance law, an extended frame, and another friction (LuGre, Bouc–Wen or
-            Dahl with Coulomb), so that a model judged on it cannot profit from sharing the simulator's equations.
+            Dahl with Coulomb), so that a model judged on it cannot profit from sharing the simulator's equations;
+``worn``    a finer foreign joint that remembers: layers of the beam yield, the rubber softens with use and creeps over
+            decades of time.
 """
 
 from typing import Literal
@@ -17,7 +19,7 @@ from pipeline.rig import parameters as law
 from pipeline.rig.joint import simulate, wells
 from pipeline.rig.parameters import RigParameters, nominal
 
-Family = Literal["same", "foreign"]
+Family = Literal["same", "foreign", "worn"]
 
 _TARGETS = (9.0e-3, 12.3e-3)  # m, range of the mean well displacement
 _NEAREST, _SKEW = 5.0e-3, 2.5e-3  # m: least displacement of a well, largest difference of the two
@@ -40,7 +42,7 @@ def random_joint(rng: np.random.Generator, family: Family) -> RigParameters:
         If 50 draws give no joint that switches.
     """
     for _ in range(_MAX_DRAWS):
-        p = _same(rng) if family == "same" else _foreign(rng)
+        p = _DRAWN[family](rng)
         try:
             p = _tuned(p, float(rng.uniform(*_TARGETS)))
             if _switches(p):
@@ -92,9 +94,9 @@ def _same(rng: np.random.Generator) -> RigParameters:
     )
 
 
-def _foreign(rng: np.random.Generator) -> RigParameters:
+def _foreign(rng: np.random.Generator, links: int | None = None) -> RigParameters:
     """Link chain, other rubber with three relaxation times, other friction, extended frame."""
-    links = int(rng.integers(3, 6))
+    links = int(rng.integers(3, 6)) if links is None else links
     p = _asymmetric(rng, nominal(links=links))
     rubber = int(rng.choice([law.GENT, law.MOONEY_RIVLIN, law.OGDEN]))
     shape = {
@@ -122,6 +124,19 @@ def _foreign(rng: np.random.Generator) -> RigParameters:
     return _other_friction(rng, p)
 
 
+def _worn(rng: np.random.Generator) -> RigParameters:
+    """A foreign joint of six links whose beam yields, and whose rubber softens and creeps over decades of time."""
+    p = _foreign(rng, links=6)
+    return p._replace(
+        branch_modulus=np.outer(rng.uniform(0.95, 1.05, 2), rng.uniform(0.02e6, 0.08e6, 5)),
+        branch_time=np.geomspace(0.03, 300.0, 5) * rng.uniform(0.6, 1.6, 5),
+        plastic_share=rng.uniform(0.004, 0.02, 3),
+        plastic_yield=np.array([0.6, 2.5, 6.0]) * rng.uniform(0.7, 1.4, 3),
+        softening=float(rng.uniform(0.0, 0.06)),
+        softening_time=float(rng.uniform(20.0, 100.0)),
+    )
+
+
 def _other_friction(rng: np.random.Generator, p: RigParameters) -> RigParameters:
     """`p` with LuGre, Bouc–Wen or Dahl friction of 0.6 to 2 mN."""
     kind = int(rng.choice([law.LUGRE, law.BOUC_WEN, law.DAHL]))
@@ -135,6 +150,9 @@ def _other_friction(rng: np.random.Generator, p: RigParameters) -> RigParameters
     return p._replace(
         friction=kind, slip_stiffness=np.array([force / reach]), slip_force=np.array([force]), friction_shape=shape
     )
+
+
+_DRAWN = {"same": _same, "foreign": _foreign, "worn": _worn}
 
 
 def _stiffened(p: RigParameters, factor: float) -> RigParameters:

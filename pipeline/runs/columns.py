@@ -10,7 +10,7 @@ from typing import Literal
 
 from pipeline.units import HORIZONS
 
-SCHEMA_VERSION = "1"
+SCHEMA_VERSION = "2"
 
 Dtype = Literal["float64", "int32", "int64", "string", "bool"]
 
@@ -113,6 +113,14 @@ RATE_COLUMNS = (
     Column("qdot", "q̇", "{q}/s", "velocity"),
     Column("qddot", "q̈", "{q}/s²", "acceleration"),
 )
+TUBE_COLUMNS = (
+    Column("q_low", "", "{q}", "lower end of the 90 % tube of q, where the model has one"),
+    Column("q_high", "", "{q}", "upper end of it"),
+    Column(
+        "q_other_low", "", "{q}", "lower end of the tube in the other well; NaN where the model is sure of the well"
+    ),
+    Column("q_other_high", "", "{q}", "upper end of it"),
+)
 PHI_COLUMN = Column("phi", "φ", "rad", "tip rotation, from q by kinematics: the static map of the analytical model")
 
 
@@ -141,6 +149,11 @@ NOTED_COLUMNS = (
         "outside_training", "outside", "1",
         "share of samples in states (q, q̇) that no training sample was near (q only)",
         Cell("behaviour", note="Outside: share of samples in states (q, q̇) that no training sample was near."),
+    ),
+    Column(
+        "in_tube", "in tube", "1",
+        "share of samples of q inside the 90 % tube of the free run; null for a model without one (q only)",
+        Cell("behaviour", note="In tube: share of samples inside the 90 % tube of the free run."),
     ),
     Column(
         "basis_functions", "RBFs", "1",

@@ -14,6 +14,7 @@ from pipeline.runs.columns import (
     RECORD_COLUMNS,
     SCORE_COLUMNS,
     STUDY_COLUMNS,
+    TUBE_COLUMNS,
     Column,
     Dtype,
 )
@@ -33,7 +34,7 @@ class Schema:
 RECORD = Schema("record", RECORD_COLUMNS)
 SIGNALS = Schema("signals", RECORD_COLUMNS)
 KINEMATICS = Schema("kinematics", (*RECORD_COLUMNS, *RATE_COLUMNS))
-PREDICTIONS = Schema("predictions", (*RECORD_COLUMNS[:2], *RATE_COLUMNS, PHI_COLUMN))
+PREDICTIONS = Schema("predictions", (*RECORD_COLUMNS[:2], *RATE_COLUMNS, *TUBE_COLUMNS, PHI_COLUMN))
 SCORES = Schema("scores", SCORE_COLUMNS)
 FLEET = Schema("fleet", FLEET_COLUMNS)
 STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_COLUMNS.items()}
@@ -41,10 +42,12 @@ STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_
 
 
 def resolve(
-    schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False, velocity: bool = False
-) -> Schema:
-    """The schema for a device: its units filled in; second input, φ and measured velocity left out if it has none."""
+    schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False, velocity: bool = False,
+    tubes: bool = False,
+) -> Schema:  # fmt: skip
+    """The schema for a device: its units filled in; second input, φ, measured velocity, tubes left out if absent."""
     absent = {"v2": len(inputs) < 2, "phi": not phi, "velocity": not velocity}
+    absent |= dict.fromkeys((column.key for column in TUBE_COLUMNS), not tubes)
     units = {"{q}": displacement, "{v}": inputs[0], "{v2}": inputs[-1]}
     columns = []
     for column in schema.columns:
@@ -60,7 +63,7 @@ def resolve(
 _KINDS = {"float64": "f", "int32": "i", "int64": "iO", "string": "O", "bool": "O"}
 """Kinds of the arrays in which a column is read: of numbers, or of objects where values are texts or may be null."""
 _ENTRIES: dict[str, tuple[type, ...]] = {"string": (str,), "bool": (bool,), "int64": (int,)}
-_OPTIONAL = ("v2", "phi", "velocity")
+_OPTIONAL = ("v2", "phi", "velocity", *(column.key for column in TUBE_COLUMNS))
 _OF_FILES = (
     ("*/*/record.parquet", RECORD),
     ("*/*/signals.parquet", SIGNALS),

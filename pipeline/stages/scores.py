@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.scores import Score
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "10"
+ALGORITHM = "11"
 
 
 def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:

@@ -12,18 +12,18 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
-from pipeline.loading.free_runs import free_run, start_of
+from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.parts import part, part_rows, parts, recorded
+from pipeline.loading.parts import part_rows, parts, recorded
 from pipeline.loading.trajectories import drive, load_motion, sources
-from pipeline.models.base import DynamicModel, FreeRun, HasDraws, predictor
+from pipeline.models.base import DynamicModel, FreeRun, HasTubes, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.scoring.wells import wells_of
+from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
 from pipeline.signals.inputs import voltages
 from pipeline.units import HORIZONS
@@ -31,12 +31,12 @@ from pipeline.units import HORIZONS
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
     from pipeline.scoring.horizons import MeasuredPath, Predict
-    from pipeline.scoring.wells import NoWells, Wells
+    from pipeline.scoring.tubes import Tubes
+    from pipeline.scoring.wells import NoWells
 
-ALGORITHM = "21"
+ALGORITHM = "22"
 
 _RESTARTS = 60
-_DRAWS = 32
 
 
 def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> list[Task]:
@@ -80,9 +80,12 @@ def _predict(
         ahead = {name: seconds for name, (seconds, _) in HORIZONS.items()}
         notes["horizons"] = _horizons(table, model, ahead, joint=plant.joint)
         notes["basis_functions"] = model.describe().get("basis_functions")
-        notes |= {"stable_rests": seen} | trust_notes(model, table, wells, trained, joint=plant.joint)
+        ensemble = drawn_runs(table, model) if isinstance(model, HasTubes) or isinstance(wells, Wells) else None
+        notes |= {"stable_rests": seen} | trust_notes(table, wells, trained, ensemble, joint=plant.joint)
+        tubes = model.tubes(result.q, ensemble) if isinstance(model, HasTubes) and ensemble is not None else None
+        notes["in_tube"] = None if tubes is None else tubes.coverage(table["q"])
         artifact = layout.predictions(role, log, name)
-        written[artifact] = _write(run, artifact, plant, rotation, result, notes)
+        written[artifact] = _write(run, artifact, plant, rotation, result, tubes, notes)
     return written
 
 
@@ -122,31 +125,34 @@ def _write(
     plant: Device,
     rotation: RotationMap | None,
     result: FreeRun,
+    tubes: "Tubes | None",
     notes: Mapping[str, Any],
 ) -> Written:
     columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
+    if tubes is not None:
+        columns |= tube_columns(tubes)
     if rotation is not None:
         columns["phi"] = rotation(result.q)
     outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
-    schema = plant.schema(schemas.PREDICTIONS, phi=rotation is not None)
+    schema = plant.schema(schemas.PREDICTIONS, phi=rotation is not None, tubes=tubes is not None)
     return run.write_table(artifact, schema, columns, {**outcome, **notes})
 
 
 def trust_notes(
-    model: "DynamicModel", table: Table, wells: "Wells | NoWells", trained: Sequence[Table], *, joint: bool
+    table: Table, wells: "Wells | NoWells", trained: Sequence[Table], ensemble: "FloatArray | None", *, joint: bool
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
     Parameters
     ----------
-    model : DynamicModel
-        Outcomes are noted for one that can draw an ensemble from its parameters' posterior.
     table : Table
         The log.
     wells : Wells or NoWells
         The wells of the device.
     trained : sequence of Table
         The training logs.
+    ensemble : FloatArray, shape (draws, N), or None
+        Free runs of the draws, from `pipeline.loading.free_runs.drawn_runs`.
     joint : bool
         Whether the device can be the bistable joint.
 
@@ -161,7 +167,7 @@ def trust_notes(
 
     return {
         "outside_training": share_outside(*_valid([table]), *_valid(trained)),
-        "outcomes": _outcomes(model, table, wells, joint=joint),
+        "outcomes": _outcomes(table, wells, ensemble, joint=joint),
     }
 
 
@@ -173,21 +179,20 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
     return q, qdot
 
 
-def _outcomes(model: "DynamicModel", table: Table, wells: "Wells | NoWells", *, joint: bool) -> dict[str, Any] | None:
-    from pipeline.scoring.wells import Wells, places_of_rest, pulse_outcomes
+def _outcomes(
+    table: Table, wells: "Wells | NoWells", ensemble: "FloatArray | None", *, joint: bool
+) -> dict[str, Any] | None:
+    from pipeline.scoring.wells import places_of_rest, pulse_outcomes
 
     places, t = part_rows(table), table["t"]
     rests = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
     after = [rest for rest in rests if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
-    if not isinstance(model, HasDraws) or not isinstance(wells, Wells) or not after:
+    if ensemble is None or not isinstance(wells, Wells) or not after:
         return None
-    ensemble = np.full((_DRAWS, len(t)), np.nan)
-    for rows in places:
-        ensemble[:, rows], _ = model.simulate_draws(*start_of(part(table, rows), model), count=_DRAWS)
     outcomes = pulse_outcomes(ensemble, after, wells)
     ends = [float(t[rest.stop - 1]) for rest in after]
     return {
-        "draws": _DRAWS,
+        "draws": DRAWS,
         "at_s": ends,
         "right": outcomes.right.tolist(),
         "ambiguous": outcomes.ambiguous.tolist(),

@@ -3,7 +3,7 @@
 import json
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast, get_args
 
 import numpy as np
 
@@ -21,11 +21,11 @@ from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS, PER_SI
 from pipeline.rig.loop import ClosedLoop, Scenario, bench_from_json, run_loop
 from pipeline.rig.parameters import RigParameters, from_json, nominal, table1
+from pipeline.rig.random_joint import Family, random_joint
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.units import parse_quantity, to_si
 
-_DRAWN = ("same", "foreign")
 _NAMED = {"nominal": nominal, "table1": table1}
 _MOST_STEPS = 50
 
@@ -45,7 +45,7 @@ class VirtualJoint:
 
 
 def virtual_joint(where: str) -> VirtualJoint:
-    """A joint from a folder of `debist rig`, or by name: nominal, table1, same:SEED, foreign:SEED.
+    """A joint from a folder of `debist rig`, or by name: nominal, table1, same:SEED, foreign:SEED, worn:SEED.
 
     Raises
     ------
@@ -55,12 +55,11 @@ def virtual_joint(where: str) -> VirtualJoint:
     kind, _, seed = where.partition(":")
     if kind in _NAMED and not seed:
         return VirtualJoint(kind, _NAMED[kind](), Bench())
-    if kind in _DRAWN and seed.isdigit():
+    if kind in get_args(Family) and seed.isdigit():
         from pipeline.rig.bench import random_bench
-        from pipeline.rig.random_joint import random_joint
 
         rng = np.random.default_rng(int(seed))
-        joint = random_joint(rng, "same" if kind == "same" else "foreign")
+        joint = random_joint(rng, cast(Family, kind))
         return VirtualJoint(f"{kind}-{seed}", joint, random_bench(rng))
     given = Path(where)
     folder = given if given.is_dir() else given.parent
@@ -68,7 +67,7 @@ def virtual_joint(where: str) -> VirtualJoint:
     if not given.exists() or not path.is_file():
         raise InputError(
             f"{where}: no joint of the virtual rig; name a folder of `debist rig simulate`, or one of nominal, table1, "
-            "same:SEED, foreign:SEED"
+            "same:SEED, foreign:SEED, worn:SEED"
         )
     try:
         truth = json.loads(path.read_text(encoding="utf-8"))

@@ -17,6 +17,7 @@ from pipeline.loading.si_log import SiLog
 from pipeline.loading.trajectories import motion
 from pipeline.models.base import DynamicModel, real_numbers
 from pipeline.numerics.arrays import FloatArray
+from pipeline.runs.columns import TUBE_COLUMNS
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
@@ -38,7 +39,13 @@ if TYPE_CHECKING:
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
 _CALLER = 4  # frames from a warning up to who called `debist.identify`
-_OF_Q = {"q": "{}", "q_measured": "{}", "qdot": "{}_per_s", "qddot": "{}_per_s2"}
+_OF_Q = {
+    "q": "{}",
+    "q_measured": "{}",
+    **{column.key: "{}" for column in TUBE_COLUMNS},
+    "qdot": "{}_per_s",
+    "qddot": "{}_per_s2",
+}
 
 
 @dataclass(frozen=True)

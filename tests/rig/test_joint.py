@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.rig import parameters as law
-from pipeline.rig.elements import elastic, inertia, rubber_energy, rubber_stress, slide, tip
+from pipeline.rig.elements import elastic, inertia, rubber_energy, rubber_stress, slide, tip, yielding
 from pipeline.rig.joint import potential, rest, simulate, wells
 from pipeline.rig.midpoint import march
 from pipeline.rig.parameters import RigParameters, coordinates, nominal
@@ -161,3 +161,46 @@ def test_unbounded_stretch_is_said() -> None:
     p = nominal()._replace(rubber=law.GENT, rubber_shape=np.array([0.3, 0.0]))
     with pytest.raises(InputError, match="rubber law"):
         rest(p, side=1)
+
+
+def test_layers_of_a_hinge_are_elastic_then_yield_and_dissipate_over_a_cycle() -> None:
+    """One layer of stiffness s k that yields at z: the loop has the area 4 s k z (A − z) (Masing)."""
+    p = nominal(links=3)._replace(
+        beam=law.CHAIN, plastic_share=np.array([0.1]), plastic_yield=np.array([2.0]), hinge_stiffness=np.full(3, 0.5)
+    )
+    most, amplitude, stiffness = 2.0 * p.length / 3, 0.2, 0.1 * 0.5
+    layers, angle, work, after = np.zeros((1, 3)), 0.0, 0.0, np.zeros((1, 3))
+    path = amplitude * np.sin(np.linspace(0.0, 4.0 * np.pi, 20_001))
+    for i, turned in enumerate(path[1:]):
+        force = np.zeros(3)
+        # Every link turns with the first, so only the clamp bends.
+        yielding(np.full(3, turned), np.array([angle, 0.0, 0.0]), layers, p, force, after)
+        assert force[0] == pytest.approx(-stiffness * after[0, 0])
+        work -= force[0] * (turned - angle) if i >= 10_000 else 0.0
+        layers, angle = after.copy(), turned
+    assert np.abs(layers).max() <= most + 1e-15
+    assert work == pytest.approx(4.0 * stiffness * most * (amplitude - most), rel=1e-3)
+
+
+def test_a_joint_whose_beam_yields_does_not_come_back_to_where_it_was() -> None:
+    """Pulled by 1 kV and released, it rests elsewhere; without layers it returns."""
+    p = nominal(links=4)._replace(beam=law.CHAIN, branch_modulus=np.zeros((2, 1)))
+    pulled = np.zeros((8000, 2))
+    pulled[500:2500, 1] = 2000.0
+    gaps = []
+    for share in (0.0, 0.05):
+        q = simulate(
+            p._replace(plastic_share=np.array([share]), plastic_yield=np.array([0.2])), pulled, 1e-3, stride=1
+        ).q
+        gaps.append(abs(q[-1] - q[0]))
+    assert gaps[0] < 2e-6
+    assert gaps[1] > 20 * gaps[0]
+
+
+def test_rubber_that_softens_moves_the_wells_outwards_in_time() -> None:
+    """Softer membranes load the beam less, so the wells of a joint that rests move."""
+    p = nominal()._replace(softening=0.05, softening_time=1.0, branch_modulus=np.zeros((2, 1)))
+    q = simulate(p, np.zeros((8000, 2)), 1e-3, stride=1).q
+    softer = nominal()._replace(modulus=0.95 * nominal().modulus, branch_modulus=np.zeros((2, 1)))
+    assert q[-1] == pytest.approx(wells(softer)[0], abs=2e-5)
+    assert abs(q[0] - q[-1]) > 1e-4

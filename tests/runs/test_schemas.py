@@ -10,13 +10,13 @@ from pipeline.runs.schemas import Schema, resolve
 
 PAGE = Path(__file__).resolve().parents[2] / "data" / "README.md"
 START, END = "<!-- schemas: written by `python -m tests.runs.test_schemas` -->", "<!-- end of schemas -->"
-VERSIONS = {"1": "6759345cecf59ad9"}
+VERSIONS = {"1": "6759345cecf59ad9", "2": "c78f5828d3ace4e1"}
 """Digests of the columns by schema version: a change of columns needs a new version and a new line here."""
 
 
 def _schemas() -> list[Schema]:
     kinds = [value for value in vars(schemas).values() if isinstance(value, Schema)] + list(schemas.STUDIES.values())
-    return [resolve(kind, displacement="m", inputs=("V", "V"), phi=True, velocity=True) for kind in kinds]
+    return [resolve(kind, displacement="m", inputs=("V", "V"), phi=True, velocity=True, tubes=True) for kind in kinds]
 
 
 def _digest() -> str:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
+from pipeline.loading.free_runs import drawn_runs
 from pipeline.scoring.wells import Wells, wells_of
 from pipeline.stages import scores
 from pipeline.stages.validate import trust_notes
@@ -42,7 +43,9 @@ def table():
 @pytest.mark.parametrize(("share", "ambiguous"), [(0.0, False), (0.4, True), (1.0, False)])
 def test_an_outcome_hinges_where_the_ensemble_splits(share, ambiguous):
     log = table()
-    noted = trust_notes(Undecided(share), log, wells_of([log], joint=True), [log], joint=True)["outcomes"]
+    noted = trust_notes(log, wells_of([log], joint=True), [log], drawn_runs(log, Undecided(share)), joint=True)[
+        "outcomes"
+    ]
     assert noted["at_s"] == pytest.approx([3.49, 5.99])
     assert noted["right"][0] > 0.95
     assert noted["right"][1] == pytest.approx(share, abs=0.05)
@@ -51,16 +54,24 @@ def test_an_outcome_hinges_where_the_ensemble_splits(share, ambiguous):
 
 def test_a_model_without_an_ensemble_or_a_device_without_wells_has_no_outcomes():
     log = table()
-    assert trust_notes(object(), log, wells_of([log], joint=True), [log], joint=True)["outcomes"] is None
+    assert (
+        trust_notes(log, wells_of([log], joint=True), [log], drawn_runs(log, object()), joint=True)["outcomes"] is None
+    )
     flat = log | {"q": 1e-5 * np.sin(np.arange(N))}
-    assert trust_notes(Undecided(0.5), flat, wells_of([flat], joint=True), [flat], joint=True)["outcomes"] is None
+    assert (
+        trust_notes(flat, wells_of([flat], joint=True), [flat], drawn_runs(log, Undecided(0.5)), joint=True)["outcomes"]
+        is None
+    )
 
 
 def test_only_states_far_from_all_training_samples_count_as_outside():
     log = table()
     beyond = log | {"q": np.where(np.arange(N) < 150, 0.05, log["q"])}
-    assert trust_notes(object(), log, wells_of([log], joint=True), [log], joint=True)["outside_training"] == 0.0
-    assert trust_notes(object(), beyond, wells_of([log], joint=True), [log], joint=True)[
+    assert (
+        trust_notes(log, wells_of([log], joint=True), [log], drawn_runs(log, object()), joint=True)["outside_training"]
+        == 0.0
+    )
+    assert trust_notes(beyond, wells_of([log], joint=True), [log], drawn_runs(beyond, object()), joint=True)[
         "outside_training"
     ] == pytest.approx(0.25)
 
@@ -86,7 +97,10 @@ def test_wells_of_another_device_than_the_joint_are_those_that_its_model_has_too
         assert rests == count
         wells = believed_wells(seen, "curved", rests, joint=joint)
         assert isinstance(wells, Wells) == two
-        assert (trust_notes(Curved(count), table(), wells, [table()], joint=joint)["outcomes"] is not None) == two
+        assert (
+            trust_notes(table(), wells, [table()], drawn_runs(table(), Curved(count)), joint=joint)["outcomes"]
+            is not None
+        ) == two
     assert stable_rests(object(), [table()["q"]]) is None
     assert believed_wells(seen, "curved", None, joint=False) is seen
 

@@ -23,6 +23,7 @@ from pipeline.models.kind import Kind, Training, fitted_samples
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import Keep, kept_under, make_anew
+from pipeline.scoring.tubes import TubeScale, tube_scale
 from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
 
 COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
@@ -134,23 +135,46 @@ def identify_hybrid(
         if final.reached_last:
             break
     nothing = np.zeros((len(before.theta), 0))
-    judged = HybridModel(_of_device(joint, similarity), before.theta, nothing, nothing)
+    early = HybridModel(_of_device(joint, similarity), before.theta, nothing, nothing)
     if not search.follows(final, LOST_ERROR):
         joint, final = min(((joint, final), search.anew(fits[ALONE][0])), key=lambda fitted: _free_error(fitted[1]))
     if not final.levels:
         raise DataRefusedError(_FOLLOWS_NOT)
+    spread = posterior_factor(final, search.prior(len(final.theta)))
+    report = _report((*levels, *final.levels), final, similarity)
     return HybridModel(
         _of_device(joint, similarity),
         final.theta,
-        posterior_factor(final, search.prior(len(final.theta))),
+        spread,
         search.band_spread(joint, final),
         search.curve_spread(joint, final),
-        _report((*levels, *final.levels), final, similarity)
+        report
         | {"held_share": search.held_share(joint, final.theta)}
         | {"ablation": {name: free for name, (_, free) in held.items()}}
         | decision,
-        early=judged,
+        _tube_scale(early, spread, records, report["training_rms_m"]),
+        early,
     )
+
+
+def _tube_scale(early: HybridModel, spread: FloatArray, records: Sequence[Record], floor: float) -> TubeScale:
+    """Scale of the tubes, from the model of the first parts of the logs and the rest of them.
+
+    `spread` is the posterior's factor of the final model. Cost: 33 runs of each log.
+    """
+    shared = np.zeros((len(early.theta), spread.shape[1]))
+    count = min(len(shared), len(spread))
+    shared[:count] = spread[:count]
+    drawn, parts = replace(early, spread=shared), []
+    for record in within(records, MOST_SAMPLES):
+        given = record.t, record.drive, float(record.q[0]), float(record.qdot[0])
+        behind = slice(fitted_samples(len(record.t)), None)
+        ensemble, _ = drawn.simulate_draws(*given)
+        measured = np.where(record.valid, record.q, np.nan)
+        parts.append((drawn.simulate(*given).q[behind], ensemble[:, behind], measured[behind]))
+    free, drawn_q, q = (np.concatenate(each, axis=-1) for each in zip(*parts, strict=True))
+    shown = _displacements(records)
+    return tube_scale(free, drawn_q, q, floor, float(shown.max() - shown.min()))
 
 
 Fitted = tuple[CondensedJoint, HomotopyFit]

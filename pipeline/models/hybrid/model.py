@@ -3,7 +3,7 @@
 Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.hybrid.identify`.
 """
 
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
@@ -25,6 +25,7 @@ from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.statics import static_curves, substeps
 from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table
 from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.scoring.tubes import NO_TUBES, Tubes, TubeScale, tubes
 from pipeline.signals.decimation_kernel import filtered_samples
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
@@ -48,6 +49,15 @@ class _Similarity(FilePart):
     origin: Real
 
 
+_NotNegative = Annotated[float, Field(ge=0.0, le=1e6)]
+
+
+class _Tube(FilePart):
+    factor: _NotNegative
+    floor: _NotNegative
+    apart: _NotNegative
+
+
 class _File(ModelFile):
     sizes: ClassVar[Sizes] = {"P": (1, 5000), "R": (1, 5000), "B": (1, 5000), "C": (1, 10_000), "S": (1, 5000)}
     parameters: JointValues
@@ -56,6 +66,7 @@ class _File(ModelFile):
     largest_voltage_V: Positive
     slope_ratio: Real
     similarity: _Similarity
+    tube: _Tube
     constants: str
     deviations: str
     prior_std: Annotated[FloatArray, Table("D")]
@@ -92,6 +103,8 @@ class HybridModel:
         The same for the bands of the curves, of the θ of `of_curves`; None if it is that of `band_spread`.
     diagnostics : dict
         How the fit went.
+    tube : TubeScale
+        Scale of the tubes about free runs.
     early : HybridModel or None
         The same fitted to the first three quarters of each training log; it is not filed.
     """
@@ -102,6 +115,7 @@ class HybridModel:
     band_spread: FloatArray
     curve_spread: FloatArray | None = None
     diagnostics: dict[str, Any] = field(default_factory=dict)
+    tube: TubeScale = NO_TUBES
     early: "HybridModel | None" = field(default=None, repr=False)
 
     name = "hybrid"
@@ -156,6 +170,10 @@ class HybridModel:
         """
         draws = self.draws(count)
         return self._simulate(draws, t, v, np.array([q0, qdot0]))[:, :, 0], draws
+
+    def tubes(self, free: FloatArray, ensemble: FloatArray) -> Tubes | None:
+        """Tubes about a free run [m] with its draws; see `pipeline.models.base.HasTubes`."""
+        return tubes(free, ensemble, self.tube) if self.tube.factor > 0.0 else None
 
     @checked
     def simulate_many(self, t: FloatArray, v: FloatArray, starts: FloatArray) -> FloatArray:
@@ -238,6 +256,7 @@ class HybridModel:
             "largest_voltage_V": self.joint.largest_voltage,
             "slope_ratio": self.joint.slope_ratio,
             "similarity": self.joint.similarity.to_json(),
+            "tube": asdict(self.tube),
             "constants": " | ".join(CONSTANTS),
             "deviations": " | ".join(condensed_parameters.NAMES),
             "prior_std": condensed_parameters.PRIOR_STD,
@@ -269,7 +288,8 @@ class HybridModel:
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
-        return cls(joint, file.theta, file.spread, file.band_spread, file.curve_spread, file.diagnostics)
+        tube = TubeScale(**dict(file.tube))
+        return cls(joint, file.theta, file.spread, file.band_spread, file.curve_spread, file.diagnostics, tube)
 
     def _simulate(
         self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray,

@@ -47,6 +47,8 @@ class Viewer {
       label: line.label, stroke: () => css(line.slot), width: line.wide ? 3 : 1.4, points: { show: false },
       show: !this.hidden(line.label),
     }));
+    const ends = panel.bands.flatMap((band) => [band.high, band.low].map(() => ({ stroke: "transparent", points: { show: false }, show: !this.hidden(band.label) })));
+    const bands = panel.bands.map((band, i) => ({ series: [1 + lines.length + 2 * i, 2 + lines.length + 2 * i], fill: () => `${css(band.slot)}40` }));
     const plot = new uPlot({
       width: this.width(), height: (panel.low ? 0.55 : 1) * PANEL + (last ? AXIS : 6), ms: 1, legend: { show: false },
       padding: [6, 10, 0, 0],
@@ -55,7 +57,7 @@ class Viewer {
         { stroke: ink, grid, ticks: { show: false }, font, size: last ? 22 : 0, label: last ? figure.axis : undefined,
           labelFont: font, labelSize: 16, values: (_, values) => values.map((v) => last ? minus(String(+v.toFixed(9))) : "") },
         { stroke: ink, grid, ticks: { show: false }, font, size: 52, label: panel.label, labelFont: font, labelSize: 16,
-          space: 26, values: (_, values) => values.map((v) => minus(String(+v.toPrecision(9)))) },
+          space: panel.low ? 16 : 26, values: (_, values) => values.map((v) => minus(String(+v.toPrecision(9)))) },
       ],
       cursor: {
         y: false, points: { show: false }, sync: { key: this.element.dataset.figure }, drag: { setScale: false },
@@ -64,12 +66,12 @@ class Viewer {
           dblclick: () => () => axis.reset(),
         },
       },
-      series: [{}, ...lines],
+      series: [{}, ...lines, ...ends], bands,
       hooks: {
         drawClear: [(u) => this.behind(u)], setCursor: [(u) => this.values(u, box)],
         setSelect: [(u) => { if (u.select.width > 6) axis.show(u.posToVal(u.select.left, "x"), u.posToVal(u.select.left + u.select.width, "x")); u.setSelect({ width: 0, height: 0 }, false); }],
       },
-    }, [panel.x, ...panel.series.map((line) => line.values)], box);
+    }, [panel.x, ...panel.series.map((line) => line.values), ...panel.bands.flatMap((band) => band.values)], box);
     const values = plot.over.appendChild(document.createElement("div"));
     values.className = "values";
     return { plot, panel, values };
@@ -131,7 +133,8 @@ class Viewer {
         const show = button.getAttribute("aria-pressed") !== "true";
         button.setAttribute("aria-pressed", String(show));
         for (const { plot, panel } of this.panels) {
-          panel.series.forEach((line, i) => { if (line.label === button.dataset.series) plot.setSeries(i + 1, { show }); });
+          const labels = [...panel.series, ...panel.bands.flatMap((band) => [band, band])].map((each) => each.label);
+          labels.forEach((label, i) => { if (label === button.dataset.series) plot.setSeries(i + 1, { show }); });
         }
       });
     }
@@ -239,6 +242,7 @@ async function start() {
       const n = series[panel.series[0].data].length, step = (panel.stop - panel.start) / Math.max(1, n - 1);
       panel.x = Float64Array.from({ length: n }, (_, i) => panel.start + i * step);
       for (const line of panel.series) line.values = values(line);
+      for (const band of panel.bands) band.values = [band.high, band.low].map((data) => values({ ...band, data }));
     }
     if (!axes.has(key)) axes.set(key, new TimeAxis(figure.start, figure.stop));
     viewers.push(new Viewer(element, figure, axes.get(key)));

@@ -1,0 +1,125 @@
+"""Tubes of free runs: where the measured displacement lies with nine tenths of probability.
+
+The half width of a tube is
+
+    w(t) = κ √(s(t)² + s₀²)
+
+s(t) being the standard deviation of runs drawn from the posterior of the parameters, s₀ the error on the training data.
+The draws give the shape: errors grow where the motion is sensitive, and fade where it settles. They include noise, and
+not what the equations lack. κ comes from held-out data, in the manner of split conformal prediction (Vovk et al. 2005,
+doi:10.1007/b106715; Lei et al. 2018, doi:10.1080/01621459.2017.1307116): it is the quantile of |error|/√(s² + s₀²)
+there, times `AHEAD`, because other logs differ more from the training data than their own last quarters do.
+
+Draws that end in another well are no part of s. Where they are more than `OPEN` of all, they have a tube of their own.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.numerics.arrays import BoolArray, FloatArray
+
+COVERAGE = 0.9
+"""Probability with which a sample of another log lies in the tubes."""
+
+AHEAD = 3.0
+"""Times the quantile of the held-out quarter that another log needs."""
+
+APART = 0.25
+"""Share of the operating range: a draw that is farther from the free run is in another well, or on its way there."""
+
+OPEN = 0.05
+"""Share of the draws in another well from which on they have a tube of their own."""
+
+
+@dataclass(frozen=True)
+class TubeScale:
+    """Scale of a model's tubes.
+
+    Attributes
+    ----------
+    factor : float
+        κ.
+    floor : float
+        s₀ [m or rad].
+    apart : float
+        Distance [m or rad] from which on a draw counts as being in another well.
+    """
+
+    factor: float
+    floor: float
+    apart: float
+
+
+NO_TUBES = TubeScale(0.0, 0.0, 0.0)
+"""Scale of a model whose errors on held-out data are not known."""
+
+
+@dataclass(frozen=True)
+class Tubes:
+    """The tube about a free run, and that of the other well; all of shape (N,), NaN where there is none."""
+
+    low: FloatArray
+    high: FloatArray
+    other_low: FloatArray
+    other_high: FloatArray
+
+    def hold(self, q: FloatArray) -> BoolArray:
+        """Whether samples of q [m or rad], shape (N,), lie in one of the tubes."""
+        inside = (q >= self.low) & (q <= self.high)
+        return np.asarray(inside | ((q >= self.other_low) & (q <= self.other_high)))
+
+    def coverage(self, q: FloatArray) -> float | None:
+        """Share of the measured samples that lie in the tubes; None where nothing can be compared."""
+        compared = np.isfinite(q) & np.isfinite(self.low)
+        return float(np.mean(self.hold(q)[compared])) if compared.any() else None
+
+
+def tube_scale(free: FloatArray, ensemble: FloatArray, measured: FloatArray, floor: float, span: float) -> TubeScale:
+    """The scale that held-out data ask for.
+
+    Parameters
+    ----------
+    free, measured : FloatArray, shape (N,)
+        Free run and measurement [m or rad] over data that the model was not fitted to; NaN where masked.
+    ensemble : FloatArray, shape (draws, N)
+        The draws there.
+    floor : float
+        s₀ [m or rad].
+    span : float
+        Operating range [m or rad].
+    """
+    apart = APART * span
+    ratio = np.abs(free - measured) / _spread(free, ensemble, floor, apart)
+    ratio = ratio[np.isfinite(ratio)]
+    quantile = float(np.quantile(ratio, COVERAGE)) if ratio.size else 1.0
+    return TubeScale(AHEAD * quantile, floor, apart)
+
+
+def tubes(free: FloatArray, ensemble: FloatArray, scale: TubeScale) -> Tubes:
+    """The tubes of a free run.
+
+    Parameters
+    ----------
+    free : FloatArray, shape (N,)
+        The free run [m or rad].
+    ensemble : FloatArray, shape (draws, N)
+        Free runs of the draws.
+    scale : TubeScale
+        From `tube_scale`. Cost: a dozen flops for each sample of each draw.
+    """
+    width = scale.factor * _spread(free, ensemble, scale.floor, scale.apart)
+    away = np.abs(ensemble - free) > scale.apart
+    several = np.mean(away, axis=0) > OPEN
+    others = np.where(away & several, ensemble, np.nan)
+    lowest, highest = (np.full(free.shape, np.nan) for _ in range(2))
+    lowest[several], highest[several] = np.nanmin(others[:, several], axis=0), np.nanmax(others[:, several], axis=0)
+    return Tubes(free - width, free + width, lowest - width, highest + width)
+
+
+def _spread(free: FloatArray, ensemble: FloatArray, floor: float, apart: float) -> FloatArray:
+    """√(s² + s₀²), shape (N,)."""
+    distance = ensemble - free
+    near = np.abs(distance) <= apart
+    count = np.maximum(np.count_nonzero(near, axis=0), 1)
+    return np.asarray(np.sqrt(np.sum(np.where(near, distance, 0.0) ** 2, axis=0) / count + floor**2))

@@ -1,0 +1,65 @@
+"""Tubes of free runs: calibrated on held-out data, wider where the draws differ, two where the well is open."""
+
+from dataclasses import asdict, replace
+
+import numpy as np
+import pytest
+
+from pipeline.scoring.tubes import AHEAD, APART, COVERAGE, TubeScale, tube_scale, tubes
+
+N, DRAWS, SPAN = 20_000, 32, 20e-3
+RNG = np.random.default_rng(3)
+FREE = 0.4 * SPAN * np.sin(np.linspace(0.0, 40.0, N))
+WIDTH = 1e-5 * (1.5 + np.sin(np.linspace(0.0, 90.0, N)))
+ENSEMBLE = FREE + WIDTH * RNG.standard_normal((DRAWS, N))
+
+
+def test_the_scale_is_the_quantile_of_held_out_errors_times_what_other_logs_need():
+    measured = FREE + 2.0 * WIDTH * RNG.standard_normal(N)
+    scale = tube_scale(FREE, ENSEMBLE, measured, 1e-9, SPAN)
+    assert scale.factor == pytest.approx(AHEAD * 2.0 * 1.645, rel=0.05)
+    assert (scale.floor, scale.apart) == (1e-9, APART * SPAN)
+
+
+def test_tubes_with_the_bare_quantile_hold_nine_tenths_of_fresh_errors_of_the_same_law():
+    scale = tube_scale(FREE, ENSEMBLE, FREE + 2.0 * WIDTH * RNG.standard_normal(N), 1e-9, SPAN)
+    bare = replace(scale, factor=scale.factor / AHEAD)
+    fresh = FREE + 2.0 * WIDTH * RNG.standard_normal(N)
+    assert tubes(FREE, ENSEMBLE, bare).coverage(fresh) == pytest.approx(COVERAGE, abs=0.02)
+    assert tubes(FREE, ENSEMBLE, scale).coverage(fresh) > 0.99
+
+
+def test_masked_samples_and_the_unit_change_nothing():
+    measured = FREE + WIDTH * RNG.standard_normal(N)
+    masked = np.where(np.arange(N) % 7 == 0, np.nan, measured)
+    scale, with_gaps = (tube_scale(FREE, ENSEMBLE, q, 1e-6, SPAN) for q in (measured, masked))
+    assert with_gaps.factor == pytest.approx(scale.factor, rel=0.05)
+    in_mm = tube_scale(1e3 * FREE, 1e3 * ENSEMBLE, 1e3 * measured, 1e-3, 1e3 * SPAN)
+    assert in_mm.factor == pytest.approx(scale.factor, rel=1e-9)
+
+
+def test_a_tube_is_wide_where_the_draws_differ():
+    made = tubes(FREE, ENSEMBLE, TubeScale(2.0, 1e-9, APART * SPAN))
+    half = 0.5 * (made.high - made.low)
+    assert np.corrcoef(half, WIDTH)[0, 1] > 0.9
+    assert np.isnan(made.other_low).all()
+
+
+def test_where_a_fifth_of_the_draws_fall_into_the_other_well_there_is_a_second_tube():
+    split, behind = ENSEMBLE.copy(), slice(N // 2, None)
+    split[: DRAWS // 5, behind] = -FREE[behind] - np.sign(FREE[behind]) * 0.5 * SPAN
+    made = tubes(FREE, split, TubeScale(2.0, 1e-6, APART * SPAN))
+    assert np.isnan(made.other_low[: N // 2]).all()
+    assert np.isfinite(made.other_low[behind]).all()
+    assert made.coverage(np.where(np.arange(N) < N // 2, FREE, split[0])) == 1.0
+    # They do not widen the tube about the free run.
+    alone = tubes(FREE, ENSEMBLE[DRAWS // 5 :], TubeScale(2.0, 1e-6, APART * SPAN))
+    np.testing.assert_allclose(made.high[behind], alone.high[behind])
+
+
+def test_nothing_to_compare_has_no_coverage():
+    assert tubes(FREE, ENSEMBLE, TubeScale(2.0, 1e-6, 5e-3)).coverage(np.full(N, np.nan)) is None
+
+
+def test_a_scale_without_held_out_samples_is_that_of_the_draws():
+    assert asdict(tube_scale(FREE, ENSEMBLE, np.full(N, np.nan), 1e-6, SPAN))["factor"] == AHEAD
