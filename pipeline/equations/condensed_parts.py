@@ -17,7 +17,7 @@ from pipeline.equations import beam
 from pipeline.equations.beam import Expression
 from pipeline.equations.tip_elements import tip_elements
 
-STOPS, CREEPS, BRANCHES = 4, 2, 3
+STOPS, CREEPS, BRANCHES = 6, 2, 3
 """Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
 ELEMENT_STATES = (
     *((f"creep_{i}", "m") for i in range(CREEPS)),

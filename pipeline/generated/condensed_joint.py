@@ -22,9 +22,9 @@ CONSTANTS = ('l', 'bending', 'bending_loss', 'steepening', 'stiffening', 'curvat
     'left_electric_slope', 'left_maxwell_0', 'left_maxwell_1', 'left_maxwell_2', 'left_viscous', 'right_a',
     'right_c', 'right_e_z', 'right_e_x', 'right_l0', 'right_elastic', 'right_hardening', 'right_hardening_slope',
     'right_electric', 'right_electric_slope', 'right_maxwell_0', 'right_maxwell_1', 'right_maxwell_2',
-    'right_viscous', 'stop_force_0', 'stop_force_1', 'stop_force_2', 'stop_force_3', 'stop_travel_0',
-    'stop_travel_1', 'stop_travel_2', 'stop_travel_3', 'creep_stiffness_0', 'creep_stiffness_1', 'creep_rate_0',
-    'creep_rate_1', 'slope_ratio')
+    'right_viscous', 'stop_force_0', 'stop_force_1', 'stop_force_2', 'stop_force_3', 'stop_force_4',
+    'stop_force_5', 'stop_travel_0', 'stop_travel_1', 'stop_travel_2', 'stop_travel_3', 'stop_travel_4',
+    'stop_travel_5', 'creep_stiffness_0', 'creep_stiffness_1', 'creep_rate_0', 'creep_rate_1', 'slope_ratio')
 
 TIP_CONSTANTS = (('drag', 0.02, 1.2, 'N·s²/m²'), ('sliding_force', 0.0001, 1.2, 'N'), ('sliding_speed', 0.006, 0.5, 'm/s'))
 
@@ -50,7 +50,7 @@ DRY_LEVELS = ('sliding_force',)
 
 AT_REST = (1.0, 1.0)
 
-STOPS = 4
+STOPS = 6
 
 CREEPS = 2
 
@@ -66,11 +66,11 @@ SLOPES = ((1.2, -0.1, 0.0), (-0.1, 0.13333333333333333, -0.03333333333333333), (
 BENDS = ((12.0, -6.0, 0.0), (-6.0, 4.0, 0.0), (0.0, 0.0, 0.8))
 
 PREPARE = Graph(
-    {'k': 108},
-    {'p': 183},
+    {'k': 112},
+    {'p': 187},
     """
 input k 46; input k 47; constant 1.0; input k 9; sub 3 2; input k 44; input k 56; input k 50; input k 51; input k
-53; input k 48; input k 52; input k 54; input k 49; input k 45; input k 107; input k 0; div 2 16; mul 15 17;
+53; input k 48; input k 52; input k 54; input k 49; input k 45; input k 111; input k 0; div 2 16; mul 15 17;
 constant 0.5; constant -0.5; input k 2; mul 20 21; input k 7; mul 23 23; mul 22 24; constant 4.0; input k 6; mul 15
 23; add 27 28; mul 29 29; mul 26 30; constant -12.0; mul 29 32; add 31 33; constant 12.0; add 34 35; div 2 35; mul
 36 37; input k 8; mul 39 39; constant 0.8; div 2 41; mul 40 42; add 38 43; div 2 44; mul 25 45; input k 62; input k
@@ -105,50 +105,51 @@ input k 38; mul 188 224; input k 39; mul 188 226; input k 40; input k 41; mul 18
 constant 0.7142857142857143; sub 241 243; mul 242 244; input k 77; input k 78; input k 79; input k 61; mul 19 249;
 sub 249 243; mul 250 251; input k 80; input k 86; input k 82; input k 81; input k 83; input k 84; sub 258 16; input
 k 85; div 2 260; input k 87; input k 88; input k 89; input k 90; mul 19 265; sub 265 243; mul 266 267; input k 91;
-input k 92; input k 93; input k 94; input k 57; input k 95; input k 66; input k 99; div 2 276; input k 96; input k
-100; div 2 279; input k 97; input k 101; div 2 282; input k 98; input k 102; div 2 285; input k 63; input k 64;
-input k 65; mul 289 289; input k 103; input k 104; mul 3 188; mul 188 192; input k 31; mul 184 295; input k 32; mul
-188 297; input k 33; mul 184 207; mul 188 208; input k 20; mul 26 302; input k 21; mul 184 304; input k 22; mul 188
-306; input k 23; mul 6 211; constant 2.4; mul 54 310; add 41 311; constant 0.019047619047619053; mul 59 313; add 312
-314; constant -1.3714285714285719; mul 63 316; constant 1.371428571428571; mul 53 318; constant
-0.007256235827664402; mul 58 320; add 319 321; constant -4.799999999999996; mul 63 323; constant 1.3714285714285672;
-mul 53 325; constant -0.05714285714285713; mul 58 327; add 326 328; constant -7.200000000000003; mul 63 330;
-constant 7.199999999999999; mul 53 332; constant 0.2190476190476187; mul 58 334; add 333 335; constant
--45.25714285714285; mul 53 337; constant -0.1142857142857146; mul 58 339; add 338 340; constant -28.80000000000001;
-mul 63 342; mul 188 194; mul 188 299; input k 34; mul 184 346; mul 188 209; mul 184 210; mul 184 308; input k 24;
-mul 26 351; mul 21 41; input k 58; input k 59; input k 60; input k 105; input k 106; mul 23 61; mul 23 138; mul 23
-125; mul 39 61; mul 39 138; mul 39 125; store p 0 0; store p 1 3; store p 2 4; store p 3 1; store p 4 5; store p 5
-6; store p 6 7; store p 7 8; store p 8 9; store p 9 10; store p 10 11; store p 11 12; store p 12 13; store p 13 14;
-store p 14 18; store p 15 46; store p 16 47; store p 17 17; store p 18 48; store p 19 61; store p 20 27; store p 21
-23; store p 22 39; store p 23 64; store p 24 69; store p 25 71; store p 26 76; store p 27 81; store p 28 88; store p
-29 90; store p 30 95; store p 31 97; store p 32 102; store p 33 107; store p 34 112; store p 35 117; store p 36 123;
-store p 37 125; store p 38 127; store p 39 132; store p 40 138; store p 41 140; store p 42 145; store p 43 149;
-store p 44 154; store p 45 159; store p 46 161; store p 47 166; store p 48 171; store p 49 173; store p 50 178;
-store p 51 183; store p 52 186; store p 53 189; store p 54 191; store p 55 192; store p 56 193; store p 57 194;
-store p 58 196; store p 59 198; store p 60 200; store p 61 202; store p 62 204; store p 63 206; store p 64 207;
-store p 65 208; store p 66 209; store p 67 210; store p 68 21; store p 69 219; store p 70 221; store p 71 223; store
-p 72 225; store p 73 227; store p 74 228; store p 75 229; store p 76 211; store p 77 217; store p 78 16; store p 79
-220; store p 80 226; store p 81 230; store p 82 231; store p 83 233; store p 84 235; store p 85 222; store p 86 234;
-store p 87 215; store p 88 213; store p 89 237; store p 90 214; store p 91 212; store p 92 238; store p 93 239;
-store p 94 240; store p 95 241; store p 96 245; store p 97 246; store p 98 247; store p 99 248; store p 100 249;
-store p 101 252; store p 102 253; store p 103 259; store p 104 255; store p 105 256; store p 106 261; store p 107
-257; store p 108 254; store p 109 262; store p 110 263; store p 111 264; store p 112 265; store p 113 268; store p
-114 269; store p 115 270; store p 116 271; store p 117 272; store p 118 273; store p 119 274; store p 120 275; store
-p 121 277; store p 122 278; store p 123 280; store p 124 281; store p 125 283; store p 126 284; store p 127 286;
-store p 128 287; store p 129 288; store p 130 290; store p 131 291; store p 132 292; store p 133 293; store p 134
-187; store p 135 294; store p 136 296; store p 137 298; store p 138 299; store p 139 197; store p 140 203; store p
-141 300; store p 142 301; store p 143 303; store p 144 305; store p 145 307; store p 146 308; store p 147 309; store
-p 148 315; store p 149 317; store p 150 322; store p 151 324; store p 152 329; store p 153 331; store p 154 336;
-store p 155 341; store p 156 343; store p 157 190; store p 158 344; store p 159 297; store p 160 345; store p 161
-347; store p 162 199; store p 163 348; store p 164 349; store p 165 304; store p 166 350; store p 167 352; store p
-168 185; store p 169 295; store p 170 346; store p 171 353; store p 172 354; store p 173 355; store p 174 356; store
-p 175 357; store p 176 358; store p 177 359; store p 178 360; store p 179 361; store p 180 362; store p 181 363;
-store p 182 364
+input k 92; input k 93; input k 94; input k 57; input k 95; input k 66; input k 101; div 2 276; input k 96; input k
+102; div 2 279; input k 97; input k 103; div 2 282; input k 98; input k 104; div 2 285; input k 99; input k 105; div
+2 288; input k 100; input k 106; div 2 291; input k 63; input k 64; input k 65; mul 295 295; input k 107; input k
+108; mul 3 188; mul 188 192; input k 31; mul 184 301; input k 32; mul 188 303; input k 33; mul 184 207; mul 188 208;
+input k 20; mul 26 308; input k 21; mul 184 310; input k 22; mul 188 312; input k 23; mul 6 211; constant 2.4; mul
+54 316; add 41 317; constant 0.019047619047619053; mul 59 319; add 318 320; constant -1.3714285714285719; mul 63
+322; constant 1.371428571428571; mul 53 324; constant 0.007256235827664402; mul 58 326; add 325 327; constant
+-4.799999999999996; mul 63 329; constant 1.3714285714285672; mul 53 331; constant -0.05714285714285713; mul 58 333;
+add 332 334; constant -7.200000000000003; mul 63 336; constant 7.199999999999999; mul 53 338; constant
+0.2190476190476187; mul 58 340; add 339 341; constant -45.25714285714285; mul 53 343; constant -0.1142857142857146;
+mul 58 345; add 344 346; constant -28.80000000000001; mul 63 348; mul 188 194; mul 188 305; input k 34; mul 184 352;
+mul 188 209; mul 184 210; mul 184 314; input k 24; mul 26 357; mul 21 41; input k 58; input k 59; input k 60; input
+k 109; input k 110; mul 23 61; mul 23 138; mul 23 125; mul 39 61; mul 39 138; mul 39 125; store p 0 0; store p 1 3;
+store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8; store p 8 9; store p 9 10; store p 10
+11; store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p 15 46; store p 16 47; store p 17 17; store p
+18 48; store p 19 61; store p 20 27; store p 21 23; store p 22 39; store p 23 64; store p 24 69; store p 25 71;
+store p 26 76; store p 27 81; store p 28 88; store p 29 90; store p 30 95; store p 31 97; store p 32 102; store p 33
+107; store p 34 112; store p 35 117; store p 36 123; store p 37 125; store p 38 127; store p 39 132; store p 40 138;
+store p 41 140; store p 42 145; store p 43 149; store p 44 154; store p 45 159; store p 46 161; store p 47 166;
+store p 48 171; store p 49 173; store p 50 178; store p 51 183; store p 52 186; store p 53 189; store p 54 191;
+store p 55 192; store p 56 193; store p 57 194; store p 58 196; store p 59 198; store p 60 200; store p 61 202;
+store p 62 204; store p 63 206; store p 64 207; store p 65 208; store p 66 209; store p 67 210; store p 68 21; store
+p 69 219; store p 70 221; store p 71 223; store p 72 225; store p 73 227; store p 74 228; store p 75 229; store p 76
+211; store p 77 217; store p 78 16; store p 79 220; store p 80 226; store p 81 230; store p 82 231; store p 83 233;
+store p 84 235; store p 85 222; store p 86 234; store p 87 215; store p 88 213; store p 89 237; store p 90 214;
+store p 91 212; store p 92 238; store p 93 239; store p 94 240; store p 95 241; store p 96 245; store p 97 246;
+store p 98 247; store p 99 248; store p 100 249; store p 101 252; store p 102 253; store p 103 259; store p 104 255;
+store p 105 256; store p 106 261; store p 107 257; store p 108 254; store p 109 262; store p 110 263; store p 111
+264; store p 112 265; store p 113 268; store p 114 269; store p 115 270; store p 116 271; store p 117 272; store p
+118 273; store p 119 274; store p 120 275; store p 121 277; store p 122 278; store p 123 280; store p 124 281; store
+p 125 283; store p 126 284; store p 127 286; store p 128 287; store p 129 289; store p 130 290; store p 131 292;
+store p 132 293; store p 133 294; store p 134 296; store p 135 297; store p 136 298; store p 137 299; store p 138
+187; store p 139 300; store p 140 302; store p 141 304; store p 142 305; store p 143 197; store p 144 203; store p
+145 306; store p 146 307; store p 147 309; store p 148 311; store p 149 313; store p 150 314; store p 151 315; store
+p 152 321; store p 153 323; store p 154 328; store p 155 330; store p 156 335; store p 157 337; store p 158 342;
+store p 159 347; store p 160 349; store p 161 190; store p 162 350; store p 163 303; store p 164 351; store p 165
+353; store p 166 199; store p 167 354; store p 168 355; store p 169 310; store p 170 356; store p 171 358; store p
+172 185; store p 173 301; store p 174 352; store p 175 359; store p 176 360; store p 177 361; store p 178 362; store
+p 179 363; store p 180 364; store p 181 365; store p 182 366; store p 183 367; store p 184 368; store p 185 369;
+store p 186 370
     """,
 )
 
 RATES = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'z': 4, 'start': 2, 'p': 183},
+    {'x': 14, 'u': 2, 'c': 13, 'z': 6, 'start': 2, 'p': 187},
     {'rates': 14},
     """
 input x 1; input p 0; constant 1.0; input x 2; input p 1; mul 3 4; mul 3 5; add 2 6; sqrt 7; div 2 8; input p 2; mul
@@ -232,49 +233,51 @@ input start 0; sub 29 702; input p 120; input start 1; sub 3 705; mul 704 706; a
 709; add 701 710; max 700 711; min 2 712; mul 699 713; input p 122; input z 1; input p 123; mul 708 717; add 716
 718; max 700 719; min 2 720; mul 715 721; add 714 722; input p 124; input z 2; input p 125; mul 708 726; add 725
 727; max 700 728; min 2 729; mul 724 730; add 723 731; input p 126; input z 3; input p 127; mul 708 735; add 734
-736; max 700 737; min 2 738; mul 733 739; add 732 740; sub 698 741; input p 128; abs 0; mul 743 744; mul 0 745;
-input p 129; mul 0 747; mul 0 0; input p 130; add 749 750; sqrt 751; div 2 752; mul 748 753; add 746 754; sub 742
-755; add 697 756; input p 131; input x 12; sub 29 759; mul 758 760; input p 132; input x 13; sub 29 763; mul 762
-764; add 761 765; sub 757 766; mul 0 62; mul 28 130; add 768 769; mul 47 395; add 770 771; mul 0 772; mul 0 28; mul
-31 130; add 774 775; mul 34 395; add 776 777; mul 130 778; add 773 779; mul 0 47; mul 34 130; add 781 782; mul 51
-395; add 783 784; mul 395 785; add 780 786; mul 17 130; mul 130 788; mul 23 789; input p 133; mul 9 791; mul 9 792;
-mul 8 16; mul 10 794; mul 794 795; add 793 796; mul 3 797; mul 38 798; sub 25 799; mul 790 800; add 787 801; mul 67
-802; mul 24 798; add 39 804; mul 790 805; sub 803 806; mul 22 807; sub 767 808; mul 90 809; mul 81 89; mul 150 265;
-input p 134; mul 285 813; input p 135; mul 304 815; add 814 816; mul 324 331; add 817 818; input p 136; mul 328 820;
-add 819 821; input p 137; mul 332 823; add 822 824; input p 138; mul 336 826; add 825 827; mul 339 828; input p 139;
-mul 342 830; mul 345 352; add 831 832; input p 140; mul 349 834; add 833 835; input p 141; mul 353 837; add 836 838;
-input p 142; mul 357 840; add 839 841; mul 361 372; add 842 843; input p 143; mul 365 845; add 844 846; input p 144;
-mul 369 848; add 847 849; input p 145; mul 373 851; add 850 852; input p 146; mul 339 854; add 853 855; add 829 856;
-mul 576 857; add 812 858; mul 145 859; mul 579 690; sub 860 861; mul 150 405; add 862 863; mul 567 594; mul 679 687;
-add 865 866; add 864 867; sub 134 868; input p 147; mul 38 870; mul 17 871; add 869 872; mul 704 741; sub 873 874;
-mul 41 802; mul 26 806; sub 876 877; mul 22 878; mul 19 798; mul 789 880; sub 879 881; sub 875 882; mul 811 883; sub
-810 884; mul 86 89; input p 148; mul 35 887; input p 149; mul 214 889; add 888 890; input p 150; mul 218 892; add
-891 893; mul 155 210; add 894 895; input p 151; mul 158 897; add 896 898; input p 152; mul 162 900; add 899 901;
-input p 153; mul 166 903; add 902 904; mul 170 227; add 905 906; input p 154; mul 174 908; add 907 909; mul 157 189;
-add 910 911; input p 155; mul 193 913; add 912 914; mul 169 197; add 915 916; input p 156; mul 201 918; add 917 919;
-mul 184 258; add 920 921; mul 202 257; add 922 923; mul 153 265; add 924 925; input p 157; mul 285 927; mul 304 331;
-add 928 929; input p 158; mul 324 931; add 930 932; input p 159; mul 328 934; add 933 935; input p 160; mul 332 937;
-add 936 938; input p 161; mul 336 940; add 939 941; mul 339 942; input p 162; mul 342 944; mul 345 834; add 945 946;
-mul 349 360; add 947 948; mul 353 368; add 949 950; input p 163; mul 357 952; add 951 953; input p 164; mul 361 955;
-add 954 956; input p 165; mul 365 958; add 957 959; mul 369 851; add 960 961; input p 166; mul 373 963; add 962 964;
-input p 167; mul 339 966; add 965 967; add 943 968; constant 3.0; mul 336 970; input p 168; mul 342 972; mul 345
-813; add 973 974; mul 349 927; add 975 976; mul 327 353; add 977 978; mul 331 357; add 979 980; mul 335 361; add 981
-982; input p 169; mul 365 984; add 983 985; mul 369 934; add 986 987; mul 373 826; add 988 989; input p 170; mul 339
-991; add 990 992; mul 971 993; add 969 994; mul 585 995; add 926 996; mul 145 997; mul 588 690; sub 998 999; input p
-171; mul 395 1001; mul 153 405; add 1002 1003; add 1000 1004; mul 53 802; mul 22 1006; add 1005 1007; mul 886 1008;
-sub 885 1009; mul 56 70; mul 79 79; sub 1011 1012; mul 89 1013; mul 883 1014; mul 809 811; sub 1015 1016; mul 59 70;
-mul 76 79; sub 1018 1019; mul 89 1020; mul 1008 1021; add 1017 1022; mul 809 886; mul 883 1021; sub 1024 1025; mul
-45 70; mul 76 76; sub 1027 1028; mul 89 1029; mul 1008 1030; sub 1026 1031; mul 555 592; input p 172; mul 534 1034;
-sub 1033 1035; mul 667 685; mul 649 1034; sub 1037 1038; input p 173; mul 537 1040; sub 1033 1041; mul 652 1040; sub
-1037 1043; input p 174; mul 541 1045; sub 1033 1046; mul 656 1045; sub 1037 1048; input p 175; mul 760 1050; input p
-176; mul 764 1052; store rates 0 0; store rates 1 1010; store rates 2 130; store rates 3 1023; store rates 4 395;
-store rates 5 1032; store rates 6 1036; store rates 7 1039; store rates 8 1042; store rates 9 1044; store rates 10
-1047; store rates 11 1049; store rates 12 1051; store rates 13 1053
+736; max 700 737; min 2 738; mul 733 739; add 732 740; input p 128; input z 4; input p 129; mul 708 744; add 743
+745; max 700 746; min 2 747; mul 742 748; add 741 749; input p 130; input z 5; input p 131; mul 708 753; add 752
+754; max 700 755; min 2 756; mul 751 757; add 750 758; sub 698 759; input p 132; abs 0; mul 761 762; mul 0 763;
+input p 133; mul 0 765; mul 0 0; input p 134; add 767 768; sqrt 769; div 2 770; mul 766 771; add 764 772; sub 760
+773; add 697 774; input p 135; input x 12; sub 29 777; mul 776 778; input p 136; input x 13; sub 29 781; mul 780
+782; add 779 783; sub 775 784; mul 0 62; mul 28 130; add 786 787; mul 47 395; add 788 789; mul 0 790; mul 0 28; mul
+31 130; add 792 793; mul 34 395; add 794 795; mul 130 796; add 791 797; mul 0 47; mul 34 130; add 799 800; mul 51
+395; add 801 802; mul 395 803; add 798 804; mul 17 130; mul 130 806; mul 23 807; input p 137; mul 9 809; mul 9 810;
+mul 8 16; mul 10 812; mul 812 813; add 811 814; mul 3 815; mul 38 816; sub 25 817; mul 808 818; add 805 819; mul 67
+820; mul 24 816; add 39 822; mul 808 823; sub 821 824; mul 22 825; sub 785 826; mul 90 827; mul 81 89; mul 150 265;
+input p 138; mul 285 831; input p 139; mul 304 833; add 832 834; mul 324 331; add 835 836; input p 140; mul 328 838;
+add 837 839; input p 141; mul 332 841; add 840 842; input p 142; mul 336 844; add 843 845; mul 339 846; input p 143;
+mul 342 848; mul 345 352; add 849 850; input p 144; mul 349 852; add 851 853; input p 145; mul 353 855; add 854 856;
+input p 146; mul 357 858; add 857 859; mul 361 372; add 860 861; input p 147; mul 365 863; add 862 864; input p 148;
+mul 369 866; add 865 867; input p 149; mul 373 869; add 868 870; input p 150; mul 339 872; add 871 873; add 847 874;
+mul 576 875; add 830 876; mul 145 877; mul 579 690; sub 878 879; mul 150 405; add 880 881; mul 567 594; mul 679 687;
+add 883 884; add 882 885; sub 134 886; input p 151; mul 38 888; mul 17 889; add 887 890; mul 704 759; sub 891 892;
+mul 41 820; mul 26 824; sub 894 895; mul 22 896; mul 19 816; mul 807 898; sub 897 899; sub 893 900; mul 829 901; sub
+828 902; mul 86 89; input p 152; mul 35 905; input p 153; mul 214 907; add 906 908; input p 154; mul 218 910; add
+909 911; mul 155 210; add 912 913; input p 155; mul 158 915; add 914 916; input p 156; mul 162 918; add 917 919;
+input p 157; mul 166 921; add 920 922; mul 170 227; add 923 924; input p 158; mul 174 926; add 925 927; mul 157 189;
+add 928 929; input p 159; mul 193 931; add 930 932; mul 169 197; add 933 934; input p 160; mul 201 936; add 935 937;
+mul 184 258; add 938 939; mul 202 257; add 940 941; mul 153 265; add 942 943; input p 161; mul 285 945; mul 304 331;
+add 946 947; input p 162; mul 324 949; add 948 950; input p 163; mul 328 952; add 951 953; input p 164; mul 332 955;
+add 954 956; input p 165; mul 336 958; add 957 959; mul 339 960; input p 166; mul 342 962; mul 345 852; add 963 964;
+mul 349 360; add 965 966; mul 353 368; add 967 968; input p 167; mul 357 970; add 969 971; input p 168; mul 361 973;
+add 972 974; input p 169; mul 365 976; add 975 977; mul 369 869; add 978 979; input p 170; mul 373 981; add 980 982;
+input p 171; mul 339 984; add 983 985; add 961 986; constant 3.0; mul 336 988; input p 172; mul 342 990; mul 345
+831; add 991 992; mul 349 945; add 993 994; mul 327 353; add 995 996; mul 331 357; add 997 998; mul 335 361; add 999
+1000; input p 173; mul 365 1002; add 1001 1003; mul 369 952; add 1004 1005; mul 373 844; add 1006 1007; input p 174;
+mul 339 1009; add 1008 1010; mul 989 1011; add 987 1012; mul 585 1013; add 944 1014; mul 145 1015; mul 588 690; sub
+1016 1017; input p 175; mul 395 1019; mul 153 405; add 1020 1021; add 1018 1022; mul 53 820; mul 22 1024; add 1023
+1025; mul 904 1026; sub 903 1027; mul 56 70; mul 79 79; sub 1029 1030; mul 89 1031; mul 901 1032; mul 827 829; sub
+1033 1034; mul 59 70; mul 76 79; sub 1036 1037; mul 89 1038; mul 1026 1039; add 1035 1040; mul 827 904; mul 901
+1039; sub 1042 1043; mul 45 70; mul 76 76; sub 1045 1046; mul 89 1047; mul 1026 1048; sub 1044 1049; mul 555 592;
+input p 176; mul 534 1052; sub 1051 1053; mul 667 685; mul 649 1052; sub 1055 1056; input p 177; mul 537 1058; sub
+1051 1059; mul 652 1058; sub 1055 1061; input p 178; mul 541 1063; sub 1051 1064; mul 656 1063; sub 1055 1066; input
+p 179; mul 778 1068; input p 180; mul 782 1070; store rates 0 0; store rates 1 1028; store rates 2 130; store rates
+3 1041; store rates 4 395; store rates 5 1050; store rates 6 1054; store rates 7 1057; store rates 8 1060; store
+rates 9 1062; store rates 10 1065; store rates 11 1067; store rates 12 1069; store rates 13 1071
     """,
 )
 
 REST_FORCES = Graph(
-    {'x': 14, 'u': 2, 'c': 13, 'p': 183},
+    {'x': 14, 'u': 2, 'c': 13, 'p': 187},
     {'forces': 3, 'by_shape': 6},
     """
 input p 118; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
@@ -333,33 +336,33 @@ max 420 475; min 419 476; input p 109; input p 110; mul 477 479; add 478 480; mu
 input p 111; mul 7 485; input p 112; input p 113; mul 475 488; add 487 489; mul 475 490; add 181 491; mul 486 492;
 sub 484 493; mul 446 494; mul 446 470; mul 462 496; mul 495 497; add 445 498; sub 318 499; mul 317 500; sub 287 501;
 mul 342 443; mul 442 503; mul 455 496; mul 495 505; add 504 506; sub 502 507; sub 40 508; add 0 509; mul 326 332;
-div 181 511; mul 327 512; input p 147; mul 338 514; mul 513 515; mul 47 163; constant 3.3333333333333335; add 194
-198; mul 518 519; sub 181 520; input p 134; mul 185 522; input p 135; mul 204 524; add 523 525; mul 224 231; add 526
-527; input p 136; mul 228 529; add 528 530; input p 137; mul 232 532; add 531 533; input p 138; mul 236 535; add 534
-536; mul 239 537; input p 139; mul 242 539; mul 245 252; add 540 541; input p 140; mul 249 543; add 542 544; input p
-141; mul 253 546; add 545 547; input p 142; mul 257 549; add 548 550; mul 261 272; add 551 552; input p 143; mul 265
-554; add 553 555; input p 144; mul 269 557; add 556 558; input p 145; mul 273 560; add 559 561; input p 146; mul 239
+div 181 511; mul 327 512; input p 151; mul 338 514; mul 513 515; mul 47 163; constant 3.3333333333333335; add 194
+198; mul 518 519; sub 181 520; input p 138; mul 185 522; input p 139; mul 204 524; add 523 525; mul 224 231; add 526
+527; input p 140; mul 228 529; add 528 530; input p 141; mul 232 532; add 531 533; input p 142; mul 236 535; add 534
+536; mul 239 537; input p 143; mul 242 539; mul 245 252; add 540 541; input p 144; mul 249 543; add 542 544; input p
+145; mul 253 546; add 545 547; input p 146; mul 257 549; add 548 550; mul 261 272; add 551 552; input p 147; mul 265
+554; add 553 555; input p 148; mul 269 557; add 556 558; input p 149; mul 273 560; add 559 561; input p 150; mul 239
 563; add 562 564; add 538 565; mul 521 566; add 517 567; mul 42 568; mul 385 521; mul 364 570; add 352 571; mul 500
 572; sub 569 573; sub 403 405; mul 342 575; add 335 340; mul 406 577; sub 576 578; mul 443 579; mul 513 580; mul 442
 581; add 459 461; mul 455 583; sub 451 449; mul 462 585; add 584 586; mul 496 587; mul 513 588; mul 495 589; add 582
-590; add 574 591; sub 38 592; add 516 593; input p 148; mul 50 595; input p 149; mul 112 597; add 596 598; input p
-150; mul 116 600; add 599 601; mul 53 108; add 602 603; input p 151; mul 56 605; add 604 606; input p 152; mul 60
-608; add 607 609; input p 153; mul 64 611; add 610 612; mul 68 125; add 613 614; input p 154; mul 72 616; add 615
-617; mul 55 87; add 618 619; input p 155; mul 91 621; add 620 622; mul 67 95; add 623 624; input p 156; mul 99 626;
+590; add 574 591; sub 38 592; add 516 593; input p 152; mul 50 595; input p 153; mul 112 597; add 596 598; input p
+154; mul 116 600; add 599 601; mul 53 108; add 602 603; input p 155; mul 56 605; add 604 606; input p 156; mul 60
+608; add 607 609; input p 157; mul 64 611; add 610 612; mul 68 125; add 613 614; input p 158; mul 72 616; add 615
+617; mul 55 87; add 618 619; input p 159; mul 91 621; add 620 622; mul 67 95; add 623 624; input p 160; mul 99 626;
 add 625 627; mul 82 156; add 628 629; mul 100 155; add 630 631; mul 51 163; add 632 633; constant 1.25; add 214 218;
-mul 635 636; sub 181 637; input p 157; mul 185 639; mul 204 231; add 640 641; input p 158; mul 224 643; add 642 644;
-input p 159; mul 228 646; add 645 647; input p 160; mul 232 649; add 648 650; input p 161; mul 236 652; add 651 653;
-mul 239 654; input p 162; mul 242 656; mul 245 543; add 657 658; mul 249 260; add 659 660; mul 253 268; add 661 662;
-input p 163; mul 257 664; add 663 665; input p 164; mul 261 667; add 666 668; input p 165; mul 265 670; add 669 671;
-mul 269 560; add 672 673; input p 166; mul 273 675; add 674 676; input p 167; mul 239 678; add 677 679; add 655 680;
-constant 3.0; mul 236 682; input p 168; mul 242 684; mul 245 522; add 685 686; mul 249 639; add 687 688; mul 227
-253; add 689 690; mul 231 257; add 691 692; mul 235 261; add 693 694; input p 169; mul 265 696; add 695 697; mul 269
-646; add 698 699; mul 273 535; add 700 701; input p 170; mul 239 703; add 702 704; mul 683 705; add 681 706; mul 638
+mul 635 636; sub 181 637; input p 161; mul 185 639; mul 204 231; add 640 641; input p 162; mul 224 643; add 642 644;
+input p 163; mul 228 646; add 645 647; input p 164; mul 232 649; add 648 650; input p 165; mul 236 652; add 651 653;
+mul 239 654; input p 166; mul 242 656; mul 245 543; add 657 658; mul 249 260; add 659 660; mul 253 268; add 661 662;
+input p 167; mul 257 664; add 663 665; input p 168; mul 261 667; add 666 668; input p 169; mul 265 670; add 669 671;
+mul 269 560; add 672 673; input p 170; mul 273 675; add 674 676; input p 171; mul 239 678; add 677 679; add 655 680;
+constant 3.0; mul 236 682; input p 172; mul 242 684; mul 245 522; add 685 686; mul 249 639; add 687 688; mul 227
+253; add 689 690; mul 231 257; add 691 692; mul 235 261; add 693 694; input p 173; mul 265 696; add 695 697; mul 269
+646; add 698 699; mul 273 535; add 700 701; input p 174; mul 239 703; add 702 704; mul 683 705; add 681 706; mul 638
 707; add 634 708; mul 42 709; mul 396 638; mul 364 711; add 360 712; mul 500 713; sub 710 714; neg 715; sub 26 19;
-mul 12 30; add 717 718; input p 177; mul 47 50; mul 55 721; add 720 722; mul 50 721; mul 59 724; add 723 725; mul 53
+mul 12 30; add 717 718; input p 181; mul 47 50; mul 55 721; add 720 722; mul 50 721; mul 59 724; add 723 725; mul 53
 321; mul 47 727; mul 63 728; add 726 729; mul 50 728; mul 67 731; add 730 732; mul 53 728; mul 47 64; add 734 735;
 mul 71 736; add 733 737; mul 45 47; mul 86 739; add 738 740; mul 50 739; mul 90 742; add 741 743; mul 53 739; mul 47
-87; add 745 746; mul 94 747; add 744 748; mul 47 99; mul 98 750; add 749 751; input p 178; mul 122 721; add 753 754;
+87; add 745 746; mul 94 747; add 744 748; mul 47 99; mul 98 750; add 749 751; input p 182; mul 122 721; add 753 754;
 mul 125 724; add 755 756; mul 128 728; add 757 758; mul 131 731; add 759 760; mul 134 736; add 761 762; mul 143 739;
 add 763 764; mul 146 742; add 765 766; mul 149 747; add 767 768; mul 94 750; add 769 770; mul 44 771; add 752 772;
 le 190 188; le 188 190; add 774 775; div 181 776; mul 774 777; le 189 10; le 10 189; add 779 780; div 181 781; mul
@@ -402,7 +405,7 @@ mul 252 815; mul 546 819; add 1056 1057; mul 549 822; add 1058 1059; mul 554 827
 1095; mul 580 1046; sub 1096 1097; mul 442 1098; add 1084 1099; mul 589 1009; mul 583 957; add 960 962; mul 455
 1103; add 1102 1104; mul 585 963; sub 956 955; mul 462 1107; add 1106 1108; add 1105 1109; mul 496 1110; mul 587
 1012; sub 1111 1112; mul 513 1113; mul 588 1046; sub 1114 1115; mul 495 1116; add 1101 1117; add 1100 1118; add 1083
-1119; add 30 1120; sub 1048 1121; input p 179; mul 605 721; add 1123 1124; mul 608 724; add 1125 1126; mul 611 728;
+1119; add 30 1120; sub 1048 1121; input p 183; mul 605 721; add 1123 1124; mul 608 724; add 1125 1126; mul 611 728;
 add 1127 1128; mul 125 731; add 1129 1130; mul 616 736; add 1131 1132; mul 55 739; add 1133 1134; mul 621 742; add
 1135 1136; mul 67 747; add 1137 1138; mul 155 750; add 1139 1140; mul 51 771; add 1141 1142; mul 231 805; mul 646
 808; add 1144 1145; mul 649 811; add 1146 1147; mul 239 1148; mul 543 815; mul 268 819; add 1150 1151; mul 664 822;
@@ -410,12 +413,12 @@ add 1152 1153; mul 670 827; add 1154 1155; mul 560 830; add 1156 1157; mul 675 8
 mul 522 815; mul 227 819; add 1162 1163; mul 231 822; add 1164 1165; mul 696 827; add 1166 1167; mul 646 830; add
 1168 1169; mul 535 833; add 1170 1171; mul 683 1172; add 1161 1173; mul 638 1174; add 1143 1175; mul 42 1176; mul
 638 891; mul 364 1178; add 350 1179; mul 500 1180; mul 713 1017; sub 1181 1182; sub 1177 1183; neg 1184; input p
-180; add 52 53; mul 55 1187; add 1186 1188; mul 50 1187; add 56 1190; mul 59 1191; add 1189 1192; mul 51 727; mul 63
+184; add 52 53; mul 55 1187; add 1186 1188; mul 50 1187; add 56 1190; mul 59 1191; add 1189 1192; mul 51 727; mul 63
 1194; add 1193 1195; mul 50 1194; add 64 1197; mul 67 1198; add 1196 1199; mul 53 1194; mul 51 64; add 1201 1202;
 mul 71 1203; add 1200 1204; mul 45 78; add 1205 1206; mul 79 321; mul 82 1208; add 1207 1209; mul 45 51; mul 86
 1211; add 1210 1212; mul 50 1211; add 87 1214; mul 90 1215; add 1213 1216; mul 53 1211; mul 51 87; add 1218 1219;
 mul 94 1220; add 1217 1221; mul 51 99; mul 98 1223; add 1222 1224; mul 50 321; mul 111 1226; add 108 1227; mul 50
-1226; add 112 1229; mul 115 1230; add 1228 1231; input p 181; add 1232 1233; mul 122 1187; add 1234 1235; mul 125
+1226; add 112 1229; mul 115 1230; add 1228 1231; input p 185; add 1232 1233; mul 122 1187; add 1234 1235; mul 125
 1191; add 1236 1237; mul 128 1194; add 1238 1239; mul 131 1198; add 1240 1241; mul 134 1203; add 1242 1243; mul 45
 55; add 1244 1245; mul 59 1208; add 1246 1247; mul 143 1211; add 1248 1249; mul 146 1215; add 1250 1251; mul 149
 1220; add 1252 1253; mul 99 155; add 1254 1255; mul 94 1223; add 1256 1257; mul 44 1258; add 1225 1259; le 210 208;
@@ -448,7 +451,7 @@ add 1453 1464; mul 521 1465; add 1445 1466; mul 42 1467; mul 521 1348; mul 364 1
 572 1430; sub 1472 1473; sub 1468 1474; mul 581 1385; mul 577 1355; mul 443 1477; mul 579 1388; add 1478 1479; mul
 513 1480; mul 442 1481; sub 1476 1482; mul 589 1422; mul 585 1355; mul 496 1485; mul 587 1425; sub 1486 1487; mul
 513 1488; mul 495 1489; add 1484 1490; add 1483 1491; add 1475 1492; neg 1493; mul 597 1226; add 595 1495; mul 600
-1230; add 1496 1497; input p 182; add 1498 1499; mul 605 1187; add 1500 1501; mul 608 1191; add 1502 1503; mul 611
+1230; add 1496 1497; input p 186; add 1498 1499; mul 605 1187; add 1500 1501; mul 608 1191; add 1502 1503; mul 611
 1194; add 1504 1505; mul 125 1198; add 1506 1507; mul 616 1203; add 1508 1509; mul 55 1211; add 1510 1511; mul 621
 1215; add 1512 1513; mul 67 1220; add 1514 1515; mul 82 99; add 1516 1517; mul 155 1223; add 1518 1519; mul 51 1258;
 add 1520 1521; mul 643 1292; mul 649 1294; add 1523 1524; mul 652 1298; add 1525 1526; mul 239 1527; mul 654 1304;
@@ -464,7 +467,7 @@ by_shape 5 1573
 )
 
 INERTIA = Graph(
-    {'x': 14, 'p': 183},
+    {'x': 14, 'p': 187},
     {'mass': 6},
     """
 input p 4; constant 1.0; input x 0; input p 12; mul 2 3; input x 2; input p 6; mul 5 6; add 4 7; input x 4; input p
@@ -479,19 +482,20 @@ mass 1 49; store mass 2 59; store mass 3 67; store mass 4 69; store mass 5 73
 )
 
 STOP_MOVE = Graph(
-    {'x': 14, 'z': 4, 'start': 2, 'p': 183},
-    {'moved': 4},
+    {'x': 14, 'z': 6, 'start': 2, 'p': 187},
+    {'moved': 6},
     """
 constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 120; input x 2; input start 1;
 sub 7 8; mul 6 9; add 5 10; input p 121; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 123; mul 11 18;
 add 17 19; max 1 20; min 0 21; input z 2; input p 125; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
-127; mul 11 30; add 29 31; max 1 32; min 0 33; store moved 0 16; store moved 1 22; store moved 2 28; store moved 3
-34
+127; mul 11 30; add 29 31; max 1 32; min 0 33; input z 4; input p 129; mul 11 36; add 35 37; max 1 38; min 0 39;
+input z 5; input p 131; mul 11 42; add 41 43; max 1 44; min 0 45; store moved 0 16; store moved 1 22; store moved 2
+28; store moved 3 34; store moved 4 40; store moved 5 46
     """,
 )
 
 UPRIGHT = Graph(
-    {'k': 108},
+    {'k': 112},
     {'load': 1},
     """
 input k 55; input k 72; input k 67; input k 69; sub 2 3; mul 4 4; input k 70; input k 0; sub 6 7; input k 68; add 8

@@ -76,6 +76,10 @@ def _unknown(name: str, typical: float, unit: str, prior_std: float = 1.2) -> De
     return Deviation(f"log {name}", prior_std, unit, typical)
 
 
+_FORCES = (0.5e-3, 0.5e-3, 0.5e-3, 0.5e-3, 0.15e-3, 0.15e-3)
+"""Typical forces [N] of the slip elements: four of friction, and two with travels as long as the motion is wide, for
+layers of the beam that yield."""
+
 CHARGING_TIME = 1e-3
 """Typical time constant [s] of a membrane behind its electrodes: some 10 nF behind some 100 kΩ."""
 
@@ -125,7 +129,7 @@ DEVIATIONS: tuple[Deviation, ...] = (
     _unknown("viscosity", 5e-3, "N·s/m"),
     *(_unknown(name.replace("_", " "), typical, unit, prior_std) for name, typical, prior_std, unit in TIP_CONSTANTS),
     Deviation("friction arm", 5e-3, "m"),
-    *(_unknown(f"stop force {i}", 0.5e-3, "N") for i in range(STOPS)),
+    *(_unknown(f"stop force {i}", force, "N") for i, force in enumerate(_FORCES)),
     *(Deviation(f"log stop travel {i}", 0.5, "m") for i in range(STOPS)),
     *(_unknown(f"creep stiffness {i}", 0.04, "N/m") for i in range(CREEPS)),
     Deviation("laser offset", 0.15e-3, "m"),
@@ -146,7 +150,7 @@ _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
 OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "delay", "log charging time", "probe 1", "probe 2")]
-_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3])
+_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3, 6e-3, 16e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
 _LEAST_INERTIA = 2e-7  # kg·m²

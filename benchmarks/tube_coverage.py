@@ -1,0 +1,50 @@
+"""Coverage of the 90 % tubes of `hybrid`, and its error, on joints of three physics that are drawn anew.
+
+`python benchmarks/tube_coverage.py FOLDER [SEED] [COUNT]`: COUNT joints of each kind, without ``[plant]``, one training
+and one validation log each. Printed are a line for each joint and a table. About 30 s of processor time a joint.
+"""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from pipeline.rig.fleet import Experiment, simulate_prototype
+
+KINDS = ("same", "foreign", "worn")
+
+
+def measured(folder: Path, kind: str, seed: int) -> pd.Series:
+    """Scores of q on the validation log of one joint."""
+    home = folder / f"{kind}-{seed}"
+    settings = simulate_prototype(home, home.name, Experiment(kind=kind, rate=10_000.0), seed=seed, force=True)
+    text = settings.read_text(encoding="utf-8")
+    blind = text[: text.index("[plant]")] + '[identify]\nmodels = ["hybrid"]\n'
+    settings.write_text(blind, encoding="utf-8")
+    subprocess.run([str(Path(sys.executable).with_name("debist")), "run", str(settings), "-o", str(home / "run"), "-q"],
+                   check=True, capture_output=True)  # fmt: skip
+    scores = pd.read_parquet(home / "run" / "scores.parquet")
+    rows = scores[(scores.model == "hybrid") & (scores.signal == "q")].set_index("role")
+    row = rows.loc["validation"].copy()
+    row["training"] = rows.loc["train", "nrmse"]
+    return row
+
+
+def main(folder: Path, seed: int = 26112950, count: int = 6) -> None:
+    print("| kind | joints | tube holds: mean, each | NRMSE of q: training, validation: median, each |")
+    print("|---|---|---|---|")
+    for number, kind in enumerate(KINDS):
+        rows = []
+        for i in range(count):
+            rows.append(measured(folder, kind, seed + 10 * number + i))
+            print(kind, seed + 10 * number + i, f"{rows[-1].in_tube:.3f} {rows[-1].nrmse:.5f}", file=sys.stderr)
+        held, errors, training = (100.0 * np.array([row[k] for row in rows]) for k in ("in_tube", "nrmse", "training"))
+        each = ", ".join(f"{value:.0f}" for value in held)
+        print(f"| `{kind}` | {count} | {held.mean():.0f} %: {each} | {np.median(training):.3f} %, "
+              f"{np.median(errors):.2f} %: {', '.join(f'{e:.2f}' for e in errors)} |")  # fmt: skip
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), *map(int, sys.argv[2:]))
