@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.horizons import MeasuredPath, Predict
     from pipeline.scoring.wells import NoWells, Wells
 
-ALGORITHM = "21"
+ALGORITHM = "22"
 
 _RESTARTS = 60
 _DRAWS = 32
