@@ -319,8 +319,9 @@ class Identify(_Settings):
 
     models: tuple[str, ...] = Field(default=(AUTO, "rbf", "rbf-paper"), min_length=1)
     """Models to identify; the first is the headline. "auto": "hybrid" or "rbf", whichever predicts held-out training
-    data better. "hybrid": the joint's equations, with data-driven corrections where these help. "rbf": the
-    physics-informed RBF network from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
+    data better; as the first name, it leaves the headline to another that holds training logs which this one loses, or
+    predicts better by horizon. "hybrid": the joint's equations, with data-driven corrections where these help. "rbf":
+    the physics-informed RBF network from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
     basis_functions: Whole = Field(default=CENTRES, ge=2, le=200)
     """Basis functions M of each curve of `rbf-paper`."""
     basis: str = "gaussian"
