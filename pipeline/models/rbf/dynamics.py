@@ -52,8 +52,8 @@ WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
 CENTRE, ARC, DRAG, STOPS = 3, 4, 5, 6
 """Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
 
-LEFT, RIGHT = 10, 11
-"""Places of the derivatives by F at the ends of its reach."""
+INSIDE, LEFT, RIGHT = 10, 11, 12
+"""Places of the derivatives of the confined force by F, and by F at the ends of its reach."""
 
 _LARGEST = float(np.finfo(np.float64).max)
 
@@ -144,7 +144,7 @@ class ObservedJoint(NamedTuple):
     half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
     basis, slopes (4 + M,), curvatures (M,), values, changes (C,): basis and the C curves, and their slopes · by_curve
-    (C,), by (12,): derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag, the stops and F at its ends ·
+    (C,), by (13,): derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag, stops; of F by F (`INSIDE`) ·
     relaxing (4, L): of each element its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its
     own curves make · states, sensitivity: at the samples, filled.
     """
@@ -245,19 +245,14 @@ def _move(system, x, u, dx):
         push -= c.slip_force[n] * system.middle[n, 0]
     stopped = _stopped(c, x[0], p)
     push, change = push + stopped[0], change + stopped[1]
-    force, by_place, by_force, by_left, by_right = _confined(
-        (x[0], values[FORCE], c.at_ends[0], c.at_ends[1], c.low, c.high)
-    )
+    force, force_slope = _restoring(system, x[0])
     dx[0] = p
     dx[1], by_p, by_curve[FORCE], by_curve[DAMPING], by_push, by_arm, by_arc, by_drag = _acceleration(
         (p, force, values[DAMPING], push, x[0] - c.inertia[1], c.inertia[0], c.drag)
     )
     by_p += by_push * stopped[2]
     by_x = by_push * change + by_arm
-    by_x += by_curve[FORCE] * (by_place + by_force * system.changes[FORCE])
-    by_x += by_curve[DAMPING] * system.changes[DAMPING]
-    system.by[LEFT], system.by[RIGHT] = by_curve[FORCE] * by_left, by_curve[FORCE] * by_right
-    by_curve[FORCE] *= by_force
+    by_x += by_curve[FORCE] * force_slope + by_curve[DAMPING] * system.changes[DAMPING]
     for i in range(INPUT, INPUT + inputs + len(c.rates)):
         by_curve[i] *= by_push
     system.by[0], system.by[1], system.by[2] = by_x, by_p, by_push
@@ -267,6 +262,16 @@ def _move(system, x, u, dx):
     for n in range(len(c.rates)):
         rate, load = system.relaxing[RATE_NOW, n], system.relaxing[LOAD, n]
         dx[2 + n] = _element((values[INPUT + inputs + n], p, rate, load))[0]
+
+
+@inlined
+def _restoring(system, x):
+    """Confined restoring force and its slope; its derivatives by F here and at the ends of its reach go to `by`."""
+    c, by = system.c, system.by
+    force, by_place, by[INSIDE], by[LEFT], by[RIGHT] = _confined(
+        (x, system.values[FORCE], c.at_ends[0], c.at_ends[1], c.low, c.high)
+    )
+    return force, by_place + by[INSIDE] * system.changes[FORCE]
 
 
 @inlined
@@ -343,12 +348,9 @@ def _force(system, x, node, dx):
     for m in range(parameters):
         kind, i, j = wrt.kind[m], wrt.first[m], wrt.second[m]
         if kind == WEIGHT:
-            weight = basis[j] * wrt.factor[m]
+            weight = (_force_weight(system, j) if i == FORCE else basis[j]) * wrt.factor[m]
             if i < INPUT + inputs + elements:
                 k1[m] += by_curve[i] * weight
-                if i == FORCE:
-                    ends = system.by[LEFT] * c.ends[0, j] + system.by[RIGHT] * c.ends[1, j]
-                    k1[m] += ends * wrt.factor[m]
                 if i >= INPUT + inputs:
                     own[(i - INPUT - inputs) * parameters + m] += weight * x[1]
                 continue
@@ -373,6 +375,13 @@ def _force(system, x, node, dx):
                     held = values[INPUT + inputs + s] * values[row] + x[2 + s] * system.changes[row]
                     k1[m] += by_push * held * du[i, node, n]
                     own[s * parameters + m] += relaxing[RATE_NOW, s] * values[row] * du[i, node, n]
+
+
+@inlined
+def _force_weight(system, j):
+    """Derivative of the confined force by the weight of a basis function."""
+    ends, by = system.c.ends, system.by
+    return by[INSIDE] * system.basis[j] + by[LEFT] * ends[0, j] + by[RIGHT] * ends[1, j]
 
 
 @shared
@@ -463,7 +472,7 @@ def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
     nothing = np.empty(0)
     return ObservedJoint(
         c, no_sensitivities(), nothing, nothing, False, nothing, nothing, 1, 0.0, nothing, nothing, middle, middle,
-        basis, slopes, curvatures, values, changes, by_curve, np.empty(12, dtype=object),
+        basis, slopes, curvatures, values, changes, by_curve, np.empty(13, dtype=object),
         np.empty((4, len(c.rates)), dtype=object), nothing, nothing,
     )  # fmt: skip
 
@@ -542,7 +551,7 @@ def observed_run(
         c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
         gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
         np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, curvatures, values, changes,
-        by_curve, np.zeros(12), np.zeros((4, elements)), states, sensitivity,
+        by_curve, np.zeros(13), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip
     out = np.full((count, 3, 1), np.nan)
     # The wall keeps x, so that only what is no number ends a run.
