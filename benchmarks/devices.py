@@ -135,7 +135,9 @@ DEVICES = {
         ("SNLS80mV.mat",), silverbox, "mV", 1e3, {"published, last multisine": "0.26 to 0.36", "our bar": "0.26 / 0.5"}
     ),
     "emps": Device(("DATA_EMPS.mat", "DATA_EMPS_PULSES.mat"), emps, "mm", 1e3, {"best published": "2.6"}),
-    "cascaded-tanks": Device(("dataBenchmark.mat",), tanks, "V", 1.0),
+    "cascaded-tanks": Device(
+        ("dataBenchmark.mat",), tanks, "V", 1.0, {"published": "grey box 0.19, state-space network 0.31"}
+    ),
     "ball-and-hoop": Device(tuple(f"{name}.mat" for name in HOOP.values()), hoop, "V", 1.0),
     "ball-and-beam": Device(tuple(f"{name}.mat" for name in (BEAM_TRAIN | BEAM_TEST).values()), beam, "V", 1.0),
     "quarter-drone": Device(

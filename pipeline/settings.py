@@ -319,8 +319,9 @@ class Identify(_Settings):
 
     models: tuple[str, ...] = Field(default=(AUTO, "rbf", "rbf-paper"), min_length=1)
     """Models to identify; the first is the headline. "auto": "hybrid" or "rbf", whichever predicts held-out training
-    data better. "hybrid": the joint's equations, with data-driven corrections where these help. "rbf": the
-    physics-informed RBF network from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
+    data better; as the first name, it leaves the headline to another that holds training logs which this one loses, or
+    predicts better by horizon. "hybrid": the joint's equations, with data-driven corrections where these help. "rbf":
+    the physics-informed RBF network from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
     basis_functions: Whole = Field(default=CENTRES, ge=2, le=200)
     """Basis functions M of each curve of `rbf-paper`."""
     basis: str = "gaussian"
@@ -352,7 +353,8 @@ class Identify(_Settings):
     hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
     """Inputs of `rbf` between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
     time_limit: Number = Field(default=RBF_TIME_LIMIT, gt=0.0, le=1e6)
-    """Processor time [s] for `rbf`, search and fit together. It counts evaluations by a stated cost and not the clock,
+    """Processor time [s] for `rbf`, search and fit together; for a device that is no bistable joint it grows with the
+    samples of the training logs beyond 7,500. It counts evaluations by a stated cost and not the clock,
     so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
     rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"
     """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation, 12 for a bistable joint."""

@@ -205,7 +205,8 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
         if base == target_base:
             return SiUnit(float(factor / target_factor), symbol)
     needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(dict.fromkeys(allowed))})"
-    raise InputError(f"{where}: {needed}{_instead(unit, allowed)}")
+    velocity = any(base == registry.get_base_units(registry.Unit(_BASE[each]))[1] for each in VELOCITY.values())
+    raise InputError(f"{where}: {needed}{_instead(unit, allowed, velocity=velocity)}")
 
 
 def _in_lower_case(unit: str, allowed: tuple[str, ...]) -> str | None:
@@ -218,10 +219,12 @@ def _in_lower_case(unit: str, allowed: tuple[str, ...]) -> str | None:
         return None
 
 
-def _instead(unit: str, allowed: tuple[str, ...]) -> str:
-    """What to write instead of a unit of another kind."""
+def _instead(unit: str, allowed: tuple[str, ...], *, velocity: bool) -> str:
+    """What to write instead of a unit of another kind, such as that of a velocity."""
     if unit.endswith("Nm") and "N·m" in allowed:
         return f"; write {unit.replace('Nm', 'N*m')!r}"
+    if allowed == DISPLACEMENT and velocity:
+        return "; a velocity is no q: integrate it, or give it as `qdot` beside a measured q"
     if allowed == DISPLACEMENT:
         return (
             "; if these are steps or volts of a sensor, give `scale` too: the length or angle of one, in that unit; a "

@@ -159,6 +159,8 @@ def test_powers_of_kg_m_s_and_v_are_those_of_pint(unit: str) -> None:
         ("Millimeter", DISPLACEMENT, "did you mean 'millimeter'"),
         (FILL_IN, DISPLACEMENT, "is still to be filled in, as with 'mm'"),
         ("counts", DISPLACEMENT, "give `scale` too"),
+        ("mm/s", DISPLACEMENT, "integrate it, or give it as `qdot` beside a measured q"),
+        ("rpm", DISPLACEMENT, "integrate it, or give it as `qdot`"),
         ("mNm", INPUT, "write 'mN*m'"),
         ("rpm", INPUT, "write '1' for the numbers of any other input"),
     ],

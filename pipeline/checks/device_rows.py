@@ -8,7 +8,7 @@ from pipeline.checks import limits
 from pipeline.checks.declared import Declared
 from pipeline.checks.log_facts import LogFacts
 from pipeline.checks.log_gain import LogGain, log_gain
-from pipeline.checks.misfit import misfit
+from pipeline.checks.misfit import Misfit, misfit
 from pipeline.checks.rows import CheckRow, State, in_si
 from pipeline.checks.weak_form import WeakTerms, scales_of, weak_terms
 from pipeline.scoring.wells import Wells
@@ -94,8 +94,10 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared, gain: LogG
     what = "same device"
     if measured is None:
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
+    if not declared.joint:
+        return _of_other_device(other.signals.name, what, measured, gain)
     same, lasts = measured.ratio <= limits.MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
-    sure = declared.joint and measured.ratio > limits.SURELY_MISFIT and measured.unexplained <= limits.MOST_UNEXPLAINED
+    sure = measured.ratio > limits.SURELY_MISFIT and measured.unexplained <= limits.MOST_UNEXPLAINED
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
     sure = sure and lasts > limits.SURE_LENGTH * declared.sample_interval and coarsest < limits.SURE_INTERVAL
     sure = sure and _driven_alike(first, other)
@@ -120,6 +122,21 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared, gain: LogG
         "; ".join(_side_by_side(first, other, declared)),
         values,
     )
+
+
+def _of_other_device(log: str, what: str, measured: Misfit, gain: LogGain | None) -> CheckRow:
+    """The row for a device that is no joint: its law may be another, so weights in common are judged, if any."""
+    shown, limit = f"{significant(100.0 * measured.together, 2)} % unexplained together", limits.MOST_TOGETHER
+    values = in_si("unexplained_together", "1", measured.together)
+    if measured.unexplained > limits.MOST_UNEXPLAINED:
+        text = f"a second-order law leaves {significant(100.0 * measured.unexplained, 2)} % of one log alone"
+        return CheckRow(log, what, text, "", "not seen", values=values)
+    same = measured.together <= limit
+    advice = "" if same else f"this may be {_ANOTHER_DEVICE}"
+    if not same and gain is not None:
+        advice = "it is one device, but for the gain of this log's inputs"
+    state: State = "ok" if same else "note"
+    return CheckRow(log, what, shown, f"≤ {100.0 * limit:g} %", state, None, advice, values=values)
 
 
 def _moved(first: LogFacts, other: LogFacts, declared: Declared) -> str:

@@ -23,10 +23,13 @@ class Misfit:
         where that is larger.
     unexplained : float
         RMS residual of the logs under their own weights over that of the accelerations, the larger of the two.
+    together : float
+        The same under weights that both logs have in common.
     """
 
     ratio: float
     unexplained: float
+    together: float
 
 
 def misfit(first: WeakTerms, second: WeakTerms) -> Misfit | None:
@@ -44,7 +47,18 @@ def misfit(first: WeakTerms, second: WeakTerms) -> Misfit | None:
     ratios = [
         ratio for a, b in ((first, second), (second, first)) if (ratio := _ratio(a, b, _shared(a, b))) is not None
     ]
-    return Misfit(min(ratios), max(unexplained(first), unexplained(second))) if ratios else None
+    if not ratios:
+        return None
+    return Misfit(min(ratios), max(unexplained(first), unexplained(second)), _together(first, second))
+
+
+def _together(first: WeakTerms, second: WeakTerms) -> float:
+    """What weights in common leave of the log that they explain less, both logs counting alike."""
+    logs = [(terms.design(), terms.inertia) for terms in (first, second)]
+    sizes = [max(float(np.linalg.norm(inertia)), np.finfo(float).tiny) for _, inertia in logs]
+    scaled = [(design / size, inertia / size) for (design, inertia), size in zip(logs, sizes, strict=True)]
+    weights = solve(np.vstack([design for design, _ in scaled]), np.concatenate([inertia for _, inertia in scaled]))
+    return max(float(np.linalg.norm(inertia - design @ weights)) for design, inertia in scaled)
 
 
 def _shared(taught: WeakTerms, judged: WeakTerms) -> BoolArray:

@@ -18,6 +18,7 @@ RING_DOWN = 1.5  # s after a switch-off in which the oscillation is looked at
 MOST_RING_DOWNS = 100  # of one log that are looked at
 LEAST_SAMPLES = 20
 MOST_UNEXPLAINED = 0.3  # RMS of the rest over that of the oscillation, beyond which no frequency is stated
+BESIDE_MONOTONE = 0.5  # what a ring-down leaves unexplained, as a share of what the best monotone course leaves
 LEAST_DAMPING = 1e-4  # damping ratio below which an oscillation is not a device's own: it is driven, or hum
 MAINS_WIDTH = 0.5  # Hz to either side of a line of the mains, where it appears in the samples
 FARTHEST = 30.0  # of the logarithms of decay and frequency [1/s], which stay finite
@@ -76,8 +77,17 @@ def ring_down(t: FloatArray, q: FloatArray) -> RingDown | None:
     unexplained = float(np.linalg.norm(outcome["fvec"]))
     if unexplained > MOST_UNEXPLAINED or angular * span < 2.0 * np.pi:
         return None
+    if unexplained * size > BESIDE_MONOTONE * _left_by_monotone(q):
+        return None
     natural = float(np.hypot(decay, angular))
     return RingDown(float(angular / (2.0 * np.pi)), float(decay / natural), unexplained)
+
+
+def _left_by_monotone(q: FloatArray) -> float:
+    """Norm of what the best monotone course leaves of q: an overdamped device creeps back and does not ring."""
+    from scipy.optimize import isotonic_regression
+
+    return min(float(np.linalg.norm(q - isotonic_regression(q, increasing=rises).x)) for rises in (True, False))
 
 
 def voltage_switches(t: FloatArray, v: FloatArray) -> FloatArray:

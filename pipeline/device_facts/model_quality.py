@@ -11,9 +11,14 @@ from pipeline.device_facts.run_data import RunData
 from pipeline.names import ROLE_WORDS, log_title
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import moment, percent, significant
+from pipeline.units import HORIZONS
 
 RIVAL_SURELY = 2e-3
 """NRMSE by which a baseline must surely be nearer before it is told."""
+
+
+WORST = 0.15
+"""NRMSE of a free run beyond which what follows a measured state is judged beside it."""
 
 
 def model_checks(
@@ -103,7 +108,7 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
         elif own["nrmse"] is not None and (own.get("above_lowest_low") or 0.0) > RIVAL_SURELY:
             checks.append((own["nrmse"] / others[best], best, others[best], own))
     if not checks:
-        return []
+        return _rivals_from_a_state(data, judged)
     ratio, best, error, own = max(checks, key=lambda each: each[0])
     name, log = own["model"], log_title(own["role"], own["log"])
     if own["nrmse"] is None:
@@ -115,6 +120,31 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
         "known of the device in [identify] (force, damping, drag, gain, friction, drive)"
     )
     return [graded("model", "rival", ratio, text, advice)]
+
+
+def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
+    """Where free runs are lost, as on a chaotic device: which model predicts surely better from a measured state."""
+    checks = []
+    for own in (score for score in judged if score["nrmse"] is None or score["nrmse"] > WORST):
+        others = [s for s in data.scores if all(s[key] == own[key] for key in ("role", "log", "signal"))]
+        for name, (seconds, words) in HORIZONS.items():
+            at = f"nrmse_{name}"
+            better = [s for s in others if _number(s.get(f"{at}_high")) < _number(own.get(f"{at}_low"), lacking=0.0)]
+            if seconds and better:
+                best = min(better, key=lambda score: score[at])
+                checks.append((own[at] / best[at], words, best[at], own[at], best))
+    if not checks:
+        return []
+    ratio, words, error, own_error, best = max(checks, key=lambda each: each[0])
+    text = (
+        f"{best['model']} predicts the {log_title(best['role'], best['log'])} surely better than {judged[0]['model']} "
+        f"{words} after a measured state: {percent(error)} for {percent(own_error)}"
+    )
+    return [graded("model", "rival", ratio, text, f"take {best['model']} for predictions (`--model {best['model']}`)")]
+
+
+def _number(value: float | None, *, lacking: float = np.inf) -> float:
+    return lacking if value is None else float(value)
 
 
 def not_converged(model: str) -> tuple[str, str]:

@@ -30,6 +30,9 @@ Expression = Any
 WALL = 0.1
 """Half ranges past the data at which the wall of a turning arm is as strong as the cubic at their ends."""
 
+FADE = 0.15
+"""Half ranges past the reach of the curves within which a restoring force that leads away has turned back."""
+
 TOUCH = 0.01
 """Half ranges within which an end stop sets in, and share of the largest drive within which a dead zone ends."""
 
@@ -47,6 +50,17 @@ def turning_arm(x: Any, arm: Any) -> Expression:
     """
     q, past = arm[0] + arm[1] * x, (x - clipped(x, -1.0, 1.0)) / WALL
     return ca.vertcat(1.0, ca.sin(q), ca.cos(q), x * x * x + past * past * past)
+
+
+def confined_force(x: Any, force: Any, at_ends: Any, low: Any, high: Any) -> Expression:
+    """Restoring force, outside [low, high] never less restoring than at that end.
+
+    A force that leads away at an end falls from there and has turned back after `FADE`. So no extrapolation has a place
+    of rest farther out; one that restores more than this is left as it is.
+    """
+    left = at_ends[0] + ca.fmax(0.0, -at_ends[0]) / FADE * (low - x)
+    right = at_ends[1] - ca.fmax(0.0, at_ends[1]) / FADE * (x - high)
+    return ca.if_else(x < low, ca.fmax(force, left), ca.if_else(x > high, ca.fmin(force, right), force))
 
 
 def stop_force(x: Any, p: Any, stops: Any) -> Expression:
@@ -120,7 +134,7 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
     angle, curves = ca.SX.sym("angle", 2), ca.SX.sym("curves", 2)
     p, push, arc, coupling, rate, load = map(ca.SX.sym, ("p", "push", "arc", "coupling", "rate", "load"))
     state, travel, length, drive = (ca.SX.sym(name) for name in ("state", "travel", "length", "drive"))
-    drag, stops = ca.SX.sym("drag"), ca.SX.sym("stops", 4)
+    drag, stops, force, at_ends = (ca.SX.sym(*of) for of in (("drag",), ("stops", 4), ("force",), ("at_ends", 2)))
     slope = ca.jacobian(bell(x, centre, bend), x)
     moved, relaxing = acceleration(p, curves, push, arm, arc, drag), element_rate(coupling, p, rate, load)
     slid = elements.dahl_move(state, travel, length)
@@ -128,6 +142,10 @@ def kernels() -> dict[str, tuple[dict[str, Expression], dict[str, Expression]]]:
         "POWERS": ({"x": x}, _with_slopes(powers(x), x)),
         "TURNING_ARM": ({"x": x, "arm": angle}, _with_slopes(turning_arm(x, angle), x)),
         "CLIPPED": ({"x": x, "low": low, "high": high}, _with_slopes(clipped(x, low, high), x)),
+        "CONFINED_FORCE": (
+            {"x": x, "force": force, "at_ends": at_ends, "low": low, "high": high},
+            _with_slopes(confined_force(x, force, at_ends, low, high), ca.vertcat(x, force, at_ends)),
+        ),
         "BENT": ({"drive": drive, "bend": bend}, _with_slopes(bent(drive, bend), ca.vertcat(drive, bend))),
         "PAST_ZONE": ({"drive": drive, "zone": bend}, _with_slopes(past_zone(drive, bend), ca.vertcat(drive, bend))),
         "BELL": (

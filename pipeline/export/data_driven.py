@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph, apply, function, trace
+from pipeline.codegen.graph import Graph, apply, choose, function, trace
 from pipeline.export.input_lag import lagged_nodes
 from pipeline.export.subject import Realisation, Variable
 from pipeline.generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
-from pipeline.models.rbf.dynamics import ESCAPE, Coefficients, free_rates, no_sensitivities, resting_elements, slide
+from pipeline.models.rbf.dynamics import WALL, Coefficients, free_rates, no_sensitivities, resting_elements, slide
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.problem import steps_per_sample
 from pipeline.numerics.arrays import FloatArray
@@ -128,9 +128,11 @@ class _Joint:
         return {"dx": self._moved(x, base[:-1], self._acting(u)) + [0.0] * (len(x) - self.first)}
 
     def finish(self, base: Values, x: Values, z: Values) -> Outputs:
-        """Friction states moved with the step."""
-        last = self.first + self.slips
-        return {"x": [*x[: self.first], *self._slid(x, 1.0, x[0] - base[-1]), *x[last:]], "z": z}
+        """Friction states moved with the step; the wall ends a motion."""
+        last, beyond = self.first + self.slips, function("lt", WALL, function("abs", x[0]))
+        at = choose(beyond, choose(function("lt", 0.0, x[0]), WALL, -WALL), x[0])
+        moved = [at, choose(beyond, 0.0, x[1]), *x[2 : self.first]]
+        return {"x": [*moved, *self._slid(x, 1.0, x[0] - base[-1]), *x[last:]], "z": z}
 
     def flow(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """Rates of all states, friction as Dahl's differential equation."""
@@ -151,8 +153,8 @@ class _Joint:
         return {"y": [self.middle + self.half * x[0], self.half * x[1], self.half * dx[1]]}
 
     def within(self, x: Values) -> Outputs:
-        """Whether the run has not escaped."""
-        return {"ok": [function("and", function("lt", function("abs", x[0]), ESCAPE), function("finite", x[1]))]}
+        """Whether the state is a number: the wall confines every run."""
+        return {"ok": [function("finite", x[1])]}
 
     def _acting(self, u: Values) -> Values:
         """Inputs of the equation of motion from those behind their lag: freed of their offset, bent, squared."""

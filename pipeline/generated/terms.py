@@ -50,6 +50,22 @@ input high 0; input low 0; input x 0; max 1 2; min 0 3; le 3 0; le 0 3; add 5 6;
     """,
 )
 
+CONFINED_FORCE = Graph(
+    {'x': 1, 'force': 1, 'at_ends': 2, 'low': 1, 'high': 1},
+    {'value': 1, 'slopes': 4},
+    """
+input x 0; input low 0; lt 0 1; input force 0; input at_ends 0; constant 0.0; neg 4; max 5 6; constant 0.15;
+constant 1.0; div 9 8; mul 7 10; sub 1 0; mul 11 12; add 4 13; max 3 14; where 2 15; not 2; input high 0; lt 18 0;
+input at_ends 1; max 5 20; mul 10 21; sub 0 18; mul 22 23; sub 20 24; min 3 25; where 19 26; not 19; where 28 3; add
+27 29; where 17 30; add 16 31; le 25 3; le 3 25; add 33 34; div 9 35; mul 33 36; mul 22 37; neg 38; where 17 39;
+where 19 40; le 3 14; le 14 3; add 42 43; div 9 44; mul 42 45; mul 11 46; neg 47; where 2 48; add 41 49; where 17 9;
+where 28 51; mul 34 36; where 17 53; where 19 54; add 52 55; mul 43 45; where 2 57; add 56 58; le 5 6; le 6 5; add
+60 61; div 9 62; mul 60 63; constant 6.666666666666667; mul 12 46; mul 65 66; mul 64 67; sub 46 68; where 2 69; le 5
+20; le 20 5; add 71 72; div 9 73; mul 71 74; mul 23 37; mul 65 76; mul 75 77; sub 37 78; where 17 79; where 19 80;
+store value 0 32; store slopes 0 50; store slopes 1 59; store slopes 2 70; store slopes 3 81
+    """,
+)
+
 BENT = Graph(
     {'drive': 1, 'bend': 1},
     {'value': 1, 'slopes': 2},

@@ -58,6 +58,11 @@ def split_row(line: str, delimiter: str) -> list[str]:
     return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])]
 
 
+def is_before_decimals(cell: str, decimal: str) -> bool:
+    """Whether a cell shows that the mark stands before decimals: as in 0.04, there are not three digits behind it."""
+    return decimal in cell and is_value(cell, decimal) and not is_stamp(cell) and not _THOUSANDS.fullmatch(cell)
+
+
 def mark_is_open(cells: Iterable[str], decimal: str) -> bool:
     """Whether the cells of a column leave open if its mark stands before decimals or between thousands.
 

@@ -7,7 +7,9 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from pipeline.rig_logs.csv_cells import (
+    MISSING,
     NUMBER,
+    is_before_decimals,
     is_behind,
     is_stamp,
     is_value,
@@ -201,8 +203,14 @@ def _check_decimal_commas(table: "_Table") -> None:
 
 
 def _open_marks(table: "_Table") -> tuple[bool, ...]:
-    """In which columns the rows that were seen do not tell whether the mark is for decimals; see `mark_is_open`."""
+    """In which columns the rows that were seen do not tell whether the mark is for decimals; see `mark_is_open`.
+
+    A file has one decimal mark, so that a cell of any column decides for all.
+    """
     body = [row for row in table.rows[table.first :] if len(row) == len(table.numeric)]
+    numbers = (cell for row in body for cell, numeric in zip(row, table.numeric, strict=True) if numeric)
+    if any(is_before_decimals(cell, table.decimal) for cell in numbers if cell.lower() not in MISSING):
+        return (False,) * len(table.numeric)
     return tuple(
         numeric and mark_is_open((row[column] for row in body), table.decimal)
         for column, numeric in enumerate(table.numeric)

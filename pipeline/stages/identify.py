@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from pipeline.models.kind import StoredModel, Training
     from pipeline.signals.quality_gates import Finding
 
-ALGORITHM = "43"
+ALGORITHM = "44"
 SEARCH_CUT = (
     "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
     "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"
@@ -135,10 +135,26 @@ def identified(
         seconds = None if wanted in beside else time.process_time() - began
         notes[model.name] = {**facts, TIMES: {"fit_s": seconds}}
         notes.setdefault(IDENTIFIED, []).append(model.name)
+    if prototype.identify.models[0] == AUTO:
+        _put_first(models, whole, notes)
     if "hybrid" in beside:
         notes[EQUATIONS] = "hybrid"
         models.setdefault("hybrid", beside["hybrid"])
     return models, notes
+
+
+def _put_first(models: "Mapping[str, StoredModel]", whole: "Training", notes: dict[str, Any]) -> None:
+    """The headline first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
+    from pipeline.models.headline import headline
+
+    names = notes[IDENTIFIED]
+    best, reason = headline({name: models[name] for name in names}, whole)
+    if best == names[0]:
+        return
+    if names[0] == "hybrid":
+        notes[EQUATIONS] = "hybrid"
+    notes[CHOICE] |= {"chosen": best, "reason": reason}
+    notes[IDENTIFIED] = [best, *(name for name in names if name != best)]
 
 
 def _wanted(prototype: Prototype) -> set[str]:

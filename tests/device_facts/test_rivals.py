@@ -8,18 +8,23 @@ from pipeline.device_facts.model_quality import model_checks
 from pipeline.scoring.wells import NoWells
 from tests.reporting.synthetic import run_data
 
+BAND = {"": 1.0, "_low": 0.9, "_high": 1.1}
 
-def _rival(surely: float | None = None, **errors: float | None) -> list[Check]:
+
+def _rival(surely: float | None = None, soon: dict[str, float] | None = None, **errors: float | None) -> list[Check]:
     """The finding on a rival where models have these NRMSE on the validation log; None where they diverged.
 
-    `surely` is how much the paired bootstrap leaves at least between each and the lowest.
+    `surely` is how much the paired bootstrap leaves at least between each and the lowest, `soon` the error of each 0.1
+    s after a measured state, with an interval of a tenth.
     """
     data = run_data()
     log = data.role("validation")[0]
     row: dict[str, Any] = {"log": log.name, "role": "validation", "signal": "q", "switch_accuracy": None}
     row["above_lowest_low"] = surely
     scores = [
-        row | {"model": name, "nrmse": error, "status": "diverged" if error is None else "ok", "diverged_at_s": 5.0}
+        row
+        | {"model": name, "nrmse": error, "status": "diverged" if error is None else "ok", "diverged_at_s": 5.0}
+        | {f"nrmse_100ms{end}": (soon or {})[name] * by for end, by in BAND.items() if soon}
         for name, error in errors.items()
     ]
     checks = model_checks(replace(data, scores=tuple(scores)), "rbf", None, NoWells("not looked for"))
@@ -43,3 +48,12 @@ def test_a_model_that_another_surely_beats_is_not_good_at_that() -> None:
     assert "surely better" in check.statement and check.grade == "fair"
     (check,) = _rival(surely=0.003, rbf=0.05, narx=0.01)
     assert check.grade == "poor"
+
+
+def test_where_free_runs_are_lost_what_follows_a_measured_state_counts() -> None:
+    """Free runs of a chaotic device are equally wrong; the better model shows after a tenth of a second."""
+    (check,) = _rival(**{"rbf": 0.4, "rbf-paper": 0.4}, soon={"rbf": 0.08, "rbf-paper": 0.01})
+    assert check.statement.startswith("rbf-paper predicts the validation log other surely better than rbf 0.1 s after")
+    assert check.grade == "poor" and "--model rbf-paper" in check.advice
+    assert not _rival(**{"rbf": 0.4, "rbf-paper": 0.4}, soon={"rbf": 0.08, "rbf-paper": 0.075})
+    assert not _rival(**{"rbf": 0.01, "rbf-paper": 0.02}, soon={"rbf": 0.08, "rbf-paper": 0.01})

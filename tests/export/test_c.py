@@ -26,6 +26,7 @@ MODELS = {
     "hybrid": (hybrid(), 2, 3000.0, 1e-9),  # the program has the corrections from tables
     "hybrid without corrections": (hybrid(0, -0.5), 2, 3000.0, 1e-13),
     "data-driven": (data_driven(), 2, 3000.0, 1e-12),
+    "data-driven, driven to its wall": (data_driven("linear", 1), 1, 400_000.0, 1e-9),
     "data-driven, one linear input": (data_driven("linear", 1), 1, 300.0, 1e-12),
     "data-driven, lagged input": (data_driven(lag=0.05), 2, 3000.0, 1e-12),
     "data-driven, lag from rest without input": (data_driven(lag=0.05, rest_at_zero=True), 2, 3000.0, 1e-12),

@@ -255,6 +255,13 @@ def test_of_a_column_that_is_no_number_the_first_cell_that_is_none_is_named(tmp_
     assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'mode' ('run' in line 4)"
 
 
+def test_a_decimal_of_any_column_decides_for_all(tmp_path):
+    """A pulse of 3.072 kV beside 0 could be of thousands, were it not for a time of 0.04 s."""
+    path = tmp_path / "log.csv"
+    path.write_text("t,v,q\n" + "".join(f"{0.04 * i:.2f},{'3.072' if i % 9 > 5 else '0'},{i % 7}\n" for i in range(60)))
+    assert set(read_here(path)["v"]) == {0.0, 3.072}
+
+
 @pytest.mark.parametrize("rows", [500, 30_000])
 def test_marks_between_thousands_are_found_wherever_they_begin(tmp_path, rows):
     """The first rows are whole numbers below a thousand, and then 1,908 would be read as 1.908."""

@@ -3,7 +3,8 @@
 The laws are those of `pipeline.equations.data_driven_joint`, where each stands for one curve, relaxing element or
 friction state; here they are summed over as many as a joint has. F, d, h_l, g_k are weights times a common basis: four
 functions (`POLYNOMIALS`) and Gaussians. The Gaussians, and with them every curve but F, go on as constants outside
-[low, high]; F goes on as its cubic, so that the joint stays confined.
+[low, high]; F goes on as its cubic, but restores there at least as much as at the end, so that without inputs nothing
+rests far outside. A wall one operating range past the data ends any other motion there.
 
 λ > 0 couples a run to the measurement by an observer, with e = x_measured − x: ẋ = p + 2λ e, ṗ = … + λ² e. λ = 0 is
 the free run. Friction states are exact (`elements.dahl_move`): held at their middle value during a step and then moved
@@ -21,13 +22,23 @@ import numpy as np
 
 from pipeline.codegen.numba_writer import formula
 from pipeline.compiled import compiled, shared
-from pipeline.generated.terms import ACCELERATION, BELL, CLIPPED, DAHL_MOVE, ELEMENT, POWERS, STOP_FORCE, TURNING_ARM
+from pipeline.generated.terms import (
+    ACCELERATION,
+    BELL,
+    CLIPPED,
+    CONFINED_FORCE,
+    DAHL_MOVE,
+    ELEMENT,
+    POWERS,
+    STOP_FORCE,
+    TURNING_ARM,
+)
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.solvers.fixed_step import Methods, between_samples, inlined, integrator, workspace
 
 _powers, _turning_arm, _clipped, _bell = formula(POWERS), formula(TURNING_ARM), formula(CLIPPED), formula(BELL)
 _acceleration, _element, _dahl_move = formula(ACCELERATION), formula(ELEMENT), formula(DAHL_MOVE)
-_stop_force = formula(STOP_FORCE)
+_stop_force, _confined = formula(STOP_FORCE), formula(CONFINED_FORCE)
 
 POLYNOMIALS = 4
 """Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
@@ -41,11 +52,16 @@ WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
 CENTRE, ARC, DRAG, STOPS = 3, 4, 5, 6
 """Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
 
+INSIDE, LEFT, RIGHT = 10, 11, 12
+"""Places of the derivatives of the confined force by F, and by F at the ends of its reach."""
+
+_LARGEST = float(np.finfo(np.float64).max)
+
 LOAD, PULL, RATE_NOW, OWN_SLOPE = range(4)
 """Rows of `ObservedJoint.relaxing`."""
 
-ESCAPE = 5.0
-"""|x| beyond which a run counts as diverged: two operating ranges past the data."""
+WALL = 3.0
+"""|x| that no run passes: a wall one operating range past the data, where the motion stops."""
 
 
 class Coefficients(NamedTuple):
@@ -54,7 +70,7 @@ class Coefficients(NamedTuple):
     curves (2+K+L+S(1+K), 4+M) of S shape elements · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
     = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
     turning arm is arm[0] + arm[1] x; zeros for another joint · drag: κ · stops (4,): places of two end stops,
-    their stiffness and resistance; empty without.
+    their stiffness and resistance; empty without · ends (2, 4+M), at_ends (2,): basis and F at low and high.
     """
 
     curves: FloatArray
@@ -69,6 +85,8 @@ class Coefficients(NamedTuple):
     arm: FloatArray
     drag: float
     stops: FloatArray
+    ends: FloatArray
+    at_ends: FloatArray
 
 
 class SensitivityParameters(NamedTuple):
@@ -126,9 +144,9 @@ class ObservedJoint(NamedTuple):
     half steps in an interval · half: half a step [s] · now (2,): half step at which the step began, its observer gain ·
     began (1 + P,): x there and its sensitivities · slip, middle (D, 1 + P): friction states, as they act in a step ·
     basis, slopes (4 + M,), curvatures (M,), values, changes (C,): basis and the C curves, and their slopes · by_curve
-    (C,), by (10,): derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag and the stops · relaxing (4, L):
-    of each element its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its own curves make ·
-    states, sensitivity: at the samples, filled.
+    (C,), by (13,): derivatives of ṗ by the curves, and by x, p, push, arm, arc, drag, stops; of F by F (`INSIDE`) ·
+    relaxing (4, L): of each element its load, the inputs' pull on its place, its rate, and the part of ∂ẇ/∂x that its
+    own curves make · states, sensitivity: at the samples, filled.
     """
 
     c: Coefficients
@@ -192,6 +210,10 @@ def _finish(system, x):
     for m in range(len(system.wrt.kind)):
         system.began[1 + m] = x[first + m] - system.began[1 + m]
     slide(system.slip, 1.0, x[0] - system.began[0], system.began[1:], system.c, system.wrt, system.slip)
+    if abs(x[0]) > WALL:
+        x[0], x[1] = WALL if x[0] > 0.0 else -WALL, 0.0
+        for m in range(2 * len(system.wrt.kind)):
+            x[first + m] = 0.0
 
 
 _integrate = integrator(ObservedJoint, lambda kind: Methods(_begin, _rates, _finish))
@@ -223,13 +245,14 @@ def _move(system, x, u, dx):
         push -= c.slip_force[n] * system.middle[n, 0]
     stopped = _stopped(c, x[0], p)
     push, change = push + stopped[0], change + stopped[1]
+    force, force_slope = _restoring(system, x[0])
     dx[0] = p
     dx[1], by_p, by_curve[FORCE], by_curve[DAMPING], by_push, by_arm, by_arc, by_drag = _acceleration(
-        (p, values[FORCE], values[DAMPING], push, x[0] - c.inertia[1], c.inertia[0], c.drag)
+        (p, force, values[DAMPING], push, x[0] - c.inertia[1], c.inertia[0], c.drag)
     )
     by_p += by_push * stopped[2]
     by_x = by_push * change + by_arm
-    by_x += by_curve[FORCE] * system.changes[FORCE] + by_curve[DAMPING] * system.changes[DAMPING]
+    by_x += by_curve[FORCE] * force_slope + by_curve[DAMPING] * system.changes[DAMPING]
     for i in range(INPUT, INPUT + inputs + len(c.rates)):
         by_curve[i] *= by_push
     system.by[0], system.by[1], system.by[2] = by_x, by_p, by_push
@@ -239,6 +262,16 @@ def _move(system, x, u, dx):
     for n in range(len(c.rates)):
         rate, load = system.relaxing[RATE_NOW, n], system.relaxing[LOAD, n]
         dx[2 + n] = _element((values[INPUT + inputs + n], p, rate, load))[0]
+
+
+@inlined
+def _restoring(system, x):
+    """Confined restoring force and its slope; its derivatives by F here and at the ends of its reach go to `by`."""
+    c, by = system.c, system.by
+    force, by_place, by[INSIDE], by[LEFT], by[RIGHT] = _confined(
+        (x, system.values[FORCE], c.at_ends[0], c.at_ends[1], c.low, c.high)
+    )
+    return force, by_place + by[INSIDE] * system.changes[FORCE]
 
 
 @inlined
@@ -315,7 +348,7 @@ def _force(system, x, node, dx):
     for m in range(parameters):
         kind, i, j = wrt.kind[m], wrt.first[m], wrt.second[m]
         if kind == WEIGHT:
-            weight = basis[j] * wrt.factor[m]
+            weight = (_force_weight(system, j) if i == FORCE else basis[j]) * wrt.factor[m]
             if i < INPUT + inputs + elements:
                 k1[m] += by_curve[i] * weight
                 if i >= INPUT + inputs:
@@ -342,6 +375,13 @@ def _force(system, x, node, dx):
                     held = values[INPUT + inputs + s] * values[row] + x[2 + s] * system.changes[row]
                     k1[m] += by_push * held * du[i, node, n]
                     own[s * parameters + m] += relaxing[RATE_NOW, s] * values[row] * du[i, node, n]
+
+
+@inlined
+def _force_weight(system, j):
+    """Derivative of the confined force by the weight of a basis function."""
+    ends, by = system.c.ends, system.by
+    return by[INSIDE] * system.basis[j] + by[LEFT] * ends[0, j] + by[RIGHT] * ends[1, j]
 
 
 @shared
@@ -432,7 +472,7 @@ def _traced(c: Coefficients, slip: Sequence[Any]) -> ObservedJoint:
     nothing = np.empty(0)
     return ObservedJoint(
         c, no_sensitivities(), nothing, nothing, False, nothing, nothing, 1, 0.0, nothing, nothing, middle, middle,
-        basis, slopes, curvatures, values, changes, by_curve, np.empty(10, dtype=object),
+        basis, slopes, curvatures, values, changes, by_curve, np.empty(13, dtype=object),
         np.empty((4, len(c.rates)), dtype=object), nothing, nothing,
     )  # fmt: skip
 
@@ -493,9 +533,9 @@ def observed_run(
     sensitivity : FloatArray, shape (N, P)
         ∂x/∂θ.
     valid : int
-        Samples within the bounds. Cost: 4·steps·N stages of M exponentials, 2·(2+K+L)·(4+M) products and about
-        3·(2+L+D)·P products for the sensitivities: with one input and M = 8 0.3 µs per step, 0.5 with P = 14; with two
-        inputs, two shapes and M = 12 1.0 µs, 5.9 with P = 169.
+        Samples before the state was no number. Cost: 4·steps·N stages of M exponentials, 2·(2+K+L)·(4+M) products and
+        about 3·(2+L+D)·P products for the sensitivities: with one input and M = 8 0.3 µs per step, 0.5 with P = 14;
+        with two inputs, two shapes and M = 12 1.0 µs, 5.9 with P = 169.
     """
     (u, du, rested, held), (measured, observe, gain) = drive, coupling
     count, elements, slips, parameters = len(measured), len(c.rates), len(c.slip_force), len(wrt.kind)
@@ -511,9 +551,10 @@ def observed_run(
         c, wrt, np.ascontiguousarray(u), np.ascontiguousarray(du), held, np.ascontiguousarray(measured),
         gain * np.minimum(observe, np.append(observe[1:], observe[-1])), 2 * steps, 0.5 * interval / steps,
         np.zeros(2), np.zeros(1 + parameters), slip, slip.copy(), basis, slopes, curvatures, values, changes,
-        by_curve, np.zeros(10), np.zeros((4, elements)), states, sensitivity,
+        by_curve, np.zeros(13), np.zeros((4, elements)), states, sensitivity,
     )  # fmt: skip
     out = np.full((count, 3, 1), np.nan)
-    valid = _integrate(system, x, out, workspace(x), steps, interval / steps, -ESCAPE, ESCAPE)
+    # The wall keeps x, so that only what is no number ends a run.
+    valid = _integrate(system, x, out, workspace(x), steps, interval / steps, -_LARGEST, _LARGEST)
     states[:, :3] = out[:, :, 0]
     return states, sensitivity, valid

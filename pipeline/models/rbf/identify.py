@@ -56,6 +56,9 @@ JACOBIANS, LAST_JACOBIANS = 20, 8
 """Jacobians of a descent, and of its last level on whole logs, that a time limit must at least hold; logs are cut where
 it does not: of an hour at 10 ms a single one takes longer than a limit."""
 
+SAMPLES_OF_LIMIT = 7_500
+"""Samples of all training logs beyond which the time limit of a search grows in proportion."""
+
 ITERATIONS, LAST_ITERATIONS = 15, 300
 """Steps per observer level of the final fit, and at the last one: most fits converge within 60."""
 
@@ -279,6 +282,14 @@ def _decided(training: Training) -> RbfChoice:
     )
 
 
+def _time_limit(training: Training) -> float:
+    """The limit of the settings, longer for a device whose structure is searched on many samples."""
+    samples, limit = sum(len(record.t) for record in training.records), training.identify.time_limit
+    if is_bistable_pair(training.records, training.inputs):
+        return limit
+    return limit * max(1.0, samples / SAMPLES_OF_LIMIT)
+
+
 def _fit(training: Training) -> RbfModel:
     return identify_rbf(
         training.records,
@@ -287,7 +298,7 @@ def _fit(training: Training) -> RbfModel:
         angle=training.units[0] == "rad",
         choice=_decided(training),
         measured=training.known_curves,
-        time_limit=training.identify.time_limit,
+        time_limit=_time_limit(training),
         on_progress=training.on_progress,
         keep=training.keep,
     )

@@ -10,7 +10,7 @@ from pipeline.codegen.graph import trace
 from pipeline.errors import CorruptArtifactError
 from pipeline.fitting.posterior import first_order_curves, posterior_draws
 from pipeline.fitting.regression import InputLaw
-from pipeline.generated.terms import STOP_FORCE
+from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table
 from pipeline.models.rbf import dynamics as joint
@@ -283,6 +283,10 @@ class RbfModel:
     def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
         """All curves at x, in the order of `Coefficients.curves`."""
         curves: FloatArray = joint.basis(np.ascontiguousarray(x), c) @ c.curves.T
+        force, ends = curves[:, [joint.FORCE]], np.tile(c.at_ends, (len(x), 1))
+        low, high = np.array([c.low]), np.array([c.high])
+        confined = CONFINED_FORCE.evaluate(x=x[:, None], force=force, at_ends=ends, low=low, high=high)
+        curves[:, joint.FORCE] = confined["value"][:, 0]
         return curves
 
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:

@@ -135,12 +135,15 @@ class ParameterLayout:
             columns = self.columns(constant=name == "damping" and s.constant_damping)
             curves[rows[name], columns] = np.exp(part[name]) if name in positive else part[name]
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
-        end = 1.0 + 3.0 * OVERHANG
+        low, high = -1.0 - 3.0 * OVERHANG, 1.0 + 3.0 * OVERHANG
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
-        return joint.Coefficients(
+        c = joint.Coefficients(
             curves, np.exp(part["rate"]), np.exp(part["slip_force"]), slip_length, inertia,
-            self.centres, self.bend, -end, end, self.arm, float(np.exp(part["drag"]).sum()), self._stops(part["stops"]),
+            self.centres, self.bend, low, high, self.arm, float(np.exp(part["drag"]).sum()), self._stops(part["stops"]),
+            np.zeros((2, curves.shape[1])), np.zeros(2),
         )  # fmt: skip
+        ends = joint.basis(np.array([low, high]), c)
+        return c._replace(ends=ends, at_ends=ends @ curves[joint.FORCE])
 
     @np.errstate(over="ignore")
     def sensitivity_parameters(self, theta: FloatArray) -> joint.SensitivityParameters:

@@ -1,6 +1,6 @@
 """Structure of a data-driven joint: candidates are fitted on a part of the training logs and judged on the rest."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -26,6 +26,9 @@ FITTED_SHARE = 0.65
 QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
 """Observer gains of the fits that only serve to compare candidates."""
 
+SCREENING_GAINS, SCREENING_STEPS = (3.0, COUPLED), 5
+"""Observer gains, and steps at the first of them, of fits that only serve to choose which candidates are judged."""
+
 NEAR_GAINS = (0.3, 0.0)
 """Gains where the fit of a similar structure gives the start."""
 
@@ -47,6 +50,9 @@ SHORTEST = 500
 LEAST_SAMPLES = 1_500
 """Samples of all logs together below which none is left out where candidates are only compared."""
 
+GROUPS = 3
+"""Groups of the training logs of which each is held out once, at most: every fold takes a fit of each candidate."""
+
 FAR = 1.3
 """Times the error in free run beyond which a smaller structure must not err surely more coupled to the measurement
 either: passages between two wells make free runs err so much that hardly anything is sure."""
@@ -60,6 +66,14 @@ ROUNDS = 4
 
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is offered: the rest is for the fit of the chosen structure."""
+
+USUAL = 60
+"""Candidates that a search may judge, with those that it offers again; where they cost more than its share, those of an
+offer are screened first."""
+
+SCREENED = 3
+"""Candidates of an offer that are judged then: those with the smallest error where they are held near the measurement,
+after a fit that is as short as that: a tenth of the cost of a judgement."""
 
 IDLE = 0.01
 """Share of a sample interval below which a lag or a delay does nothing that the samples could tell."""
@@ -170,7 +184,7 @@ def search(
     def size(option: Candidate) -> int:
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
-    best, since, complete = first, len(once), True
+    best, since, complete, dear = first, len(once), True, False
     for number, offer in enumerate((*once, *ROUNDS * tuple(again))):
         if number - since >= len(again) > 0:
             break
@@ -179,7 +193,11 @@ def search(
             break
         others = offer(best)
         if others and not tried:
+            before = setting.effort.spent
             setting, tried = _coupled(records, setting, first)
+            dear = USUAL * (setting.effort.spent - before) > SEARCH_SHARE * setting.limit
+        if dear:
+            others = _screened(records, setting, others, tried)
         tested = [option for option in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(option)]
         complete = complete and len(tested) == len(others)
         for option in sorted(tested, key=lambda option: rms(judged(option).errors[-1])):
@@ -227,6 +245,37 @@ def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> t
     return setting, {first.label: _judge(records, setting, first, None)}
 
 
+def _screened(
+    records: Sequence[Record], setting: Setting, options: Sequence[Candidate], tried: Collection[str]
+) -> list[Candidate]:
+    """Those that were tried, and of the others the `SCREENED` that err least while held near the measurement."""
+    fresh = [option for option in options if option.label not in tried]
+    if len(fresh) <= SCREENED:
+        return list(options)
+    fitted, judged, after = _folds(records)[0]
+
+    def error(option: Candidate) -> float:
+        """RMS of the held-out error, in the unit of q."""
+
+        def make() -> Parts:
+            """That error, after a short fit."""
+            p, start, prior = setting.begin(fitted, option)
+            problem = JointProblem(p, fitted, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+            short = Schedule(SCREENING_GAINS, SCREENING_STEPS, 2 * SCREENING_STEPS, 1e-3, option.noise_inflation)
+            theta = fit_homotopy(problem, start, prior, short).theta
+            rest = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+            return {"error": p.scales.half * rms(np.concatenate(rest.held_out(theta, GAINS[1], COUPLED)))}
+
+        return float(setting.stored(f"screened {option.label}", make)["error"])
+
+    errors = {}
+    for option in fresh:
+        if not setting.effort.exhausted(SEARCH_SHARE):
+            errors[option.label] = error(option)
+    nearest = sorted(errors, key=lambda label: errors[label])[:SCREENED]
+    return [option for option in options if option.label in tried or option.label in nearest]
+
+
 def excerpts(records: Sequence[Record]) -> list[Record]:
     """The logs, cut where together they take more than `EXCERPT` coarse steps."""
     step = COARSE_STEP / data_scales(records, centred=False).frequency
@@ -254,9 +303,9 @@ def _excerpt(record: Record, length: int) -> Record:
 def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], float]]:
     """Parts of the logs that are fitted and judged, and the share after which judging begins.
 
-    Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but one and
-    judged on that one, so that a structure must carry over to another excitation; with one log, fitted on its last
-    part and judged on what was before.
+    Fitted on the first part of every log and judged on the rest. Then, with several logs, fitted on all but some and
+    judged on these, so that a structure must carry over to another excitation: on one each, or on a third of many. With
+    one log, fitted on its last part and judged on what was before.
     """
     folds = [([r.part(0, int(FITTED_SHARE * len(r.t))) for r in records], list(records), FITTED_SHARE)]
     if len(records) == 1:
@@ -265,7 +314,8 @@ def _folds(records: Sequence[Record]) -> list[tuple[list[Record], list[Record], 
         split += int(np.argmax(only.valid[split:]))
         folds.append(([only.part(split, len(only.t))], [only.part(0, split)], 0.0))
         return folds
-    return folds + [([*records[:i], *records[i + 1 :]], [record], 0.0) for i, record in enumerate(records)]
+    groups = [list(records[i::GROUPS]) for i in range(min(GROUPS, len(records)))]
+    return folds + [([r for other in groups if other is not group for r in other], group, 0.0) for group in groups]
 
 
 def _judge(records: Sequence[Record], setting: Setting, option: Candidate, near: _Judged | None) -> _Judged:

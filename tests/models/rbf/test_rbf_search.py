@@ -1,15 +1,19 @@
 """Which answer the search takes, from errors that are given: white, so that every sample counts."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from pipeline.models.rbf import structure_search
+from pipeline.models.kind import Training
+from pipeline.models.rbf import identify, structure_search
 from pipeline.models.rbf.candidates import candidate
 from pipeline.models.rbf.problem import Effort
 from pipeline.models.rbf.structure import JointStructure
 from pipeline.models.rbf.structure_search import Setting, search
+from pipeline.settings import Compare
+from pipeline.settings import Identify as IdentifySettings
 from pipeline.signals.trajectory import Record
 
 PLAIN = JointStructure(
@@ -59,6 +63,48 @@ def test_a_search_says_whether_all_was_asked(monkeypatch):
         effort = Effort(limit / structure_search.SEARCH_SHARE)
         told[limit] = search([record], Setting("linear", None, effort), SPRING, offers)[-1]
     assert told == {1.0: False, 2.0: False, 3.0: True, 4.0: True}
+
+
+@pytest.mark.parametrize(("logs", "folds"), [(1, 2), (2, 3), (3, 4), (7, 4)])
+def test_each_log_is_held_out_once_alone_or_with_others(logs, folds):
+    t = 0.01 * np.arange(40)
+    records = [
+        Record(t, np.sin(t + i), np.cos(t), -np.sin(t), np.cos(t)[:, None], np.ones(40, dtype=bool))
+        for i in range(logs)
+    ]
+    made = structure_search._folds(records)
+    assert len(made) == folds
+    if logs > 1:
+        assert sorted(float(r.q[0]) for _, judged, _ in made[1:] for r in judged) == sorted(np.sin(range(logs)))
+        assert all(not {id(r) for r in fitted} & {id(r) for r in judged} for fitted, judged, _ in made[1:])
+
+
+@pytest.mark.parametrize(("samples", "times"), [(400, 1.0), (7_500, 1.0), (60_000, 8.0)])
+def test_the_limit_of_a_search_grows_with_the_samples(samples, times):
+    t = 0.01 * np.arange(samples)
+    log = Record(t, np.sin(t), np.cos(t), -np.sin(t), np.cos(3.0 * t)[:, None], np.ones(samples, dtype=bool))
+    training = Training((), (log,), ("m", "V"), "linear", None, None, None, IdentifySettings(), Compare())
+    assert identify._time_limit(training) == pytest.approx(times * IdentifySettings().time_limit)
+
+
+def test_where_candidates_are_dear_only_the_nearest_of_an_offer_are_judged(monkeypatch):
+    """Errors near the measurement fall with the number of Gaussians; those that were tried stay."""
+    t = 0.01 * np.arange(400)
+    record = Record(t, np.sin(t), np.cos(t), -np.sin(t), np.cos(3.0 * t)[:, None], np.ones(400, dtype=bool))
+
+    class Problem:
+        def __init__(self, p, *_, **__):
+            self.p = p
+
+        def held_out(self, theta, gain, coupled):
+            return [np.full(10, 1.0 / self.p.structure.basis_functions)]
+
+    monkeypatch.setattr(structure_search, "JointProblem", Problem)
+    monkeypatch.setattr(structure_search, "fit_homotopy", lambda problem, start, *_: SimpleNamespace(theta=start))
+    options = [replaced(CURVED, basis_functions=m) for m in (5, 6, 7, 8, 9)]
+    chosen = structure_search._screened([record], Setting("linear", None), options, {options[0].label})
+    assert chosen == [options[0], *options[2:]]
+    assert structure_search._screened([record], Setting("linear", None), options[:3], ()) == options[:3]
 
 
 def only(one):

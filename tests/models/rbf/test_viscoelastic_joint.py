@@ -3,7 +3,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pipeline.codegen.graph import trace
-from pipeline.generated.terms import STOP_FORCE
+from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
 from pipeline.models.rbf import dynamics as joint
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem, bridged
@@ -108,6 +108,24 @@ def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
         assert jacobian[:, i] == pytest.approx(difference, abs=2e-6 + 2e-4 * np.abs(difference).max()), i
 
 
+def test_sensitivities_are_exact_where_the_extrapolation_confines():
+    """The force leads away on the right of the data, where the run begins, and turns back."""
+    p = parameters(force="polynomial")
+    theta = double_well(p, np.random.default_rng(2))
+    log = record(p, theta, n=100)
+    theta[p.slices["force"]] = 0.0, 20.0, 10.0, np.log(3.0)
+    outside = Record(log.t, log.q + 0.016, log.qdot, log.qddot, 0.0 * log.v, log.valid)
+    problem = JointProblem(p, [outside])
+    errors, jacobian = problem.jacobian(theta, 0.0)
+    x = problem.logs[0].measured + errors
+    assert (x > 1.15).mean() > 0.3
+    step = 1e-6 * np.eye(p.count)
+    for i in (*range(p.slices["force"].start, p.slices["force"].stop), p.slices["damping"].start + 5):
+        above, below = (problem.residual(theta + s * step[i], 0.0) for s in (1, -1))
+        difference = (above - below) / 2e-6
+        assert jacobian[:, i] == pytest.approx(difference, abs=2e-6 + 1e-3 * np.abs(difference).max()), i
+
+
 def test_agrees_with_an_adaptive_integrator_of_the_equations_as_written():
     p = parameters()
     theta = double_well(p, np.random.default_rng(4))
@@ -149,7 +167,10 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
     assert valid == n
     grid = np.linspace(-2.1, 2.1, 8001)
     at_rest = {"x": grid[:, None], "p": np.zeros((grid.size, 1)), "stops": np.tile(c.stops, (grid.size, 1))}
-    values = joint.basis(grid, c) @ c.curves[0] + STOP_FORCE.evaluate(**at_rest)["value"][:, 0]
+    force, ends = (joint.basis(grid, c) @ c.curves[0])[:, None], np.tile(c.at_ends, (grid.size, 1))
+    reach = {"low": np.array([c.low]), "high": np.array([c.high])}
+    confined = CONFINED_FORCE.evaluate(x=at_rest["x"], force=force, at_ends=ends, **reach)
+    values = (confined["value"] + STOP_FORCE.evaluate(**at_rest)["value"])[:, 0]
     well = -np.concatenate(([0.0], np.cumsum(0.5 * (values[1:] + values[:-1]) * np.diff(grid))))
     x, speed, w, s = states[:, 0], states[:, 1], states[:, 3:5], states[:, 5]
     inertia = 1 + c.inertia[0] * (x - c.inertia[1]) ** 2

@@ -1,0 +1,59 @@
+"""Extrapolation confines: a run of any parameters, state and input stays near the data, and rests there."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.parameter_layout import OVERHANG, ParameterLayout
+from pipeline.models.rbf.structure import JointScales, JointStructure
+
+MIDDLE, HALF, LARGEST = 4e-3, 5e-3, 10.0
+RESTS = 1.0 + 3.0 * OVERHANG + 0.15 + 1e-6
+"""Half ranges within which a run without inputs ends: the reach of the curves, and what it takes to turn a force."""
+
+
+def drawn(seed, force):
+    """A model whose parameters are drawn at random, with a force that may lead away at both ends of the data."""
+    structure = JointStructure(
+        basis_functions=6, rates=(1.5,), shape_elements=0, slips=0, arc=False, force=force, constant_damping=True
+    )
+    p = ParameterLayout(structure, JointScales(MIDDLE, HALF, LARGEST, 50.0, 5.0), "squared", (1,))
+    rng, (offset, scale) = np.random.default_rng(seed), p.dimensionless
+    theta = offset + scale * rng.standard_normal(p.count)
+    theta[p.slices["force"]] *= 3.0
+    theta[p.slices["input_offset"]] = 0.0
+    if force != "offset":
+        theta[p.slices["force"].start + joint.POLYNOMIALS - 1] = np.log(50.0) - rng.uniform(0.0, 20.0)
+    return RbfModel(p, theta, np.zeros((p.count, 1)), np.zeros((p.count, 1)))
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    seed=st.integers(0, 10**6), force=st.sampled_from(["curve", "polynomial", "offset"]), x=st.floats(-3.0, 3.0),
+    speed=st.floats(-50.0, 50.0), drive=st.floats(0.0, 2.0),
+)  # fmt: skip
+def test_no_run_passes_the_wall_and_all_return_at_rest(seed, force, x, speed, drive):
+    model, t = drawn(seed, force), 0.01 * np.arange(6000)
+    v = np.where((t < 5.0) & (np.sin(7.0 * t) > 0.0), drive * LARGEST, 0.0)[:, None]
+    run = model.simulate(t, v, MIDDLE + HALF * x, HALF * speed)
+    assert run.status == "ok"
+    away = np.abs(run.q - MIDDLE) / HALF
+    assert away.max() <= joint.WALL + 1e-9
+    assert away[-1] <= RESTS or np.abs(run.qdot[-500:]).max() > 1e-3 * HALF  # or it is still on its way
+
+
+@pytest.mark.parametrize(("slope", "turns"), [(3.0, True), (-3.0, False)])
+def test_a_force_that_leads_away_turns_back_and_one_that_restores_is_left(slope, turns):
+    model = drawn(0, "polynomial")
+    p, theta = model.parameters, model.theta.copy()
+    theta[p.slices["force"]] = [0.0, slope, 0.0, -30.0]
+    c = p.coefficients(theta)
+    x = np.concatenate([np.linspace(1.31, 2.5, 20), -np.linspace(1.31, 2.5, 20)])
+    force = model._curves_at(c, x)[:, joint.FORCE]
+    if turns:
+        assert (force * x < 0.0).all()
+    else:
+        np.testing.assert_allclose(force, slope * x, rtol=1e-6)

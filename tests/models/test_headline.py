@@ -1,0 +1,60 @@
+"""Which of the identified models is the headline, by what each makes of the training logs."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from pipeline.models.base import FreeRun
+from pipeline.models.headline import headline
+from pipeline.models.kind import Training
+from pipeline.settings import Compare, Identify
+from pipeline.signals.trajectory import Record
+
+T = 0.01 * np.arange(6000)
+Q = np.sin(3.0 * T) + 0.5 * np.sin(7.7 * T)
+STILL = np.zeros_like(T)
+LOG = Record(T, Q, np.gradient(Q, T), STILL, STILL[:, None], np.ones(T.size, dtype=bool))
+TRAINING = Training((), (LOG,), ("m", "V"), "linear", None, None, None, Identify(), Compare())
+
+
+@dataclass
+class Errs:
+    """A model that errs in free run by `free`, and after a restart by `rate` times the time [s]."""
+
+    free: float
+    rate: float = 0.0
+    chaotic: bool = False
+    fine_voltages: bool = False
+
+    def describe(self):
+        return {"chaotic": self.chaotic}
+
+    def simulate(self, t, v, q0, qdot0):
+        q = np.interp(t, T, Q) + self.free * np.ptp(Q)
+        q[0] = q0
+        return FreeRun(t, q, 0.0 * q, 0.0 * q, "ok")
+
+    def predict(self, t, v, seen, speed):
+        ahead = np.arange(len(t) - len(seen) + 1) * 0.01
+        return np.interp(t[len(seen) - 1 :], T, Q) + self.rate * ahead * np.cos(40.0 * t[len(seen) - 1])
+
+
+@pytest.mark.parametrize(
+    ("models", "best"),
+    [
+        ({"hybrid": Errs(0.02), "rbf": Errs(0.01), "rbf-paper": Errs(0.5)}, "hybrid"),
+        ({"hybrid": Errs(0.6), "rbf": Errs(0.01), "rbf-paper": Errs(0.5)}, "rbf"),
+        ({"hybrid": Errs(0.6), "rbf": Errs(0.3), "rbf-paper": Errs(np.nan)}, "hybrid"),
+        ({"rbf": Errs(np.nan), "rbf-paper": Errs(0.1)}, "rbf-paper"),
+        ({"rbf": Errs(0.02, 1.0), "rbf-paper": Errs(0.05, 0.1)}, "rbf"),
+        ({"rbf": Errs(0.05, 1.0), "rbf-paper": Errs(0.02, 0.1)}, "rbf-paper"),
+        ({"rbf": Errs(0.5, 1.0, chaotic=True), "rbf-paper": Errs(0.6, 0.1)}, "rbf-paper"),
+        ({"rbf": Errs(0.5, 0.1, chaotic=True), "rbf-paper": Errs(0.4, 0.1)}, "rbf"),
+    ],
+    ids=["first holds", "first lost", "all lost", "diverged", "free run", "both", "chaos", "equal in chaos"],
+)
+def test_the_headline(models, best):
+    name, reason = headline(models, TRAINING)
+    assert name == best
+    assert bool(reason) == (best != next(iter(models)))
