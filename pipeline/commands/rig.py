@@ -82,11 +82,40 @@ class LogRoles:
     ] = None
 
 
+@dataclass(frozen=True)
+class Ageing:
+    """How old a simulated prototype is, and what changes in it."""
+
+    age: Annotated[
+        float | None, typer.Option(help="Days since it was made: the same joint with other logs.", min=0.0)
+    ] = None
+    drift: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=CHANGE,…",
+            help="What changes in a day: capacitance, stiffness (%), charging (s), laser (m), or none "
+            "[default: capacitance=-0.1%,stiffness=-0.05%,charging=20us,laser=2um].",
+        ),
+    ] = None
+
+    def fields(self) -> dict[str, Any]:
+        """The same for an experiment."""
+        from pipeline.errors import InputError
+        from pipeline.rig.ageing import USUAL, parse_drift
+
+        if self.age is None:
+            if self.drift is not None:
+                raise InputError("--drift: changes come with the age; give --age DAYS, too")
+            return {}
+        return {"age": self.age, "drift": parse_drift(self.drift or USUAL)}
+
+
 @app.command()
 @with_options
 def simulate(
     logs: SimulatedLogs,
     roles: LogRoles,
+    ageing: Ageing,
     output: Folder = Path("virtual"),
     seed: Seed = 1,
     force: Force = False,
@@ -105,10 +134,12 @@ def simulate(
         validation_logs=roles.validation,
         excitation=roles.excitation,
         play=None if roles.play is None else str(roles.play),
+        **ageing.fields(),
     )
+    name = f"{logs.kind}-{seed}" if ageing.age is None else f"{logs.kind}-{seed}-day{ageing.age:g}"
     count = roles.train + roles.validation
     with working(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
-        prototype = simulate_prototype(output, f"{logs.kind}-{seed}", experiment, seed=seed, force=force)
+        prototype = simulate_prototype(output, name, experiment, seed=seed, force=force)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
     else:
