@@ -182,7 +182,14 @@ class SimulatedWith:
         str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
     ] = "nominal"
     run: Annotated[
-        Path | None, typer.Option("--run", metavar="RUN", help="Simulate with the model of this run instead.")
+        Path | None, typer.Option("--run", metavar="RUN", help="Design the log after those of this run.")
+    ] = None
+    programme: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND|FILE",
+            help="Where free runs of --run shall become surer: an excitation or voltages [default: validation].",
+        ),
     ] = None
     model: Annotated[str | None, typer.Option(help="Which model of the run [default: the headline].")] = None
     joints: Annotated[
@@ -194,7 +201,7 @@ class SimulatedWith:
         """The same for the design."""
         from pipeline.tools.excitation import ExcitationSource
 
-        return ExcitationSource(self.parameters, self.run, self.model, self.joints, self.seed)
+        return ExcitationSource(**vars(self))
 
 
 @dataclass(frozen=True)
@@ -256,6 +263,8 @@ def excite(
     quiet: Quiet = False,
 ) -> None:
     """Design a voltage sequence that visits every basis centre in both wells and tells most about the curves.
+
+    With `--run` and its model `hybrid`, the one after which its free run in a programme is expected to be surest.
 
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
