@@ -16,9 +16,8 @@ t = np.arange(0.0, 3.0, 0.01)
 shape = 0.5 * (np.tanh((t - 0.5) / 0.01) - np.tanh((t - 1.5) / 0.01))
 fig, ax = plt.subplots(figsize=(8, 3.2), layout="constrained")
 for peak in np.linspace(0.5, 1.0, 6) * float(log[["v1_V", "v2_V"]].max().max()):
-    v = np.zeros((len(t), 2))
-    v[:, int(side[1]) - 1] = peak * shape
-    free = model.simulate(t, v, well, 0.0)
+    voltages = {"v1": 0.0 * t, "v2": 0.0 * t} | {side: peak * shape}
+    free = model.simulate(t, **voltages, q0=well)
     ax.plot(t, 1e3 * free.q_m, label=f"{1e-3 * peak:.2f} kV")
     print(f"{1e-3 * peak:.2f} kV: {'switches' if free.q_m.iloc[-1] * well < 0 else 'stays'}")
 ax.axvspan(0.5, 1.5, color="0.93", zorder=0)

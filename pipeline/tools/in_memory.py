@@ -247,8 +247,32 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
     InputError
         A column is no column of finite numbers, or they differ in length.
     """
-    columns = {}
-    for name, values in {"t": t, "q": q, "v1": v1, "v2": v2}.items():
+    columns = _columns({"t": t, "q": q, "v1": v1, "v2": v2})
+    return Signals(columns.pop("t"), columns.pop("q"), np.column_stack(list(columns.values())))
+
+
+def voltages_of(t: Any, v1: Any, v2: Any) -> tuple[FloatArray, FloatArray]:
+    """Times (N,) and voltages (N, K) of single columns, or of one DataFrame.
+
+    Raises
+    ------
+    InputError
+        A column is missing or no column of finite numbers, or they differ in length.
+    """
+    if hasattr(t, "columns"):
+        if v1 is not None or "t_s" not in t or "v1_V" not in t:
+            raise InputError("give one DataFrame with t_s, v1_V and, with two inputs, v2_V, or t, v1 and v2")
+        t, v1, v2 = t["t_s"], t["v1_V"], t.get("v2_V")
+    if v1 is None:
+        raise InputError("v1 is missing; give t and v1 (and v2), or one DataFrame")
+    columns = _columns({"t": t, "v1": v1, "v2": v2})
+    return columns.pop("t"), np.column_stack(list(columns.values()))
+
+
+def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
+    """Columns of finite numbers, all as long as t; those that are None are left out."""
+    columns: dict[str, FloatArray] = {}
+    for name, values in given.items():
         if values is None:
             continue
         columns[name] = real_numbers(values, name)
@@ -258,8 +282,7 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
             raise InputError(f"{name} has {len(columns[name])} samples, but t has {len(columns['t'])}")
         if len(bad := np.flatnonzero(~np.isfinite(columns[name]))):
             raise InputError(f"{name} is not finite at sample {bad[0]}; leave out such rows: a gap in t is no harm")
-    inputs = [columns[name] for name in ("v1", "v2") if name in columns]
-    return Signals(columns["t"], columns["q"], np.column_stack(inputs))
+    return columns
 
 
 def si_symbols(prototype: Prototype) -> tuple[str, str]:
