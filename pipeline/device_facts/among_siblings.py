@@ -14,7 +14,7 @@ SHOWN = 12
 
 
 @dataclass(frozen=True)
-class Place:
+class AmongSiblings:
     """A quantity of a joint among its siblings, in standard deviations of the siblings from their mean.
 
     `error` is the standard deviation that the joint's own posterior leaves.
@@ -25,7 +25,7 @@ class Place:
     error: float
 
 
-def places_among(model: DynamicModel | None, siblings: NormalPopulation | None) -> list[Place]:
+def places_among(model: DynamicModel | None, siblings: NormalPopulation | None) -> list[AmongSiblings]:
     """The quantities that the siblings know best, the best known first; none without siblings or of another model."""
     if siblings is None or not isinstance(model, HybridModel):
         return []
@@ -33,4 +33,4 @@ def places_among(model: DynamicModel | None, siblings: NormalPopulation | None) 
     own = np.sqrt(np.sum(model.spread[: len(spread)] ** 2, axis=1))
     distances = (model.theta[: len(spread)] - siblings.mean) / spread
     best = np.argsort(spread / before, kind="stable")[:SHOWN]
-    return [Place(title(int(i)), float(distances[i]), float(own[i] / spread[i])) for i in best]
+    return [AmongSiblings(title(int(i)), float(distances[i]), float(own[i] / spread[i])) for i in best]

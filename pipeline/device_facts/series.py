@@ -73,7 +73,7 @@ class Series:
 
 
 @dataclass(frozen=True)
-class Fact:
+class RunFact:
     """A fact of one run: key, title and unit, value and standard error in SI."""
 
     key: str
@@ -85,7 +85,7 @@ class Fact:
 
 def facts_of(
     sheet: Mapping[str, Any], model: DynamicModel, between: tuple[float, float] | None, gain_unit: str
-) -> Iterator[Fact]:
+) -> Iterator[RunFact]:
     """The facts of a run that have an interval.
 
     Parameters
@@ -101,14 +101,14 @@ def facts_of(
     """
     for fact in sheet["facts"]:
         if fact["low"] is not None and fact["value"] is not None and not fact["key"].startswith(_LEFT_OUT):
-            yield Fact(fact["key"], fact["title"], fact["unit"], fact["value"], _error(fact["low"], fact["high"]))
+            yield RunFact(fact["key"], fact["title"], fact["unit"], fact["value"], _error(fact["low"], fact["high"]))
     if between is not None and isinstance(model, HasCurves) and isinstance(model, HasCurveDraws):
         q = np.linspace(*between, PLACES)
         yield from _gains(model.curves(q), model.curve_ensemble(q, DRAWS), gain_unit)
     for quantity in calibrated(model):
         if quantity.name in _QUANTITIES:
             key, title = quantity.name.partition(",")[0].replace(" ", "_"), _QUANTITIES[quantity.name]
-            yield Fact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
+            yield RunFact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
 
 
 def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | None:
@@ -120,12 +120,12 @@ def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | 
     return (left, right) if left < right else None
 
 
-def _gains(curves: Mapping[str, FloatArray], draws: Mapping[str, FloatArray], unit: str) -> Iterator[Fact]:
+def _gains(curves: Mapping[str, FloatArray], draws: Mapping[str, FloatArray], unit: str) -> Iterator[RunFact]:
     """Mean slope of each capacitance between the wells."""
     for key in (key for key in curves if key.startswith("dC")):
         low, high = np.quantile(draws[key].mean(axis=1), [0.05, 0.95])
         title = f"capacitance gain ∂C{key[2]}/∂q, mean over the stroke"
-        yield Fact(f"gain_v{key[2]}", title, unit, float(curves[key].mean()), _error(low, high))
+        yield RunFact(f"gain_v{key[2]}", title, unit, float(curves[key].mean()), _error(low, high))
 
 
 def _error(low: float, high: float) -> float:
@@ -133,7 +133,7 @@ def _error(low: float, high: float) -> float:
     return float(high - low) / (2.0 * NORMAL_90)
 
 
-def facts_over_time(at: Sequence[float], runs: Sequence[Sequence[Fact]]) -> tuple[SeriesFact, ...]:
+def facts_over_time(at: Sequence[float], runs: Sequence[Sequence[RunFact]]) -> tuple[SeriesFact, ...]:
     """Each fact that at least two runs have, with its change; `at` are the times of the runs, ascending."""
     seen: dict[tuple[str, str, str], list[tuple[float, float, float]]] = {}
     for time, facts in zip(at, runs, strict=True):

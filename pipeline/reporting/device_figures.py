@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device_facts.among_siblings import Place, places_among
+from pipeline.device_facts.among_siblings import AmongSiblings, places_among
 from pipeline.device_facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
 from pipeline.device_facts.data_quality import centre_visits
 from pipeline.device_facts.datasheet import Datasheet
@@ -48,7 +48,7 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     return figures
 
 
-def siblings_figure(places: Sequence[Place]) -> Figure:
+def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
     """Quantities of the joint below one another, in standard deviations of its siblings."""
     rows = np.arange(len(places), dtype=np.float64)[::-1]
     at, half = np.array([p.distance for p in places]), NORMAL_95 * np.array([p.error for p in places])

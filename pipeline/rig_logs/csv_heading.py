@@ -172,6 +172,6 @@ def names_beside(rows: Sequence[Row], numeric: Sequence[bool]) -> tuple[tuple[st
     keys = {row[0]: row[1] for row in rows if len(row) > 1 and row[0]}
     if len(columns) != 2 or columns[0] < 2 or not {"Source", "Record Length"} <= keys.keys():
         return None
-    found = dict(zip(columns, (("TIME", _HORIZONTAL), (keys["Source"], _VERTICAL)), strict=True))
-    names = tuple(found[j][0] if j in found else f"column {j + 1}" for j in range(len(numeric)))
-    return names, tuple(keys.get(found[j][1], "") if j in found else "" for j in range(len(numeric)))
+    beside = dict(zip(columns, (("TIME", _HORIZONTAL), (keys["Source"], _VERTICAL)), strict=True))
+    names = tuple(beside[j][0] if j in beside else f"column {j + 1}" for j in range(len(numeric)))
+    return names, tuple(keys.get(beside[j][1], "") if j in beside else "" for j in range(len(numeric)))
