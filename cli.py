@@ -11,7 +11,19 @@ from typing import Annotated
 
 import typer
 
-from pipeline.commands import control, fleet, integrity, outcome, physics, raw_logs, results, rig, stages, whole_run
+from pipeline.commands import (
+    control,
+    fleet,
+    integrity,
+    outcome,
+    physics,
+    raw_logs,
+    results,
+    rig,
+    series,
+    stages,
+    whole_run,
+)
 from pipeline.commands.boundary import ErrorBoundary, Program
 from pipeline.commands.console import Json, Quiet, Report, emit_json
 from pipeline.commands.inspection import check
@@ -37,6 +49,7 @@ app.add_typer(rig.app, name="rig")
 app.add_typer(results.study, name="study")
 app.command()(check)
 app.command()(results.diff)
+app.command()(series.series)
 app.command()(results.export)
 app.command()(integrity.verify)
 app.command()(integrity.repair)

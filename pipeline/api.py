@@ -120,9 +120,11 @@ class Run:
         InputError
             The run holds no such model.
         """
-        from pipeline.loading.run_models import load_run_model
+        from pipeline.loading.run_models import load_run_model, subject
 
-        return Model(load_run_model(self._folder, self._prototype, name), self._prototype)
+        folder, prototype = self._folder, self._prototype
+        core = load_run_model(folder, prototype, name)
+        return Model(core, prototype, subject=lambda: subject(folder, prototype, name))
 
     @one_thread
     def simulate(

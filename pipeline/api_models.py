@@ -1,7 +1,7 @@
 """Models for notebooks and scripts: identified from arrays or DataFrames, simulated, scored and drawn. SI units."""
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
+    from pipeline.export.subject import Subject
     from pipeline.models.base import DynamicModel
     from pipeline.runs.tables import Table
     from pipeline.settings import Prototype
@@ -34,11 +35,15 @@ class Model:
         What was accepted and chosen when it was identified.
     """
 
-    def __init__(self, core: "DynamicModel", prototype: "Prototype", notes: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self, core: "DynamicModel", prototype: "Prototype", notes: Mapping[str, Any] | None = None, *,
+        subject: "Callable[[], Subject]",
+    ) -> None:  # fmt: skip
         self.core = core
         self.name = core.name
         self.notes = dict(notes or {})
         self._prototype = prototype
+        self._subject = subject
 
     def __repr__(self) -> str:
         logs = self.notes.get("training", "")
@@ -49,16 +54,56 @@ class Model:
         """Number of inputs."""
         return self.core.input_count
 
+    def save(self, path: str | Path) -> Path:
+        """Write the model with its settings as one HDF5 file, which `load` reads; `notes` are left out.
+
+        Raises
+        ------
+        InputError
+            The model cannot be filed, or the file cannot be written.
+        """
+        from pipeline.tools.saved_model import save_model
+
+        save_model(Path(path), self._subject(), self._prototype)
+        return Path(path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> "Model":
+        """The model that `save` wrote.
+
+        Raises
+        ------
+        CorruptArtifactError
+            The file is damaged, or no saved model.
+        """
+        from pipeline.tools.saved_model import load_saved
+
+        subject, prototype = load_saved(Path(path))
+        return cls(subject.model, prototype, subject=lambda: subject)
+
+    def export(self, target: Literal["c", "fmu", "json", "matlab"], output: str | Path) -> list[Path]:
+        """Write the model for another tool into a folder and return the files; see `debist export`.
+
+        Raises
+        ------
+        InputError
+            A form that cannot carry the model, or a file of others in the folder.
+        """
+        from pipeline.tools.saved_model import export_model
+
+        return export_model(self._subject(), target, Path(output)).written
+
     @one_thread
     def simulate(
-        self, t: "ArrayLike", v: "ArrayLike", q0: float, qdot0: float = 0.0, *, tube: bool = False
-    ) -> "pd.DataFrame":
+        self, t: "ArrayLike | pd.DataFrame", v: "ArrayLike | None" = None, q0: float | None = None,
+        qdot0: float = 0.0, *, tube: bool = False,
+    ) -> "pd.DataFrame":  # fmt: skip
         """Free run from an initial state.
 
         Parameters
         ----------
-        t : array_like, shape (N,)
-            Uniform times [s].
+        t : array_like, shape (N,), or DataFrame
+            Uniform times [s]; or the columns t_s, v1_V and v2_V together, v being left out.
         v : array_like, shape (N, inputs)
             Voltages [V]; between the samples as the model takes them, `hybrid` by a cubic spline, others by lines.
         q0, qdot0 : float
@@ -78,22 +123,22 @@ class Model:
         InputError
             Signals that do not fit the model or each other, or a model without tubes.
         """
-        import numpy as np
-
         from pipeline.loading.free_runs import tubes_about
         from pipeline.models.base import HasDraws
-        from pipeline.tools.in_memory import frame, refuse_other_units
+        from pipeline.tools.in_memory import frame, refuse_other_units, voltages_of
 
-        refuse_other_units({"q0": abs(q0), "v": float(np.max(np.abs(np.asarray(v)), initial=0.0))}, self._prototype)
-        run = self.core.simulate(np.asarray(t), np.asarray(v), q0, qdot0)
-        voltages = np.asarray(v, dtype=np.float64)
+        times, volts = voltages_of(t, v)
+        self._check_columns(volts.shape[1], None)
+        if q0 is None:
+            raise InputError("q0 is missing; give the displacement at the first sample")
+        refuse_other_units({"q0": abs(q0), "v": float(abs(volts).max(initial=0.0))}, self._prototype)
+        run = self.core.simulate(times, volts, q0, qdot0)
         columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
         if tube:
-            drawn = (
-                self.core.simulate_draws(run.t, np.asarray(v), q0, qdot0) if isinstance(self.core, HasDraws) else None
-            )
-            columns |= tubes_about(run.q, None if drawn is None else drawn[0], self.core)
-        columns |= {f"v{k + 1}": voltages.reshape(len(run.t), -1)[:, k] for k in range(self.inputs)}
+            core = self.core
+            drawn = core.simulate_draws(times, volts, q0, qdot0)[0] if isinstance(core, HasDraws) else None
+            columns |= tubes_about(run.q, drawn, core)
+        columns |= {f"v{k}": column for k, column in enumerate(volts.T, start=1)}
         table = frame(columns, *self._units)
         table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return table
@@ -319,10 +364,11 @@ def identify(
     Examples
     --------
     >>> model = debist.identify(t, q, v1, v2, mass=0.0405, parameters="nominal")  # doctest: +SKIP
-    >>> model.simulate(t, v, q0=0.01).plot("t_s", "q_m")  # doctest: +SKIP
+    >>> model.simulate(t, v1, v2, q0=0.01).plot("t_s", "q_m")  # doctest: +SKIP
     """
     from pipeline.tools.in_memory import identify_signals
     from pipeline.tools.in_memory import settings as settings_of
+    from pipeline.tools.saved_model import subject_of
 
     logs = _logs(t, q, v1, v2)
     count, unit = logs[0].v.shape[1], logs[0].unit
@@ -337,7 +383,8 @@ def identify(
     models, notes, tables = identify_signals(logs, prototype)
     length = sum(float(table["t"][-1] - table["t"][0]) for table in tables)
     notes["training"] = f"trained on {len(logs)} log{'s' * (len(logs) > 1)} of {length:.4g} s"
-    return Model(next(iter(models.values())), prototype, notes)
+    core = next(iter(models.values()))
+    return Model(core, prototype, notes, subject=lambda: subject_of(core, prototype, tables))
 
 
 def _logs(t: Any, q: Any, v1: Any, v2: Any) -> "list[Signals]":

@@ -1,5 +1,6 @@
 """`import debist`: models from arrays and DataFrames, the same as from a run of the same signals."""
 
+import json
 import warnings
 from unittest.mock import Mock
 
@@ -90,10 +91,56 @@ def test_masked_and_complex_samples_are_refused(log):
 
 
 def test_a_free_run_is_a_table_with_units_and_a_status(model):
-    free = model.simulate(0.01 * np.arange(50), np.zeros((50, 2)), q0=0.0105)
+    free = model.simulate(0.01 * np.arange(50), np.zeros((50, 2)), 0.0105)
     assert list(free.columns) == ["t_s", "q_m", "qdot_m_per_s", "qddot_m_per_s2", "v1_V", "v2_V"]
     assert free.attrs == {"status": "ok", "diverged_at_s": None}
     assert list(model.curves([0.0, 0.01])) == ["q_m", "F_N", "d_N_s_per_m", "dC1_dq_F_per_m", "dC2_dq_F_per_m"]
+
+
+def test_voltages_come_as_columns_or_as_a_table(model, log):
+    columns = model.simulate(log.t_s, log[["v1_V", "v2_V"]], -0.0105)
+    table = model.simulate(log, q0=-0.0105)
+    assert table.equals(columns)
+    for arguments, message in (
+        ((log.t_s, log.v1_V), "the log has 1 voltage"),
+        ((log.t_s, np.zeros((len(log), 2, 1))), "v has the shape"),
+        ((log.t_s,), "v is missing"),
+        ((log, log.v1_V), "give one DataFrame with t_s"),
+        ((log.t_s, log[["v1_V", "v2_V"]][:50]), "v1 has 50 samples"),
+    ):
+        with pytest.raises(debist.DebistError, match=message):
+            model.simulate(*arguments, q0=-0.0105)
+    with pytest.raises(debist.DebistError, match="q0 is missing"):
+        model.simulate(log)
+    with pytest.raises(debist.DebistError, match="has no tubes"):
+        model.simulate(log, q0=-0.0105, tube=True)
+
+
+def test_a_saved_model_is_the_same_one_wherever_it_is_loaded(model, log, tmp_path):
+    again = debist.Model.load(model.save(tmp_path / "model.h5"))
+    assert (again.name, again.inputs) == (model.name, model.inputs)
+    assert again.simulate(log, q0=-0.0105).equals(model.simulate(log, q0=-0.0105))
+    assert again.score(log).equals(model.score(log))
+    written = [each.export("json", tmp_path / name) for each, name in ((model, "first"), (again, "second"))]
+    first, second = (json.loads(paths[0].read_text(encoding="utf-8")) for paths in written)
+    assert first == second
+    with pytest.raises(debist.DebistError, match="no export 'crate' of a model alone; there are c, fmu, json, matlab"):
+        model.export("crate", tmp_path)
+
+
+def test_a_file_that_is_no_saved_model_is_refused(model, tmp_path):
+    from pipeline.runs.trees import read_tree, write_tree
+
+    tree = read_tree(model.save(tmp_path / "model.h5"))
+    for name, changed, message in (
+        ("none", {"x": 1.0}, "is no saved model"),
+        ("other", {"check": tree["check"]}, "holds no model 'rbf-paper'"),
+        ("short", tree | {"check": tree["check"] | {"t": tree["check"]["t"][:5]}}, "cannot be read"),
+        ("settings", tree | {"check": tree["check"] | {"settings_json": "{"}}, "settings cannot be read"),
+    ):
+        write_tree(tmp_path / f"{name}.h5", changed)
+        with pytest.raises(debist.DebistError, match=message):
+            debist.Model.load(tmp_path / f"{name}.h5")
 
 
 def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):

@@ -29,8 +29,8 @@ ax.figure.savefig("from_arrays.svg")
 
 # --8<-- [start:simulate]
 t = np.arange(0.0, 3.0, 0.01)
-v = np.column_stack([np.where((t > 0.5) & (t < 1.5), 2500.0, 0.0), np.zeros(len(t))])
-free = model.simulate(t, v, q0=float(signals.q_m[0]))
+v1 = np.where((t > 0.5) & (t < 1.5), 2500.0, 0.0)
+free = model.simulate(t, np.column_stack([v1, 0.0 * t]), float(signals.q_m[0]))
 print(free.attrs, free.tail(1))
 free.plot("t_s", "q_m")
 # --8<-- [end:simulate]
@@ -41,9 +41,15 @@ curves.plot("q_m", "F_N")
 plt.close("all")
 # --8<-- [end:curves]
 
+# --8<-- [start:save]
+model.save("model.h5")
+again = debist.Model.load("model.h5")
+print(again, again.export("json", "exported"))
+# --8<-- [end:save]
+
 # --8<-- [start:mistake]
 try:
-    model.simulate(t, v[:50], q0=0.01)
+    model.simulate(t, np.zeros((50, 2)), 0.01)
 except debist.DebistError as error:
-    print(error)  # v has 50 rows, but t has 300 time stamps; give one row for each
+    print(error)  # v1 has 50 samples, but t has 300
 # --8<-- [end:mistake]

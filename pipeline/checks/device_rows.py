@@ -23,7 +23,11 @@ def device_rows(first: LogFacts, other: LogFacts, declared: Declared) -> list[Ch
     gain = _gain(first, other, declared)
     if gain is not None and not _gain_explains(first, other, declared, gain):
         gain = None
-    return [*_gain_rows(first, other, gain), _device_row(first, other, declared, gain)]
+    return [
+        *_gain_rows(first, other, gain),
+        *_clock_rows(first, other, declared),
+        _device_row(first, other, declared, gain),
+    ]
 
 
 def _terms(first: LogFacts, other: LogFacts, declared: Declared) -> tuple[WeakTerms, WeakTerms] | None:
@@ -72,6 +76,31 @@ def _gain_rows(first: LogFacts, other: LogFacts, gain: LogGain | None) -> list[C
         values = in_si("gain", "1", factor, error)
         rows.append(CheckRow(other.signals.name, what, measured, "± 3 %", state, gate, advice, values=values))
     return rows
+
+
+def _clock_rows(first: LogFacts, other: LogFacts, declared: Declared) -> list[CheckRow]:
+    """A log whose q answers later or earlier than in the first log: its recorders were not started together."""
+    delays = [
+        (there.delay.value - here.delay.value, float(np.hypot(here.delay.error, there.delay.error)))
+        for here, there in zip(first.inputs, other.inputs, strict=True)
+        if here is not None and there is not None and not (here.at_the_end or there.at_the_end)
+    ]
+    if not delays:
+        return []
+    later, errors = (np.array(column) for column in zip(*delays, strict=True))
+    weights = 1.0 / np.maximum(errors, np.finfo(float).tiny) ** 2
+    mean, error = float(weights @ later / weights.sum()), float(weights.sum() ** -0.5)
+    limit = limits.OTHER_CLOCK * declared.sample_interval
+    if abs(mean) <= max(limit, limits.SIGN_CERTAINTY * error):
+        return []
+    measured = f"{quantity(abs(mean), 's', error)} {'later' if mean > 0.0 else 'earlier'}"
+    advice = (
+        f"against {first.signals.name}, q of this log answers {measured}: its recorders were not started together; "
+        f"{'delay' if mean > 0.0 else 'advance'} its inputs by that time, or leave the log out"
+    )
+    values = in_si("later", "s", mean, error)
+    allowed = f"± {quantity(limit, 's')}"
+    return [CheckRow(other.signals.name, "answer of q", measured, allowed, "note", None, advice, values=values)]
 
 
 def _gain_explains(first: LogFacts, other: LogFacts, declared: Declared, gain: LogGain) -> bool:

@@ -67,6 +67,10 @@ UNSTATED_RATIO = 1e5
 """The same factor for the coupling where no mass is stated and that of the drawing is taken: a joint of 1 mm and 100 V
 is 1,800 times off; kV read as V make 10⁶."""
 
+OTHER_CLOCK = 1.0
+"""Sample intervals by which q may answer later or earlier than in the first log: of 64 honest inputs of four joints,
+each in a pair of logs, the delays differ by up to 0.6."""
+
 MOST_SIDES, NOTED_SIDES = 10.0, 2.5
 """Factor between the couplings of the two sides that stops, and that is shown. Membranes are cut from one film: 0.65 to
 1.4 in 66 logs of 15 joints. The square of a wrong probe ratio is in it, 4 for twice the voltage."""

@@ -83,11 +83,40 @@ class LogRoles:
     ] = None
 
 
+@dataclass(frozen=True)
+class Ageing:
+    """How old a simulated prototype is, and what changes in it."""
+
+    age: Annotated[
+        float | None, typer.Option(help="Days since it was made: the same joint with other logs.", min=0.0)
+    ] = None
+    drift: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=CHANGE,…",
+            help="What changes in a day: capacitance, stiffness (%), charging (s), laser (m), or none "
+            "[default: capacitance=-0.1%,stiffness=-0.05%,charging=20us,laser=2um].",
+        ),
+    ] = None
+
+    def fields(self) -> dict[str, Any]:
+        """The same for an experiment."""
+        from pipeline.errors import InputError
+        from pipeline.rig.ageing import USUAL, parse_drift
+
+        if self.age is None:
+            if self.drift is not None:
+                raise InputError("--drift: changes come with the age; give --age DAYS, too")
+            return {}
+        return {"age": self.age, "drift": parse_drift(self.drift or USUAL)}
+
+
 @app.command()
 @with_options
 def simulate(
     logs: SimulatedLogs,
     roles: LogRoles,
+    ageing: Ageing,
     output: Folder = Path("virtual"),
     seed: Seed = 1,
     force: Force = False,
@@ -106,10 +135,12 @@ def simulate(
         validation_logs=roles.validation,
         excitation=roles.excitation,
         play=None if roles.play is None else str(roles.play),
+        **ageing.fields(),
     )
+    name = f"{logs.kind}-{seed}" if ageing.age is None else f"{logs.kind}-{seed}-day{ageing.age:g}"
     count = roles.train + roles.validation
     with working(f"simulating {count} logs of {logs.duration:g} s at {logs.rate:g} Hz", quiet=quiet):
-        prototype = simulate_prototype(output, f"{logs.kind}-{seed}", experiment, seed=seed, force=force)
+        prototype = simulate_prototype(output, name, experiment, seed=seed, force=force)
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
     else:
@@ -152,7 +183,14 @@ class SimulatedWith:
         str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
     ] = "nominal"
     run: Annotated[
-        Path | None, typer.Option("--run", metavar="RUN", help="Simulate with the model of this run instead.")
+        Path | None, typer.Option("--run", metavar="RUN", help="Design the log after those of this run.")
+    ] = None
+    programme: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND|FILE",
+            help="Where free runs of --run shall become surer: an excitation or voltages [default: validation].",
+        ),
     ] = None
     model: Annotated[str | None, typer.Option(help="Which model of the run [default: the headline].")] = None
     joints: Annotated[
@@ -164,7 +202,7 @@ class SimulatedWith:
         """The same for the design."""
         from pipeline.tools.excitation import ExcitationSource
 
-        return ExcitationSource(self.parameters, self.run, self.model, self.joints, self.seed)
+        return ExcitationSource(**vars(self))
 
 
 @dataclass(frozen=True)
@@ -226,6 +264,8 @@ def excite(
     quiet: Quiet = False,
 ) -> None:
     """Design a voltage sequence that visits every basis centre in both wells and tells most about the curves.
+
+    With `--run` and its model `hybrid`, the one after which its free run in a programme is expected to be surest.
 
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV

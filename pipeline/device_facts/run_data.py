@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.fitting.population import NormalPopulation
 from pipeline.models.base import DynamicModel
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import sample_interval
@@ -102,6 +103,8 @@ class RunData:
         How "auto" chose between the models (`pipeline.models.choose.Choice`), if it did.
     log_checks : sequence of mapping
         Rows of `debist check` as its JSON has them; none in a run of before they were made.
+    siblings : NormalPopulation or None
+        What `[plant] siblings` names, as the run holds it.
     rails_kept : bool
         Whether the settings say that the device rests where q is at the ends of its range.
     control : mapping of str to mapping
@@ -129,6 +132,7 @@ class RunData:
     control: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     choice: Mapping[str, Any] | None = None
     rails_kept: bool = False
+    siblings: NormalPopulation | None = None
 
     @property
     def inputs(self) -> tuple[str, ...]:

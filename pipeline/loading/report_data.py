@@ -12,6 +12,7 @@ from pipeline.errors import DebistError
 from pipeline.loading.device import Device, device
 from pipeline.loading.documents import read_document
 from pipeline.loading.held_models import CHOICE, identified_models
+from pipeline.loading.siblings import shown_siblings
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
 from pipeline.names import log_title
@@ -47,6 +48,7 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         rails_kept=prototype.ingest.rails == "keep",
         studies=tuple(read_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
+        siblings=shown_siblings(run, prototype),
     )
 
 

@@ -1,5 +1,6 @@
 """A model of a run, loaded alone or with all that travels along when it is exported."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -44,7 +45,7 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
         prototype=prototype.name,
         name=known,
         model=model,
-        validity=_validity(run, prototype),
+        validity=validity_of(training_tables(run, prototype), prototype),
         origin=run.record(artifact).content_hash,
         t=start.t,
         v=voltages(check),
@@ -60,10 +61,11 @@ def _check_log(run: RunFolder, prototype: Prototype) -> Table:
     return part(table, longest_rows(table))
 
 
-def _validity(run: RunFolder, prototype: Prototype) -> "Validity":
+def validity_of(tables: Sequence[Table], prototype: Prototype) -> "Validity":
+    """What the kinematics of training logs span."""
     from pipeline.export.subject import Validity
 
-    tables, plant = training_tables(run, prototype), device(prototype)
+    plant = device(prototype)
 
     def span(values: list[np.ndarray]) -> tuple[float, float]:
         """Smallest and largest of all logs."""

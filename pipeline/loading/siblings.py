@@ -8,6 +8,7 @@ from pipeline.fitting.population import NormalPopulation
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.trees import read_tree
+from pipeline.settings import Prototype
 
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
@@ -29,6 +30,13 @@ def read_siblings(path: Path) -> dict[str, Any]:
     except CorruptArtifactError as error:
         raise InputError(f"{path}: is no file of siblings ({error})") from error
     return tree
+
+
+def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | None:
+    """What siblings teach, for the page; None where the settings name none."""
+    from pipeline.models.hybrid.siblings import from_tree
+
+    return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
 
 
 def siblings_of(run: RunFolder, parameters: "JointParameters | None") -> NormalPopulation:

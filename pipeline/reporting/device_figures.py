@@ -7,12 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from pipeline.device_facts.among_siblings import AmongSiblings, places_among
 from pipeline.device_facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
 from pipeline.device_facts.data_quality import centre_visits
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, moves_unforced, unforced, visited_range
 from pipeline.device_facts.run_data import Columns, RunData, Study
 from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.metrics import NORMAL_95
 from pipeline.reporting.datasheet_rows import NOT_USED
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
 from pipeline.reporting.legend import CHOSEN
@@ -39,9 +41,31 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
         figures["curves"] = _curves(data, sheet)
     portrait = _phase_portrait(data, sheet)
     figures |= {"phase-portrait": portrait} if portrait is not None else {}
+    places = places_among(data.models.get(sheet.headline), data.siblings)
+    figures |= {"siblings": siblings_figure(places)} if places else {}
     figures |= residual_figures(data, sheet.wells)
     figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures
+
+
+def siblings_figure(places: Sequence[AmongSiblings]) -> Figure:
+    """Quantities of the joint below one another, in standard deviations of its siblings."""
+    rows = np.arange(len(places), dtype=np.float64)[::-1]
+    at, half = np.array([p.distance for p in places]), NORMAL_95 * np.array([p.error for p in places])
+    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
+    bars = Line("what its logs leave open (95 %)", "measured", ends, np.repeat(rows, 3), dash="solid")
+    usual = np.array([-NORMAL_95, NORMAL_95])
+    band = Band("95 % of siblings", "reference", usual, np.full(2, -0.5), np.full(2, len(at) - 0.5))
+    panel = Panel(
+        "", "1", (bars,), (band,), (Points("this joint", "measured", at, rows),),
+        y_limits=(-0.6, len(at) - 0.4), names=tuple(place.name for place in reversed(places)),
+    )  # fmt: skip
+    caption = (
+        "The quantities that the siblings know best. Where the siblings were the prior of the fit, it has drawn the "
+        "joint towards them."
+    )
+    name, x = "standard deviations of the siblings from their mean", "1"
+    return Figure("siblings", "The joint among its siblings", caption, name, x, (panel,), tall=1.2)
 
 
 def _study(data: RunData, study: Study) -> Figure:

@@ -132,6 +132,8 @@ class Panel:
         Half as high as others.
     whole : bool
         The vertical axis counts things.
+    names : tuple of str
+        What stands at 0, 1, … of the vertical axis in place of numbers.
     """
 
     name: str
@@ -147,6 +149,7 @@ class Panel:
     y_limits: tuple[float, float] | None = None
     low: bool = False
     whole: bool = False
+    names: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -165,6 +165,9 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
     y_unit, fy = (scale if panel.log else axis_scale)(panel.unit, max(abs(bottom), abs(top)))
     _axis(on, "x", low * fx, high * fx, _Ticks(10 if wide else 6, x_log, figure.whole))
     _axis(on, "y", bottom * fy, top * fy, _Ticks(3 if panel.low else 5, panel.log, panel.whole))
+    if panel.names:
+        on.yaxis.set_major_locator(FixedLocator(range(len(panel.names))))
+        on.yaxis.set_major_formatter(FixedFormatter([writable(name) for name in panel.names]))
     on.set_ylabel(axis_label(panel.name, y_unit))
     if labelled:
         on.set_xlabel(axis_label(x_name, x_unit))

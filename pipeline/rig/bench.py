@@ -92,6 +92,8 @@ class Laser:
         the mains hum [m].
     mains : float
         [Hz].
+    zero : float
+        Reading [m] at q = 0.
     """
 
     noise: float = 1.5e-6
@@ -100,6 +102,7 @@ class Laser:
     rail: float = 25.0e-3
     hum: float = 0.05e-6
     mains: float = 50.0
+    zero: float = 0.0
 
     def read(self, t: FloatArray, q: FloatArray, rng: np.random.Generator) -> FloatArray:
         """Reading [m] of the displacement `q` [m] at times `t` [s], both shape (N,).
@@ -108,7 +111,7 @@ class Laser:
         smooth in q, as a calibration sheet shows it.
         """
         phase = rng.uniform(0.0, 2 * np.pi, 2)
-        reading = q + bent(q, self.linearity, self.rail, phase[0])
+        reading = q + self.zero + bent(q, self.linearity, self.rail, phase[0])
         reading += self.hum * np.sin(2 * np.pi * self.mains * t + phase[1])
         reading += self.noise * rng.standard_normal(t.size, dtype=np.float32)
         return _quantise(np.clip(reading, -self.rail, self.rail), self.resolution)

@@ -23,7 +23,9 @@ from pipeline.rig_logs.csv_heading import (
     heading_rows,
     is_comment,
     names_and_units,
+    names_beside,
     stated_rates,
+    units_by_key,
 )
 from pipeline.rig_logs.csv_tail import rows_of
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
@@ -106,7 +108,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         raise UnreadableLogError(f"row {header_row} is no header: it must have the {width} cells of the rows below it")
     else:
         units_row = header_row + 1 if header_row + 1 < table.first else None
-    units_row = _labview_units(above) if units_row is None else units_row
+    units_row = units_by_key(above) if units_row is None else units_row
     _check_rows_below_header(table, above, header_row)
     header, units, headings = _headings(table, above, header_row, units_row)
     firsts = tuple(_firsts(table))
@@ -132,7 +134,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     )
 
 
-_LABVIEW, _END_OF_HEADER, _UNITS = "LabVIEW Measurement", "***End_of_Header***", "Y_Unit_Label"
+_LABVIEW, _END_OF_HEADER = "LabVIEW Measurement", "***End_of_Header***"
 
 
 def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
@@ -143,14 +145,6 @@ def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
     return replace(options, header_row=ends[-1] + 1)
 
 
-def _labview_units(above: "list[Sequence[str]]") -> int | None:
-    """The row of units in the header of a LabVIEW measurement file, whose first cell is its key and no unit."""
-    row = next((i for i, cells in enumerate(above) if cells and cells[0] == _UNITS), None)
-    if row is not None:
-        above[row] = ["", *above[row][1:]]
-    return row
-
-
 def _headings(
     table: "_Table", above: Sequence[Sequence[str]], header_row: int | None, units_row: int | None
 ) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
@@ -158,7 +152,8 @@ def _headings(
     width = len(table.numeric)
     if header_row is None:
         names, units = names_and_units((), (), width)
-        return names, units, ("",) * width
+        beside = names_beside(table.rows, table.numeric)
+        return (*beside, names) if beside else (names, units, ("",) * width)
     padded = [*above[header_row], *[""] * width][:width]
     names, units = names_and_units(padded, () if units_row is None else above[units_row], width)
     as_written = table.rows[header_row][:width]

@@ -148,3 +148,30 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
         names.append(match["name"] if match and not unit else heading or f"column {j + 1}")
         units.append(unit or (match["unit"].strip() if match else ""))
     return tuple(names), tuple(units)
+
+
+_LABVIEW_UNITS, _VERTICAL, _HORIZONTAL = "Y_Unit_Label", "Vertical Units", "Horizontal Units"
+
+
+def units_by_key(above: list[Row]) -> int | None:
+    """The row of units that begins with an instrument's key, whose first cell is then the unit of the time, if any.
+
+    LabVIEW writes ``Y_Unit_Label`` before them, a Tektronix oscilloscope ``Vertical Units``.
+    """
+    keys = {cells[0]: i for i, cells in reversed([*enumerate(above)]) if cells}
+    row = keys.get(_LABVIEW_UNITS, keys.get(_VERTICAL))
+    if row is not None:
+        time = above[keys[_HORIZONTAL]] if _HORIZONTAL in keys else ()
+        above[row] = [time[1] if len(time) > 1 else "", *above[row][1:]]
+    return row
+
+
+def names_beside(rows: Sequence[Row], numeric: Sequence[bool]) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
+    """Names and units of an old Tektronix file, which has keys and values in its first columns beside the data."""
+    columns = [j for j, is_numeric in enumerate(numeric) if is_numeric]
+    keys = {row[0]: row[1] for row in rows if len(row) > 1 and row[0]}
+    if len(columns) != 2 or columns[0] < 2 or not {"Source", "Record Length"} <= keys.keys():
+        return None
+    beside = dict(zip(columns, (("TIME", _HORIZONTAL), (keys["Source"], _VERTICAL)), strict=True))
+    names = tuple(beside[j][0] if j in beside else f"column {j + 1}" for j in range(len(numeric)))
+    return names, tuple(keys.get(beside[j][1], "") if j in beside else "" for j in range(len(numeric)))

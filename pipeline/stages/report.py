@@ -102,6 +102,7 @@ def _inputs(
         layout.SCORES,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
         *((layout.KNOWN_CURVES,) if prototype.plant.curves is not None else ()),
+        *((layout.SIBLINGS,) if prototype.plant.siblings is not None else ()),
         *(layout.baseline(model) for model in models if model in prototype.baselines),
         *(layout.study(name) for name in studies),
         *(layout.control(title) for title in control),

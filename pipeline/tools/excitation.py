@@ -9,15 +9,19 @@ import numpy as np
 
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
+from pipeline.export.subject import Subject
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import joint_parameters
+from pipeline.loading.run_models import subject
 from pipeline.models.analytical.reduced_order import reduce_joint, simulate_reduced
 from pipeline.models.analytical.statics import equilibria
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.outputs import check_places, new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import FIELD_LIMIT
+from pipeline.settings import FIELD_LIMIT, Prototype
 from pipeline.tools.excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
+from pipeline.tools.next_log import NextLog, design_next_log
 
 _COMMAND = "rig excite"
 RATES = (100.0, 100e3)  # Hz, of the sequence that is written
@@ -54,6 +58,8 @@ class ExcitationSource:
         Joints made after the drawing, with tolerances; a run is one joint.
     seed : int
         Draws the tolerances and the candidates.
+    programme : str or None
+        The programme of which the free run of the run's `hybrid` is to become surer; None: that of validation logs.
     """
 
     parameters: str = "nominal"
@@ -61,6 +67,7 @@ class ExcitationSource:
     model: str | None = None
     joints: int = 4
     seed: int = 1
+    programme: str | None = None
 
 
 def excite(
@@ -72,13 +79,13 @@ def excite(
     *,
     report: Callable[[float], None] | None = None,
     force: bool = False,
-) -> tuple[Design, tuple[Path, ...]]:
+) -> tuple[Design | NextLog, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
 
     Returns
     -------
-    Design
-        The sequence with its assessment.
+    Design or NextLog
+        The sequence with its assessment; the latter for the model `hybrid` of a run.
     tuple of Path
         The files written.
 
@@ -97,8 +104,7 @@ def excite(
     parameters = joint_parameters(source.parameters)
     thickness, field = film(source, parameters)
     wanted = replace(wanted, voltage=limits.largest(thickness, field))
-    rng = np.random.default_rng(source.seed)
-    design = design_excitation(_simulators(source, parameters, rng), rng, wanted, report=report)
+    design = _designed(source, parameters, wanted, report)
     t = np.arange(round(wanted.duration * rate)) / rate
     about = description(design) | {
         "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model or 'headline'})",
@@ -111,6 +117,23 @@ def excite(
     return design, tuple(rebased(file, staged, output.parent) for file in files)
 
 
+def _designed(
+    source: ExcitationSource, parameters: JointParameters, wanted: Requirements, report: Callable[[float], None] | None
+) -> Design | NextLog:
+    """A log after those of the run's `hybrid`, or a first log for another model or a drawing."""
+    rng = np.random.default_rng(source.seed)
+    if source.run is not None:
+        prototype, joint = _of_run(source.run, source.model)
+        if isinstance(joint.model, HybridModel):
+            programme = source.programme or "validation"
+            interval = prototype.ingest.sample_interval
+            return design_next_log(joint.model, joint.start[0], interval, programme, rng, wanted, report=report)
+    if source.programme is not None:
+        raise InputError("--programme: only the model hybrid of a run foresees what a log brings; name it with --run")
+    simulators = drawn_simulators(parameters, rng, source.joints) if source.run is None else [_moving(joint)]
+    return design_excitation(simulators, rng, wanted, report=report)
+
+
 def film(source: ExcitationSource, parameters: JointParameters) -> tuple[float, float]:
     """Thickness of the undeformed film [m] and its largest field [V/m]: of the run's settings, or of the drawing."""
     if source.run is not None:
@@ -119,18 +142,23 @@ def film(source: ExcitationSource, parameters: JointParameters) -> tuple[float, 
     return min(parameters.left.d0, parameters.right.d0), 1e6 * FIELD_LIMIT
 
 
-def description(design: Design) -> dict[str, Any]:
+def description(design: Design | NextLog) -> dict[str, Any]:
     """The design as plain numbers in SI units: for `--json` and beside the sequence."""
-    return {
+    about = {
         "format": "debist-excitation/1",
         "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, command to the right converter"},
         "duration_s": design.wanted.duration,
         "largest_voltage_v": design.wanted.voltage,
+        "bursts": [vars(burst) for burst in design.bursts],
+    }
+    if isinstance(design, NextLog):
+        expected = {"now": design.now, "with_the_designed_log": design.designed, "with_a_usual_log": design.usual}
+        return about | {"programme": design.programme, "free_run_standard_deviation_m": expected}
+    return about | {
         "relative_d_efficiency": design.efficiency,
         "centres_m": design.weights.centres,
         "designed": _figures(design.designed),
         "alternating_pulses": _figures(design.plain),
-        "bursts": [vars(burst) for burst in design.bursts],
     }
 
 
@@ -147,24 +175,18 @@ def _figures(assessment: Assessment) -> dict[str, Any]:
     }
 
 
-def _simulators(source: ExcitationSource, parameters: JointParameters, rng: np.random.Generator) -> list[Simulator]:
-    if source.run is not None:
-        return [_of_run(source.run, source.model)]
-    return drawn_simulators(parameters, rng, source.joints)
-
-
-def _of_run(root: Path, name: str | None) -> Simulator:
-    """The motion of a run's model from where one of its logs starts, at rest."""
-    from pipeline.loading.run_models import subject
-
+def _of_run(root: Path, name: str | None) -> tuple[Prototype, Subject]:
+    """The settings of a run, and its model from where one of its logs starts, at rest."""
     run = RunFolder.open(root)
     prototype = run.prototype
     if not prototype.may_be_a_joint:
         raise InputError(
             f"{root}: an excitation is designed for a joint with two squared inputs; this device has others"
         )
-    joint = subject(run, prototype, name)
+    return prototype, subject(run, prototype, name)
 
+
+def _moving(joint: Subject) -> Simulator:
     def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
         motion = joint.model.simulate(t, v, joint.start[0], 0.0)

@@ -10,6 +10,7 @@ doi:10.1016/0025-5564(85)90068-9).
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -165,23 +166,7 @@ def design_excitation(
     """
     plain = alternating_pulses(duration=wanted.duration, rest=wanted.rest, voltage=wanted.voltage)
     weights, wells = _weights(simulators[0], plain, wanted), probed_wells(simulators[0], wanted.voltage)
-    none = np.empty(0)
-    bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, none, none)]
-    end, side = wanted.rest + 1.2 + 0.5, 1
-    while wanted.duration - _FADE_OUT - end > _SHORTEST:
-        before = _criterion(simulators, weights, bursts, end)
-        best, best_rate = None, -np.inf
-        for _ in range(wanted.candidates):
-            burst, stop = _candidate(rng, wanted, end, side)
-            rate = (_criterion(simulators, weights, [*bursts, burst], stop) - before) / (stop - end)
-            if rate > best_rate:
-                best, best_rate = (burst, stop), rate
-        if best is None:
-            raise InputError("no candidate could be simulated; take another model or a lower voltage")
-        bursts.append(best[0])
-        end, side = best[1], 1 - side
-        if report is not None:
-            report(end / wanted.duration)
+    bursts = greedy_bursts(partial(_criterion, simulators, weights), rng, wanted, report=report)
     return Design(
         wanted,
         bursts,
@@ -190,6 +175,41 @@ def design_excitation(
         assess(simulators, weights, wells, bursts, wanted.duration),
         assess(simulators, weights, wells, plain, wanted.duration),
     )
+
+
+def greedy_bursts(
+    criterion: Callable[[list[Burst], float], float],
+    rng: np.random.Generator,
+    wanted: Requirements,
+    *,
+    report: Callable[[float], None] | None = None,
+) -> list[Burst]:
+    """Bursts that are chosen one after the other, each the candidate that adds most per second to the criterion.
+
+    `criterion` takes bursts and where they end [s]; −∞ refuses them.
+
+    Raises
+    ------
+    InputError
+        No candidate is accepted.
+    """
+    bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, np.empty(0), np.empty(0))]
+    end, side = wanted.rest + 1.2 + 0.5, 1
+    before = criterion(bursts, end)
+    while wanted.duration - _FADE_OUT - end > _SHORTEST:
+        best, best_rate, reached = None, -np.inf, before
+        for _ in range(wanted.candidates):
+            burst, stop = _candidate(rng, wanted, end, side)
+            value = criterion([*bursts, burst], stop)
+            if (value - before) / (stop - end) > best_rate:
+                best, best_rate, reached = (burst, stop), (value - before) / (stop - end), value
+        if best is None:
+            raise InputError("no candidate could be simulated; take another model or a lower voltage")
+        bursts.append(best[0])
+        end, side, before = best[1], 1 - side, reached
+        if report is not None:
+            report(end / wanted.duration)
+    return bursts
 
 
 def assess(
@@ -220,12 +240,17 @@ def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, sid
 def _play(simulate: Simulator, bursts: list[Burst], duration: float) -> tuple[FloatArray, FloatArray, FloatArray]:
     """q, q̇ and the voltages behind the converters; cut where the simulation diverged."""
     t: FloatArray = INTERVAL * np.arange(round(duration / INTERVAL), dtype=np.float64)
-    u = command(bursts, t)
-    v: FloatArray = np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), INTERVAL) for side in (0, 1)], axis=1)
+    v = behind_converters(command(bursts, t), INTERVAL)
     q, qdot = simulate(t, v)
     valid = np.isfinite(q) & np.isfinite(qdot)
     count = t.size if valid.all() else int(np.argmin(valid))
     return q[:count], qdot[:count], v[:count]
+
+
+def behind_converters(u: FloatArray, dt: float) -> FloatArray:
+    """Voltages (N, 2) [V] of usual converters under commands every `dt` [s]."""
+    v: FloatArray = np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1)
+    return v
 
 
 def _criterion(simulators: Sequence[Simulator], weights: Weights, bursts: list[Burst], duration: float) -> float:

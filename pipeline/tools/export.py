@@ -28,7 +28,7 @@ _TAKES_NONE = {
     "crate": "it is the whole run",
     "controller": "it is what `debist control design` made, on the joint's equations",
 }
-_WRITERS = {"c": "c99", "fmu": "fmu", "json": "json_document", "matlab": "matlab"}
+WRITERS = {"c": "c99", "fmu": "fmu", "json": "json_document", "matlab": "matlab"}
 """Module of `pipeline.export` with the writer of a model, ``write_TARGET``."""
 _MOST_NAMED = 3
 
@@ -108,7 +108,7 @@ def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | No
         return export_crate(run, prototype, folder)
     if target == "controller":
         return _controller(run, prototype, folder)
-    write = getattr(import_module(f"pipeline.export.{_WRITERS[target]}"), f"write_{target}")
+    write = getattr(import_module(f"pipeline.export.{WRITERS[target]}"), f"write_{target}")
     made: Exported = write(subject(run, prototype, model), folder)
     failed = failed_validations(run, model_artifact(run, prototype, model)[0])
     return replace(made, notes=[*made.notes, *(f"{problem}: do not trust its free runs" for problem in failed)])

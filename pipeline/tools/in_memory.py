@@ -254,8 +254,36 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
     InputError
         A column is no column of finite numbers, or they differ in length.
     """
-    columns = {}
-    for name, values in {"t": t, "q": q, "v1": v1, "v2": v2}.items():
+    columns = _columns({"t": t, "q": q, "v1": v1, "v2": v2})
+    return Signals(columns.pop("t"), columns.pop("q"), np.column_stack(list(columns.values())))
+
+
+def voltages_of(t: Any, v: Any) -> tuple[FloatArray, FloatArray]:
+    """Times (N,) and voltages (N, K) of arrays, v of shape (N, K) or (N,), or of one DataFrame.
+
+    Raises
+    ------
+    InputError
+        A column is missing or no column of finite numbers, or they differ in length.
+    """
+    if hasattr(t, "columns"):
+        if v is not None or "t_s" not in t or "v1_V" not in t:
+            raise InputError("give one DataFrame with t_s, v1_V and, with two inputs, v2_V, or t and v")
+        t, v = t["t_s"], t[[name for name in ("v1_V", "v2_V") if name in t]].to_numpy()
+    if v is None:
+        raise InputError("v is missing; give t and v, or one DataFrame")
+    table = real_numbers(v, "v")
+    table = table[:, None] if table.ndim == 1 else table
+    if table.ndim != 2:
+        raise InputError(f"v has the shape {table.shape}; give one column for each voltage, shape (N, K)")
+    columns = _columns({"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}})
+    return columns.pop("t"), np.column_stack(list(columns.values()))
+
+
+def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
+    """Columns of finite numbers, all as long as t; those that are None are left out."""
+    columns: dict[str, FloatArray] = {}
+    for name, values in given.items():
         if values is None:
             continue
         columns[name] = real_numbers(values, name)
@@ -265,8 +293,7 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
             raise InputError(f"{name} has {len(columns[name])} samples, but t has {len(columns['t'])}")
         if len(bad := np.flatnonzero(~np.isfinite(columns[name]))):
             raise InputError(f"{name} is not finite at sample {bad[0]}; leave out such rows: a gap in t is no harm")
-    inputs = [columns[name] for name in ("v1", "v2") if name in columns]
-    return Signals(columns["t"], columns["q"], np.column_stack(inputs))
+    return columns
 
 
 def si_symbols(prototype: Prototype) -> tuple[str, str]:

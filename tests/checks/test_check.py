@@ -44,6 +44,11 @@ def _later(log: LogSignals, samples: int) -> LogSignals:
     return replace(log, t=log.t[samples:], q=log.q[:-samples], v=np.ascontiguousarray(log.v[samples:]))
 
 
+def _earlier(log: LogSignals, samples: int) -> LogSignals:
+    """The recorder of q was started so much earlier than that of the voltages."""
+    return replace(log, t=log.t[samples:], q=log.q[samples:], v=np.ascontiguousarray(log.v[:-samples]))
+
+
 def _beginning(log: LogSignals, seconds: float = 8.0) -> LogSignals:
     """Its first seconds, too short to be sure that it is another device."""
     few = slice(0, round(seconds / log.interval))
@@ -62,6 +67,19 @@ def test_a_field_above_the_limit_is_noted_of_a_joint_alone(pair: list[LogSignals
     assert "film_thickness" in row.advice
     assert [r.state for r in check_logs([strong], replace(JOINT, film_thickness=80e-6)) if r.what == row.what] == ["ok"]
     assert "largest field" not in {r.what for r in check_logs([strong], replace(JOINT, squared=False))}
+
+
+@pytest.mark.parametrize("samples", [-18, 13])
+def test_a_log_of_another_clock_is_told_beside_the_first(pair: list[LogSignals], samples: int) -> None:
+    """Though alone its delay is no remark: sensors and drives of honest logs are as late, or early."""
+    first = _later(pair[0], 8)
+    moved = _later(pair[1], 8 + samples) if samples > 0 else _earlier(pair[1], -8 - samples)
+    rows = check_logs([first, moved], JOINT)
+    (row,) = (row for row in rows if row.what == "answer of q")
+    assert (row.log, row.state, row.gate) == (moved.name, "note", None)
+    assert row.values["later_s"] == pytest.approx(1e-3 * samples, abs=1.5e-3)
+    assert ("later" if samples > 0 else "earlier") in row.advice
+    assert not [row for row in check_logs([first, _later(pair[1], 14)], JOINT) if row.what == "answer of q"]
 
 
 @pytest.mark.parametrize("rest", [0.0, 5e-6 * (1.0 + 1e-15)])

@@ -34,7 +34,7 @@ LAYOUTS = {
     ),
     "tektronix, old": (
         "".join(f"{OLD_TEKTRONIX[i] if i < 5 else ',,'},{TIME[i]:.3f},{Q[i]:.4f},\n" for i in range(N)),
-        {"column 4": TIME, "column 5": Q},
+        {"TIME": TIME, "CH1": Q},
     ),
     "tektronix, new": (
         "Model,MDO3014\n\nSample Interval,2e-03,,\nVertical Units,V,V\n,,\nLabel,,\nTIME,CH1,CH2\n" + _plain(),
@@ -115,6 +115,18 @@ def test_names_and_samples_are_those_that_were_written(tmp_path, name):
     assert {"Start", "Increment", "Comment"}.isdisjoint(found)
     for channel, samples in expected.items():
         np.testing.assert_allclose(found[channel], samples, atol=1e-9)
+
+
+def test_tektronix_files_state_their_units_old_ones_keep_their_former_names(tmp_path):
+    old, new = ((tmp_path / name, LAYOUTS[f"tektronix, {name}"][0]) for name in ("old", "new"))
+    new = new[0], new[1].replace("Vertical Units,V,V", "Horizontal Units,s,s\nVertical Units,V,A")
+    for path, text in (old, new):
+        path.with_suffix(".csv").write_text(text)
+    units = {entry.name: entry.unit for entry in open_here(new[0].with_suffix(".csv")).entries()}
+    assert units == {"TIME": "s", "CH1": "V", "CH2": "A"}
+    source = open_here(old[0].with_suffix(".csv"))
+    assert {entry.name: entry.unit for entry in source.entries()} == {"TIME": "", "CH1": "V"}
+    assert {entry.name: entry.aliases for entry in source.entries()} == {"TIME": ("column 4",), "CH1": ("column 5",)}
 
 
 @pytest.mark.parametrize("delimiter", [";", "\t"])

@@ -71,6 +71,8 @@ def test_the_numbers_of_an_instrument_are_read(tmp_path: Path, name: str) -> Non
         np.testing.assert_allclose(channel.samples, expected, atol=1e-9)
     if name == "log.lvm":
         assert [channel.unit for channel in read.channels] == ["", "mm", "kV"]
+    if name == "tektronix.csv":
+        assert [channel.unit for channel in read.channels] == ["s", "V", "V"]
 
 
 def test_a_labview_file_without_time_states_its_rate(tmp_path: Path) -> None:

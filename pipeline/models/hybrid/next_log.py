@@ -1,0 +1,89 @@
+"""What one more log would show of an identified joint, and how sure free runs would then be, to first order.
+
+The posterior of θ has the covariance S Sᵀ. A log whose free run has the derivatives J by θ shows H = JᵀJ / (s² τ), with
+the RMS s of the fit's residual and its autocorrelation time τ. A programme with the derivatives G then has the variance
+diag(G S (1 + Sᵀ H S)⁻¹ Sᵀ Gᵀ), which needs no measurement (I-optimal design; Fedorov 1972).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.problem import LOST_ERROR_SHARE, CondensedProblem
+from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.trajectory import Record
+
+EVERY = 2
+"""Samples of which one counts for those beside it: motions hardly change within 20 ms."""
+
+
+def slopes(model: HybridModel, t: FloatArray, v: FloatArray, start: float) -> FloatArray | None:
+    """Derivatives [mm] of the free run by θ, shape (N, P), from rest at `start` [m]; None where the run diverges.
+
+    Its first second is left out where the joint does not begin at rest.
+
+    `t` (N,) [s] is uniform, `v` (N, 2) are the voltages [V]. Cost: as a Jacobian of the fit, 1 to 2 ms a second.
+    """
+    run = model.simulate(t, v, start, 0.0)
+    if run.status != "ok":
+        return None
+    record = Record(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
+    return CondensedProblem(model.joint, [record]).jacobian(model.theta, 0.0)[1]
+
+
+@dataclass(frozen=True)
+class Uncertainty:
+    """What the logs of a joint leave open of its free run in a programme.
+
+    Attributes
+    ----------
+    model : HybridModel
+        Identified.
+    interval : float
+        Sample interval [s] of the logs that it was identified from.
+    programme : FloatArray, shape (T, R)
+        Derivatives [mm] of the free run by the coordinates of the posterior: θ is the fit plus `spread` times these.
+    stroke : float
+        Range of that run [mm]: a run that ends in the other well errs by no more.
+    """
+
+    model: HybridModel
+    interval: float
+    programme: FloatArray
+    stroke: float
+
+    @property
+    def noise(self) -> float:
+        """s² τ of a second of a log [mm² s]."""
+        diagnostics = self.model.diagnostics
+        tau = float(diagnostics["integrated_correlation_time"])
+        return (1e3 * float(diagnostics["training_rms_m"])) ** 2 * tau * self.interval
+
+    def shown(self, by_theta: FloatArray, dt: float) -> FloatArray:
+        """Information of a log of which the derivatives are `by_theta` (N, P) [mm] every `dt` [s], shape (R, R).
+
+        Rows count that the model foresees to a tenth of its stroke: where a run may be lost, a fit is held to the log.
+        """
+        rows = by_theta[::EVERY] @ self.model.spread
+        rows = rows[np.sum(rows**2, axis=1) < (LOST_ERROR_SHARE * self.stroke) ** 2]
+        information: FloatArray = rows.T @ rows * (EVERY * dt / self.noise)
+        return information
+
+    def error(self, shown: FloatArray | float = 0.0) -> float:
+        """Standard deviation [m] of the free run, RMS over the programme, after logs with more information.
+
+        A variance v counts as v / (1 + v / r²) for the stroke r.
+        """
+        root = np.linalg.inv(np.linalg.cholesky(np.eye(self.programme.shape[1]) + shown))
+        variance = np.sum((self.programme @ root.T) ** 2, axis=1)
+        return 1e-3 * float(np.sqrt(np.mean(variance / (1.0 + variance / self.stroke**2))))
+
+
+def uncertainty(model: HybridModel, t: FloatArray, v: FloatArray, start: float, interval: float) -> Uncertainty | None:
+    """What is open of the free run under `v` from rest at `start`; None where it diverges."""
+    by_theta = slopes(model, t, v, start)
+    if by_theta is None:
+        return None
+    q = 1e3 * model.simulate(t, v, start, 0.0).q
+    return Uncertainty(model, interval, by_theta[::EVERY] @ model.spread, float(np.ptp(q)))

@@ -1,0 +1,134 @@
+"""A model outside a run: saved with its settings and what travels along, loaded again, and exported."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from typing import Annotated, Any, ClassVar
+
+import numpy as np
+
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.export.subject import Exported, Subject, Validity
+from pipeline.loading.device import device
+from pipeline.loading.free_runs import start_of
+from pipeline.loading.parts import longest_rows, part
+from pipeline.loading.run_models import validity_of
+from pipeline.models.kind import StoredModel, model_from_tree
+from pipeline.models.model_file import ModelFile, Sizes, Span, Table
+from pipeline.numerics.arrays import FloatArray
+from pipeline.runs import tables
+from pipeline.runs.hashing import tree_hash
+from pipeline.runs.outputs import new_outputs, rebased
+from pipeline.runs.trees import read_tree, write_tree
+from pipeline.settings import Prototype, parse_prototype
+from pipeline.signals.inputs import voltages
+from pipeline.tools.export import WRITERS
+
+_CHECK = "check"
+"""Group of the file with what travels along beside the model."""
+_COLUMNS = {
+    "name": ("text", "name of the model, and of its group"),
+    "settings_json": ("text", "settings, as JSON"),
+    "t": ("s", "times of the log that an export is checked on"),
+    "v": ("SI", "its inputs"),
+    "start": ("SI", "displacement and velocity at its beginning"),
+    "q": ("SI", "least and largest displacement of the training logs"),
+    "qdot": ("SI", "least and largest velocity"),
+    "inputs": ("SI", "least and largest value of each input"),
+}
+
+
+class _File(ModelFile):
+    sizes: ClassVar[Sizes] = {"N": (2, 10_000_000), "K": (1, 2)}
+    name: str
+    settings_json: str
+    t: Annotated[FloatArray, Table("N")]
+    v: Annotated[FloatArray, Table("N K")]
+    start: Annotated[FloatArray, Table("2")]
+    q: Span
+    qdot: Span
+    inputs: Annotated[FloatArray, Table("K 2")]
+
+
+def subject_of(model: StoredModel, prototype: Prototype, logs: Sequence[tables.Table]) -> Subject:
+    """A model that was identified from kinematics, with its bounds; an export is checked on the first log."""
+    check = part(logs[0], longest_rows(logs[0]))
+    start = start_of(check, model)
+    return Subject(
+        prototype.name, model.name, model, validity_of(logs, prototype), tree_hash(model.to_tree()), start.t,
+        voltages(check), (start.q0, start.qdot0), device(prototype).curve_units,
+    )  # fmt: skip
+
+
+def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
+    """Write a model with its settings as HDF5; a file of that name is replaced.
+
+    Raises
+    ------
+    InputError
+        The model cannot be filed, or the file cannot be written.
+    """
+    if not hasattr(subject.model, "to_tree"):
+        raise InputError(f"the model {subject.name} cannot be saved; identify another one")
+    bounds, plant = subject.validity, device(prototype)
+    beside = {
+        "name": subject.name, "settings_json": json.dumps(prototype.model_dump(mode="json"), sort_keys=True),
+        "t": subject.t, "v": subject.v, "start": np.array(subject.start), "q": np.array(bounds.q),
+        "qdot": np.array(bounds.qdot), "inputs": np.array(bounds.v),
+    }  # fmt: skip
+
+    def column(place: str) -> tuple[str, str]:
+        """Unit and meaning of an entry."""
+        group, _, name = place.partition("/")
+        return _COLUMNS[name] if group == _CHECK else plant.model_column(place)
+
+    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, column)
+
+
+def load_saved(path: Path) -> tuple[Subject, Prototype]:
+    """A model that `save_model` wrote, with its settings.
+
+    Raises
+    ------
+    CorruptArtifactError
+        The file is damaged, or no saved model.
+    """
+    tree = read_tree(path)
+    if not isinstance(tree.get(_CHECK), dict):
+        raise CorruptArtifactError(f"{path}: is no saved model; `Model.save` writes one")
+    held = _File.read(tree[_CHECK], "in the file", "identify")
+    if not isinstance(own := tree.get(held.name), dict):
+        raise CorruptArtifactError(f"{path}: holds no model {held.name!r}, which it names; save it again")
+    try:
+        document: Any = json.loads(held.settings_json)
+        prototype = parse_prototype(document, str(path))
+    except (ValueError, InputError) as error:
+        raise CorruptArtifactError(f"{path}: its settings cannot be read ({error}); save the model again") from error
+    model, plant = model_from_tree(held.name, own), device(prototype)
+    bounds = Validity(
+        tuple(held.q), tuple(held.qdot), tuple(tuple(row) for row in held.inputs), prototype.ingest.sample_interval,
+        plant.displacement.symbol, tuple(unit.symbol for unit in plant.inputs),
+    )  # fmt: skip
+    begun = float(held.start[0]), float(held.start[1])
+    subject = Subject(
+        prototype.name, held.name, model, bounds, tree_hash(own), held.t, held.v, begun, plant.curve_units
+    )
+    return subject, prototype
+
+
+def export_model(subject: Subject, target: str, folder: Path, *, force: bool = False) -> Exported:
+    """Write a model for another tool.
+
+    Raises
+    ------
+    InputError
+        No such form of a model, a form that cannot carry it, or a file of others lies where it goes.
+    """
+    if target not in WRITERS:
+        raise InputError(f"no export {target!r} of a model alone; there are {', '.join(WRITERS)}")
+    write = getattr(import_module(f"pipeline.export.{WRITERS[target]}"), f"write_{target}")
+    with new_outputs(folder, "export", force=force, made_from={"model": subject.origin}) as staged:
+        made: Exported = write(subject, staged)
+    return replace(made, written=[rebased(path, staged, folder) for path in made.written])

@@ -1,0 +1,82 @@
+"""Series: one device over time, from runs of its logs: how its facts drift, each with what the runs leave open."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline.device_facts.series import Series, common_stroke, facts_of, facts_over_time
+from pipeline.errors import InputError
+from pipeline.loading.device import device
+from pipeline.loading.documents import read_document
+from pipeline.loading.run_models import load_run_model
+from pipeline.models.base import DynamicModel
+from pipeline.numerics.arrays import FloatArray
+from pipeline.runs import layout
+from pipeline.runs.run_folder import RunFolder, in_snapshot
+
+
+def series_of(roots: Sequence[Path], at: str | None) -> Series:
+    """How the facts of one device change from run to run.
+
+    Parameters
+    ----------
+    roots : sequence of Path
+        Runs with a datasheet.
+    at : str or None
+        A date (``2026-03-01``) or a number of days for each run, comma-separated; None: runs are in order.
+
+    Raises
+    ------
+    InputError
+        Fewer than two runs, other than one time for each, two equal times, a run without a datasheet, or facts from
+        different models.
+    """
+    if len(roots) < 2:
+        raise InputError("a series has at least two runs; name more run folders")
+    times = np.arange(1.0, len(roots) + 1.0) if at is None else _times(at, len(roots))
+    order = np.argsort(times, kind="stable")
+    runs = [in_snapshot(roots[i], _read) for i in order]
+    sources = {run.sheet["facts_from"]: roots[i] for run, i in zip(runs, order, strict=True)}
+    if len(sources) > 1:
+        several = ", ".join(f"{source} ({root})" for source, root in sources.items())
+        raise InputError(f"facts come from different models: {several}; name one in [identify] models, and run again")
+    ascending, between = times[order].tolist(), common_stroke([run.sheet for run in runs])
+    facts = facts_over_time(ascending, [list(facts_of(r.sheet, r.model, between, r.gain_unit)) for r in runs])
+    return Series(tuple(roots[i].name for i in order), tuple(ascending), "run" if at is None else "day", facts)
+
+
+@dataclass(frozen=True)
+class _Run:
+    """Datasheet of a run, the model of its facts, and the unit of the slopes of its capacitances."""
+
+    sheet: dict[str, Any]
+    model: DynamicModel
+    gain_unit: str
+
+
+def _times(text: str, count: int) -> FloatArray:
+    entries = [entry.strip() for entry in text.split(",")]
+    try:
+        times = np.array([float(entry) for entry in entries])
+    except ValueError:
+        try:
+            days = [date.fromisoformat(entry).toordinal() for entry in entries]
+        except ValueError:
+            raise InputError(f"--at {text}: give dates as 2026-03-01, or numbers of days, comma-separated") from None
+        times = np.array(days, dtype=np.float64) - min(days)
+    if len(times) != count or len(set(times.tolist())) < count or not np.isfinite(times).all():
+        raise InputError(f"--at {text}: {count} runs need {count} different times")
+    return times
+
+
+def _read(run: RunFolder) -> _Run:
+    if layout.DATASHEET not in run.manifest.artifacts:
+        raise InputError(f"{run.root}: has no datasheet; `debist report {run.root}` makes one")
+    sheet, prototype = read_document(run, layout.DATASHEET), run.prototype
+    if sheet["facts_from"] is None:
+        raise InputError(f"{run.root}: no model has curves, so there are no facts to follow; identify hybrid or rbf")
+    return _Run(sheet, load_run_model(run, prototype, sheet["facts_from"]), device(prototype).curve_units["dC"])
