@@ -61,6 +61,12 @@ class KnownCurves:
         measured = self.q[np.any(np.isfinite(curves), axis=0)]
         return float(measured.min()), float(measured.max())
 
+    @property
+    def signs(self) -> dict[int, int]:
+        """Sign of each measured gain by the number of its input; 0 where it changes along q."""
+        signs = {k: np.unique(np.sign(gain[gain != 0.0])) for k, gain in enumerate(self.gains) if gain is not None}
+        return {k: int(sign[0]) if np.count_nonzero(np.isfinite(sign)) == 1 else 0 for k, sign in signs.items()}
+
     def check(self, low: float, high: float) -> None:
         """Refuse curves that have next to nothing to do with data from `low` to `high`.
 

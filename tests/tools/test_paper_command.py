@@ -107,7 +107,7 @@ mass = {{ value = 0.0405, unit = "kg" }}
         assert (made.root / "paper" / f"{name}.pdf").read_bytes().startswith(b"%PDF")
     page = made.page.read_text(encoding="utf-8")
     assert all(title in page for title in FIGURES.values())
-    row = next(row for row in made.table if row["role"] == "train" and row["model"] == "rbf-paper")
+    row = next(row for row in made.table if row["role"] == "train" and row["model"] == "rbf-paper by § 5.1")
     assert row["printed_q"] == 0.021
     assert np.isclose(row["q"], 0.021, atol=0.001)
     again = run_paper(tmp_path / "P2.toml", tmp_path / "paper", Progress(quiet=True))

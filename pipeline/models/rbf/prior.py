@@ -15,7 +15,6 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-from scipy.optimize import lsq_linear
 
 from pipeline.fitting.descent import Prior
 from pipeline.models.kind import KnownCurves
@@ -239,18 +238,20 @@ def population() -> Population:
 KEPT = 5e-3
 """Standard deviation of a measured point, as a share of its curve's largest value."""
 
-SLIGHT_CUBIC = 0.02  # of the stiffness scale: the confining cubic that stays whatever was measured
-PINNED = 1e-3  # standard deviation of the logarithm of that cubic
-RIDGE = 1e-4
+PIN_STEPS = 20
+"""Gauss-Newton steps to the start of known curves; a dozen suffice."""
 
 
 def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: KnownCurves) -> tuple[FloatArray, Prior]:
     """Start vector and prior that keep the known curves.
 
+    Weights are carried as logarithms where they have one sign, so the rows are those of the curves' first order at the
+    start, which follows the measured points as the prior allows.
+
     Parameters
     ----------
     p : ParameterLayout
-        Gains of inputs whose curve is known are free of a sign.
+        Gains of known curves have their signs.
     start : FloatArray, shape (P,)
         Where the estimation would start without them.
     prior : Prior
@@ -258,54 +259,30 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: Kn
     measured : KnownCurves
         Per unit mass.
     """
-    start, s, rows, right = start.copy(), p.scales, [prior.matrix], [prior.right]
-    c, at = p.coefficients(start), p.slices
-    if measured.force is not None:
-        basis, y = _points(p, c, measured.q, -measured.force / s.half)
-        high = np.full(basis.shape[1], np.inf)
-        high[joint.POLYNOMIALS - 1] = -SLIGHT_CUBIC * s.stiffness
-        weights = _fitted(basis, y, high)
-        cubic = at["force"].start + joint.POLYNOMIALS - 1
-        start[at["force"]] = weights
-        start[cubic] = np.log(-weights[joint.POLYNOMIALS - 1])
-        others = [i for i in range(basis.shape[1]) if i != joint.POLYNOMIALS - 1]
-        linear = y - basis[:, joint.POLYNOMIALS - 1] * weights[joint.POLYNOMIALS - 1]
-        _add(
-            rows, right, p.count, at["force"].start + np.array(others), basis[:, others], linear, KEPT * np.abs(y).max()
-        )
-        _add(rows, right, p.count, np.array([cubic]), np.ones((1, 1)), start[[cubic]], PINNED)
-    for k, gain in enumerate(measured.gains):
-        if gain is not None:
-            per_unit = gain / s.half * (s.volts**2 if p.law == "squared" else s.volts)
-            basis, y = _points(p, c, measured.q, per_unit)
-            bells, where = basis[:, joint.POLYNOMIALS :], at[f"input{k}"]
-            start[where] = _fitted(bells, y, np.full(bells.shape[1], np.inf))
-            _add(rows, right, p.count, np.arange(where.start, where.stop), bells, y, KEPT * np.abs(y).max())
-    return start, Prior(np.vstack(rows), np.concatenate(right))
+    start, (_, scale) = start.copy(), p.dimensionless
+    for _ in range(PIN_STEPS):
+        pinned = _pinned(p, start, prior, measured)
+        free = np.any(pinned.matrix[len(prior.right) :] != 0.0, axis=0)
+        unit = scale[free]
+        step = np.linalg.lstsq(pinned.matrix[:, free] * unit, pinned.right - pinned.matrix @ start, rcond=None)[0]
+        start[free] += unit * np.clip(step, -1.0, 1.0)
+    return start, _pinned(p, start, prior, measured)
 
 
-def _points(
-    p: ParameterLayout, c: joint.Coefficients, q: FloatArray, values: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Basis and values at the measured points."""
-    finite = np.isfinite(values)
-    x = (q[finite] - p.scales.middle) / p.scales.half
-    return joint.basis(np.ascontiguousarray(x), c), values[finite]
-
-
-def _fitted(basis: FloatArray, y: FloatArray, high: FloatArray) -> FloatArray:
-    norms = np.linalg.norm(basis, axis=0) + np.finfo(float).tiny
-    matrix = np.vstack((basis / norms, RIDGE * np.eye(basis.shape[1])))
-    right = np.concatenate((y, np.zeros(basis.shape[1])))
-    weights: FloatArray = lsq_linear(matrix, right, (-np.inf, high * norms)).x / norms
-    return weights
-
-
-def _add(
-    rows: list[FloatArray], right: list[FloatArray], count: int, index: Sequence[int] | FloatArray,
-    factors: FloatArray, values: FloatArray, spread: float,
-) -> None:  # fmt: skip
-    block = np.zeros((len(values), count))
-    block[:, np.asarray(index, dtype=np.int64)] = factors / spread
-    rows.append(block)
-    right.append(values / spread)
+def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: KnownCurves) -> Prior:
+    """The prior with a row for each measured point, of first order at θ."""
+    c, wrt, rows, right = p.coefficients(theta), p.sensitivity_parameters(theta), [prior.matrix], [prior.right]
+    volts = p.scales.volts**2 if p.law == "squared" else p.scales.volts
+    curves = {"force": measured.force} | {f"input{k}": gain for k, gain in enumerate(measured.gains)}
+    for name, curve in curves.items():
+        if curve is None:
+            continue
+        finite, where = np.isfinite(curve), p.slices[name]
+        y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
+        basis = joint.basis(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
+        block = np.zeros((len(y), p.count))
+        block[:, where] = basis[:, wrt.second[where]] * wrt.factor[where]
+        spread = KEPT * np.abs(y).max()
+        rows.append(block / spread)
+        right.append((y - basis @ c.curves[p.rows[name]] + block @ theta) / spread)
+    return Prior(np.vstack(rows), np.concatenate(right))

@@ -4,7 +4,7 @@ The start is a bounded linear least squares problem (convex, one minimum): curve
 with a ridge. It knows nothing of hidden states; they start small and typical.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import product
 
 import numpy as np
@@ -79,15 +79,15 @@ def starting_joint(
     law: InputLaw,
     *,
     centred: bool,
-    known_gains: Collection[int] = (),
+    known_signs: Mapping[int, int] | None = None,
     reach: tuple[float, float] = (np.inf, -np.inf),
     timing: Mapping[str, FloatArray] | None = None,
 ) -> tuple[ParameterLayout, FloatArray]:
     """Parameterisation and start vector from the training logs.
 
-    The signs of squared inputs' gains are those of a fit without bounds; a linear input's gain stays free, and so
-    does that of an input (by its number) whose curve is known. `reach` as in `data_scales`. With `timing` the blocks of
-    lag and delay start there, and signs are those that it gives.
+    The signs of squared inputs' gains are the known ones by the number of the input, or those of a fit without bounds;
+    a linear input's gain stays free. `reach` as in `data_scales`. With `timing` the blocks of lag and delay start
+    there, and signs are those that it gives.
     """
     measured, inputs = data_scales(records, centred=centred, reach=reach), records[0].v.shape[1]
     provisional = ParameterLayout(structure, measured, law, (0,) * inputs)
@@ -102,7 +102,8 @@ def starting_joint(
     u = _driven(records, provisional, timed)
     columns = [*motion[:2], *_gains(u, motion[2])]
     signs = tuple(_signs(columns, target, structure)) if law == "squared" else (0,) * inputs
-    signs = tuple(0 if i in known_gains else sign for i, sign in enumerate(signs))
+    if known_signs and law == "squared":
+        signs = tuple(known_signs.get(i, sign) for i, sign in enumerate(signs))
     parameters = ParameterLayout(structure, measured, law, signs)
     fitted = _bounded_fit(columns, target, structure, signs)
     sizes = zip(columns[2:], fitted[2:], strict=True)

@@ -109,13 +109,13 @@ class Setting:
 
     def begin(self, records: Sequence[Record], option: Candidate, like: Fit | None = None) -> Begun:
         """Parameterisation, start and prior of a candidate; lag and delay start as in another fit of it."""
-        gains = {i for i, gain in enumerate(self.measured.gains) if gain is not None} if self.measured else set()
-        structure = replace(option.structure, shape_elements=0) if gains else option.structure
+        structure = option.structure
         if self.measured:
             structure = replace(structure, force="curve", constant_gain=False, bent_input=False, dead_zone=False)
             structure = replace(structure, stops=structure.stops and self.measured.force is None)
         p, start = starting_joint(
-            records, structure, self.inputs, centred=option.centred, known_gains=gains,
+            records, structure, self.inputs, centred=option.centred,
+            known_signs=self.measured.signs if self.measured else None,
             reach=self.measured.reach if self.measured else (np.inf, -np.inf),
             timing={name: like[1][like[0].slices[name]] for name in TIMES} if like else None,
         )  # fmt: skip
