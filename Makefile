@@ -83,7 +83,7 @@ lock: $(VENV)/.dev-ready
 workflow: $(FLEET)/.ready
 
 test-workflow: $(FLEET)/.ready $(VENV)/.dev-ready
-	PATH="$(CURDIR)/$(FLEET)/bin:$$PATH" $(BIN)/python -m pytest tests/workflows
+	PATH="$(CURDIR)/$(FLEET)/bin:$$PATH" $(BIN)/python -m pytest tests/workflows/test_snakemake.py
 
 clean:
 	rm -rf $(VENV) $(FLEET) build dist

@@ -136,9 +136,7 @@ def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
 
 @pytest.mark.parametrize("unit", POWERS)
 def test_powers_of_kg_m_s_and_v_are_those_of_pint(unit: str) -> None:
-    import pint
-
-    registry = pint.UnitRegistry()
+    registry = units._registry()
     spelled = unit.replace("·", "*").replace("²", "**2")
     base = registry.Quantity(1.0, spelled if unit != "1" else "").to_base_units()
     # V = kg m² s⁻³ A⁻¹

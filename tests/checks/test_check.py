@@ -17,6 +17,7 @@ from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
 RATE, DURATION = 1000.0, 37.5
+STIFFER = DoubleWell(stiffness=9.0)
 JOINT = Declared(squared=True, displacement="m", inputs=("V", "V"), mass=0.041, sample_interval=0.01)
 
 
@@ -123,7 +124,7 @@ def test_what_cannot_be_seen_of_an_input_is_said_by_what_the_input_does(pair: li
     assert said["noise"] == ("nothing but noise", "note")
 
 
-@pytest.mark.parametrize("slower", [0.25, 0.5, 2.0, 4.0])
+@pytest.mark.parametrize("slower", [0.25, 4.0])
 def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float) -> None:
     """Built n times as large: n times as slow and as long, n³ times as heavy, the same slope of the capacitance."""
     logs = [replace(log, t=slower * log.t, q=slower * log.q, v=log.v * slower) for log in pair]
@@ -145,9 +146,7 @@ def test_a_mistake_in_both_logs_is_caught(pair: list[LogSignals], spoilt, gate: 
     assert gate in _wrong(check_logs([spoilt(log) for log in pair], JOINT))
 
 
-@pytest.mark.parametrize(
-    ("factor", "state"), [(1.0, "ok"), (2.0, "note"), (0.5, "note"), (10.0, "wrong"), (0.1, "wrong")]
-)
+@pytest.mark.parametrize(("factor", "state"), [(2.0, "note"), (0.5, "note"), (10.0, "wrong"), (0.1, "wrong")])
 def test_a_wrong_scale_of_one_side_shows_between_the_sides(pair: list[LogSignals], factor: float, state: str) -> None:
     rows = check_logs([replace(log, v=log.v * [1.0, factor]) for log in pair], replace(JOINT, mass=None))
     assert {row.state for row in rows if row.what == "coupling of v1 over v2"} == {state}
@@ -209,13 +208,14 @@ def test_logs_of_one_simple_device_at_two_rates_are_of_one_device(pair: list[Log
     assert not _wrong(check_logs([pair[0], coarse], JOINT))
 
 
-@pytest.mark.parametrize("lag", [40, 60, 120])
+@pytest.mark.parametrize("lag", [40, 120])
 def test_the_delay_is_told(pair: list[LogSignals], lag: int) -> None:
     rows = check_logs([_later(pair[0], lag)], JOINT)
     for what in ("delay of q after v1", "delay of q after v2"):
         (told,) = _numbers(rows, what)
         value, error = (float(part) for part in told.removesuffix(" ms").split(" ± "))
         assert abs(value - lag) < 3.0 and error < 3.0
+    assert log_facts(_later(pair[0], lag), 0.01, squared=True, joint=True).lag is None
 
 
 def test_a_delay_that_no_clock_need_make_is_shown_and_does_not_refuse(pair: list[LogSignals]) -> None:
@@ -224,18 +224,15 @@ def test_a_delay_that_no_clock_need_make_is_shown_and_does_not_refuse(pair: list
     assert all('drive = "lag" or "delay"' in row.advice for row in rows)
 
 
-@pytest.mark.parametrize("lag", [0.03, 0.05])
-def test_a_lag_of_the_inputs_is_told_from_a_delay_and_does_not_refuse(pair: list[LogSignals], lag: float) -> None:
+def test_a_lag_of_the_inputs_is_told_from_a_delay_and_does_not_refuse(pair: list[LogSignals]) -> None:
     """Electrodes that charge slowly; the voltages of the log are those in front of them."""
     v = pair[0].v
-    behind = np.column_stack([first_order_lag(np.ascontiguousarray(side), 1.0 / RATE, lag)[0] for side in v.T])
+    behind = np.column_stack([first_order_lag(np.ascontiguousarray(side), 1.0 / RATE, 0.05)[0] for side in v.T])
     slow = replace(pair[0], q=DoubleWell().simulate(behind, 1.0 / RATE))
-    assert log_facts(slow, 0.01, squared=True, joint=True).lag == pytest.approx(lag, rel=0.4)
+    assert log_facts(slow, 0.01, squared=True, joint=True).lag == pytest.approx(0.05, rel=0.4)
     rows = [row for row in check_logs([slow], JOINT) if row.what.startswith("delay")]
     assert {(row.state, row.gate) for row in rows} == {("note", None)}
     assert all("better than any delay" in row.advice for row in rows)
-    for late in (40, 80):
-        assert log_facts(_later(pair[0], late), 0.01, squared=True, joint=True).lag is None
 
 
 @pytest.mark.parametrize(("kept", "found"), [(True, ["wrapped"]), (False, [])])
@@ -269,7 +266,7 @@ def test_milliseconds_read_as_seconds_are_caught(pair: list[LogSignals]) -> None
 @pytest.mark.parametrize(
     "other",
     [
-        DoubleWell(stiffness=9.0),
+        STIFFER,
         DoubleWell(left_well=10.0e-3),
         DoubleWell(damping=0.25),
     ],
@@ -327,15 +324,13 @@ def test_gaps_and_silence_are_no_findings(pair: list[LogSignals]) -> None:
     assert {row.state for row in check_logs([still], JOINT) if row.what.startswith("push")} == {"note"}
 
 
-@pytest.mark.parametrize("side", [0, 1])
-@pytest.mark.parametrize("share", [0.0, 0.35])
+@pytest.mark.parametrize(("side", "share"), [(0, 0.35), (1, 0.0)])
 def test_a_log_that_was_driven_otherwise_is_never_surely_of_another_joint(
     pair: list[LogSignals], side: int, share: float
 ) -> None:
     """What hidden states do differs with the drive: honest logs of one joint have had 5.7 times the misfit."""
-    other = _log(DoubleWell(stiffness=2.0 * DoubleWell().stiffness), "validation/b", 36, "validation")
+    other = _log(STIFFER, "validation/b", 36, "validation")
     v = other.v.copy()
-    assert "device" in _wrong(check_logs([pair[0], other], JOINT))
     v[:, side] *= share
     rows = check_logs([pair[0], replace(other, v=v)], JOINT)
     assert [row.state for row in rows if row.what == "same device"] in (["note"], ["ok"], ["not seen"])

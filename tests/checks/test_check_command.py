@@ -35,7 +35,6 @@ MISTAKES = {
         [('channel = "v1"', 'channel = "_"'), ('channel = "v2"', 'channel = "v1"'), ('"_"', '"v2"')],
         "sides",
     ),
-    "mass in kg": ([("value = 41,", "value = 41000,")], "scale"),
     "time in ms": ([('{ channel = "time", unit = "s" }', '{ channel = "time", unit = "min" }')], "rate"),
     "another joint": ([("validation.csv", "other.csv")], "device"),
 }

@@ -36,10 +36,9 @@ def test_voltage_moves_the_equilibria_and_leaves_one_in_the_end() -> None:
     assert len(places[2]) == 1
 
 
-@pytest.mark.parametrize("volts", [0.0, 1000.0])
-def test_jacobians_are_those_that_follow_from_the_equations(volts: float) -> None:
+def test_jacobians_are_those_that_follow_from_the_equations() -> None:
     plant = plant_of(model())
-    u = np.array([volts**2, 0.0])
+    u = np.array([1000.0**2, 0.0])
     joint = (plant.constants.k, plant.constants.basis, plant.constants.weights)
 
     def rates(x: np.ndarray, v_squared: np.ndarray) -> np.ndarray:

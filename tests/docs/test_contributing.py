@@ -38,50 +38,66 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _debist(tree: Path, *arguments: object) -> str:
-    program = f"import sys; sys.path.insert(0, {str(tree)!r}); from cli import app; app()"
-    done = subprocess.run(
-        [sys.executable, "-P", "-c", program, *map(str, arguments)],
-        capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": str(tree)},
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+    return _outputs(tree, arguments)[0]
+
+
+def _outputs(tree: Path, *commands: tuple[object, ...]) -> list[str]:
+    """What the commands of the copy print, one after the other in one process."""
+    program = """if True:
+    import json, sys
+    from typer.testing import CliRunner
+    from cli import app
+    done = [CliRunner().invoke(app, command) for command in json.loads(sys.argv[1])]
+    print(json.dumps([[each.exit_code, each.stdout, each.stderr] for each in done]))
+    """
+    arguments = json.dumps([[str(part) for part in command] for command in commands])
+    ended = json.loads(_python(tree, "-c", program, arguments))
+    assert not any(code for code, *_ in ended), ended
+    return [output for _, output, _ in ended]
 
 
 @pytest.fixture(scope="module")
-def run(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A run by the new log format with the new baseline."""
+def run(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, str]]:
+    """A run by the new log format with the new baseline, and what commands print of it."""
     folder = tmp_path_factory.mktemp("run")
     t, q, v = motion(8.0, 200.0, 3)
     log = np.rec.fromarrays([t, 1e3 * q, 1e-3 * v[:, 0], 1e-3 * v[:, 1]], names="time,q,v1,v2")
     np.save(folder / "log.npy", np.asarray(log), allow_pickle=False)
     text = settings(QUICK.replace("models = []", 'models = ["rest"]'), train="log.npy")
     (folder / "P.toml").write_text(text, encoding="utf-8")
-    _debist(tree, "run", folder / "P.toml", "-o", folder / "run", "--quiet")
-    return folder / "run"
+    validate = ("validate", folder / "run")
+    _, *printed = _outputs(
+        tree,
+        ("run", folder / "P.toml", "-o", folder / "run", "--quiet"),
+        ("inspect", folder / "log.npy", "--json"),
+        (*validate, "--json"),
+        (*validate, "--format", "csv"),
+        (*validate, "--format", "markdown"),
+    )
+    return folder / "run", dict(zip(("inspected", "json", "csv", "markdown"), printed, strict=True))
 
 
-def test_a_new_log_format_and_a_new_baseline(tree: Path, run: Path) -> None:
-    inspected = json.loads(_debist(tree, "inspect", run.parent / "log.npy", "--json"))
-    assert inspected["format"] == "NumPy"
-    scores = json.loads(_debist(tree, "validate", run, "--json"))["scores"]
+def test_a_new_log_format_and_a_new_baseline(run: tuple[Path, dict[str, str]]) -> None:
+    _, printed = run
+    assert json.loads(printed["inspected"])["format"] == "NumPy"
+    scores = json.loads(printed["json"])["scores"]
     error = next(row["nrmse"] for row in scores if row["model"] == "rest" and row["signal"] == "q")
     q = motion(8.0, 200.0, 3)[1]
     assert error == pytest.approx(np.sqrt(np.mean((q - q[0]) ** 2)) / np.ptp(q), rel=0.02)
 
 
-def test_a_new_column_is_in_every_table(tree: Path, run: Path) -> None:
+def test_a_new_column_is_in_every_table(run: tuple[Path, dict[str, str]]) -> None:
     import pyarrow.parquet as pq
 
-    field = pq.read_schema(run / "scores.parquet").field("stable_rests")
+    root, printed = run
+    field = pq.read_schema(root / "scores.parquet").field("stable_rests")
     assert (str(field.type), field.metadata[b"meaning"]) == ("int64", b"stable rests of the model (q only)")
-    rows = list(csv.DictReader(_debist(tree, "validate", run, "--format", "csv").splitlines()))
+    rows = list(csv.DictReader(printed["csv"].splitlines()))
     rests = {row["model"]: row["stable_rests"] for row in rows if row["signal"] == "q"}
     assert rests == {"rbf-paper": "2", "rest": ""}
-    heading = next(
-        line for line in _debist(tree, "validate", run, "--format", "markdown").splitlines() if "outside" in line
-    )
+    heading = next(line for line in printed["markdown"].splitlines() if "outside" in line)
     assert "| rests |" in heading
-    page = (run / "report.html").read_text(encoding="utf-8")
+    page = (root / "report.html").read_text(encoding="utf-8")
     assert '<th scope="col" title="stable rests of the model (q only)" class="number">rests</th>' in page
 
 
@@ -186,8 +202,4 @@ def test_the_new_baseline_has_all_that_a_model_has(tree: Path) -> None:
     model = RestModel(2)
     print([name for name in vars(DynamicModel) if not name.startswith("_") and not hasattr(model, name)])
     """
-    done = subprocess.run(
-        [sys.executable, "-P", "-c", program],
-        capture_output=True, text=True, check=True, env={**os.environ, "PYTHONPATH": str(tree)},
-    )  # fmt: skip
-    assert done.stdout == "[]\n"
+    assert _python(tree, "-c", program) == "[]\n"

@@ -58,11 +58,11 @@ def drawn_once(known: dict[Any, Any] | None = None) -> Iterator[None]:
     with ExitStack() as patches:
         patches.enter_context(few_figures(log_figures.LOG_FIGURES[0]))
         for module, name in ((report, "prepare"), (run_report, "run_report"), (canvas, "paper_figure")):
-            patches.enter_context(patch.object(module, name, _once(getattr(module, name), kept)))
+            patches.enter_context(patch.object(module, name, once(getattr(module, name), kept)))
         yield
 
 
-def _once(function: Callable[..., Any], known: dict[Any, Any]) -> Callable[..., Any]:
+def once(function: Callable[..., Any], known: dict[Any, Any]) -> Callable[..., Any]:
     """The function, computed once for each value of its first argument; of one run folder there is one state."""
 
     def remembered(first: Any, *others: Any, **named: Any) -> Any:

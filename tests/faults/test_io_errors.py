@@ -73,7 +73,7 @@ def unread_at(bench, start: str, number: int) -> None:
 
 
 @pytest.mark.usefixtures("interception")
-@pytest.mark.parametrize("wanted", [4, pytest.param(200, marks=pytest.mark.long)])
+@pytest.mark.parametrize("wanted", [3, pytest.param(200, marks=pytest.mark.long)])
 def test_failing_reads(bench, wanted, count):
     calls = bench.calls("changed", READING)
     for call in random.Random(wanted).sample(calls, wanted):

@@ -31,7 +31,7 @@ def debist(*arguments: object, **options):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-@pytest.mark.parametrize("arguments", [("--help",), ("verify", "{run}"), ("show", "{run}", "--json")])
+@pytest.mark.parametrize("arguments", [("--help",), ("verify", "{run}")])
 def test_an_output_that_takes_nothing_is_a_line(bench, arguments):
     bench.start("intact")
     with Path("/dev/full").open("w") as full:
@@ -77,7 +77,7 @@ def test_a_parent_that_ignores_the_end_of_processes_changes_nothing(bench):
 @pytest.mark.parametrize("command", ["run", "batch"])
 def test_a_current_folder_that_was_deleted_is_a_line(bench, tmp_path, command):
     (tmp_path / "gone").mkdir()
-    script = f'cd {tmp_path}/gone && rmdir {tmp_path}/gone && exec "$@" -q'
+    script = f'cd {tmp_path}/gone && rmdir {tmp_path}/gone && exec "$@" -q --no-report'
     arguments = [command, str(bench.prototype), "-o", str(tmp_path / "new")]
     ended = subprocess.run(["sh", "-c", script, "sh", *DEBIST, *arguments], capture_output=True, text=True, check=False)
     assert ended.returncode in (0, 2) and "Traceback" not in ended.stderr, ended.stderr
@@ -121,9 +121,8 @@ def test_a_folder_whose_name_is_not_utf_8_is_a_line(bench, tmp_path):
     assert done.returncode == 2 and "its path is not UTF-8" in line and "caf\\udce9" in line
     bench.start("intact")
     shutil.copytree(bench.run, folder / "run")
-    for command in ("verify", "status"):
-        done = debist(command, folder / "run", "--json", stdout=subprocess.PIPE)
-        assert done.returncode == 0 and json.loads(done.stdout), done.stderr
+    done = debist("verify", folder / "run", "--json", stdout=subprocess.PIPE)
+    assert done.returncode == 0 and json.loads(done.stdout), done.stderr
 
 
 @pytest.mark.parametrize("command", ["run", "batch", "demo", "rig simulate", "export", "plot"])

@@ -5,7 +5,7 @@ import pytest
 from tests.fuzz.__main__ import fuzz
 from tests.fuzz.seeds import KINDS
 
-SHORT = 48
+SHORT = 16
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.errors import CorruptArtifactError
@@ -57,6 +57,7 @@ def test_a_document_of_another_kind_is_refused_in_one_line(content: bytes) -> No
     assert "\n" not in str(refused.value)
 
 
+@settings(max_examples=30, deadline=None)
 @given(
     st.recursive(st.none() | st.floats() | st.text() | st.booleans(), st.lists) | st.dictionaries(st.text(), st.text())
 )

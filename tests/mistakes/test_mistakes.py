@@ -29,8 +29,7 @@ def test_nothing_is_said_of_honest_logs():
     assert not [text for text in told(halves) if "shared" in text or "gain" in text]
 
 
-@pytest.mark.parametrize("every", [1, 2, 5, 10])
-@pytest.mark.parametrize("digits", [None, 1e-6, 1e-5])
+@pytest.mark.parametrize(("every", "digits"), [(1, 1e-5), (2, 1e-6), (5, None), (10, 1e-5)])
 def test_coarser_rates_and_digits_are_no_fault(every: int, digits: float | None) -> None:
     said = told([rows(log(seed), slice(None, None, every), 0.0, digits) for seed in (1, 3)])
     assert not [text for text in said if "burst" in text or "jump" in text or "held" in text or "shared" in text]

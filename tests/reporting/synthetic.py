@@ -138,6 +138,11 @@ def run_figures() -> Mapping[str, Figure]:
     return figures_of(run_data(), run_sheet())
 
 
+def figures_of_one_log() -> Mapping[str, Figure]:
+    """Those figures without the ones of the training log, which are drawn as those of the other log are."""
+    return {name: figure for name, figure in run_figures().items() if not name.startswith("train-")}
+
+
 def without_models(data: RunData) -> RunData:
     """The same run as an older tool left it: free runs and scores, but no models to load and no φ."""
     logs = tuple(

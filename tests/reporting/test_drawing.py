@@ -24,7 +24,7 @@ from pipeline.reporting.figure import (
 )
 from pipeline.reporting.legend import entries
 from pipeline.reporting.plotted import BUCKETS, CELL_COLOURS, Look, paper_look, plotted
-from tests.reporting.synthetic import run_data, run_figures
+from tests.reporting.synthetic import figures_of_one_log, run_data
 
 MODELS = ("rbf", "sindy", "narx")
 X = np.linspace(0.0, 10.0, 400)
@@ -44,7 +44,7 @@ def _drawn(figure: Figure, models: tuple[str, ...] = MODELS, look: Look | None =
 
 @pytest.mark.parametrize("typeface", ["sans", "serif"])
 def test_every_axis_has_ticks_and_no_letters_touch_or_leave_the_sheet(typeface):
-    for name, figure in run_figures().items():
+    for name, figure in figures_of_one_log().items():
         _check_axes_and_letters(name, _drawn(figure, run_data().model_names, paper_look(figure, typeface)))
 
 

@@ -35,7 +35,7 @@ from pipeline.scoring.wells import NoWells
 from pipeline.si_prefix import axis_scale, grouped, interval, moment, percent, quantity, scale, short, significant
 from pipeline.signals.inputs import voltages
 from pipeline.units import ALPHA_UNIT
-from tests.reporting.synthetic import HOSTILE, run_data, run_figures, run_sheet, without_models
+from tests.reporting.synthetic import HOSTILE, figures_of_one_log, run_data, run_figures, run_sheet, without_models
 
 MEGABYTE = 1_000_000
 
@@ -48,6 +48,11 @@ def report_of(data: RunData) -> tuple[str, Datasheet]:
 @cache
 def report_page() -> str:
     return run_report(run_data(), run_sheet(), run_figures())
+
+
+def figures_of_logs() -> dict[str, Figure]:
+    """Those without which there is no page."""
+    return {name: figure for name, figure in run_figures().items() if name.startswith(("train-", "validation-"))}
 
 
 @cache
@@ -176,7 +181,7 @@ def test_the_fleet_says_why_a_verdict_is_not_good() -> None:
 def test_phi_which_is_computed_from_q_is_in_no_table_of_errors() -> None:
     scores = [row | {"signal": signal} for row in run_data().scores if row["signal"] == "q" for signal in ("q", "phi")]
     assert headline_table(scores).signals == ("q",)
-    page = run_report(replace(run_data(), scores=tuple(scores)), run_sheet(), run_figures())
+    page = run_report(replace(run_data(), scores=tuple(scores)), run_sheet(), figures_of_logs())
     assert "φ [%]" not in page and "q [%]" in page
 
 
@@ -227,10 +232,6 @@ def test_json_cannot_end_its_script_element_and_reads_back() -> None:
     assert json.loads(text) == document
     with pytest.raises(ValueError, match="Out of range float"):
         json_for_script({"a": float("nan")})
-
-
-def test_equal_runs_give_equal_pages() -> None:
-    assert report_of(run_data())[0] == report_page()
 
 
 def test_the_size_stays_in_the_budget() -> None:
@@ -352,7 +353,7 @@ def test_a_threshold_grades(value: float, grade: str) -> None:
 
 
 def test_figures_are_well_formed_and_without_inline_style() -> None:
-    for figure in run_figures().values():
+    for figure in figures_of_one_log().values():
         for drawing in page_chart(replace(figure, title=HOSTILE), run_data().model_names):
             text = str(drawing)
             assert "style=" not in text
@@ -653,7 +654,7 @@ def test_the_headline_says_what_acts_and_what_it_changes() -> None:
         "held-out data better. Errors over the last quarters of the training logs, of the operating range: equations "
         "alone 3.10 %, rbf from data alone 1.25 %."
     )
-    assert text in html.unescape(run_report(data, run_sheet(), run_figures()))
+    assert text in html.unescape(run_report(data, run_sheet(), figures_of_logs()))
 
 
 @pytest.mark.parametrize(("unseen", "grade"), [(0, "good"), (1, "poor")])

@@ -20,8 +20,9 @@ from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
+from pipeline.tools import plot
 from pipeline.tools.plot import Excerpt, plot_figure, plot_runs, run_figures
-from tests.faults.small_run import drawn_once
+from tests.faults.small_run import drawn_once, once
 from tests.prototypes import Silent
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
@@ -150,7 +151,10 @@ def test_show_prints_the_datasheet_and_finds_damage(unreported: RunFolder, repor
         load_datasheet(run.root)
 
 
-def test_plot_draws_one_figure_of_a_stretch(unreported: RunFolder, tmp_path: Path) -> None:
+def test_plot_draws_one_figure_of_a_stretch(
+    unreported: RunFolder, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(plot, "prepare", once(plot.prepare, {}))
     root = unreported.root
     target = plot_figure(root, "validation-b-signals", tmp_path / "out" / "a.svg", Excerpt(2.0, 5.0))
     assert target.read_text(encoding="utf-8").startswith("<?xml")

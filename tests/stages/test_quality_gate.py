@@ -58,7 +58,7 @@ def test_refused_with_number_and_next_step(tmp_path, damage, toml, words):
 
 
 def test_what_is_left_out_where_a_voltage_ends_is_told(tmp_path):
-    result = _run(_write(tmp_path, TOML, until=19.0))
+    result = _run(_write(tmp_path, TOML, until=19.0), "--no-report")
     told = " ".join(result.output.split())
     assert "v2: 499 samples not finite, the first at 19.002 s" in told
     assert "v2 ends 0.998 s before q: what q shows there is left out" in told
@@ -104,7 +104,7 @@ def test_what_no_model_needs_is_told_and_is_no_fault_of_the_data(tmp_path, monke
     found = [Finding("rank", "columns cannot be told apart", "vary the inputs")]
     monkeypatch.setattr("pipeline.stages.identify._findings", lambda *_: found)
     toml = TOML.replace('["rbf-paper"]', '["rbf"]').replace("[identify]", '[identify]\nfriction = "viscous"')
-    result = RUNNER.invoke(app, ["run", str(_write(tmp_path, toml)), "-o", str(tmp_path / "run"), "-q"])
+    result = _run(_write(tmp_path, toml), "--no-report")
     assert result.exit_code == 0, result.output
     assert "columns cannot be told apart; there the priors of rbf decide" in result.stderr
     assert load_manifest(tmp_path / "run").artifacts["model.h5"].notes["accepted"] == []

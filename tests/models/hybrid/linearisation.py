@@ -1,5 +1,7 @@
 """The condensed joint's rates with their exact derivatives at a state, from the generated graphs by numpy."""
 
+from functools import cached_property
+
 import numpy as np
 
 from pipeline.generated.condensed_joint import CORRECTIONS, STATES, STOPS
@@ -27,10 +29,14 @@ class Linearised:
         c = np.empty(len(CORRECTIONS))
         corrections_at(float(x[0]), basis, weights, c)
         c_q = np.concatenate([weights @ slopes, weights[4:8] @ bends])
-        acting = {"x": x, "u": u, "c": c, "z": z, "p": PREPARE.evaluate(k=k)["p"]}
-        found = JACOBIAN.evaluate(**acting, c_q=c_q)
+        self._acting = {"x": x, "u": u, "c": c, "z": z, "p": PREPARE.evaluate(k=k)["p"]}
+        found = JACOBIAN.evaluate(**self._acting, c_q=c_q)
         self.f, self.a, self.b = found["f"], found["a"].reshape(ALL, ALL), found["b"].reshape(ALL, 2)
-        self.by_constants = BY_CONSTANTS.evaluate(**acting)["by_k"].reshape(ALL, -1)
         curves = found["by_c"].reshape(ALL, -1)
         self.by_weights = curves[:, :9, None] * bells
         self.by_weights[:, 4:8] += curves[:, 9:, None] * slopes
+
+    @cached_property
+    def by_constants(self) -> FloatArray:
+        """Derivatives of the rates by the constants, (ALL, constants)."""
+        return BY_CONSTANTS.evaluate(**self._acting)["by_k"].reshape(ALL, -1)

@@ -160,7 +160,7 @@ def arm(seed, *, n=700, interval=0.03):
 
 
 def test_the_lag_of_a_propeller_is_found_by_inner_validation():
-    model = identify_rbf([arm(1)], angle=True, choice=RbfChoice("maxwell-slip", 6, 1.0))
+    model = identify_rbf([arm(1, n=420)], angle=True, choice=RbfChoice("maxwell-slip", 6, 1.0))
     assert "lagged input" in model.diagnostics["chosen"]
     assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.15, rel=0.1)
     fresh = arm(2)
@@ -265,10 +265,12 @@ def slider(seed, *, n=1200, off_before=False, bend=0.0, hysteresis=0.0, drag=0.0
 
 
 def test_the_hold_of_the_input_is_found_and_makes_the_free_run_exact():
-    model = identify_rbf([slider(1)], inputs="linear")
+    """And a delay or a lag that ends at next to nothing stays out: its input moves this slider at once."""
+    model = identify_rbf([slider(9, n=600)], inputs="linear", choice=RbfChoice(friction="viscous"))
     assert model.parameters.structure.hold == "zero"
     assert model.parameters.structure.constant_gain
-    fresh = slider(2)
+    assert not model.parameters.structure.input_delay and not model.parameters.structure.input_lag
+    fresh = slider(2, n=600)
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
     assert model.diagnostics["converged"]
@@ -336,16 +338,10 @@ def test_a_drive_that_saturates_is_seen():
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
 
 
-def test_a_delay_that_does_nothing_is_not_chosen():
-    """A slider that its input moves at once: a delay or a lag that ends at next to nothing stays out."""
-    structure = identify_rbf([slider(9, n=600)], inputs="linear").parameters.structure
-    assert (structure.input_delay, structure.input_lag) == (False, False)
-
-
 def test_a_log_of_which_one_jacobian_takes_the_limit_is_fitted_in_part():
-    long = log(planted(), 21, n=60_000)
-    found = identify_rbf([long], mass=0.04, candidates=[Candidate("free", STRUCTURE, 1.0)], time_limit=2.0)
-    assert found.diagnostics["effort_s"] < 5.0
+    long = log(planted(), 21, n=15_000)
+    found = identify_rbf([long], mass=0.04, candidates=[Candidate("free", STRUCTURE, 1.0)], time_limit=0.5)
+    assert found.diagnostics["effort_s"] < 1.25
     run = found.simulate(long.t[:1000], long.v[:1000], long.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - long.q[:1000]) ** 2)) < 0.1 * np.ptp(long.q)
 
@@ -483,8 +479,8 @@ def test_sides_are_taken_for_alike_where_they_are():
 
 
 def test_the_settings_take_away_what_other_joints_teach():
-    logs = (log(planted(), 21, n=400),)
-    settings = Identify(models=("rbf",), rbf_prior="smooth", time_limit=2.0)
+    logs = (log(planted(), 21, n=200),)
+    settings = Identify(models=("rbf",), rbf_prior="smooth", time_limit=0.2)
     model = RBF.fit(Training((), logs, ("m", "V"), "squared", None, None, None, settings, Compare()))
     assert not any(str(one).endswith("population prior") for one in model.diagnostics["candidates"])
 
@@ -519,7 +515,7 @@ def test_a_joint_that_never_crosses_the_mirror_plane_has_none():
 
 def test_a_bistable_joint_is_fitted_while_it_is_tied_to_its_log():
     """A free run is decided by single passages near the separatrix, so none is fitted; it follows a new log well."""
-    model = identify_rbf([seen(21)])
+    model = identify_rbf([seen(21, n=600)])
     assert model.diagnostics["levels"]["gain"][-1] == 0.3
     assert not model.diagnostics["reached_free_run"]
     assert model.diagnostics["converged"]
@@ -600,7 +596,7 @@ def test_only_two_wells_between_two_pulls_are_taken_for_a_bistable_joint():
 
 def test_two_inputs_at_one_well_are_searched_for_and_fitted_in_free_run():
     """The structure of a bistable joint has no lag of the drive and is never fitted in free run."""
-    model = identify_rbf([seesaw(1)], angle=True, choice=RbfChoice(friction="viscous", effect="plain"))
+    model = identify_rbf([seesaw(1, n=400)], angle=True, choice=RbfChoice(friction="viscous", effect="plain"))
     assert "lagged input" in model.diagnostics["chosen"]
     assert model.diagnostics["reached_free_run"]
     assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.2, rel=0.01)
