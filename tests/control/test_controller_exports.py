@@ -98,9 +98,8 @@ def test_the_matlab_function_is_the_controller(exported: Path) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "*/ INJECTED /*",
+        "*/ INJECTED /*\r\nINJECTED = 1;\n%{\n",
         *(pytest.param(text, marks=pytest.mark.long) for text in ("*\\\\/ ??/\n INJECTED", "\u2028INJECTED")),
-        "\r\nINJECTED = 1;\n%{\n",
     ],
 )
 def test_no_name_leaves_the_comments(text: str, tmp_path: Path) -> None:
