@@ -251,7 +251,8 @@ def commit(root: Path, manifest: Manifest, names: Iterable[str]) -> None:
     Raises
     ------
     InputError
-        The disk is full or not writable. Nothing has changed then, or the next run completes what was begun.
+        The disk is full, not writable or not readable. Nothing has changed then, or the next run completes what was
+        begun.
     """
     manifest.save(root, NEXT_MANIFEST)
     _complete(root, manifest, names)
@@ -277,12 +278,13 @@ def is_staged(path: Path, sha256: str) -> bool:
 
 def _complete(root: Path, manifest: Manifest, names: Iterable[str]) -> None:
     refuse_link(root / STAGES, within=root)
-    for path in (root / STAGES).glob("*.json"):
-        if path.stem not in manifest.stages:
-            try:
-                path.unlink()
-            except OSError as error:
-                raise not_written(path, error) from error
+    with reading(root):
+        lost = [path for path in (root / STAGES).glob("*.json") if path.stem not in manifest.stages]
+    for path in lost:
+        try:
+            path.unlink()
+        except OSError as error:
+            raise not_written(path, error) from error
     for name in names:
         move(staging_place(root / name), root / name, within=root)
     move(root / NEXT_MANIFEST, root / MANIFEST, within=root)
