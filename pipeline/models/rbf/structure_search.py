@@ -164,7 +164,7 @@ def search(
     dict of str to float
         RMS held-out error of each that was tried, in the unit of q; empty if nothing was offered.
     bool
-        Whether all was offered and judged before `SEARCH_SHARE` of the effort was spent.
+        Whether all was offered, and judged or screened, before `SEARCH_SHARE` of the effort was spent.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
@@ -184,18 +184,17 @@ def search(
     def size(option: Candidate) -> int:
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
-    best, since, complete, dear = first, len(once), True, False
-    for number, offer in enumerate((*once, *ROUNDS * tuple(again))):
+    turns, best, since, complete, dear = [*once, *ROUNDS * tuple(again)], first, len(once), True, False
+    for number in range(len(turns)):
         if number - since >= len(again) > 0:
             break
         if setting.effort.exhausted(SEARCH_SHARE):
             complete = False
             break
-        others = offer(best)
+        others = turns[number](best)
         if others and not tried:
-            before = setting.effort.spent
-            setting, tried = _coupled(records, setting, first)
-            dear = USUAL * (setting.effort.spent - before) > SEARCH_SHARE * setting.limit
+            setting, tried, dear = _coupled(records, setting, first)
+            turns = _together_next(turns, number, len(once)) if dear else turns
         if dear:
             others = _screened(records, setting, others, tried)
         tested = [option for option in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(option)]
@@ -203,8 +202,15 @@ def search(
         for option in sorted(tested, key=lambda option: rms(judged(option).errors[-1])):
             if better(option, best):
                 best, since = option, max(number + 1, len(once))
-    like = tried[best.label].fits[0] if best.label in tried else None
-    return best, like, {label: rms(judgement.errors[-1]) for label, judgement in tried.items()}, complete
+    held_out = {label: rms(judgement.errors[-1]) for label, judgement in tried.items()}
+    return best, tried[best.label].fits[0] if tried else None, held_out, complete
+
+
+def _together_next(turns: Sequence[Offer], number: int, once: int) -> list[Offer]:
+    """The last of so many offers, which has several elements at once, next: not all others can be judged."""
+    if number + 2 >= once:
+        return list(turns)
+    return [*turns[: number + 1], turns[once - 1], *turns[number + 1 : once - 1], *turns[once:]]
 
 
 @dataclass(frozen=True)
@@ -232,17 +238,19 @@ def _preferred(new: _Judged, old: _Judged, *, smaller: bool) -> bool:
     return rms(new.errors[-1]) < rms(old.errors[-1]) and any(surely_smaller(*pair) for pair in pairs)
 
 
-def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
-    """The setting with the observer gain at which candidates are compared, and the first one judged at it.
+def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged], bool]:
+    """The setting with the observer gain at which candidates are compared, the first one judged at it, and whether all
+    that a search may judge costs more than its share of the effort.
 
     Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
     together, the better one errs less.
     """
-    judgement = _judge(records, setting, first, None)
+    before, judgement = setting.effort.spent, _judge(records, setting, first, None)
+    dear = USUAL * (setting.effort.spent - before) > SEARCH_SHARE * setting.limit
     if not judgement.chaotic:
-        return setting, {first.label: judgement}
+        return setting, {first.label: judgement}, dear
     setting = replace(setting, coupled=COUPLED)
-    return setting, {first.label: _judge(records, setting, first, None)}
+    return setting, {first.label: _judge(records, setting, first, None)}, dear
 
 
 def _screened(

@@ -87,6 +87,13 @@ def test_the_limit_of_a_search_grows_with_the_samples(samples, times):
     assert identify._time_limit(training) == pytest.approx(times * IdentifySettings().time_limit)
 
 
+@pytest.mark.parametrize(("once", "order"), [(5, [0, 1, 4, 2, 3, 5, 6]), (3, [0, 1, 2, 3, 4, 5, 6])])
+def test_where_candidates_are_dear_the_offer_of_several_elements_is_next(once, order):
+    turns = [only(replaced(CURVED, basis_functions=5 + number)) for number in range(7)]
+    moved = structure_search._together_next(turns, 1, once)
+    assert [turns.index(offer) for offer in moved] == order
+
+
 def test_where_candidates_are_dear_only_the_nearest_of_an_offer_are_judged(monkeypatch):
     """Errors near the measurement fall with the number of Gaussians; those that were tried stay."""
     t = 0.01 * np.arange(400)
