@@ -136,7 +136,7 @@ class HybridModel:
         """Free run; see `pipeline.models.base.DynamicModel.simulate`.
 
         Voltages between samples are a cubic spline, or as fine as they are given (`DrivingVoltages`), and are held at
-        twice the largest trained one; a wall at half the beam's length confines the run: it is bounded for any input.
+        twice the largest trained one; a wall confines the run (`CondensedJoint.q_stop`): it is bounded for any input.
         """
         states = self._simulate(None, t, v, np.array([q0, qdot0]))[0]
         diverged = np.flatnonzero(~np.isfinite(states[:, 0]))

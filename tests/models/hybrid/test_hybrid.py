@@ -244,6 +244,7 @@ def test_no_voltage_drives_it_out_of_bounds(volts: float) -> None:
     run = model.simulate(t, v / 3e3 * volts, 0.01, 3.0)
     assert run.status == "ok"
     assert np.abs(run.q).max() <= model.joint.q_stop + 1e-9
+    assert model.joint.q_stop <= 1.5 * -model.joint.basis[0]
 
 
 def test_corrections_act_on_the_force() -> None:
