@@ -79,7 +79,12 @@ def _gain_rows(first: LogFacts, other: LogFacts, gain: LogGain | None) -> list[C
 
 
 def _clock_rows(first: LogFacts, other: LogFacts, declared: Declared) -> list[CheckRow]:
-    """A log whose q answers later or earlier than in the first log: its recorders were not started together."""
+    """A log whose q answers later or earlier than in the first log: its recorders were not started together.
+
+    Of the joint alone: the lag of another law's answer depends on frequency and amplitude.
+    """
+    if not declared.joint:
+        return []
     delays = [
         (there.delay.value - here.delay.value, float(np.hypot(here.delay.error, there.delay.error)))
         for here, there in zip(first.inputs, other.inputs, strict=True)
