@@ -54,7 +54,7 @@ class ControlledJoint:
     highest : float
         Largest trained voltage [V].
     wall : float
-        Displacement [m] that no motion passes.
+        Displacement [m] that no motion of the joint passes: half its length. The model's free runs end nearer.
     rests : tuple of float or None
         Readings [m] at which the logs show the joint at rest, left and right; None where they show no two wells.
     """
@@ -91,7 +91,7 @@ def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> 
         float(seen.charging),
         probe,
         condensed.largest_voltage,
-        condensed.q_stop,
+        0.5 * condensed.length,
         rests,
     )
 
