@@ -40,12 +40,8 @@ def test_the_model_keeps_the_curves_of_the_file(tmp_path):
         assert result.exit_code == 0, result.output
     model = RbfModel.from_tree(RunFolder.open(tmp_path / "run").read_tree("model.h5", "rbf"))
     found = model.curves(q)
-    inside = np.abs(q) <= 0.012
     for name, measured in stand.items():
-        error = np.abs(found[name] - measured) / np.abs(measured).max()
-        assert error[inside].max() < 0.015, name
-        # Weights of one sign follow the steep ends less closely.
-        assert error.max() < 0.04, name
+        assert np.abs(found[name] - measured).max() < 0.03 * np.abs(measured).max(), name
 
 
 def test_curves_need_a_mass():

@@ -241,6 +241,10 @@ KEPT = 5e-3
 PIN_STEPS = 20
 """Gauss-Newton steps to the start of known curves; a dozen suffice."""
 
+PINNED = 1e-3
+"""Standard deviation of the logarithm of the confining cubic beside a known force. All other weights of the force are
+linear; with a free logarithm the rows, which are of first order, let the ends of the curve move by 3.6 %."""
+
 
 def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: KnownCurves) -> tuple[FloatArray, Prior]:
     """Start vector and prior that keep the known curves.
@@ -266,7 +270,12 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: Kn
         unit = scale[free]
         step = np.linalg.lstsq(pinned.matrix[:, free] * unit, pinned.right - pinned.matrix @ start, rcond=None)[0]
         start[free] += unit * np.clip(step, -1.0, 1.0)
-    return start, _pinned(p, start, prior, measured)
+    pinned = _pinned(p, start, prior, measured)
+    if measured.force is None:
+        return start, pinned
+    cubic = p.slices["force"].start + joint.POLYNOMIALS - 1
+    row = (np.arange(p.count) == cubic) / PINNED
+    return start, Prior(np.vstack([pinned.matrix, row]), np.append(pinned.right, start[cubic] / PINNED))
 
 
 def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: KnownCurves) -> Prior:
