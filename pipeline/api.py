@@ -151,7 +151,7 @@ class Run:
         InputError
             No such model or log, or a model without tubes.
         """
-        from pipeline.loading.free_runs import drawn_runs, free_run, tubes_about
+        from pipeline.loading.free_runs import drawn_runs, free_run, wanted_tubes
         from pipeline.loading.trajectories import load_motion
         from pipeline.tools.in_memory import frame
 
@@ -161,7 +161,7 @@ class Run:
         found = free_run(table, core)
         columns = {"t": found.t, "q": found.q, "qdot": found.qdot, "qddot": found.qddot}
         if tube:
-            columns |= tubes_about(found.q, drawn_runs(table, core), core)
+            columns |= wanted_tubes(found.q, drawn_runs(table, core), core)
         columns |= {key: table[key] for key in ("v1", "v2") if key in table}
         result = frame(columns | {"q_measured": table["q"]}, *self._units)
         result.attrs = {"status": found.status, "diverged_at_s": found.diverged_at_s}

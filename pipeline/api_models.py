@@ -123,7 +123,7 @@ class Model:
         InputError
             Signals that do not fit the model or each other, or a model without tubes.
         """
-        from pipeline.loading.free_runs import tubes_about
+        from pipeline.loading.free_runs import wanted_tubes
         from pipeline.models.base import HasDraws
         from pipeline.tools.in_memory import frame, refuse_other_units, voltages_of
 
@@ -137,7 +137,7 @@ class Model:
         if tube:
             core = self.core
             drawn = core.simulate_draws(times, volts, q0, qdot0)[0] if isinstance(core, HasDraws) else None
-            columns |= tubes_about(run.q, drawn, core)
+            columns |= wanted_tubes(run.q, drawn, core)
         columns |= {f"v{k}": column for k, column in enumerate(volts.T, start=1)}
         table = frame(columns, *self._units)
         table.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}

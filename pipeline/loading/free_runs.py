@@ -66,7 +66,12 @@ def tube_columns(tubes: Tubes) -> dict[str, FloatArray]:
     return dict(zip((column.key for column in TUBE_COLUMNS), ends, strict=True))
 
 
-def tubes_about(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel) -> dict[str, FloatArray]:
+def tubes_of(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel) -> Tubes | None:
+    """The tubes about a free run with these draws; None for a model that has none."""
+    return model.tubes(q, ensemble) if isinstance(model, HasTubes) and ensemble is not None else None
+
+
+def wanted_tubes(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel) -> dict[str, FloatArray]:
     """The columns of the tubes about a free run with these draws.
 
     Raises
@@ -74,7 +79,7 @@ def tubes_about(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel)
     InputError
         The model has no tubes.
     """
-    tubes = model.tubes(q, ensemble) if isinstance(model, HasTubes) and ensemble is not None else None
+    tubes = tubes_of(q, ensemble, model)
     if tubes is None:
         raise InputError(f"{model.name} has no tubes: its errors on held-out data are not known; take hybrid")
     return tube_columns(tubes)

@@ -12,7 +12,7 @@ import numpy as np
 
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
-from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns
+from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.parts import part_rows, parts, recorded
 from pipeline.loading.trajectories import drive, load_motion, sources
@@ -82,7 +82,7 @@ def _predict(
         notes["basis_functions"] = model.describe().get("basis_functions")
         ensemble = drawn_runs(table, model) if isinstance(model, HasTubes) or isinstance(wells, Wells) else None
         notes |= {"stable_rests": seen} | trust_notes(table, wells, trained, ensemble, joint=plant.joint)
-        tubes = model.tubes(result.q, ensemble) if isinstance(model, HasTubes) and ensemble is not None else None
+        tubes = tubes_of(result.q, ensemble, model)
         notes["in_tube"] = None if tubes is None else tubes.coverage(table["q"])
         artifact = layout.predictions(role, log, name)
         written[artifact] = _write(run, artifact, plant, rotation, result, tubes, notes)

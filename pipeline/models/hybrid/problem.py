@@ -42,8 +42,8 @@ BEGINNING, MOVING, SETTLING = 0.1, 0.02, 1.0
 and strains are not known there, so a run is held for the third [s] first, and compared from then on."""
 
 CONFINED = 1.5
-"""Largest displacements of the training logs at which a wall confines every run. Fitted energies are polynomials: one
-simulated joint of 21 had places of rest from 1.8 on, at one of which a free run stayed for a third of its log."""
+"""Largest displacements of the training logs at which a wall confines every run. Fitted energies are polynomials. One
+of 17 simulated joints had places of rest from 1.8 of them on, and a free run stayed there for a third of its log."""
 
 PASSES = 12
 """Largest number of runs of a log in the search for places where runs lose it."""
