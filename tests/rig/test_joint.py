@@ -183,7 +183,7 @@ def test_layers_of_a_hinge_are_elastic_then_yield_and_dissipate_over_a_cycle() -
 
 
 def test_a_joint_whose_beam_yields_does_not_come_back_to_where_it_was() -> None:
-    """Pulled by 1 kV and released, it rests elsewhere; without layers it returns."""
+    """Pulled by 2 kV and released, it rests elsewhere; without layers it returns."""
     p = nominal(links=4)._replace(beam=law.CHAIN, branch_modulus=np.zeros((2, 1)))
     pulled = np.zeros((8000, 2))
     pulled[500:2500, 1] = 2000.0
@@ -197,10 +197,10 @@ def test_a_joint_whose_beam_yields_does_not_come_back_to_where_it_was() -> None:
     assert gaps[1] > 20 * gaps[0]
 
 
-def test_rubber_that_softens_moves_the_wells_outwards_in_time() -> None:
-    """Softer membranes load the beam less, so the wells of a joint that rests move."""
+def test_rubber_that_softens_moves_the_wells_inwards_in_time() -> None:
+    """Softer membranes load the beam less, so it buckles less: 5 % of the modulus are 2 mm."""
     p = nominal()._replace(softening=0.05, softening_time=1.0, branch_modulus=np.zeros((2, 1)))
     q = simulate(p, np.zeros((8000, 2)), 1e-3, stride=1).q
     softer = nominal()._replace(modulus=0.95 * nominal().modulus, branch_modulus=np.zeros((2, 1)))
     assert q[-1] == pytest.approx(wells(softer)[0], abs=2e-5)
-    assert abs(q[0] - q[-1]) > 1e-4
+    assert q[-1] - q[0] == pytest.approx(2.13e-3, abs=5e-5)
