@@ -141,15 +141,19 @@ def as_json(p: RigParameters) -> dict[str, object]:
     return values | {key: names[getattr(p, key)] for key, names in _LAWS.items()}
 
 
+_SINCE_WORN = ("plastic_share", "plastic_yield", "softening", "softening_time")
+"""Entries that files of earlier versions lack: no layer yields there, and no rubber softens."""
+
+
 def from_json(values: Mapping[str, Any]) -> RigParameters:
-    """The joint back from `as_json`.
+    """The joint back from `as_json`, of this or an earlier version.
 
     Raises
     ------
     KeyError, ValueError, TypeError
         An entry is missing, or no number or law.
     """
-    kept: dict[str, Any] = {
-        key: np.array(values[key]) if isinstance(values[key], list) else values[key] for key in nominal()._fields
-    }
-    return RigParameters(**kept | {key: names.index(values[key]) for key, names in _LAWS.items()})
+    drawing = nominal()
+    entries = {key: values[key] for key in drawing._fields if key in values or key not in _SINCE_WORN}
+    arrays: dict[str, Any] = {key: np.array(x) if isinstance(x, list) else x for key, x in entries.items()}
+    return drawing._replace(**arrays | {key: names.index(values[key]) for key, names in _LAWS.items()})

@@ -108,6 +108,14 @@ def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_f
     assert as_json(from_json(json.loads(json.dumps(as_json(p))))) == as_json(p)
 
 
+def test_the_truth_of_an_earlier_version_is_read_and_one_that_lacks_a_number_is_not() -> None:
+    written = as_json(nominal())
+    later = ("plastic_share", "plastic_yield", "softening", "softening_time")
+    assert as_json(from_json({key: x for key, x in written.items() if key not in later})) == written
+    with pytest.raises(KeyError, match="mass"):
+        from_json({key: x for key, x in written.items() if key != "mass"})
+
+
 def test_the_failure_of_a_controller_in_python_is_told() -> None:
     with pytest.raises(InputError, match="the controller failed: ZeroDivisionError"):
         run_loop(nominal(), Bench(), STILL, python_controller(lambda _q: lambda _q, _target: (1 / 0, 0.0)))
