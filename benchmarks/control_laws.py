@@ -87,7 +87,7 @@ def energy_switch(plant: ControlledJoint, law: Law) -> Effort:
     grid = np.linspace(*law.places, 121)
     ratio, force = 1.25 / float(k[0]), []
     for q in grid:
-        x, _ = rest_state(q, np.zeros(2), k, p, basis, weights)
+        x, _ = rest_state(q, np.zeros(2), k, p, basis, weights, 0.0)
         on_q, on_slope, _ = forces(x, 0.0, 0.0, plant.constants)
         force.append(on_q + ratio * on_slope)
     potential = -np.concatenate([[0.0], np.cumsum(0.5 * np.diff(grid) * (np.array(force)[1:] + np.array(force)[:-1]))])

@@ -59,10 +59,10 @@ def _hybrid() -> None:
     for joints in (1, 2):
         run_joints(
             np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis, u, np.zeros(joints, dtype=np.int64),
-            np.zeros(joints), np.zeros(2), np.zeros(u.shape[1]),
+            np.zeros(joints), np.zeros(3), np.zeros(u.shape[1]),
             np.zeros((u.shape[1] - 1) // 2 + 1), dt, 1, 0.05, 1.0,
         )  # fmt: skip
-    driven = Driven(u[0], np.zeros((4, u.shape[1], 2)), np.zeros(0), np.zeros(0), np.zeros(2))
+    driven = Driven(u[0], np.zeros((4, u.shape[1], 2)), np.zeros(0), np.zeros(0), np.zeros(3))
     sensitivities(k, basis, weights, np.abs(k), np.ones(len(weights)), 0.0, driven, dt, 1, 0.05, 1.0)
     static_curves(np.zeros(2), k, basis, weights)
 

@@ -116,7 +116,7 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
     grid = np.linspace(-farthest, farthest, RESTS)
     rests = []
     for q in grid:
-        x, z = rest_state(q, np.zeros(2), k, p, basis, weights)
+        x, z = rest_state(q, np.zeros(2), k, p, basis, weights, 0.0)
         rests.append((x[2], x[4], z[0]))
     centres = weights.shape[1]
     first, per_metre = table_span(basis, centres, NODES)

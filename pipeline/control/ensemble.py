@@ -125,7 +125,7 @@ class Ensemble:
         runs = run_joints(
             np.tile(self.constants, (plays, 1)), np.tile(self.weights, (plays, 1, 1)), self.basis,
             squares.reshape(plays * count, half, 2), np.arange(plays * count), np.tile(self.offsets, plays),
-            np.array([start, 0.0]), np.zeros(0), np.zeros(samples), INTERVAL, self.steps, self.wall, self.lead,
+            np.array([start, 0.0, 0.0]), np.zeros(0), np.zeros(samples), INTERVAL, self.steps, self.wall, self.lead,
         )  # fmt: skip
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(plays, count, samples - 1))
 
@@ -159,7 +159,7 @@ def ensemble_at(
     condensed = model.joint
     seen = [condensed.instruments(theta) for theta in thetas]
     return Ensemble(
-        constants=condensed.constants(thetas),
+        constants=condensed.in_use(thetas),
         weights=condensed.weights(thetas),
         basis=condensed.basis,
         offsets=np.array([one.offset for one in seen]),

@@ -169,7 +169,7 @@ def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
     length = float(c.k[INDEX["l"]])
     low, high = _window(plant)
     for q in np.linspace(low, high, 25):
-        relaxed, _ = rest_state(q, u, c.k, c.p, c.basis, c.weights)
+        relaxed, _ = rest_state(q, u, c.k, c.p, c.basis, c.weights, 0.0)
         for shape in (relaxed, still(q, float(c.k[INDEX["slope_ratio"]]) * q / length, 0.0)):
             x = newton(plant, shape, u)
             if x is not None and low <= x[0] <= high and not any(abs(x[0] - y[0]) < _SAME for y in found):
@@ -287,7 +287,7 @@ def held_at(plant: ControlledJoint, q: float, saddle: FloatArray) -> tuple[Float
     Where the beam has several shapes at one displacement, the one that needs the least voltage.
     """
     c = plant.constants
-    relaxed, _ = rest_state(q, np.zeros(2), c.k, c.p, c.basis, c.weights)
+    relaxed, _ = rest_state(q, np.zeros(2), c.k, c.p, c.basis, c.weights, 0.0)
     best: tuple[FloatArray, FloatArray] | None = None
     for start in (relaxed, still(q, float(saddle[2]), float(saddle[4]))):
         for side in (0, 1):

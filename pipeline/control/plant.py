@@ -81,7 +81,7 @@ def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> 
     """The plant of an identified hybrid joint, whose logs show these rests (readings [m])."""
     theta, condensed = model.theta, model.joint
     seen = condensed.instruments(theta)
-    k = condensed.constants(theta)
+    k = condensed.in_use(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
     probe = np.asarray(seen.probe, dtype=np.float64)
     return ControlledJoint(

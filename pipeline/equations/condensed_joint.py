@@ -12,9 +12,9 @@ least value. The axial strain u0 (10 µm) is a constant. What stays is passive b
 force comes from a potential, a damper, a Maxwell element or a stop operator.
 
 What a real joint has and the paper's analytical model lacks is added: two sides of their own, generalised
-Maxwell slip on q as stop operators, linear creep elements on q, and RBF corrections (eq. 38): of restoring
-force, damping and both electrostatic forces in q, and to second order in the deviation s = τ − ratio Q from the
-quasi-static slope, because while it snaps the beam is not where a function of q alone would put it: the potential
+Maxwell slip on q as stop operators, linear creep elements on q, membranes that soften while a log lasts, and RBF
+corrections (eq. 38): of restoring force, damping and both electrostatic forces in q, and to second order in the
+deviation s = τ − ratio Q from the quasi-static slope, because while it snaps the beam is not where a function of q alone would put it: the potential
 −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
 joint stays passive; c never takes more than half of the beam's own loss, in whatever direction.
 
@@ -36,6 +36,7 @@ from pipeline.equations.condensed_parts import (
     ELEMENT_STATES,
     FIRST_ELEMENT,
     FIRST_STRAIN,
+    SOFTENING,
     STATES,
     STOPS,
     CondensedSymbols,
@@ -84,7 +85,8 @@ def _membrane(s: CondensedSymbols, side: int, phi: FrameAngle, u_y: Any, speeds:
     by_length *= elements.power(s.constant("strain_slope"), excess, _STRETCH_REFERENCE)
     near = ca.fmin(_FAR_STRETCH, ca.fmax(-_FAR_STRETCH, excess))
     harder = 1.0 + (k("hardening") + k("hardening_slope") * near) * near
-    tension = k("elastic") * elements.neo_hooke_slope(stretch, inverse) * harder
+    softer = 1.0 - s.constant("softening") * s.x[SOFTENING]
+    tension = k("elastic") * elements.neo_hooke_slope(stretch, inverse) * harder * softer
     tension -= k("electric") * s.u[side] * elements.power(k("electric_slope"), excess, _STRETCH_REFERENCE)
     strain = sum(k(f"maxwell_{i}") * s.x[FIRST_STRAIN + 2 * i + side] for i in range(BRANCHES))
     over = inverse / l0  # 1/length
@@ -172,6 +174,7 @@ def rates(s: CondensedSymbols, friction: Expression) -> Expression:
             )
     for i in range(CREEPS):
         derivatives.append(elements.creep_rate(k(f"creep_rate_{i}"), x[0], x[FIRST_ELEMENT + i]))
+    derivatives.append(elements.softening_rate(k("softening_rate"), x[SOFTENING]))
     for element in tip_elements():
         derivatives += [state.rate(*_tip(s, element)) for state in element.states]
     return ca.vertcat(*derivatives)
@@ -219,9 +222,13 @@ def linearised(s: CondensedSymbols) -> dict[str, Expression]:
 
 
 def rest_forces(s: CondensedSymbols) -> Expression:
-    """Forces [N, N·m, J] on (q, τ, β) at rest, shape (3,): no friction, strains relaxed, creep caught up."""
+    """Forces [N, N·m, J] on (q, τ, β) at rest, shape (3,): no friction, strains relaxed, creep caught up.
+
+    The membranes are as soft as the state says.
+    """
     acting = forces(s, ca.SX(0))
     still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in (0, 2, 4)}
     still |= {FIRST_ELEMENT + i: at_rest * s.x[0] for i, at_rest in enumerate(AT_REST)}
+    still[SOFTENING] = s.x[SOFTENING]
     at_rest = ca.vertcat(*(still[i] for i in range(STATES)))
     return ca.substitute(ca.vertcat(acting.force, acting.moment, acting.interior), s.x, at_rest)

@@ -1,7 +1,8 @@
 """Parts of the condensed joint: its states, constants and corrections, its beam, and its frame.
 
 State x: q [m], q̇ [m/s], τ [1], τ̇ [1/s], β [1], β̇ [1/s]; e1, e2 [1] of each Maxwell branch; `ELEMENT_STATES`: one creep
-displacement [m] per creep element, and the states of further elements on q (`pipeline.equations.tip_elements`).
+displacement [m] per creep element, the softening [1] of the membranes, and the states of further elements on q
+(`pipeline.equations.tip_elements`).
 
 The beam has an energy of its shape (Q, τ, β) and a shortening. Both have terms which no slender beam of uniform section
 has: a printed beam is uneven, its clamps give way, and a chain of links is no beam at all. The frame has an angle, and
@@ -21,17 +22,21 @@ STOPS, CREEPS, BRANCHES = 6, 2, 3
 """Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
 ELEMENT_STATES = (
     *((f"creep_{i}", "m") for i in range(CREEPS)),
+    ("softening", "1"),
     *((state.name, state.unit) for element in tip_elements() for state in element.states),
 )
 """Name and unit of the states from `FIRST_ELEMENT` on."""
 AT_REST = (
     *(1.0 for _ in range(CREEPS)),
+    0.0,
     *(state.at_rest for element in tip_elements() for state in element.states),
 )
 """Their values over q at rest."""
 FIRST_STRAIN = 6
 FIRST_ELEMENT = FIRST_STRAIN + 2 * BRANCHES
 STATES = FIRST_ELEMENT + len(ELEMENT_STATES)
+SOFTENING = FIRST_ELEMENT + CREEPS
+"""Place of the softening in the state."""
 
 TIP_CONSTANTS = tuple((c.name, c.typical, c.prior_std, c.unit) for element in tip_elements() for c in element.constants)
 """Name, typical value [SI], prior width of the logarithm and unit of the constants of elements on q."""
@@ -61,6 +66,7 @@ CONSTANTS = (
     *(f"stop_travel_{i}" for i in range(STOPS)),
     *(f"creep_stiffness_{i}" for i in range(CREEPS)),
     *(f"creep_rate_{i}" for i in range(CREEPS)),
+    "softening", "softening_rate",
     "slope_ratio",
 )  # fmt: skip
 """Constants, all SI; `pipeline.models.hybrid.parameters` says how each is made."""

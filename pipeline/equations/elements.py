@@ -51,6 +51,15 @@ def creep_rate(rate: Any, displacement: Any, crept: Any) -> Expression:
     return rate * (displacement - crept)
 
 
+def softening_rate(rate: Any, softened: Any) -> Expression:
+    """Rate [1/s] of the share D of a rubber's softening that has come: Ḋ = rate (1 − D).
+
+    Rubber softens in its first cycles: L. Mullins, Rubber Chem. Technol. 42 (1969) 339, doi:10.5254/1.3539210. Under
+    steady excitation that is a matter of time, as is its warming.
+    """
+    return rate * (1.0 - softened)
+
+
 def lag_rate(value: Any, lagged: Any, time: Any) -> Expression:
     """ż = (q̇ − z)/T (eq. 37)."""
     return (value - lagged) / time

@@ -81,6 +81,7 @@ def _condensed() -> str:
         "SEXTICS",
         "SHORTENINGS",
         "FIRST_ELEMENT",
+        "SOFTENING",
         "DRY_LEVELS",
         "AT_REST",
         "STOPS",

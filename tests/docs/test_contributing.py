@@ -141,7 +141,7 @@ def drawn(name):
 
 def run(k):
     offset, which = np.zeros(len(k)), np.zeros(len(k), dtype=np.int64)
-    return run_joints(k, np.zeros((len(k), 9, 0)), np.zeros(3), u, which, offset, np.array([-0.011, 0.3]), *common)
+    return run_joints(k, np.zeros((len(k), 9, 0)), np.zeros(3), u, which, offset, np.array([-0.011, 0.3, 0.0]), *common)
 
 found = {"states": STATES, "at_rest": AT_REST}
 for name in ("log dry force", "log branch stiffness"):

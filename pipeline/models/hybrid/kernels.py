@@ -72,7 +72,7 @@ def rest_forces(
 ) -> None:
     """Forces on (q, τ, β) at rest [N, N·m, J], (3,), and their derivatives by τ and β, (3, 2) row by row; both filled.
 
-    Strains have relaxed, creep has caught up, and there is no friction: of x only q, τ and β are read.
+    Strains have relaxed, creep has caught up, and there is no friction: of x only q, τ, β and the softening are read.
     """
     _rest_forces((x, u, c, p, forces, by_shape))
 

@@ -186,7 +186,7 @@ class HybridModel:
         joint, seen = self.joint, self.joint.instruments(self.theta)
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
         path = CubicSpline(t - t[0], np.column_stack([q - seen.offset, qdot]))(fine)
-        return follow_path(u, path, dt, steps, k, joint.basis, weights)
+        return follow_path(u, path, dt, steps, k, joint.basis, weights, max(float(t[0]), 0.0))
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
@@ -299,7 +299,8 @@ class HybridModel:
 
         Shape (B, N, 3); free but where an observer has `held` them near a q.
         """
-        dt = sample_interval(t)
+        dt, age = sample_interval(t), np.full((*start.shape[:-1], 1), max(float(t[0]), 0.0))
+        start = np.concatenate([start, age], axis=-1)
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
         built = self._best if thetas is None else self._built(thetas)
         thetas = self.theta[None] if thetas is None else thetas

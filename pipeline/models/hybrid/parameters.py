@@ -132,6 +132,8 @@ DEVIATIONS: tuple[Deviation, ...] = (
     *(_unknown(f"stop force {i}", force, "N") for i, force in enumerate(_FORCES)),
     *(Deviation(f"log stop travel {i}", 0.5, "m") for i in range(STOPS)),
     *(_unknown(f"creep stiffness {i}", 0.04, "N/m") for i in range(CREEPS)),
+    Deviation("softening", 0.02, "1"),
+    _unknown("softening rate", 0.02, "1/s", 1.0),
     Deviation("laser offset", 0.15e-3, "m"),
     Deviation("delay", 6e-3, "s"),
     _unknown("charging time", CHARGING_TIME, "s", 1.5),
@@ -182,7 +184,7 @@ def static_slope_ratio(parameters: JointParameters) -> float:
     """τ / Q of the beam at rest at q = l/8: the shape in which tip and beam move slowly."""
     q = parameters.l / 8.0
     k = constants(parameters, nominal_deviations(), 1.25)  # any ratio: corrections alone read it
-    x, _ = rest_state(q, np.zeros(2), k, prepare(k[None])[0], np.zeros(3), np.zeros((CURVES, 0)))
+    x, _ = rest_state(q, np.zeros(2), k, prepare(k[None])[0], np.zeros(3), np.zeros((CURVES, 0)), 0.0)
     return float(x[2] * parameters.l / q)
 
 
@@ -213,7 +215,8 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     """
     d = _values(deviations)
     values = _beam_and_frame(p, d) | {"slope_ratio": ratio}
-    values |= {name: d[name.replace("_", " ")] for name, *_ in TIP_CONSTANTS}
+    names = ["softening", "softening_rate", *(name for name, *_ in TIP_CONSTANTS)]
+    values |= {name: d[name.replace("_", " ")] for name in names}
     values |= {f"quartic_{powers}": d[f"quartic {powers}"] for powers in QUARTICS}
     values |= {f"sextic_{powers}": d[f"sextic {powers}"] for powers in SEXTICS}
     values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in SHORTENINGS}

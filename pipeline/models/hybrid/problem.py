@@ -15,7 +15,7 @@ from pipeline.generated.condensed_joint import CONSTANTS
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.columns import INSTRUMENTS
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
-from pipeline.models.hybrid.kernels import CURVES
+from pipeline.models.hybrid.kernels import CURVES, INDEX
 from pipeline.models.hybrid.runs import run_joints
 from pipeline.models.hybrid.sensitivity import Driven, sensitivities
 from pipeline.models.hybrid.similarity import SAME, Similarity
@@ -44,6 +44,9 @@ and strains are not known there, so a run is held for the third [s] first, and c
 CONFINED = 1.5
 """Largest displacements of the training logs at which a wall confines every run. Fitted energies are polynomials. One
 of 17 simulated joints had places of rest from 1.8 of them on, and a free run stayed there for a third of its log."""
+
+USED = 60.0
+"""Time [s] of motion after which a joint is taken as softened as it gets: logs are about as long."""
 
 PASSES = 12
 """Largest number of runs of a log in the search for places where runs lose it."""
@@ -92,6 +95,15 @@ class CondensedJoint:
         """The kernel's constants, shape (…, len(CONSTANTS)), of one θ or of several, shape (…, P)."""
         of_set = condensed_parameters.constants(self.parameters, theta[..., :DEVIATIONS], self.slope_ratio)
         return of_set * self.similarity.constants
+
+    def in_use(self, theta: FloatArray) -> FloatArray:
+        """The same of a joint that has moved for `USED` and softens no more, as a controller meets it."""
+        k = self.constants(theta)
+        softening, rate = k[..., INDEX["softening"]], k[..., INDEX["softening_rate"]]
+        softer = 1.0 - softening * (1.0 - np.exp(-rate * USED))
+        k[..., [INDEX["left_elastic"], INDEX["right_elastic"]]] *= softer[..., None]
+        k[..., INDEX["softening"]] = 0.0
+        return k
 
     def weights(self, theta: FloatArray) -> FloatArray:
         """Weights of the corrections [SI], shape (…, CURVES, M)."""
@@ -265,7 +277,7 @@ class _Log:
         if self.v.refined:  # then the samples have been low-pass filtered, and runs are not
             self.q = sharpened(self.q, record.valid)
         self._path = CubicSpline(self.t[record.valid], self.q[record.valid])
-        self._start = np.array([self.q[0], 0.0])
+        self._start = np.array([self.q[0], 0.0, max(float(record.t[0]), 0.0)])
         self._seen, self._seen_for = _visibility(record.valid, self.dt)
         self.held = self.settling.copy()
         self._followed: dict[int, FloatArray] = {}

@@ -181,8 +181,9 @@ def run_joints(
         Which of them drives each joint.
     offset : FloatArray, shape (B,)
         Of each joint's laser [m]: reading = q + offset.
-    start : FloatArray, shape (2,) or (B, 2)
-        Reading [m] and its rate [m/s] at the first sample, of all joints or of each.
+    start : FloatArray, shape (3,) or (B, 3)
+        Reading [m] and its rate [m/s] at the first sample, and the time [s] since the recording began, of all joints or
+        of each.
     observed : FloatArray, shape (2 substeps (N−1) + 1,) or (0,)
         Reading [m] on the half steps, for the observer.
     gain : FloatArray, shape (N,)
@@ -208,7 +209,7 @@ def run_joints(
     alike = bool(np.all(weights == weights[:1]))
     tables = tabulate(basis, weights[:1] if alike else weights)
     poles = np.repeat(gain, 2 * substeps) if np.any(gain > 0.0) else np.zeros(0)
-    starts = np.broadcast_to(start, (count, 2))
+    starts = np.broadcast_to(start, (count, 3))
     out = np.empty((count, shown, 3))
     width = 1 if count == 1 else BATCH
     for first in range(0, count, width):
@@ -232,15 +233,17 @@ def run_joints(
 
 
 def follow_path(
-    u: FloatArray, path: FloatArray, dt: float, substeps: int, k: FloatArray, basis: FloatArray, weights: FloatArray
+    u: FloatArray, path: FloatArray, dt: float, substeps: int, k: FloatArray, basis: FloatArray, weights: FloatArray,
+    age: float,
 ) -> FloatArray:  # fmt: skip
     """Acceleration [m/s²] along a prescribed path, shape (N,): only the hidden states are integrated, from rest.
 
     `path` holds q and q̇ on the half steps, shape (2 substeps (N−1) + 1, 2); `u` (2 substeps (N−1) + 1, 2) are the
-    squared voltages [V²] there; the rest is as in `run_joints`, for one joint.
+    squared voltages [V²] there; the path begins `age` [s] after the
+    recording did; the rest is as in `run_joints`, for one joint.
     """
     samples, none, p = (len(path) - 1) // (2 * substeps) + 1, np.zeros(0), prepare(k[None])[0]
-    x, z = rest_state(float(path[0, 0]), u[0], k, p, basis, weights)
+    x, z = rest_state(float(path[0, 0]), u[0], k, p, basis, weights, age)
     only, out = np.zeros(1, dtype=np.int64), np.empty((samples, 3, 1))
     system = Joints(
         (0,), p, np.zeros(VALUES), z,
@@ -263,6 +266,7 @@ def _at_rest(
     """States and stop operators of the chosen joints at rest at the first sample, in rows."""
     x, z = np.empty((len(chosen), STATES)), np.empty((len(chosen), STOPS))
     for j, i in enumerate(chosen):
-        x[j], z[j] = rest_state(start[i, 0] - offset[i], u[variant[i], 0], constants[i], prepared[i], basis, weights[i])
+        q, age = start[i, 0] - offset[i], start[i, 2]
+        x[j], z[j] = rest_state(q, u[variant[i], 0], constants[i], prepared[i], basis, weights[i], age)
         x[j, 1] = start[i, 1]
     return _rows(x), _rows(z)

@@ -38,8 +38,8 @@ class Driven:
         Their derivatives by delay and charging time [1/s] and probes [1/V].
     observed, pole : FloatArray, shape (H,) or (0,)
         As in `pipeline.models.hybrid.runs.Joints`.
-    start : FloatArray, shape (2,)
-        Reading [m] and its rate [m/s] at the first sample.
+    start : FloatArray, shape (3,)
+        Reading [m] and its rate [m/s] at the first sample, and the time [s] since the recording began.
     """
 
     squares: FloatArray
@@ -120,7 +120,7 @@ def _starts(
     q, first, centres = start[0] - offset, len(active) + INSTRUMENTS, weights.shape[1]
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))
-    x, z = rest_state(q, u, k, prepare_rates(k[None])[0], basis, weights)
+    x, z = rest_state(q, u, k, prepare_rates(k[None])[0], basis, weights, start[2])
     moves: list[tuple[int, float, _Rest]] = []
     for column, i in enumerate(active):
         step = _NUDGE * scale[i]
@@ -134,7 +134,8 @@ def _starts(
         moved = weights + step * _unit(weights.size, i).reshape(weights.shape)
         moves.append((first + i, step, (q, u, k, moved)))
     for column, step, (place, voltages, constants, changed) in moves:
-        there, slipped = rest_state(place, voltages, constants, prepare_rates(constants[None])[0], basis, changed)
+        prepared = prepare_rates(constants[None])[0]
+        there, slipped = rest_state(place, voltages, constants, prepared, basis, changed, start[2])
         starts[column // BATCH, :, column % BATCH] = (there - x) / step
         stops[column // BATCH, :, column % BATCH] = (slipped - z) / step
     x[1] = start[1]

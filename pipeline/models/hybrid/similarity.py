@@ -29,6 +29,7 @@ _UNITS = {
     **{f"stop_travel_{i}": "m" for i in range(STOPS)},
     **{f"creep_stiffness_{i}": "N/m" for i in range(CREEPS)},
     **{f"creep_rate_{i}": "1/s" for i in range(CREEPS)},
+    "softening_rate": "1/s",
 }  # fmt: skip
 """Units of the constants of the kernels; what is not named is a number."""
 

@@ -6,7 +6,7 @@ Characteristic curves are taken along the path on which the shape is at rest.
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import AT_REST, BENDS, DRY_LEVELS, FIRST_ELEMENT, STATES, STOPS
+from pipeline.generated.condensed_joint import AT_REST, BENDS, DRY_LEVELS, FIRST_ELEMENT, SOFTENING, STATES, STOPS
 from pipeline.models.hybrid.kernels import (
     INDEX,
     VALUES,
@@ -19,6 +19,7 @@ from pipeline.models.hybrid.kernels import (
 from pipeline.numerics.arrays import FloatArray
 
 _L, _RATIO, _BENDING, _STOP = INDEX["l"], INDEX["slope_ratio"], INDEX["bending"], INDEX["stop_force_0"]
+_SOFTENING_RATE = INDEX["softening_rate"]
 
 LONGEST_STEP = 5.5e-3
 """Longest step [s]: it damps a frame that turns at 28 Hz by 1 1/s, where its own loss is 10 to 20 1/s."""
@@ -35,8 +36,12 @@ _FARTHEST = (0.05, 0.15)
 
 
 @compiled
-def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatArray) -> tuple[float, float, float]:
+def held_shape(
+    q: float, softened: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatArray
+) -> tuple[float, float, float]:
     """Stable τ and β [1] of a joint at rest whose tip is held at q [m], and the force [N] on q there.
+
+    `softened` is the share of their softening that has come over the membranes.
 
     The shape follows its own overdamped relaxation from that of slow motions, by implicit Euler steps that double:
     Newton's method in the end. A step is taken only where it goes down in energy (its matrix is positive definite) and
@@ -44,7 +49,7 @@ def held_shape(q: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatAr
     in them. Cost: about 20 evaluations of the forces, 2 µs.
     """
     x, forces, by = np.zeros(STATES), np.empty(3), np.empty(6)
-    x[0], x[2] = q, k[_RATIO] * q / k[_L]
+    x[0], x[2], x[SOFTENING] = q, k[_RATIO] * q / k[_L], softened
     step = 0.05
     for _ in range(200):
         rest_forces(x, u, c, p, forces, by)
@@ -83,17 +88,20 @@ def still(q: float, tau: float, beta: float) -> FloatArray:
 
 @compiled
 def rest_state(
-    q: float, u: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray
+    q: float, u: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray, age: float
 ) -> tuple[FloatArray, FloatArray]:
     """State (STATES,) and stop operators (STOPS,) as after a long rest at q [m] under constant squared voltages u [V²].
 
     The shape has relaxed, Maxwell strains have decayed, creep has caught up, and friction balances what is left,
-    as far as its capacity goes. `k` and `p` are the constants and the prepared constants.
+    as far as its capacity goes. The membranes have softened for the time `age` [s]. `k` and `p` are the
+    constants and the prepared constants.
     """
     z, c = np.zeros(STOPS), np.zeros(VALUES)
     corrections_at(q, basis, weights, c)
-    tau, beta, force = held_shape(q, u, c, k, p)
+    softened = 1.0 - np.exp(-k[_SOFTENING_RATE] * age)
+    tau, beta, force = held_shape(q, softened, u, c, k, p)
     x = still(q, tau, beta)
+    x[SOFTENING] = softened
     capacity = 0.0
     for i in range(STOPS):
         capacity += k[_STOP + i]
@@ -110,7 +118,7 @@ def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatAr
     u, c, start = np.zeros(2), np.zeros(VALUES), np.zeros(2)
     at_rest, rates = np.empty(STATES), np.empty(STATES)
     for i in range(len(_SHARES)):
-        x, z = rest_state(_SHARES[i] * k[_L], u, k, p, basis, weights)
+        x, z = rest_state(_SHARES[i] * k[_L], u, k, p, basis, weights, 0.0)
         start[0], start[1] = x[0], x[2]
         corrections_at(x[0], basis, weights, c)
         joint_rates(x, u, c, z, start, p, at_rest)
@@ -193,7 +201,7 @@ def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, we
     """The four curves of `static_curves`, shape (4, n)."""
     curves, u, c, forces, by = np.empty((4, len(q))), np.zeros(2), np.zeros(VALUES), np.empty(3), np.empty(6)
     for i in range(len(q)):
-        x, _ = rest_state(q[i], u, k, p, basis, weights)
+        x, _ = rest_state(q[i], u, k, p, basis, weights, 0.0)
         slope, interior = _shape_slopes(x, u, p, basis, weights, forces)
         still = forces[0] + slope * forces[1] + interior * forces[2]
         curves[0, i] = -still

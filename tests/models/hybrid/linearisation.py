@@ -10,7 +10,7 @@ from pipeline.models.hybrid.kernels import corrections_at
 from pipeline.numerics.arrays import FloatArray
 
 ALL = STATES + STOPS
-"""States x (14,), and the stop operators z (4,) behind them."""
+"""States x, and the stop operators z behind them."""
 
 
 class Linearised:

@@ -76,7 +76,7 @@ def run(
     lead = RATIO / float(k[INDEX["l"]])
     return run_joints(
         k[None], weights[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.zeros(1),
-        np.array([q0, 0.0]), observed, poles, 0.01, steps, 0.045, lead,
+        np.array([q0, 0.0, 0.0]), observed, poles, 0.01, steps, 0.045, lead,
     )[0]  # fmt: skip
 
 
@@ -208,7 +208,7 @@ def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
     fine = np.linspace(0.0, dt * (samples - 1), 2 * steps * (samples - 1) + 1)
     omega, amplitude = 2.0 * np.pi, 0.012
     path = np.column_stack([amplitude * np.sin(omega * fine), amplitude * omega * np.cos(omega * fine)])
-    free = follow_path(np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS)
+    free = follow_path(np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS, 0.0)
     q, p = path[:: 2 * steps].T
     # Whoever holds the path gives its q̈ more than the joint's own; what the shape does besides is its own affair.
     inertia = np.array([inertia_at(k, x, 0.0)[0, 0] for x in q])
@@ -300,11 +300,36 @@ def test_joints_side_by_side_move_as_each_alone() -> None:
     def moved(chosen: slice) -> FloatArray:
         count = len(k[chosen])
         one = np.zeros(count, dtype=np.int64)
-        return run_joints(k[chosen], weights[chosen], BASIS, u, one, np.zeros(count), np.array([-0.011, 0.0]), *rest)
+        return run_joints(
+            k[chosen], weights[chosen], BASIS, u, one, np.zeros(count), np.array([-0.011, 0.0, 0.0]), *rest
+        )
 
     together = moved(slice(None))
     for j in range(len(k)):
         np.testing.assert_allclose(together[j], moved(slice(j, j + 1))[0], rtol=1e-9, atol=1e-12)
+
+
+def test_a_softening_joint_moves_as_one_with_so_much_less_modulus() -> None:
+    """At once, and after a wait of ln 2 over the rate with half of it."""
+    k = deviating(4, 0.5)
+    k[INDEX["softening"]], k[INDEX["softening_rate"]] = 0.1, 1e-9
+    u, poles, softer = np.zeros((1201, 2)), np.zeros(201), k.copy()
+    u[60:600, 0] = 2800.0**2
+    softer[[INDEX["left_elastic"], INDEX["right_elastic"]]] *= 0.95
+
+    def q(joint: FloatArray, age: float) -> FloatArray:
+        return run_joints(
+            joint[None], NO_WEIGHTS[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.zeros(1),
+            np.array([-0.011, 0.0, age]), NOTHING, poles, 0.01, 3, 0.045, 14.0,
+        )[0, :, 0]  # fmt: skip
+
+    softer[INDEX["softening"]] = 0.0
+    firm = q(k, 0.0)
+    assert q(k, np.log(2.0) / 1e-9) == pytest.approx(q(softer, 0.0), abs=1e-9)
+    assert np.abs(firm - q(softer, 0.0)).max() > 1e-4
+    k[INDEX["softening_rate"]] = 1e3
+    softer[[INDEX["left_elastic"], INDEX["right_elastic"]]] *= 0.9 / 0.95
+    assert q(k, 1.0) == pytest.approx(q(softer, 0.0), abs=1e-7)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -312,7 +337,7 @@ def test_a_held_shape_is_a_stable_equilibrium_near_the_joint(seed: int) -> None:
     k, weights = deviating(seed, 0.5), drawn_weights(seed)
     u = np.array([0.0, 4e6])
     for q in k[INDEX["l"]] * np.linspace(-0.25, 0.25, 9):
-        x, _ = rest_state(float(q), u, k, prepared(k), BASIS, weights)
+        x, _ = rest_state(float(q), u, k, prepared(k), BASIS, weights, 0.0)
         forces, by = np.empty(3), np.empty(6)
         rest_forces(x, u, corrections(q, BASIS, weights), prepared(k), forces, by)
         slopes = by.reshape(3, 2)[1:]
@@ -483,7 +508,7 @@ u[0, 60:600, 0] = 2800.0**2
 weights = np.full((1, 9, 5), 0.5) * condensed_parameters.correction_prior_std(NOMINAL)[:, None]
 q = run_joints(
     k[None], weights, np.array([-0.02, 0.01, 0.008]), u, np.zeros(1, dtype=np.int64), np.zeros(1),
-    np.array([-0.011, 0.0]), np.zeros(0), np.zeros(201), 0.01, 3, 0.045, 14.0,
+    np.array([-0.011, 0.0, 0.0]), np.zeros(0), np.zeros(201), 0.01, 3, 0.045, 14.0,
 )
 print(hashlib.sha256(q.tobytes()).hexdigest())
 """

@@ -14,7 +14,7 @@ from pipeline.numerics.arrays import FloatArray
 from tests.models.hybrid.linearisation import Linearised
 
 BASIS = np.array([-0.02, 0.01, 0.008])
-SIZE = np.array([0.01, 0.1, 0.1, 2.0, 0.05, 1.0, *8 * [0.01], *STOPS * [1.0]])
+SIZE = np.array([0.01, 0.1, 0.1, 2.0, 0.05, 1.0, *9 * [0.01], *STOPS * [1.0]])
 WIDTHS = condensed_parameters.correction_prior_std(NOMINAL)
 
 

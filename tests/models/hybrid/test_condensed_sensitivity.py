@@ -16,14 +16,17 @@ DT = 0.01  # s
 
 
 def problem(centres: int, similarity: Similarity, *, fine: bool, seed: int) -> tuple[CondensedProblem, FloatArray]:
-    """A log of 0.8 s from rest on with a pulse on either side and a gap, and a joint somewhat off the drawing."""
+    """A log of 0.8 s from rest on, 12 s after the recording began, with a pulse on either side and a gap.
+
+    And a joint somewhat off the drawing.
+    """
     rng, t = np.random.default_rng(seed), DT * np.arange(81)
     finer = DT / 5 * np.arange(5 * len(t))
     drives = [np.where((finer > begin) & (finer < begin + 0.3), 2300.0, 40.0) for begin in (0.1, 0.35)]
     v = similarity.voltage * np.column_stack(drives).reshape(len(t), 5, 2)
     q = similarity.origin + similarity.length * (0.0115 + 0.002 * np.sin(9.0 * np.maximum(t - 0.1, 0.0)))
     valid = (t < 0.3) | (t > 0.38)
-    log = Record(t, q, np.zeros(len(t)), np.zeros(len(t)), v[:, 0], valid, v if fine else None)
+    log = Record(12.0 + t, q, np.zeros(len(t)), np.zeros(len(t)), v[:, 0], valid, v if fine else None)
     basis = similarity.length * np.array([-0.02, 0.04 / max(centres - 1, 1), 0.008])
     ratio = condensed_parameters.static_slope_ratio(NOMINAL)
     joint = CondensedJoint(NOMINAL, basis, centres, 3000.0 * similarity.voltage, ratio, similarity)

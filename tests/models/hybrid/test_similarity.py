@@ -39,12 +39,12 @@ def rates(model: HybridModel, x: FloatArray, z: FloatArray, u: FloatArray) -> Fl
 def test_rates_scale_with_their_dimensions() -> None:
     ours, other = pair()
     rng = np.random.default_rng(4)
-    metres = np.array([1.0, 1.0, *np.zeros(STATES - 4), 1.0, 1.0])
+    metres = np.array([1.0, 1.0, *np.zeros(STATES - 5), 1.0, 1.0, 0.0])
     state = UNITS.length**metres
     state[[1, 3, 5]] /= UNITS.time
     for _ in range(20):
         x = rng.standard_normal(STATES) * np.array(
-            [0.01, 0.2, 0.1, 3.0, 0.1, 3.0, *np.full(STATES - 8, 0.1), 0.01, 0.01]
+            [0.01, 0.2, 0.1, 3.0, 0.1, 3.0, *np.full(STATES - 9, 0.1), 0.01, 0.01, 0.5]
         )
         z, u = rng.uniform(-1.0, 1.0, STOPS), rng.uniform(0.0, 9e6, 2)
         found = rates(ours, x, z, u)
