@@ -14,9 +14,10 @@ force comes from a potential, a damper, a Maxwell element or a stop operator.
 What a real joint has and the paper's analytical model lacks is added: two sides of their own, generalised
 Maxwell slip on q as stop operators, linear creep elements on q, membranes that soften while a log lasts, and RBF
 corrections (eq. 38): of restoring force, damping and both electrostatic forces in q, and to second order in the
-deviation s = τ − ratio Q from the quasi-static slope, because while it snaps the beam is not where a function of q alone would put it: the potential
-−m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s and the loss c(q) ṡ². They are gradients and dampers, so the
-joint stays passive; c never takes more than half of the beam's own loss, in whatever direction.
+deviation s = τ − ratio Q from the quasi-static slope, because while it snaps the beam is
+not where a function of q alone would put it: the potential −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s
+and the loss c(q) ṡ². They are gradients and dampers, so the joint stays passive; c never takes more than half of the
+beam's own loss, in whatever direction.
 
 States and constants: `pipeline.equations.condensed_parts`.
 """

@@ -181,5 +181,5 @@ def states() -> tuple[Variable, ...]:
         Variable("interior", "1", "interior shape mode of the beam", 0.1),
         Variable("interior_rate", "1/s", "its rate", 10.0),
         *strains,
-        *(Variable(name, unit, "memory of an element on the tip", 0.01) for name, unit in ELEMENT_STATES),
+        *(Variable(name, unit, "memory of an element", 0.01) for name, unit in ELEMENT_STATES),
     )
