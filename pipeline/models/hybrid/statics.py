@@ -78,11 +78,12 @@ def held_shape(
 
 @compiled
 def still(q: float, tau: float, beta: float) -> FloatArray:
-    """The state at rest with this shape: Maxwell strains have decayed, creep has caught up; shape (STATES,)."""
+    """The state at rest with this shape, shape (STATES,): strains have decayed, creep and softening have ended."""
     x = np.zeros(STATES)
     x[0], x[2], x[4] = q, tau, beta
     for i in range(len(AT_REST)):
         x[FIRST_ELEMENT + i] = AT_REST[i] * q
+    x[SOFTENING] = 1.0
     return x
 
 
