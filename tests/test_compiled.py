@@ -124,6 +124,7 @@ print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 """
 
 
+@pytest.mark.long
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(package: Path) -> None:
     """Even its name, which the index of the cache holds; and only then."""
     root = Path(compiled.__file__).parent

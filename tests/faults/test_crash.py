@@ -44,8 +44,9 @@ def check_set_aside(bench, start: str) -> None:
 
 
 @pytest.mark.usefixtures("interception")
-@pytest.mark.parametrize("start", STARTS)
-@pytest.mark.parametrize("wanted", [FEW, pytest.param(MANY, marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    ("start", "wanted"), [("damaged", FEW), *(pytest.param(start, MANY, marks=pytest.mark.long) for start in STARTS)]
+)
 def test_killed_at_some_calls(bench, start, wanted, count):
     calls = bench.calls(start)
     for call in random.Random(wanted).sample(calls, wanted):

@@ -50,9 +50,14 @@ def places(calls, error: str) -> list[int]:
 
 
 @pytest.mark.usefixtures("interception")
-@pytest.mark.parametrize("start", STARTS)
-@pytest.mark.parametrize("error", ERRORS)
-@pytest.mark.parametrize("wanted", [FEW, pytest.param(MANY, marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    ("start", "error", "wanted"),
+    [
+        ("fresh", "ENOSPC", FEW),
+        ("damaged", "EIO", FEW),
+        *(pytest.param(start, error, MANY, marks=pytest.mark.long) for start in STARTS for error in ERRORS),
+    ],
+)
 def test_some_failing_calls(bench, error, start, wanted, count):
     numbers = places(bench.calls(start), error)
     for number in random.Random(wanted).sample(numbers, wanted):

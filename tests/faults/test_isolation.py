@@ -16,7 +16,9 @@ from tests.prototypes import SMALL_CSV
 
 PLANTED = ("cli", "typer", "numpy", "struct", "json", "pipeline", "multiprocessing", "pyarrow", "sitecustomize")
 SPAWN = "import socket; del socket.CMSG_LEN\n"  # without it, descriptors cannot be handed on, so nothing is forked
-METHODS = pytest.mark.parametrize("method", ["", SPAWN], ids=["fork server", "spawn"])
+METHODS = pytest.mark.parametrize(
+    "method", ["", pytest.param(SPAWN, marks=pytest.mark.long)], ids=["fork server", "spawn"]
+)
 
 
 def greets(send, name):

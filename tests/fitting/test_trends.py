@@ -13,7 +13,9 @@ def measured(change: np.ndarray, seed: int, noise: float = 1.0) -> np.ndarray:
     return 40.0 + change + noise * ERRORS * np.random.default_rng(seed).standard_normal(len(T))
 
 
-@pytest.mark.parametrize("noise", [0.2, 1.0, 3.0])
+@pytest.mark.parametrize(
+    "noise", [pytest.param(0.2, marks=pytest.mark.long), 1.0, pytest.param(3.0, marks=pytest.mark.long)]
+)
 def test_no_change_is_claimed_of_a_quantity_that_does_not_change(noise: float) -> None:
     """Whether the stated errors are right, five times too large or three times too small."""
     alarms = [trend(T, measured(0.0 * T, seed, noise), ERRORS, 0.05).kind != "none" for seed in range(200)]

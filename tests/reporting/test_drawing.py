@@ -42,7 +42,7 @@ def _drawn(figure: Figure, models: tuple[str, ...] = MODELS, look: Look | None =
     return canvas
 
 
-@pytest.mark.parametrize("typeface", ["sans", "serif"])
+@pytest.mark.parametrize("typeface", ["sans", pytest.param("serif", marks=pytest.mark.long)])
 def test_every_axis_has_ticks_and_no_letters_touch_or_leave_the_sheet(typeface):
     for name, figure in figures_of_one_log().items():
         _check_axes_and_letters(name, _drawn(figure, run_data().model_names, paper_look(figure, typeface)))

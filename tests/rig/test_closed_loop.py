@@ -95,7 +95,14 @@ def test_without_friction_a_joint_rings_longer_and_a_frozen_laser_gives_its_last
     assert np.ptp(runs[0].q[199:300]) == 0.0 < np.ptp(runs[0].q[300:400])
 
 
-@pytest.mark.parametrize(("family", "seed"), [("same", 3), ("foreign", 7), ("foreign", 5)])  # 5: from a second start
+@pytest.mark.parametrize(
+    ("family", "seed"),
+    [
+        pytest.param("same", 3, marks=pytest.mark.long),
+        pytest.param("foreign", 7, marks=pytest.mark.long),
+        ("foreign", 5),
+    ],  # from a second start
+)
 def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_from_json(
     family: str, seed: int
 ) -> None:

@@ -27,7 +27,7 @@ UNEQUAL = NOMINAL.with_values({"left.b": 23.2e-3, "right.Y": 1.15e6, "right.eps_
 START = float(equilibria(UNEQUAL, np.zeros(2))[0].q)
 
 
-def test_full_order_motion_agrees_with_radau() -> None:
+def test_full_order_motion_agrees_with_lsoda() -> None:
     t, v = pulse_sequence(count=1, pulse=0.1, pause=0.06, dt=0.01)
     force = 0.02 * np.sin(20.0 * t)
     start, p = rest_state(UNEQUAL, START, 0.0, v[0]), UNEQUAL.vector()
@@ -40,7 +40,7 @@ def test_full_order_motion_agrees_with_radau() -> None:
         kernels.dynamics(x[:4], x[4:8], x[8:], now**2, load, p, mass, tau, z_dot)
         return np.concatenate([x[4:8], np.linalg.solve(mass, tau), z_dot])
 
-    truth = solve_ivp(derivative, (0.0, t[-1]), start, "Radau", t, rtol=1e-7, atol=1e-9, max_step=1e-2)
+    truth = solve_ivp(derivative, (0.0, t[-1]), start, "LSODA", t, rtol=1e-7, atol=1e-9, max_step=1e-2)
     motion = simulate(UNEQUAL, t, v, start, force=force, tolerance=1e-7)
     q = truth.y[:3].T @ UNEQUAL.l ** np.arange(2, 5)
     assert np.ptp(q) > 0.01

@@ -41,7 +41,7 @@ def test_a_slow_device_is_simulated_as_exactly(rate: float, damping: float) -> N
     assert np.abs(found[:, 0] - exact).max() < 1e-4
 
 
-@pytest.mark.parametrize("interval", [0.01, 6.0])
+@pytest.mark.parametrize("interval", [pytest.param(0.01, marks=pytest.mark.long), 6.0])
 def test_a_device_of_any_speed_is_found(interval: float) -> None:
     """An oscillator of one linear input, sampled 100 times in a period: lags follow its time scale."""
     rng, t = np.random.default_rng(1), interval * np.arange(900)
