@@ -39,7 +39,7 @@ app = Program(
     pretty_exceptions_enable=False,
     help="From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model.",
     epilog="Exit codes: 0 done, 1 a bug of debist, 2 usage or bad input, 3 data refused, 4 corrupt artifact, "
-    "5 run locked, 6 some prototypes of a batch failed, 130 interrupted, 128 + n ended by signal n.",
+    "5 run locked, 6 some prototypes of a batch failed. Also 130 interrupted, 128 + n ended by signal n.",
 )
 
 app.add_typer(control.app, name="control")

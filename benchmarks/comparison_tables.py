@@ -50,7 +50,7 @@ MEANING = """Rows are of the validation logs, which no fit has seen.
 - **Bold** is the lowest error where every other one is higher in the paired bootstrap.
 - ≈ marks errors that the bootstrap does not tell apart from the lowest.
 - Fit is in seconds of processor time on one core.
-- Folds: a run that diverged counts as 100; mean over the folds with its 95 % interval.
+- Folds: mean with its 95 % interval; a run that diverged has the error 100.
 """
 SHOWN = ("model", "q [%]", "wells [%]", "switches [%]", "fit [s]", "one step [%]", "0.1 s [%]", "1 s [%]")
 STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
@@ -107,7 +107,7 @@ def folds(run: RunFolder) -> Iterator[str]:
     places = [place for place, cell in enumerate(header) if cell not in ("q̇ [%]", "q̈ [%]")]
     header, rows = [header[place] for place in places], [[row[place] for place in places] for row in rows]
     rows = [[re.sub(r"^(.*) \*$", r"**\1**", cell) for cell in row] for row in rows]
-    yield f"{notes['count']} folds over {notes['by']} of all logs:\n\n"
+    yield f"\n{notes['count']} folds over {notes['by']} of all logs:\n\n"
     for line in (header, ["---", *["---:"] * (len(header) - 1)], *rows):
         yield "| " + " | ".join(line) + " |\n"
 

@@ -179,7 +179,7 @@ def page(examples: dict[str, dict[str, float]], fleet: dict[str, dict[str, float
     return f"""# Measured: from `rbf-paper` to `rbf`
 
 Written by `python benchmarks/paper_to_rbf.py RUNS P1.toml P2.toml P3.toml FLEET` ({date.today():%-d %B %Y}, commit
-{commit.stdout.strip()}). FLEET was drawn for this page; the table has its first joints of either physics:
+{commit.stdout.strip()}). FLEET was drawn for this page. The table has its first joints of either physics.
 
 <!-- not run: an hour -->
 ```sh

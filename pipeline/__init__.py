@@ -4,4 +4,4 @@ The stages run in the order ingest → differentiate → identify → validate �
 only through artifacts; `docs/explanation/architecture.md` draws the flow.
 """
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

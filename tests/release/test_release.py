@@ -26,8 +26,12 @@ def test_the_version_is_the_same_everywhere() -> None:
     citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
     assert citation["version"] == PROJECT["version"] == __version__
     assert citation["license"] == PROJECT["license"].split(" AND ")[0], "the others are of what is vendored"
-    assert f"\n## {__version__}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    assert f"debist-{__version__}-py3-none-any.whl" in (ROOT / "docs/how-to/install.md").read_text(encoding="utf-8")
+    headings = re.findall(r"^## (.+)$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert headings[:2] == ["Unreleased", f"{__version__} ({citation['date-released']})"]
+    named = {"docs/how-to/install.md": r"debist-([\d.]+)-py3", "docs/how-to/cluster.md": r"/debist:([\d.]+)"}
+    named |= {f"workflows/{name}": r"/debist:([\d.]+)" for name in ("config.yaml", "config.schema.yaml")}
+    for name, pattern in named.items():
+        assert set(re.findall(pattern, (ROOT / name).read_text(encoding="utf-8"))) == {__version__}, name
 
 
 def test_what_the_package_imports_is_declared_explained_and_locked() -> None:
