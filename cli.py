@@ -14,20 +14,17 @@ import typer
 from pipeline.commands import (
     control,
     fleet,
+    inspection,
     integrity,
     outcome,
     physics,
-    raw_logs,
     results,
     rig,
-    series,
     stages,
     whole_run,
 )
-from pipeline.commands.boundary import ErrorBoundary, Program
+from pipeline.commands.boundary import ErrorBoundary, Program, with_options
 from pipeline.commands.console import Json, Quiet, Report, emit_json
-from pipeline.commands.inspection import check
-from pipeline.commands.options import with_options
 from pipeline.errors import BatchFailedError, InputError
 from pipeline.machine import settle_machine
 
@@ -47,15 +44,15 @@ app.add_typer(fleet.app, name="fleet")
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(results.study, name="study")
-app.command()(check)
+app.command()(inspection.check)
 app.command()(results.diff)
-app.command()(series.series)
+app.command()(fleet.series)
 app.command()(results.export)
 app.command()(integrity.verify)
 app.command()(integrity.repair)
 app.command()(results.paper)
-app.command()(raw_logs.init)
-app.command()(raw_logs.inspect)
+app.command()(inspection.init)
+app.command()(inspection.inspect)
 app.command()(stages.ingest)
 app.command()(stages.differentiate)
 app.command()(stages.identify)

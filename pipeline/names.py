@@ -5,7 +5,7 @@ import re
 import unicodedata
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 ROLE_WORDS = {"train": "training", "validation": "validation"}
 FILL_IN = "FILL IN"
@@ -104,3 +104,13 @@ def with_true_names(rows: Iterable[Mapping[str, Any]], sources: Iterable[tuple[s
     """
     called = {(role, log_name(log)): true_name(log) for role, log in sources}
     return [{**row, "log": called.get((row["role"], row["log"]), row["log"])} for row in rows]
+
+
+Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
+"""Form of an export."""
+Typeface = Literal["sans", "serif"]
+"""Of a figure."""
+Well = Literal["left", "right"]
+"""Where a joint rests."""
+Goal = Literal["time", "energy", "voltage"]
+"""What a pulse is to need least of."""

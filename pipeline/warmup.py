@@ -126,9 +126,8 @@ def _measured() -> None:
 
 def _rig() -> None:
     from pipeline.rig.bench import Bench, record
-    from pipeline.rig.controllers import played
     from pipeline.rig.joint import potential, rest, tip_displacement
-    from pipeline.rig.loop import Scenario, run_loop
+    from pipeline.rig.loop import Scenario, played, run_loop
     from pipeline.rig.parameters import nominal
 
     p, bench = nominal(), Bench(rate=2000.0)

@@ -7,10 +7,9 @@ from typing import Annotated, Any
 
 import typer
 
-from pipeline.choices import Goal, Well
-from pipeline.commands.boundary import group
+from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
-from pipeline.commands.options import with_options
+from pipeline.names import Goal, Well
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
 

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.boundary import group
+from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Quiet, emit_json, emit_table, progress_report
-from pipeline.commands.options import with_options
 from pipeline.errors import InputError
 
 if TYPE_CHECKING:

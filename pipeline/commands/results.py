@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from pipeline.choices import Target
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 from pipeline.commands.outcome import emit_table_2
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.names import Target
 from pipeline.si_prefix import percent
 
 if TYPE_CHECKING:

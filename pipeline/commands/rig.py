@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.boundary import group
+from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Quiet, emit_json, emit_text, progress_report, working
-from pipeline.commands.options import with_options
 
 if TYPE_CHECKING:
     from pipeline.rig.fleet import Experiment
@@ -102,7 +101,7 @@ class Ageing:
     def fields(self) -> dict[str, Any]:
         """The same for an experiment."""
         from pipeline.errors import InputError
-        from pipeline.rig.ageing import USUAL, parse_drift
+        from pipeline.rig.random_joint import USUAL, parse_drift
 
         if self.age is None:
             if self.drift is not None:
@@ -270,7 +269,7 @@ def excite(
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
-    from pipeline.commands.excitation import emit_design
+    from pipeline.commands.inspection import emit_design
     from pipeline.tools.excitation import description, excite
 
     requirements, rate = form.requirements(), _parsed(form.rate, "Hz", "--rate")

@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from pipeline.choices import Goal
 from pipeline.control.ensemble import INTERVAL, Ensemble
 from pipeline.control.estimator import PERIOD
 from pipeline.control.step_metrics import BAND
 from pipeline.errors import InputError
+from pipeline.names import Goal
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import settling_index
 

@@ -10,9 +10,9 @@ from pipeline.fitting.coverage import coverage
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import percent, quantity, significant
-from pipeline.signals.inputs import voltages
 from pipeline.signals.noise import below_resolution, noise_std, rounding
 from pipeline.signals.signal_quality import examine_signal
+from pipeline.signals.trajectory import voltages
 
 NOT_DECIMATED = 0.9
 """Least sample interval of a log over that of its kinematics at which both have the same noise."""

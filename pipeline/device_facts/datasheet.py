@@ -27,7 +27,7 @@ from pipeline.numerics.metrics import NORMAL_90
 from pipeline.runs.columns import FACT_COLUMNS, STABLE
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import quantity
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 
 FORMAT = "debist-datasheet/1"
 RING_TIME, RING_STEP = 2.0, 0.005  # s

@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.models.base import DynamicModel, SimulatesMany
 from pipeline.numerics.arrays import FloatArray, runs_of
-from pipeline.signals.inputs import peaks, voltages
+from pipeline.signals.trajectory import peaks, voltages
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals

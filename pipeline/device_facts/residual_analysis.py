@@ -14,7 +14,7 @@ from scipy.signal import correlate, welch
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.numerics.arrays import FloatArray, longest_run, samples_of
 from pipeline.numerics.metrics import NORMAL_99
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 
 LONGEST_LAG, FEWEST_LAGS, SHARE = 1.0, 50, 8
 """Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the

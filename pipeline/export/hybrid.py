@@ -3,8 +3,7 @@
 from typing import Any
 
 from pipeline.codegen.graph import apply, choose, clip, function, inline, square, trace
-from pipeline.export.input_lag import lagged_nodes
-from pipeline.export.subject import Realisation, Variable
+from pipeline.export.subject import Realisation, Variable, lagged_nodes
 from pipeline.generated.condensed_joint import (
     AT_REST,
     BENDS,

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from markupsafe import Markup, escape
 
-from pipeline.choices import Typeface
 from pipeline.errors import InputError
+from pipeline.names import Typeface
 from pipeline.reporting.figure import Figure, writable
 from pipeline.reporting.plotted import Look, paper_look, plotted, sans
 

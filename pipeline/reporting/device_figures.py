@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device_facts.among_siblings import AmongSiblings, places_among
+from pipeline.device_facts.calibrated import AmongSiblings, places_among
 from pipeline.device_facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
 from pipeline.device_facts.data_quality import centre_visits
 from pipeline.device_facts.datasheet import Datasheet
@@ -21,7 +21,7 @@ from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
 from pipeline.reporting.recipe_figures import study_figure
 from pipeline.si_prefix import power, quantity
-from pipeline.signals.inputs import peaks, voltages
+from pipeline.signals.trajectory import peaks, voltages
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]

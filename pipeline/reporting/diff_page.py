@@ -3,11 +3,17 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
+from pipeline.device_facts.series import Series, SeriesFact
+from pipeline.fitting.trends import FEWEST
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import NORMAL_95
 from pipeline.reporting.canvas import page_chart
-from pipeline.reporting.figure import Figure, Line, Panel
+from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.page import render
+from pipeline.si_prefix import quantity
 
 CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
 """Curves that are drawn, and their names."""
@@ -79,3 +85,85 @@ def _free_runs(runs: Sequence[DrawnRun]) -> Iterator[Figure]:
         lines += [Line(run.name, run.name, run.logs[key][0], run.logs[key][2]) for run in having]
         panel = Panel("q", having[0].displacement, tuple(lines))
         yield Figure(f"log-{number}", f"Free runs of the {key[0]}", "Measured and simulated.", "t", "s", (panel,))
+
+
+COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
+
+
+def series_rows(series: Series) -> list[tuple[str, ...]]:
+    """A row of texts for each fact: first and last value, the last one from all runs, and the change."""
+    return [
+        (
+            fact.title,
+            *(_shown(fact, fact.values[i], fact.errors[i]) for i in (0, -1)),
+            _shown(fact, fact.smooth[-1], fact.smooth_errors[-1]),
+            change(fact, series.unit),
+        )
+        for fact in series.facts
+    ]
+
+
+def change(fact: SeriesFact, unit: str) -> str:
+    """What is claimed of a fact, in words; `unit` is that of the time."""
+    trend, large = fact.trend, float(np.abs(fact.values).max())
+    if trend.kind == "unknown" or trend.slope is None:
+        return f"{len(fact.at)} runs: nothing can be said"
+    if trend.kind == "step":
+        step = quantity(trend.step, fact.unit, trend.step_error, large)
+        return f"step of {step} between {unit}s {trend.after:g} and {trend.before:g}"
+    slope = quantity(trend.slope, fact.unit, trend.slope_error)
+    return f"{slope} a {unit}" if trend.kind == "line" else f"none shown ({slope} a {unit})"
+
+
+def conclusion(series: Series) -> str:
+    """A sentence on the whole series."""
+    if len(series.names) < FEWEST:
+        return f"{len(series.names)} runs: nothing can be said of drift; {FEWEST} are the least, six for a step"
+    changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
+    return f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
+
+
+def _shown(fact: SeriesFact, value: float, error: float) -> str:
+    return quantity(float(value), fact.unit, NORMAL_95 * float(error))
+
+
+def series_page(series: Series) -> str:
+    """The page as HTML; the same series gives the same bytes."""
+    figures = [_figure(fact, series.unit) for fact in series.facts]
+    charts = [
+        {"figure": each, "drawings": page_chart(each, ("all",)), "legend": swatches(each, ("all",), marks=True)}
+        for each in figures
+    ]
+    context = {
+        "names": [f"{name} ({series.unit} {at:g})" for name, at in zip(series.names, series.at, strict=True)],
+        "columns": COLUMNS, "rows": series_rows(series), "conclusion": conclusion(series), "charts": charts,
+    }  # fmt: skip
+    return render("series.html.j2", (), context)
+
+
+def _figure(fact: SeriesFact, unit: str) -> Figure:
+    """Values of the runs with their intervals, the values from all runs as a band, and the line or step."""
+    at, half = fact.at, NORMAL_95 * fact.errors
+    gap = np.full(len(at), np.nan)
+    ends = np.column_stack([fact.values - half, fact.values + half, gap]).ravel()
+    bars = Line("95 % interval", "measured", np.repeat(at, 3), ends, dash="solid")
+    wide = NORMAL_95 * fact.smooth_errors
+    panel = Panel(
+        "value", fact.unit, (bars, *_drawn_change(fact)),
+        (Band("from all runs", "all", at, fact.smooth - wide, fact.smooth + wide),),
+        (Points("run", "measured", at, fact.values),),
+    )  # fmt: skip
+    name = "time" if unit == "day" else "run"
+    return Figure(fact.key, fact.title, change(fact, unit), name, "d" if unit == "day" else "1", (panel,), half=True)
+
+
+def _drawn_change(fact: SeriesFact) -> Sequence[Line]:
+    trend = fact.trend
+    shapes = {"line": (trend.slope, fact.at), "step": (trend.step, fact.at >= (trend.at or 0.0))}
+    size, shape = shapes.get(trend.kind, (None, fact.at))
+    if size is None:
+        return ()
+    change: FloatArray = size * shape.astype(np.float64)
+    weights = fact.errors**-2.0
+    level = float(weights @ (fact.values - change) / weights.sum())
+    return (Line(trend.kind, "all", fact.at, level + change),)

@@ -14,7 +14,7 @@ from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import grouped, moment, power, quantity, significant
-from pipeline.signals.inputs import UNKNOWN, unknown_rows, voltages
+from pipeline.signals.trajectory import UNKNOWN, unknown_rows, voltages
 from pipeline.units import ALPHA_UNIT, signal_units
 
 METHODS = {

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.choices import Typeface
 from pipeline.machine import import_configured
+from pipeline.names import Typeface
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import (
     Cells,

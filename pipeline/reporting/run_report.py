@@ -12,12 +12,18 @@ from pipeline.device_facts.run_data import WHY, RunData, judged_log
 from pipeline.names import ROLE_WORDS, log_title, with_true_names
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
-from pipeline.reporting.datasheet_rows import NOT_USED, calibrated_rows, sheet_rows, structure_summary
+from pipeline.reporting.datasheet_rows import (
+    NOT_USED,
+    Described,
+    calibrated_rows,
+    described,
+    sheet_rows,
+    structure_summary,
+)
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.legend import MARKS, swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
-from pipeline.reporting.model_facts import Described, described
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.short_tables import headline_table
 from pipeline.reporting.tables import (

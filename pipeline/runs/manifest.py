@@ -23,7 +23,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, not_written, reading, refuse_link, sweep, write_text
 from pipeline.runs.hashing import file_sha256, flatten, json_sha256
-from pipeline.runs.notes import ADVICE, checked_notes, first_mistake
+from pipeline.runs.schemas import ADVICE, checked_notes, first_mistake
 
 MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"

@@ -6,10 +6,9 @@ from itertools import chain, islice
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.bandwidth import Bandwidth, bandwidth
 from pipeline.signals.columns import chunks, finite, select
-from pipeline.signals.mains_hum import EXCERPT, MAINS, Hum, hum
 from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
+from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0

@@ -12,8 +12,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.columns import chunks, column, select
-from pipeline.signals.interpolation import interpolated
-from pipeline.signals.resampling import decimated
+from pipeline.signals.resampling import decimated, interpolated
 from pipeline.signals.timebase import advancing, default_gap_limit, nominal_step, segments
 
 TimeReversal = Literal["refuse", "split"]

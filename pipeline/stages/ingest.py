@@ -20,7 +20,7 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Ingest, LogGate, Prototype, Role
-from pipeline.signals.inputs import LONGEST_BRIDGE, UNKNOWN
+from pipeline.signals.trajectory import LONGEST_BRIDGE, UNKNOWN
 
 if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
@@ -306,8 +306,7 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
 def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.remarks import remarks_on
-    from pipeline.signals.plausible_spans import scale_suspicion
-    from pipeline.signals.saturation import saturation
+    from pipeline.signals.quality_gates import saturation, scale_suspicion
     from pipeline.signals.signal_quality import span
     from pipeline.signals.timebase import nominal_step
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pipeline.choices import Typeface
 from pipeline.loading.held_models import control_documents
 from pipeline.loading.parameter_sets import parameter_values
+from pipeline.names import Typeface
 from pipeline.runs import layout, schemas
 from pipeline.runs.columns import StudyName
 from pipeline.runs.engine import Task

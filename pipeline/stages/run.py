@@ -5,10 +5,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal
 
-from pipeline.choices import Typeface
 from pipeline.errors import DebistError
 from pipeline.loading.held_models import identified_models, made_control
 from pipeline.loading.parameter_sets import parameter_set
+from pipeline.names import Typeface
 from pipeline.runs import layout
 from pipeline.runs.atomic import sweep
 from pipeline.runs.checkpoints import clear_checkpoints

@@ -19,7 +19,7 @@ from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, Role
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 from pipeline.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:

@@ -15,11 +15,10 @@ from pipeline.loading.held_models import load_design
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.rig.bench import Bench
-from pipeline.rig.controllers import Controller, played, python_controller
 from pipeline.rig.excitation import load_sequence
 from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS, PER_SI
-from pipeline.rig.loop import ClosedLoop, Scenario, bench_from_json, run_loop
+from pipeline.rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
 from pipeline.rig.parameters import RigParameters, from_json, nominal, table1
 from pipeline.rig.random_joint import Family, random_joint
 from pipeline.runs.outputs import new_outputs, rebased

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.choices import Goal, Well
 from pipeline.errors import InputError
+from pipeline.names import Goal, Well
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs.engine import Observer
 from pipeline.runs.outputs import new_outputs, rebased
@@ -51,15 +51,14 @@ def _one_map(joint_run: ControlRun, converters: "Converters", to: Well, on_progr
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
     from pipeline.control.ensemble import ensemble_of
     from pipeline.control.linear import wells_and_saddle
-    from pipeline.control.lowest_voltage import DURATIONS, lowest_voltage, uncertain
-    from pipeline.control.switching_map import switching_map
+    from pipeline.control.switching_map import PULSES, lowest_voltage, switching_map, uncertain
 
     model = joint_run.model
     left, saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
     places = (left, saddle, right)
     lowest = []
-    for k, duration in enumerate(DURATIONS):
-        on_progress(f"lowest voltage to the {to}, {duration:g} s", _OF_LOWEST * k / len(DURATIONS))
+    for k, duration in enumerate(PULSES):
+        on_progress(f"lowest voltage to the {to}, {duration:g} s", _OF_LOWEST * k / len(PULSES))
         lowest.append(lowest_voltage(model, converters, places, to, duration))
     on_progress(f"map to the {to}", _OF_LOWEST)
     joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)

@@ -7,12 +7,11 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from pipeline.choices import Target
 from pipeline.errors import InputError
 from pipeline.loading.held_models import failed_validations, model_artifact
 from pipeline.loading.measured_curves import named_curves
 from pipeline.loading.run_models import subject
-from pipeline.names import log_name
+from pipeline.names import Target, log_name
 from pipeline.runs import layout
 from pipeline.runs.atomic import refuse_link
 from pipeline.runs.hashing import file_sha256

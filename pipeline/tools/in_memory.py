@@ -21,8 +21,8 @@ from pipeline.runs.columns import TUBE_COLUMNS
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.signals.missing_codes import codes_in, masked, said_of
-from pipeline.signals.plausible_spans import scale_suspicion
+from pipeline.signals.missing import codes_in, masked, said_of
+from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.stages.check import declared, log_signals
 from pipeline.stages.differentiate import kinematics
 from pipeline.stages.identify import identified

@@ -68,7 +68,7 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     """Mean frequency [Hz] and damping ratio of the ring-downs in both wells, over all logs, as in the datasheet."""
     from pipeline.device_facts.events import rest_facts
     from pipeline.scoring.wells import wells_of
-    from pipeline.signals.inputs import voltages
+    from pipeline.signals.trajectory import voltages
 
     logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
     tables = [joint_run.run.read_table(layout.kinematics(*log)) for log in logs]

@@ -7,9 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pipeline.choices import Typeface
 from pipeline.errors import InputError
 from pipeline.loading.held_models import made_control
+from pipeline.names import Typeface
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, in_snapshot

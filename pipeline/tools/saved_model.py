@@ -23,7 +23,7 @@ from pipeline.runs.hashing import tree_hash
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.trees import read_tree, write_tree
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 from pipeline.tools.export import WRITERS
 
 _CHECK = "check"
