@@ -169,7 +169,7 @@ def batch(
                 report=with_report, time_limit=limit, shard=shard,
             )  # fmt: skip
     outcome.emit_outcomes(outcomes, output, as_json=as_json)
-    failed = [one.name for one in outcomes if one.failed]
+    failed = [result.name for result in outcomes if result.failed]
     if failed:
         raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {', '.join(failed)}")
 
@@ -198,5 +198,5 @@ def study_settings(
         outcomes = run_batch(named, output, jobs, progress, program=debist, report=False)
     runs = {variant.name: output / run.name for variant, run in zip(variants, outcomes, strict=True) if not run.failed}
     results.emit_matrix(matrix_rows(runs, variants), as_json=as_json)
-    if failed := [one for one in outcomes if one.failed]:
+    if failed := [result for result in outcomes if result.failed]:
         raise BatchFailedError(f"{len(failed)} of {len(outcomes)} runs failed: {failed[0].name}: {failed[0].reason}")

@@ -266,11 +266,11 @@ class Model:
         if places.ndim != 1:
             raise InputError(f"q has the shape {places.shape}; give one column of displacements, shape (n,)")
         units = device(self._prototype).curve_units
-        found = {
+        columns = {
             f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve
             for name, curve in self.core.curves(places).items()
         }
-        return pd.DataFrame({f"q_{self._units[0]}": places, **found})
+        return pd.DataFrame({f"q_{self._units[0]}": places, **columns})
 
     def describe(self) -> dict[str, Any]:
         """Structure, parameters and diagnostics, with units in the keys."""
@@ -292,10 +292,10 @@ class Model:
             return table
         (signals,) = _logs(t, q, v1, v2)
         self._check_columns(signals.v.shape[1], signals.unit)
-        found = cleaned(signals, self._prototype, "the log")
-        for text in found.warnings:
+        record = cleaned(signals, self._prototype, "the log")
+        for text in record.warnings:
             warnings.warn(f"debist: {text}", stacklevel=_CALLER)
-        return found.motion
+        return record.motion
 
     def _check_columns(self, count: int, unit: str | None) -> None:
         if count != self.inputs:

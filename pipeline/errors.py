@@ -76,8 +76,8 @@ class BatchFailedError(DebistError):
 
 def disk_failure(error: Exception) -> str | None:
     """Why the system refused to read, if it is that what `error` says; None for what may as well be damage."""
-    said = _IN_HDF5.search(str(error))
-    number = int(said[1]) if said else error.errno if isinstance(error, OSError) else None
+    number_text = _IN_HDF5.search(str(error))
+    number = int(number_text[1]) if number_text else error.errno if isinstance(error, OSError) else None
     return os.strerror(number) if number in _DISK else None
 
 

@@ -188,8 +188,8 @@ def death(exit_code: int) -> str:
     """What ended a process that has sent no answer."""
     if exit_code >= 0:
         return f"exit code {exit_code if exit_code < 1 << 16 else hex(exit_code)}"  # Windows counts in hex
-    known = -exit_code in set(signal.Signals)
-    name = signal.Signals(-exit_code).name if known else f"signal {-exit_code}"
+    is_signal = -exit_code in set(signal.Signals)
+    name = signal.Signals(-exit_code).name if is_signal else f"signal {-exit_code}"
     return f"{name} (by another program, or by the system where memory runs out)" if name == "SIGKILL" else name
 
 

@@ -447,7 +447,9 @@ class Prototype(_Settings):
 
     @model_validator(mode="after")
     def _joint(self) -> "Prototype":
-        lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in (self.compare.models or ())]
+        lacking = [
+            entry.name for entry in ENTRIES if entry.needs_parameters and entry.name in (self.compare.models or ())
+        ]
         if self.plant.parameters is None and lacking:
             raise ValueError(f"compare.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
         if "hybrid" in self.identify.models and not self.may_be_a_joint:
@@ -501,8 +503,8 @@ class Prototype(_Settings):
         """The baselines to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every = [one for one in ENTRIES if one.part == "compare"]
-        return tuple(one.name for one in every if not one.needs_parameters or self.plant.parameters is not None)
+        every = [entry for entry in ENTRIES if entry.part == "compare"]
+        return tuple(entry.name for entry in every if not entry.needs_parameters or self.plant.parameters is not None)
 
 
 def _default(section: type[_Settings], key: str) -> Any:
@@ -510,7 +512,7 @@ def _default(section: type[_Settings], key: str) -> Any:
     return section.model_fields[key].default
 
 
-def _known_names(given: tuple[str, ...], known: tuple[str, ...], what: str = "model") -> tuple[str, ...]:
+def _known_names(given: tuple[str, ...], choices: tuple[str, ...], what: str = "model") -> tuple[str, ...]:
     """The names, each once.
 
     Raises
@@ -519,9 +521,9 @@ def _known_names(given: tuple[str, ...], known: tuple[str, ...], what: str = "mo
         One that is none of the known.
     """
     for name in given:
-        if name not in known:
-            close = difflib.get_close_matches(name, known, n=1)
-            hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(known)}"
+        if name not in choices:
+            close = difflib.get_close_matches(name, choices, n=1)
+            hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(choices)}"
             raise ValueError(f"no {what} {name!r} here; {hint}")
     return tuple(dict.fromkeys(given))
 

@@ -35,13 +35,13 @@ def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
     unknown = [error for error in errors if error["type"] == "extra_forbidden"]
     # Only a mistyped key is close to a missing one: that it is unknown says what to do.
     typed = {(error["loc"][:-1], close) for error in unknown for close in _close(str(error["loc"][-1]), errors, error)}
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     for error in (*unknown, *(error for error in errors if error["type"] != "extra_forbidden")):
         if error["type"] == "missing" and (error["loc"][:-1], error["loc"][-1]) in typed:
             continue
         key = ".".join(_location(error))
-        found.setdefault(key or str(error["msg"]), explain(error, settings))
-    return list(found.values())
+        texts.setdefault(key or str(error["msg"]), explain(error, settings))
+    return list(texts.values())
 
 
 def _close(key: str, errors: Sequence[Any], unknown: Any) -> list[str]:
@@ -83,13 +83,13 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
 
 def _hint(location: list[str], settings: type[BaseModel]) -> str:
     *section, key = location
-    known = _fields_at(section, settings)
-    if close := difflib.get_close_matches(key, known, n=1, cutoff=0.5):
+    keys = _fields_at(section, settings)
+    if close := difflib.get_close_matches(key, keys, n=1, cutoff=0.5):
         return f"did you mean {close[0]!r}?"
     elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings)]
     if elsewhere:
         return f"it belongs into [{elsewhere[0]}]"
-    return f"known here: {', '.join(known)}"
+    return f"known here: {', '.join(keys)}"
 
 
 def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
@@ -97,7 +97,7 @@ def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
     table = _table_at(location, settings)
     if table is None:
         return []
-    return [name for name, known in table.model_fields.items() if known.is_required()] or list(table.model_fields)
+    return [name for name, field in table.model_fields.items() if field.is_required()] or list(table.model_fields)
 
 
 def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:

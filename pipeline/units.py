@@ -241,8 +241,8 @@ def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:
     InputError
         No number, no unit, or a unit of another kind.
     """
-    found = _NUMBER.match(text)
-    number, unit = (found[0], text[found.end() :].strip()) if found else ("", text)
+    number_match = _NUMBER.match(text)
+    number, unit = (number_match[0], text[number_match.end() :].strip()) if number_match else ("", text)
     try:
         value = float(number)
     except ValueError:

@@ -84,9 +84,9 @@ def _without_parameter_set() -> None:
 def _network() -> None:
     from pipeline.models.rbf.dynamics import Coefficients, Coupling, Drive, basis, no_sensitivities, observed_run, slid
 
-    x, u, one, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
+    x, u, single, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
     two, curves = np.zeros(2), np.zeros((5, 5))
-    joint = Coefficients(curves, one, one, one, two, one, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
+    joint = Coefficients(curves, single, single, single, two, single, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
     drive, coupling = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False), Coupling(x, x, 0.0)
     observed_run(joint, drive, coupling, (0.0, 0.0), 0.01, 1, no_sensitivities())
     basis(x, joint)

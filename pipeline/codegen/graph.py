@@ -146,7 +146,7 @@ NUMPY: dict[str, Callable[..., Any]] = {
     "or": np.maximum,
     "not": lambda a: 1.0 - a,
     "where": lambda condition, value: np.where(condition != 0.0, value, 0.0),
-    "choose": lambda condition, one, other: np.where(np.asarray(condition) != 0.0, one, other),
+    "choose": lambda condition, chosen, other: np.where(np.asarray(condition) != 0.0, chosen, other),
     "finite": lambda a: np.where(np.isfinite(a), 1.0, 0.0),
     "expm1": np.expm1, "floor": np.floor,
     "fetch": lambda array, entry, index: array[entry + np.asarray(index, dtype=np.int64)],

@@ -212,8 +212,8 @@ class _Writer:
             self.builder.load(at, align=self.bytes),
             ir.Constant(ir.IntType(32), 0),
         )
-        lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.width), [0] * self.width)
-        return self.builder.shuffle_vector(single, ir.Constant(self.type, ir.Undefined), lanes)
+        broadcast = ir.Constant(ir.VectorType(ir.IntType(32), self.width), [0] * self.width)
+        return self.builder.shuffle_vector(single, ir.Constant(self.type, ir.Undefined), broadcast)
 
     def _store(self, operation: Operation, value: Any) -> Any:
         if operation.place[0] not in self.pointers:

@@ -124,19 +124,19 @@ def emit_table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]],
 
     cells = [[printable(cell) for cell in row] for row in rows]
     widths = [max(cell_len(row[k]) for row in (list(header), *cells)) for k in range(len(header))]
-    kept = [
+    fitted = [
         width if k and (k >= numeric_from or width < _SENTENCE) else min(width, _SENTENCE)
         for k, width in enumerate(widths)
     ]
     blocks: list[list[int]] = [[0]]
     for k in range(1, len(header)):
-        if sum(kept[i] + _GAP for i in (*blocks[-1], k)) + _GAP > _width() and len(blocks[-1]) > 1:
+        if sum(fitted[i] + _GAP for i in (*blocks[-1], k)) + _GAP > _width() and len(blocks[-1]) > 1:
             blocks.append([0])
         blocks[-1].append(k)
     for number, block in enumerate(blocks):
         _print_table(
             "" if number else printable(title),
-            [(header[k], k >= numeric_from, widths[k] == kept[k]) for k in block],
+            [(header[k], k >= numeric_from, widths[k] == fitted[k]) for k in block],
             [[row[k] for k in block] for row in cells],
         )
 
@@ -241,8 +241,8 @@ class Progress:
         """Leave the terminal as it was; where the user has stopped it, say what is kept."""
         self._stop()
         if isinstance(error, KeyboardInterrupt):
-            kept = f"the results of {self._made} finished step{'s' if self._made > 1 else ''} are kept"
-            error.args = (f"{kept}; the same command goes on from there" if self._made else _NOTHING_KEPT,)
+            finished = f"the results of {self._made} finished step{'s' if self._made > 1 else ''} are kept"
+            error.args = (f"{finished}; the same command goes on from there" if self._made else _NOTHING_KEPT,)
 
     def _stop(self) -> None:
         for shown in (self._bar, self._status):
@@ -288,7 +288,7 @@ def run_of(given: Path) -> Path:
 
 def runs_of(given: list[Path]) -> list[Path]:
     """The run folders that some arguments mean."""
-    return [run_of(one) for one in given]
+    return [run_of(place) for place in given]
 
 
 Run = Annotated[

@@ -106,14 +106,14 @@ def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
     from pipeline.errors import CorruptArtifactError
 
     if as_json:
-        emit_json({"runs": [{"run": run.root, **vars(run.found), "failure": run.failure} for run in runs]})
+        emit_json({"runs": [{"run": run.root, **vars(run.result), "failure": run.failure} for run in runs]})
     else:
         rows = [
             (
                 str(run.root),
-                str(run.found.checked),
-                str(len(run.found.problems)),
-                str(len(run.found.unknown) + len(run.found.leftover)),
+                str(run.result.checked),
+                str(len(run.result.problems)),
+                str(len(run.result.unknown) + len(run.result.leftover)),
                 _first(run),
             )
             for run in runs
@@ -127,8 +127,8 @@ def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
 
 
 def _first(run: "VerifiedRun") -> str:
-    problems = (f"{p['artifact']} {p['problem']}" for p in run.found.problems)
-    others = (f"{name} does not belong there" for name in (*run.found.unknown, *run.found.leftover))
+    problems = (f"{p['artifact']} {p['problem']}" for p in run.result.problems)
+    others = (f"{name} does not belong there" for name in (*run.result.unknown, *run.result.leftover))
     return run.failure or next(iter((*problems, *others)), "")
 
 

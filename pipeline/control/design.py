@@ -112,7 +112,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
 def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
     """What estimator and motion need of a plant whose converters have the time constants `lags` [s], without tables."""
     k, p, basis, weights = plant.constants
-    farthest, kept = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
+    farthest, decays = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
     grid = np.linspace(-farthest, farthest, RESTS)
     rests = []
     for q in grid:
@@ -123,8 +123,8 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
     curves = tabulate(basis, weights[None], NODES)[0, :, :, :CURVES] if centres else np.zeros((1, 6, CURVES))
     numbers = {
         "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
-        **{f"kept_{side}": left for side, left in zip(SIDES, kept, strict=True)},
-        **{f"kept_mean_{side}": (1.0 - left) * lag / PERIOD for side, left, lag in zip(SIDES, kept, lags, strict=True)},
+        **{f"kept_{side}": left for side, left in zip(SIDES, decays, strict=True)},
+        **{f"kept_mean_{x}": (1.0 - left) * lag / PERIOD for x, left, lag in zip(SIDES, decays, lags, strict=True)},
         "reading_variance": READING**2, "shake": SHAKE**2, "twist": TWIST**2, "walk": WALK**2,
         **{f"calm_{name}": value**2 for name, value in zip(("shake", "twist", "walk"), CALM, strict=True)},
         **{f"certain_{i}": value for i, value in enumerate(CERTAIN)},
@@ -143,9 +143,9 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
 @compiled
 def prepare_slopes(k: FloatArray) -> FloatArray:
     """Constants prepared for the Jacobian of a joint with the constants k."""
-    found = np.empty(_SLOPES)
-    _prepare_slopes((k, found))
-    return found
+    slopes = np.empty(_SLOPES)
+    _prepare_slopes((k, slopes))
+    return slopes
 
 
 _SLOPES = PREPARE.outputs["p"]

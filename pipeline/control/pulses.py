@@ -108,8 +108,8 @@ def design_pulse(
 
     bounds = np.array(_BOUNDS)
     alone, robust = joint.some(1), joint.some(1 + _ROBUST)
-    found = np.array([_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in _SEEDS])
-    first = found[int(np.argmin(cost(found.T, robust)))]
+    optima = np.array([_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in _SEEDS])
+    first = optima[int(np.argmin(cost(optima.T, robust)))]
     near = 0.15 * (bounds[:, 1] - bounds[:, 0])
     about = np.clip(np.column_stack([first - near, first + near]), bounds[:, :1], bounds[:, 1:])
     best = _search(lambda v: cost(v, robust), _ROBUST_ROUNDS, _spread(about, first, _SEEDS[0]), about, _SEEDS[0])
@@ -135,15 +135,15 @@ def design_pulse(
 def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
     """Commands (P, M, 2) [V] of pulses with values (P, 6): duration [s] and effort of push, brake, catch."""
     t = np.arange(round(LENGTH / PERIOD)) * PERIOD
-    begin, effort = np.zeros((len(values), 1)), np.zeros((len(values), t.size))
+    begin, share = np.zeros((len(values), 1)), np.zeros((len(values), t.size))
     for segment in range(3):
         end = begin + values[:, [2 * segment]]
         inside = np.clip((end - t) / PERIOD, 0.0, 1.0) - np.clip((begin - t) / PERIOD, 0.0, 1.0)
-        effort += values[:, [2 * segment + 1]] * inside
+        share += values[:, [2 * segment + 1]] * inside
         begin = end
-    made = np.zeros((*effort.shape, 2))
-    made[:, :, side] = highest * np.sqrt(np.clip(effort, 0.0, 1.0))
-    made[:, :, 1 - side] = highest * np.sqrt(np.clip(-effort, 0.0, 1.0))
+    made = np.zeros((*share.shape, 2))
+    made[:, :, side] = highest * np.sqrt(np.clip(share, 0.0, 1.0))
+    made[:, :, 1 - side] = highest * np.sqrt(np.clip(-share, 0.0, 1.0))
     return made
 
 
@@ -179,11 +179,11 @@ def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
 
 def _search(cost: Any, rounds: int, starts: FloatArray, bounds: FloatArray, seed: int) -> FloatArray:
     limits: Any = bounds
-    found = differential_evolution(
+    optimum = differential_evolution(
         cost, limits, maxiter=rounds, init=starts, vectorized=True, polish=False, updating="deferred", tol=1e-6,
         mutation=(0.4, 0.9), recombination=0.8, rng=seed,
     )  # fmt: skip
-    return np.asarray(found.x)
+    return np.asarray(optimum.x)
 
 
 def _starts(bounds: FloatArray, seed: int) -> FloatArray:
@@ -195,7 +195,7 @@ def _starts(bounds: FloatArray, seed: int) -> FloatArray:
     return np.clip(drawn, bounds[:, 0], bounds[:, 1])
 
 
-def _spread(bounds: FloatArray, kept: FloatArray, seed: int) -> FloatArray:
+def _spread(bounds: FloatArray, included: FloatArray, seed: int) -> FloatArray:
     drawn = np.random.default_rng(seed).uniform(bounds[:, 0], bounds[:, 1], (48, len(bounds)))
-    drawn[-1] = kept
+    drawn[-1] = included
     return drawn

@@ -79,12 +79,12 @@ def switching_map(
     def switched(cells: "np.ndarray[tuple[int, int], np.dtype[np.int64]]", which: int) -> FloatArray:
         """Whether one member of the ensemble ends in the other well, for each pulse (cells,)."""
         runs = joint.chosen(slice(which, which + 1))
-        found = np.empty(len(cells))
+        reached = np.empty(len(cells))
         for part in range(0, len(cells), _AT_ONCE):
             some = cells[part : part + _AT_ONCE]
             ends = runs.run(pulses(voltages[some[:, 0]], durations[some[:, 1]], side), start)[:, 0, -1]
-            found[part : part + _AT_ONCE] = (ends > saddle) == (to == "right")
-        return found
+            reached[part : part + _AT_ONCE] = (ends > saddle) == (to == "right")
+        return reached
 
     estimate = switched(everywhere, 0).reshape(VOLTAGES, DURATIONS)
     open_cells = np.argwhere(_near_boundary(estimate))
@@ -194,7 +194,7 @@ def lowest_voltage(
     first = _first(estimate, wells, to, duration)
     if first is None:
         return None
-    found, until = first
+    lowest, until = first
     lengths = np.linalg.norm(model.band_spread, axis=0)
     columns = model.band_spread[:, lengths > 0.0].T / lengths[lengths > 0.0, None]
     sides = np.concatenate([np.zeros((len(columns), 2)), np.eye(2)])
@@ -203,13 +203,13 @@ def lowest_voltage(
         np.concatenate([model.theta + steps, model.theta - steps]),
         lags * np.exp(STEP * np.concatenate([sides, -sides])),
     )
-    logs = _logarithms(ensemble_at(model, thetas, lags, np.ones(len(thetas))), wells, to, duration, found)
+    logs = _logarithms(ensemble_at(model, thetas, lags, np.ones(len(thetas))), wells, to, duration, lowest)
     slopes = np.subtract(*np.split(logs, 2)) / (2.0 * STEP)
     of_parameters = float(np.linalg.norm(slopes[:-2] * lengths[lengths > 0.0]))
     of_lags = float(converters.spread * np.linalg.norm(slopes[-2:]))
     half = NORMAL_90 * float(np.linalg.norm([of_parameters, of_lags, converters.probe]))
-    low, high = found * np.exp([-half, half])
-    return LowestVoltage(duration, found, float(low), float(high), until, of_parameters, of_lags, converters.probe)
+    low, high = lowest * np.exp([-half, half])
+    return LowestVoltage(duration, lowest, float(low), float(high), until, of_parameters, of_lags, converters.probe)
 
 
 def uncertain(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:
@@ -219,11 +219,11 @@ def uncertain(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemb
     0.8 s were 0.72 to 1.36 times that at `TYPICAL`, and correlated with it by 0.83 to 1.00. So all pulses are scaled
     alike, by the first of `lowest` that lasts as long.
     """
-    known = [each for each in lowest if each is not None]
-    if not known:
+    switching = [each for each in lowest if each is not None]
+    if not switching:
         return joint
-    one = next((each for each in known if each.duration >= TYPICAL), known[-1])
-    return joint.erring(float(np.hypot(one.of_parameters, one.of_probe)))
+    typical = next((each for each in switching if each.duration >= TYPICAL), switching[-1])
+    return joint.erring(float(np.hypot(typical.of_parameters, typical.of_probe)))
 
 
 def _switched(
@@ -268,5 +268,5 @@ def _logarithms(
         middle = 0.5 * (low + high)
         over = _switched(joint, np.exp(2.0 * middle)[None, :, None, None] * unit, wells, to)[0]
         low, high = np.where(over, low, middle), np.where(over, middle, high)
-    found: FloatArray = 0.5 * (low + high)
-    return found
+    middles: FloatArray = 0.5 * (low + high)
+    return middles

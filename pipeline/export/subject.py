@@ -207,7 +207,7 @@ def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisatio
     """
     equations = kind(model.name).equations
     if not equations:
-        others = ", ".join(one.name for one in ENTRIES if kind(one.name).equations)
+        others = ", ".join(entry.name for entry in ENTRIES if kind(entry.name).equations)
         raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
     module, _, function = equations.partition(":")
     made: Realisation = getattr(importlib.import_module(module), function)(model, interval, unit)

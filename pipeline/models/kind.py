@@ -187,7 +187,8 @@ def kind(name: str) -> Kind:
     """
     listed = entry(name)
     if listed is None:
-        raise InputError(f"there is no model {name!r}; known are {', '.join(sorted(one.name for one in ENTRIES))}")
+        every = ", ".join(sorted(model.name for model in ENTRIES))
+        raise InputError(f"there is no model {name!r}; choose one of {every}")
     module, _, attribute = listed.kind.partition(":")
     made: Kind = getattr(importlib.import_module(module), attribute)
     return made

@@ -34,8 +34,8 @@ class Surroundings(NamedTuple):
     ----------
     lag, rate_limit, power_over_capacitance : FloatArray, shape (2,)
         Of the converters: time constant [s], largest slope [V/s], largest v v̇ while charging [V²/s].
-    kept : float
-        Share of a membrane's missing charge that its electrodes leave missing over 1/`FINE` of a row (`bench.kept`).
+    charge_left : float
+        Share of a membrane's missing charge that is still missing after 1/`FINE` of a row (`bench.charge_left`).
     highest : float
         Largest voltage [V] that a converter gives.
     noise : FloatArray, shape (N,)
@@ -53,7 +53,7 @@ class Surroundings(NamedTuple):
     lag: FloatArray
     rate_limit: FloatArray
     power_over_capacitance: FloatArray
-    kept: float
+    charge_left: float
     highest: float
     noise: FloatArray
     linearity: float
@@ -97,7 +97,7 @@ def _charge(
         for _ in range(FINE):
             before = membranes[side]
             v[side] = charged(v[side], command[side], decay, rate, power, dt)
-            now = v[side] + (before - v[side]) * around.kept
+            now = v[side] + (before - v[side]) * around.charge_left
             total += (before * before + before * now + now * now) / 3.0
             membranes[side] = now
         charge[side] = total / FINE

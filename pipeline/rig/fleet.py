@@ -136,7 +136,7 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
         "wells_m": wells(joint),
         "joint": as_json(joint),
         "bench": asdict(bench),
-        "faults": {stem: [asdict(fault) for fault in found] for stem, found in faults.items()},
+        "faults": {stem: [asdict(fault) for fault in injected] for stem, injected in faults.items()},
     }
     (folder / "truth" / "truth.json").write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
     prototype = folder / f"{name}.toml"

@@ -9,7 +9,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.bench import Bench, Converter, Laser, Probe, kept
+from pipeline.rig.bench import Bench, Converter, Laser, Probe, charge_left
 from pipeline.rig.closed_loop import FINE, FROZEN, GONE, HALVES, PERIOD, Surroundings, close_loop, laser_reading
 from pipeline.rig.excitation import MAX_VOLTAGE
 from pipeline.rig.joint import barrier, rest, tip_displacement, wells
@@ -220,7 +220,7 @@ def _surroundings(
         lag=np.array([c.lag if scenario.lag is None else scenario.lag for c in converters]),
         rate_limit=np.array([c.rate_limit for c in converters]),
         power_over_capacitance=np.array([c.power_limit / c.capacitance for c in converters]),
-        kept=kept(bench.charging, PERIOD / HALVES / FINE),
+        charge_left=charge_left(bench.charging, PERIOD / HALVES / FINE),
         highest=scenario.highest,
         noise=noise,
         linearity=laser.linearity,

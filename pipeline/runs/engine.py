@@ -159,7 +159,7 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
 def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
     """What a run would redo and why, without doing it; what hangs on a stale input is stale too."""
     stale: set[str] = set()
-    found = []
+    statuses = []
     for task in tasks:
         made = run.manifest.artifacts
         waiting = [f"input {n} is {'stale' if n in made else 'not made yet'}" for n in task.inputs if n in stale]
@@ -169,8 +169,8 @@ def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
         )
         if reasons:
             stale.update(task.outputs)
-        found.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
-    return found
+        statuses.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
+    return statuses
 
 
 def _recipe(run: RunFolder, task: Task) -> Recipe:
@@ -204,13 +204,13 @@ class _Seen:
 
 
 def _seen(task: Task) -> dict[Path, _Seen]:
-    found: dict[Path, _Seen] = {}
+    seen: dict[Path, _Seen] = {}
     for path in (task.sources or {}).values():
         with suppress(OSError):  # `_recipe` says what is wrong with it
             stat = path.stat()
             identity = (stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns)
-            found[path] = _Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
-    return found
+            seen[path] = _Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
+    return seen
 
 
 def _check_sources(task: Task, recipe: Recipe, before: Mapping[Path, _Seen]) -> None:

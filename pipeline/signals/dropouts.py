@@ -153,15 +153,15 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
 
 def _jumps(samples: FloatArray, least: float) -> IntArray:
     """Rows before a step larger than `least` and several times those beside it."""
-    found = []
+    rows_before = []
     for rows in chunks(samples.size):
         begin = max(rows.start - 1, 0)
         steps = np.abs(np.diff(samples[begin : rows.stop + 2]))
         if steps.size < 3:
             continue
         beside = _OF_BESIDE * np.maximum(steps[:-2], steps[2:])
-        found.append(begin + 1 + np.flatnonzero((steps[1:-1] > least) & (steps[1:-1] >= beside)))
-    return np.concatenate([np.empty(0, dtype=np.int64), *found])
+        rows_before.append(begin + 1 + np.flatnonzero((steps[1:-1] > least) & (steps[1:-1] >= beside)))
+    return np.concatenate([np.empty(0, dtype=np.int64), *rows_before])
 
 
 def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> tuple[IntArray, FloatArray]:
@@ -186,12 +186,12 @@ def _with_code(samples: FloatArray, bursts: IntArray, levels: FloatArray) -> Int
     codes = values[counts >= _HELD]
     if not codes.size:
         return bursts
-    found, previous = [bursts], np.zeros(0, dtype=np.int64)
+    spans, previous = [bursts], np.zeros(0, dtype=np.int64)
     for rows in chunks(samples.size):
         previous = np.concatenate((previous, rows.start + np.flatnonzero(np.isin(samples[rows], codes))))
     runs = np.split(previous, np.flatnonzero(np.diff(previous) > 1) + 1)
-    found.append(np.array([(run[0], run[-1] + 1) for run in runs if run.size >= _HELD], dtype=np.int64).reshape(-1, 2))
-    every = np.unique(np.concatenate(found), axis=0)
+    spans.append(np.array([(run[0], run[-1] + 1) for run in runs if run.size >= _HELD], dtype=np.int64).reshape(-1, 2))
+    every = np.unique(np.concatenate(spans), axis=0)
     keep = np.concatenate(([True], every[1:, 0] >= np.maximum.accumulate(every[:-1, 1])))
     return every[keep]
 
@@ -209,28 +209,29 @@ def _held(samples: FloatArray, jumps: IntArray, longest: int) -> IntArray:
     return np.array(spans, dtype=np.int64).reshape(-1, 2)
 
 
-def dropout_remarks(found: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
+def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
     """What to say of them: what, how many, since when. Levels are told in `unit`, which is `factor` × SI."""
-    said = []
-    if len(found.bursts):
-        levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in found.levels[:2])
-        more = f" and {len(found.levels) - 2} more levels" if len(found.levels) > 2 else ""
-        what = f"{_several(found.bursts, 'burst')} at {levels}{more}, which no motion reaches"
-        said.append(f"{what}, the first at {found.first[0]:.6g} s")
-    if len(found.held):
-        what = f"{_several(found.held, 'stretch', 'stretches')} in which the last value was held"
-        said.append(f"{what}, the first at {found.first[1]:.6g} s")
-    if count := len(found.cuts):
-        said.append(
-            f"{count} jump{'s' * (count > 1)} from one sample to the next, the first at {found.cuts[0, 1]:.6g} s: rows "
+    remarks = []
+    if len(lost.bursts):
+        levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
+        more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
+        what = f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches"
+        remarks.append(f"{what}, the first at {lost.first[0]:.6g} s")
+    if len(lost.held):
+        what = f"{_several(lost.held, 'stretch', 'stretches')} in which the last value was held"
+        remarks.append(f"{what}, the first at {lost.first[1]:.6g} s")
+    if count := len(lost.cuts):
+        remarks.append(
+            f"{count} jump{'s' * (count > 1)} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
             "are missing though time goes on (a buffer was lost?)"
         )
-    return said
+    return remarks
 
 
-def _several(spans: IntArray, one: str, several: str = "") -> str:
+def _several(spans: IntArray, singular: str, plural: str = "") -> str:
     """How many spans and samples."""
-    return f"{len(spans)} {one if len(spans) == 1 else several or one + 's'} of {int(np.diff(spans).sum())} samples"
+    noun = singular if len(spans) == 1 else plural or f"{singular}s"
+    return f"{len(spans)} {noun} of {int(np.diff(spans).sum())} samples"
 
 
 def _longest_run(values: FloatArray) -> int:

@@ -53,12 +53,12 @@ def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
     Cost: one pass over stamps and samples of each, in chunks.
     """
     begin, end, _, _ = _extent("q", q)
-    found = {}
+    absent = {}
     for name, signal in beside.items():
         first, last, count, bad = _extent(name, signal)
         lost = max(0.0, first - begin), max(0.0, end - last)
-        found[name] = Missing(signal[1].size, count, bad, *lost, end - begin)
-    return found
+        absent[name] = Missing(signal[1].size, count, bad, *lost, end - begin)
+    return absent
 
 
 def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
@@ -67,9 +67,9 @@ def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
     low, high, count, bad = np.inf, -np.inf, 0, np.nan
     for rows in chunks(samples.size):
         stamps, finite = time[rows], np.isfinite(samples[rows])
-        known = stamps[finite & np.isfinite(stamps)]
-        if known.size:
-            low, high = min(low, float(known.min())), max(high, float(known.max()))
+        timed = stamps[finite & np.isfinite(stamps)]
+        if timed.size:
+            low, high = min(low, float(timed.min())), max(high, float(timed.max()))
         if not finite.all():
             count += int(np.count_nonzero(~finite))
             bad = bad if np.isfinite(bad) else float(stamps[np.argmin(finite)])
@@ -141,10 +141,10 @@ def codes_in(
 
 
 def _is_any(part: FloatArray, codes: Iterable[float]) -> BoolArray:
-    found = np.zeros(part.size, dtype=np.bool_)
+    is_code = np.zeros(part.size, dtype=np.bool_)
     for code in codes:
-        found |= np.abs(part) >= _HUGE if abs(code) >= _HUGE else np.abs(part - code) <= _CLOSE * abs(code)
-    return found
+        is_code |= np.abs(part) >= _HUGE if abs(code) >= _HUGE else np.abs(part - code) <= _CLOSE * abs(code)
+    return is_code
 
 
 def said_of(counts: dict[float, int]) -> list[str]:

@@ -104,13 +104,13 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequen
 
 def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
     """Which signals beside the displacement are missing for too much of it."""
-    found = []
+    findings = []
     for name, lacks in beside.items():
         if lacks.share > MOST_MISSING:
             what = f"{name} is missing for {100.0 * lacks.share:.3g} % of the log (at most {100.0 * MOST_MISSING:g} %)"
             advice = "repair the recorder, or cut the log where the signal ends"
-            found.append(Finding("missing", what, advice + (_ON_CHANGE.format(name) if lacks.not_finite else "")))
-    return found
+            findings.append(Finding("missing", what, advice + (_ON_CHANGE.format(name) if lacks.not_finite else "")))
+    return findings
 
 
 def coarse_inputs(steps: Mapping[str, float], interval: float) -> list[Finding]:
@@ -231,7 +231,7 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
     seen = examine_signal(time, samples, step)
     if seen.constant or seen.stepped or seen.levels:
         return []
-    said = []
+    remarks = []
     for share, rail in ((seen.low_rail, seen.usual[0]), (seen.high_rail, seen.usual[1])):
         if share < _SHARE or abs(rail) <= 1e-3 * max(abs(seen.smallest), abs(seen.largest)):
             continue
@@ -239,9 +239,9 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
         if np.mean(np.diff(elsewhere) != 0.0) < _RAGGED:
             continue
         first = time[np.argmax(samples == rail)]
-        said.append(
+        remarks.append(
             f"{100.0 * share:.2g} % of the samples stay at {rail:.6g} {unit}, the first at {first:.6g} s, elsewhere "
             "no two are equal: a saturated probe? What was applied there is not known: widen the probe's range, unless "
             "this is a command that is limited there"
         )
-    return said
+    return remarks

@@ -155,8 +155,10 @@ def _first_scale(samples: FloatArray, dt: float, order: int, sigma: float, *, re
     starts = np.linspace(0, samples.size - _EXCERPT, _EXCERPTS).astype(int)
     parts = [samples[start : start + _EXCERPT] for start in starts]
     moving = [smoothing_parameter(part, dt, order, reweighted=reweighted) for part in parts if np.ptp(part) > 0.0]
-    found = [np.sqrt(one.epsilon) * dt**order for one in moving if one.effective_parameters >= _NOTHING]
-    return float(np.log(np.median(found) if found else sigma))
+    scales = [
+        np.sqrt(parameter.epsilon) * dt**order for parameter in moving if parameter.effective_parameters >= _NOTHING
+    ]
+    return float(np.log(np.median(scales) if scales else sigma))
 
 
 def _stretch(log_scale: float, change: float, before: tuple[float, float] | None) -> float:

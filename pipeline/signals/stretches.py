@@ -165,7 +165,7 @@ def finite_stretches(
             shared[-1][1].append(j)
         else:
             shared.append((valid, [j]))
-    found = []
+    stretches = []
     for valid, members in shared:
         if not valid.any():
             raise DataRefusedError(f"{names[members[0]]} holds no finite sample at all: no sensor, or another channel")
@@ -174,8 +174,8 @@ def finite_stretches(
         edges = stamps[np.stack((bounds[:, 0], bounds[:, 1] - 1), axis=1)]
         picked = tuple(select(columns[j], valid) for j in members)
         kinds, missed = tuple(smooth[j] for j in members), tuple(not_finite[j] for j in members)
-        found.append(Stretches(stamps, picked, kinds, bounds, edges, rows.step, missed))
-    return found
+        stretches.append(Stretches(stamps, picked, kinds, bounds, edges, rows.step, missed))
+    return stretches
 
 
 def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:

@@ -198,22 +198,22 @@ def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
     """What the controller misses on the model itself; a joint that differs will not do better."""
     from pipeline.control.step_metrics import BAND
 
-    found = []
+    misses = []
     for place, step in zip(("right well", "left well"), predicted["steps"], strict=False):
         if step["settling_s"] is None or step["settling_s"] > SETTLES:
             taken = "does not settle" if step["settling_s"] is None else f"takes {1e3 * step['settling_s']:.0f} ms"
-            found.append(
+            misses.append(
                 f"the model {taken} to the {place}, {1e3 * SETTLES:.0f} ms are usual; allow a larger --max-voltage, or "
                 "play a pulse (`debist control pulse`)"
             )
         if step["rms_m"] > BAND * distance:
-            found.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
+            misses.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
     if predicted["steps"][-1]["rms_m"] > SWINGS:
-        found.append(
+        misses.append(
             "the unstable equilibrium is hardly held: the model keeps swinging about it, and a joint that differs will "
             "swing on with the largest voltage; allow a larger --max-voltage, or hold wells only"
         )
-    return found
+    return misses
 
 
 def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:
