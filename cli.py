@@ -143,7 +143,7 @@ def batch(
     Writes fleet.parquet and fleet.csv (NRMSE as fractions); a shard leaves them to --collect. While it works,
     `debist status DIR` shows how far it is. Example: debist batch prototypes/ -o runs --jobs 2
     """
-    from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
+    from pipeline.batch.batch import Execution, collect_batch, named_prototypes, prototype_files, run_batch
     from pipeline.batch.journal import Shard
     from pipeline.batch.matrix import with_siblings
     from pipeline.units import parse_quantity
@@ -164,10 +164,8 @@ def batch(
     else:
         count = sum(shard is None or shard.holds(name) for name, _ in named)
         with outcome.BatchProgress(count, quiet=quiet) as progress:
-            outcomes = run_batch(
-                named, output, options.jobs, progress, program=debist, fail_fast=options.fail_fast,
-                report=with_report, time_limit=limit, shard=shard,
-            )  # fmt: skip
+            execution = Execution(options.jobs, with_report, options.fail_fast, limit)
+            outcomes = run_batch(named, output, progress, debist, execution, shard)
     outcome.emit_outcomes(outcomes, output, as_json=as_json)
     failed = [result.name for result in outcomes if result.failed]
     if failed:
@@ -189,13 +187,13 @@ def study_settings(
 
     Example: debist study settings P1.toml --set identify.basis_functions=6,8 --set differentiate.alpha=auto,0.01 -o m
     """
-    from pipeline.batch.batch import named_prototypes, run_batch
+    from pipeline.batch.batch import Execution, named_prototypes, run_batch
     from pipeline.batch.matrix import matrix_rows, write_matrix
 
     variants = write_matrix(prototype, sets, output)
     named = named_prototypes([variant.path for variant in variants])
     with outcome.BatchProgress(len(named), quiet=quiet or as_json) as progress:
-        outcomes = run_batch(named, output, jobs, progress, program=debist, report=False)
+        outcomes = run_batch(named, output, progress, debist, Execution(jobs, report=False))
     runs = {variant.name: output / run.name for variant, run in zip(variants, outcomes, strict=True) if not run.failed}
     results.emit_matrix(matrix_rows(runs, variants), as_json=as_json)
     if failed := [result for result in outcomes if result.failed]:

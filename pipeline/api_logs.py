@@ -64,7 +64,7 @@ def check(place: str | Path) -> "pd.DataFrame":
     Returns
     -------
     pandas.DataFrame
-        A row for each thing looked at: log, what, found, limit, state (ok, note, wrong, not seen), gate, advice, more,
+        A row for each check: log, what, found, limit, state (ok, note, wrong, not seen), gate, advice, more,
         and values, a dict of numbers with the SI unit in the key.
 
     Raises

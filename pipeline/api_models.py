@@ -184,7 +184,7 @@ class Model:
         self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
         v2: "ArrayLike | None" = None, *, ahead: int = 1,
     ) -> "pd.DataFrame":  # fmt: skip
-        """Displacement so many samples ahead of the measurement, as a predictive controller finds it.
+        """Displacement `ahead` samples after each measured one, as a predictive controller needs it.
 
         Parameters
         ----------
@@ -206,7 +206,7 @@ class Model:
 
         Notes
         -----
-        Before each restart the model sees up to 1 s of the measurement. Cost: a simulation of that for each sample.
+        Before each restart the model is given up to 1 s of the measurement. Cost: a simulation of that for each sample.
         """
         from pipeline.scoring.horizons import predicted
         from pipeline.stages.validate import measured_path
@@ -333,7 +333,7 @@ def identify(
     inputs : {"squared", "linear"}
         Whether the force goes with v² (electrostatic) or v.
     angle : bool
-        Whether q is an angle, as a column q_rad says by itself.
+        Whether q is an angle; a column q_rad is one anyway.
     model : str
         "auto" (hybrid or rbf, whichever predicts held-out training data better), "hybrid", "rbf" or "rbf-paper".
     settings : mapping, optional
@@ -348,7 +348,7 @@ def identify(
     InputError
         Signals of different lengths, samples that are not finite, settings that are not valid.
     DataRefusedError
-        The signals do not show what the model needs; the text says what to do.
+        The signals do not show what the model needs; the text names what to do.
 
     Warns
     -----

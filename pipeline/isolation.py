@@ -48,7 +48,7 @@ _LONGEST_FOLDER = 70
 """Characters of the temporary folder beyond which the socket of the server would have too long a name."""
 _LONGEST_MESSAGE, _LONGEST_WORDS = 1 << 28, 1 << 16
 _GRACE = 5.0
-"""How long [s] a process may take to end after it was asked to."""
+"""Time [s] for a process to end by itself before it is killed."""
 _starting, _preloaded = threading.RLock(), list[str]()
 
 
@@ -134,7 +134,7 @@ class Isolated:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """End the process if it still runs: it is asked first, and then killed."""
+        """Terminate the process if it still runs, and kill it if it does not end."""
         self.end = min(self.end, time.monotonic() + _GRACE)
         if not wait([self._process.sentinel], 0.0):
             self._process.terminate()
@@ -194,7 +194,7 @@ def death(exit_code: int) -> str:
 
 
 def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int) -> Iterator[Made]:
-    """What `work` makes of each item, in order, in so many processes; in this one for a single job."""
+    """The results of `work` for the items, in order, in `jobs` processes; in this one for a single job."""
     if jobs == 1 or not items:
         yield from map(work, items)
         return

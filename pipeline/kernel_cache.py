@@ -1,7 +1,7 @@
 """Where compiled kernels lie on disk: a folder for each state of their sources, whose files are checked before use.
 
 numba keeps machine code and the index to it in files that it unpickles and runs without a check. So a folder that
-others can write to is refused, and a digest beside each file tells whether the file is whole. A file without its digest
+others can write to is refused, and a digest beside each file shows whether the file is whole. A file without its digest
 is deleted, and numba compiles that kernel anew.
 """
 

@@ -40,7 +40,7 @@ def slug(name: str) -> str:
     """The name of its folder: itself where it is safe, else spelt in ASCII (``Prüfling 1`` → ``Pruefling-1``).
 
     What has no spelling (another script) gets a name from its hash, always the same one; a name of more than 64 letters
-    keeps its first ones, and a hash tells it from others that begin alike.
+    keeps its first ones, with a hash that separates it from others that begin alike.
     """
     if SAFE.fullmatch(name):
         return name
@@ -87,7 +87,7 @@ def check_log_name(log: str) -> str:
 
 
 def log_title(role: str, name: str) -> str:
-    """``training log``, and the log's true name where it says more."""
+    """``training log``, and the log's true name where that differs."""
     words = f"{ROLE_WORDS[role]} log"
     return words if name.lower() in (role, ROLE_WORDS[role]) else f"{words} {name}"
 

@@ -31,7 +31,7 @@ from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
 from pipeline.settings_errors import mistakes
 from pipeline.units import TIME, parse_quantity
 
-# Numbers are written as such: neither true nor "0.01" is one, and neither inf nor nan is.
+# Numbers are written as numbers: true, "0.01", inf and nan are refused.
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
 Whole = Annotated[int, Strict()]
 Switch = Annotated[bool, Strict()]
@@ -92,7 +92,7 @@ class Channel(LogColumn):
     an input only."""
     average: Number = Field(default=0.0, ge=0.0, le=10.0)
     """Window [s] over which the sensor of q averages before each sample, as some lasers do: half of it is taken off the
-    channel's time, by which the motion is seen late; of q only. Motion within the window stays smoothed."""
+    channel's time, by which it lags the motion; of q only. Motion within the window stays smoothed."""
     time: LogColumn | None = None
     """The channel's own time, where a table has several: its column and unit; `[channels] time` by default."""
 
@@ -150,7 +150,7 @@ Log = Annotated[
 
 
 def log_label(log: Log) -> str:
-    """What a log is called: its path, or what `LogPart.label` says."""
+    """What a log is called: its path, or `LogPart.label`."""
     return log if isinstance(log, str) else log.label
 
 
@@ -161,7 +161,7 @@ class Logs(_Settings):
     """Logs on which the models are identified; a part of one is { file = "long.mf4", start = "12 s", stop = "49.5 s" },
     by the log's own time."""
     validation: tuple[Log, ...] = ()
-    """Logs that no identification sees; parts of a recording too, where none of it is for training."""
+    """Logs that no identification uses; parts of a recording too, where none of it is for training."""
 
 
 class Channels(_Settings):
@@ -518,7 +518,7 @@ def _known_names(given: tuple[str, ...], choices: tuple[str, ...], what: str = "
     Raises
     ------
     ValueError
-        One that is none of the known.
+        An unknown name.
     """
     for name in given:
         if name not in choices:

@@ -33,7 +33,7 @@ def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
         The settings that they are about.
     """
     unknown = [error for error in errors if error["type"] == "extra_forbidden"]
-    # Only a mistyped key is close to a missing one: that it is unknown says what to do.
+    # Only a mistyped key is close to a missing one: the message on the unknown key is enough.
     typed = {(error["loc"][:-1], close) for error in unknown for close in _close(str(error["loc"][-1]), errors, error)}
     texts: dict[str, str] = {}
     for error in (*unknown, *(error for error in errors if error["type"] != "extra_forbidden")):

@@ -94,7 +94,7 @@ def _decade(number: float) -> int:
 
 
 def rounded(number: float, places: int, largest: float) -> str:
-    """A number to so many decimals, before the point where they are negative, with the power of ten of `largest`.
+    """A number to `places` decimals (negative: before the point), with the power of ten of `largest`.
 
     That is left out from 1e-4 to 1e5, so that numbers written beside one another have one power: 9.24·10⁵ ± 0.32·10⁵.
     """

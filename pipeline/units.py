@@ -1,4 +1,4 @@
-"""Units at the edges: from what a log or a setting says to SI, by pint; the program inside knows SI only."""
+"""Units at the edges: from logs and settings to SI, by pint; the program inside has SI only."""
 
 import math
 import re
@@ -27,7 +27,7 @@ TIME = ("s",)
 def of_joint(displacement: str, inputs: Sequence[str], *, squared: bool) -> bool:
     """Whether signals of these SI units can be those of the bistable joint: two squared voltages on a length.
 
-    What is no fault of another device is none there: that it has one well, or turns to the other side.
+    A device with one well, or one that turns to the other side, is no fault.
     """
     return squared and displacement == "m" and tuple(inputs) == ("V", "V")
 
@@ -124,7 +124,7 @@ POWERS = {
     "Pa·s": (1, -1, -1, 0),
     "F": (1, 2, -2, -2),
 }
-"""Powers of kg, m, s and V in units of the joint's quantities; pint knows them too, a test compares."""
+"""Powers of kg, m, s and V in units of the joint's quantities; a test compares them with pint's."""
 
 SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "day": 86_400.0}
 """Seconds per unit of time, by pint's names."""

@@ -19,7 +19,7 @@ COST = 60.0
 
 
 def warm_up(jobs: int) -> float:
-    """Compile what any command needs, in so many processes; the wall time [s] that it took."""
+    """Compile what any command needs in `jobs` processes; returns the wall time [s]."""
     began = time.perf_counter()
     list(in_processes(_compile, range(len(GROUPS)), jobs))
     return time.perf_counter() - began

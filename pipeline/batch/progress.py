@@ -130,7 +130,7 @@ def _without_event(run: Path, name: str) -> Member:
 
 
 def _expected_end(journal: Journal, running: set[str], time: datetime) -> datetime | None:
-    """When a shard will be done, if it goes on as before; what is up to date says nothing of the speed."""
+    """When a shard will be done, if it goes on as before; runs that were up to date are left out of the estimate."""
     made = [event.seconds for event in journal.last.values() if event.state in ("done", "failed")]
     own = running & set(journal.plan.planned)
     if not made or not own:

@@ -3,7 +3,7 @@
 The text of a graph has its operations in order, apart by semicolons: ``mul 3 17`` is the product of the values of
 operations 3 and 17, counted from 0; ``input x 2`` an entry of an input, ``constant 0.5`` a number, ``store f 0 41``
 writes the value of operation 41 to an entry of an output; ``fetch t 2 41`` is the entry of the input t that lies
-as many places behind its entry 2 as the value of operation 41, a whole number, says.
+behind its entry 2 by the value of operation 41, a whole number of places.
 
 `trace` makes a graph from a plain Python function of numbers, for what is known only when a model is exported: its
 structure.

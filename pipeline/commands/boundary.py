@@ -177,7 +177,7 @@ def _interruption(goes_on: str = "") -> typer.Exit:
 
 
 def _told(error: Exception) -> str | None:
-    """What a user can do about an exception that is none of debist's, and no bug; None for a bug."""
+    """The remedy for an exception from outside debist that is not a bug; None for a bug."""
     if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
         return "no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written"
     if isinstance(error, OSError) and error.errno in _FULL:

@@ -26,7 +26,7 @@ _SENTENCE = 18  # columns from which a text may be wrapped
 _GAP = 2  # columns between two of a table
 COST = {"ingest": 1.0, "check": 0.5, "differentiate": 1.0, "identify": 10.0, "validate": 0.5, "compare": 2.0}
 """Processor time [s] of a task of each stage on a log of 37.5 s at 30 kHz, roughly; 1 s for the others. Only what is
-left is estimated from it: the time so far says how fast this machine is."""
+left is estimated from it and from the time so far."""
 _ELSE = 1.0
 _TELLING = 0.15  # share of the cost that must be done before a rest is told
 
@@ -52,7 +52,7 @@ class Stopwatch:
         self._at += 1
 
     def done(self, stage: str, *, made: bool = True) -> None:
-        """A task is over; one that was up to date says nothing of the speed."""
+        """A task is over; one that was up to date is left out of the estimate."""
         cost = COST.get(stage, _ELSE)
         self._coming = max(0.0, self._coming - cost)
         self._made += cost if made else 0.0
@@ -64,7 +64,7 @@ class Stopwatch:
 
     @property
     def left(self) -> str:
-        """The time so far and about how much is left, in words; nothing where that cannot be told."""
+        """The time so far and the estimated rest, in words; empty if there is no estimate."""
         if not self._total or not self._coming:
             return ""
         elapsed = time.perf_counter() - self._began
@@ -224,7 +224,7 @@ class Progress:
             typer.echo(printable(line), err=True)
 
     def warned(self, what: str, warning: str) -> None:
-        """Say what deserves a look, even when told to be quiet."""
+        """Print a warning, also with `--quiet`."""
         typer.echo(printable(f"warning: {what}: {warning}"), err=True)
 
     def skipped(self, task: "Task") -> None:

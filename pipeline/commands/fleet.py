@@ -1,4 +1,4 @@
-"""`debist fleet` and `debist series`: what joints of one drawing teach the next one, and how one device changes."""
+"""`debist fleet` and `debist series`: a prior from joints of one drawing, and how one device changes."""
 
 import csv
 import sys
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
     from pipeline.tools.fleet import LearntFile
 
 
-app = group("What many joints of one drawing teach the next one.")
+app = group("A prior for the next joint, from many joints of one drawing.")
 _SHOWN = 15
 
 
 @app.callback()
 def fleet() -> None:
-    """What many joints of one drawing teach the next one."""
+    """A prior for the next joint, from many joints of one drawing."""
 
 
 @app.command()
@@ -43,7 +43,7 @@ def learn(
 
     made = learn_siblings(runs, output)
     for name, reason in made.left_out.items():
-        typer.echo(printable(f"warning: {name} teaches nothing: {reason}"), err=True)
+        typer.echo(printable(f"warning: {name} is left out: {reason}"), err=True)
     if as_json:
         _emit_json(made)
     else:
@@ -74,7 +74,7 @@ def _emit(made: "LearntFile") -> None:
     halved = sum(each.share < 0.5 for each in quantities)
     emit_text(
         f"{halved} of {len(quantities)} quantities have less than half the prior's spread; logs of a sibling that the "
-        f"others teach are exp({gains[len(gains) // 2]:.0f}) times as probable as under the prior (median)"
+        f"others are exp({gains[len(gains) // 2]:.0f}) times as probable as under the prior (median)"
     )
     for odd in made.learnt.odd:
         emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")

@@ -139,7 +139,7 @@ def _emit_excitation(coverage: "LogExcitation") -> None:
             f"{shown.switches[1]} to the left; condition number of the regressor {shown.conditioning.condition:.0f}"
         )
     if coverage.assumed:
-        emit_text("the channels were taken by name and unit; --settings PROTOTYPE.toml says which they are")
+        emit_text("the channels were chosen by name and unit; --settings PROTOTYPE.toml names them")
     rows = [(shortfall.finding, shortfall.add) for shortfall in coverage.shortfalls]
     if rows:
         emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)

@@ -247,7 +247,7 @@ class BatchProgress:
             )
 
     def _left(self) -> str:
-        """About how long the rest takes, by those that were run; one that was up to date says nothing of the speed."""
+        """Estimated time for the rest, from the prototypes that were run; those up to date are left out."""
         if self._began is None or not self._made or self._done == self._total:
             return ""
         elapsed = time.perf_counter() - self._began

@@ -262,7 +262,7 @@ def excite(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Design a voltage sequence that visits every basis centre in both wells and tells most about the curves.
+    """Design a voltage sequence that visits every basis centre in both wells and determines the curves best.
 
     With `--run` and its model `hybrid`, the one after which its free run in a programme is expected to be surest.
 

@@ -88,7 +88,7 @@ def control(s: FloatArray, reading: float, target: float, law: Law, v: FloatArra
 def observe(s: FloatArray, reading: float, v: FloatArray, law: Law) -> None:
     """One period of the estimator alone, where others command: `v`, shape (2,) [V], acts until the next reading.
 
-    What is no number counts as 0 V, and all is held within 0 … the largest. Cost: 3 µs.
+    A voltage that is not a number is read as 0 V; all are limited to 0 … the largest. Cost: 3 µs.
     """
     signals, acting = np.zeros(2), v.copy()
     signals[0], signals[1] = reading, np.nan

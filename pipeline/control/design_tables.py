@@ -116,7 +116,7 @@ def regulator(
     """Gains of the linear-quadratic regulator about an equilibrium under squared voltages, shape (FEEDBACK,).
 
     The moment that acts follows the commanded one with the converters' lag; it is the last state. Both sides act along
-    the same direction but for a few percent; the mean of both stands for it.
+    the same direction to within a few percent; the mean of both is used.
     """
     a, b = jacobian(x, u, plant.constants)
     per_square = moments_per_square(plant, x, u)

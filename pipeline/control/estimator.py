@@ -34,9 +34,9 @@ STRUCK, FORGET = 0.3e-3, 0.99
 """Innovation [m] above which a joint near its target is estimated as one in motion, and what is left of it a period
 later."""
 OTHER = 1e-9
-"""Distance [m] from which a target counts as another one."""
+"""Least distance [m] between two targets; a smaller change is the same target."""
 LARGEST, PERSISTENT = 1e-3, 15.0
-"""Innovation [m] above which a reading counts as much as this, and the periods of it after which the estimate begins
+"""Limit [m] of the innovation of a reading, and the periods of it after which the estimate begins
 anew."""
 ANEW = (1e-9, 0.03, 1e-3, 1.0, 1e-3, 1.0, 1e-6)
 """Variances of the filter's numbers then."""
@@ -86,7 +86,7 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
 
 
 def begin(signals: Values, e: Values, rests: Values) -> Outputs:
-    """The state after the first reading, all voltages being zero; one that is none counts as a sensor that is lost."""
+    """The state after the first reading at zero voltages; a reading that is not finite is a lost sensor."""
     n = named(e)
     q, seen = _reading(signals, n)
     state = parts(rest(clip(q, -n["farthest"], n["farthest"]), n))
@@ -128,7 +128,7 @@ def _anew(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values
 
 
 def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
-    """Displacement q [m] that the sensor tells, and whether it is one."""
+    """Displacement q [m] by the sensor, and whether the reading is finite."""
     finite = function("finite", signals[0])
     q = choose(finite, signals[0], n["offset"]) - n["offset"]
     return q, function("and", finite, function("lt", function("abs", q), n["farthest"]))
@@ -301,7 +301,7 @@ def _jacobian(
 
 
 def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
-    """Where a number is none any more: zero voltages, and a new beginning with the next reading."""
+    """If a number is not finite: zero voltages, and a new start with the next reading."""
     n = named(e)
     sound = function("finite", s[0])
     for value in s[1:]:
@@ -314,7 +314,7 @@ def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
 
 
 def heed(v: Values, e: Values) -> Outputs:
-    """Voltages [V] that act on the joint, told from outside: within 0 … the largest, 0 for what is no number."""
+    """Voltages [V] that act on the joint, as measured: within 0 … the largest, 0 for what is not finite."""
     n = named(e)
     return {"v": [clip(choose(function("finite", volts), volts, 0.0), 0.0, n["highest"]) for volts in v]}
 

@@ -38,7 +38,7 @@ FREE, LEFT = 0.15e-3, 0.05e-3
 SLOW, LEAK = 0.7, 3.0
 """Time constants [s] of the slow moment, and of its decay where the offset is small."""
 ENGAGED, TIRED = 0.035, 0.8
-"""Shares of the largest moment from which the slow moment counts as on, and with which it is given up."""
+"""Shares of the largest moment above which the slow moment is on, and at which the attempt is given up."""
 LEAST_STIFF = 30.0
 """Least share of the largest moment that moves a rest by a metre: a model may invert the statics beyond its wells."""
 FADES = 0.2

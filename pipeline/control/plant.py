@@ -23,7 +23,7 @@ UNITS = ("m", "m/s", "1", "1/s", "1", "1/s", *("1",) * (2 * BRANCHES), *(unit fo
 
 
 ASSUMED_LAG = 4e-3
-"""Time constant [s] of converters of which nothing is known."""
+"""Assumed time constant [s] of unknown converters."""
 
 
 class Constants(NamedTuple):

@@ -148,7 +148,7 @@ def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
 
 
 def judged(q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal) -> FloatArray:
-    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): what the goal says, far more without settling."""
+    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): the measure of the goal, far more without settling."""
     each = [settling_times(q, target, share * distance) for share in BANDS]
     settling = np.mean(np.minimum(each, LENGTH), axis=0)
     over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance

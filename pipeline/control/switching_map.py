@@ -120,7 +120,7 @@ def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray
 
 
 PULSES = (0.1, 0.2, 0.5)
-"""Of the pulses whose lowest voltages are told [s]."""
+"""Durations [s] of the pulses whose lowest voltages are computed."""
 TYPICAL = 0.2
 """Duration of the pulse by which the draws of a map are judged [s]."""
 LEAST, COARSE = 0.1, 155

@@ -24,7 +24,7 @@ class Calibrated:
     name, unit : str
         As in the parameter set; a share of the nominal value ("1") where the set has no such quantity.
     nominal : float or None
-        Value of the parameter set; None where it says nothing of it.
+        Value of the parameter set; None if it has none.
     value, low, high : float
         Calibrated value and its central 90 % by the model's posterior. Of what cannot be negative the interval is
         that of its logarithm.
@@ -92,7 +92,7 @@ _SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]
 
 
 SHOWN = 12
-"""Quantities that are shown: those of which the siblings tell most over the prior."""
+"""Quantities that are shown: those that the siblings narrow most against the prior."""
 
 
 @dataclass(frozen=True)

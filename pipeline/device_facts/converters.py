@@ -1,6 +1,6 @@
 """The lag of the high-voltage converters, from the voltages that a log measured.
 
-A converter that is told a step answers with ``v = b + (a − b) e^(−t/lag)`` from the plateau a to the plateau b. The
+A converter responds to a commanded step with ``v = b + (a − b) e^(−t/lag)`` from the plateau a to the plateau b. The
 logarithm of the share that is left of a step falls on a line, whose slope is −1/lag; no command need be known.
 """
 

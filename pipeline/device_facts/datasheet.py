@@ -34,9 +34,9 @@ RING_TIME, RING_STEP = 2.0, 0.005  # s
 RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
 
 SCATTERED = 0.1
-"""Share of the range of q beyond which the standard deviation of rests says that they are not one."""
+"""Share of the range of q: rests whose standard deviation is larger are several places."""
 LEAST_EVENTS = 3
-"""Events below which a spread says nothing."""
+"""Fewest events for a spread."""
 LEAST_SPREAD = 0.05
 """Of the measured value: no rest and no ring-down repeats better than that."""
 
@@ -52,11 +52,11 @@ class DatasheetFact:
     low, high : float or None
         Central 90 % of what the training data leave open.
     measured, measured_spread : float or None
-        The same seen in the data without any model, and its standard deviation over the events.
+        The same from the data without any model, and its standard deviation over the events.
     events : int
-        How many events were seen.
+        Number of events.
     free_run : float or None
-        The same seen in the model's own free runs over the logs: like with like, whatever the size of the motion.
+        The same from the model's own free runs over the logs, which compares motions of the same size.
     in_draws : float or None
         Share of what the training data leave open that has the fact at all; without limits under `COVERAGE`.
     """
@@ -75,7 +75,7 @@ class DatasheetFact:
 
     @property
     def doubt(self) -> str:
-        """What is said in place of an interval where too few draws have the fact; empty where nothing is to be said."""
+        """Text in place of an interval where too few draws have the fact; empty otherwise."""
         return doubt(self.low, self.in_draws)
 
     @property
@@ -175,7 +175,7 @@ class Datasheet:
 
     @property
     def refused(self) -> bool:
-        """Whether the facts come from a model that the verdict says not to use."""
+        """Whether the facts come from a model that the verdict rejects."""
         return self.model == self.headline and is_refused([vars(check) for check in self.checks])
 
     @property

@@ -156,7 +156,7 @@ def rest_facts(
     records : list of (t, q, v)
         Uniform records: time [s], displacement with NaN where masked, inputs (N, K).
     wells : Wells or NoWells
-        Without wells all rests count as one, on the left.
+        Without wells all rests are one place, on the left.
     hum : collection of float
         Mains lines in the displacement [Hz]; what oscillates there, or where it is aliased to, is no ring-down.
     joint : bool
@@ -164,7 +164,7 @@ def rest_facts(
 
     Notes
     -----
-    Cost: 8 ms a ring-down, of which at most `MOST_RING_DOWNS` a log are looked at, evenly over it.
+    Cost: 8 ms a ring-down, at most `MOST_RING_DOWNS` in a log, evenly over it.
     """
     places: tuple[list[float], list[float]] = ([], [])
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])

@@ -14,7 +14,7 @@ from pipeline.si_prefix import moment, percent, significant
 from pipeline.units import HORIZONS
 
 RIVAL_SURELY = 2e-3
-"""NRMSE by which a baseline must surely be nearer before it is told."""
+"""Least NRMSE by which a baseline is surely better before it is mentioned."""
 
 
 WORST = 0.15
@@ -61,7 +61,7 @@ def model_checks(
 
 
 def _no_validation(data: RunData) -> Check:
-    new = f"an error on the training data says nothing of new {data.input_word}s"
+    new = f"an error on the training data does not hold for new {data.input_word}s"
     text, advice = "no validation log: errors are those of training", f"add a log under [logs] validation: {new}"
     return Check("model", "validation", "fair", text, advice)
 
@@ -148,7 +148,7 @@ def _number(value: float | None, *, lacking: float = np.inf) -> float:
 
 
 def not_converged(model: str) -> tuple[str, str]:
-    """What is said of such a fit, and what to do."""
+    """The finding on such a fit, and what to do."""
     advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
     return f"the fit of {model} had not converged when it ended, so its error may be chance", advice
 
@@ -167,7 +167,7 @@ def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Ma
 
 
 def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Outcomes that hinge on less than the model knows, and states that it was never trained on."""
+    """Ambiguous switching outcomes, and states outside the training data."""
     checks = []
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:

@@ -101,7 +101,7 @@ def settled(model: DynamicModel, starts: FloatArray, seconds: float, step: float
 
     Notes
     -----
-    Cost of the hybrid joint: 0.2 ms for a run of 2.5 s; of other models as many free runs.
+    Cost: one free run a cell, 0.2 ms for 2.5 s of the hybrid joint.
     """
     t = np.arange(0.0, seconds, step)
     v = np.zeros((len(t), inputs))
@@ -136,7 +136,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
 
 def moves_unforced(data: RunData) -> bool:
-    """Whether the logs show a motion without input that can be seen in the plane."""
+    """Whether the logs show a motion without input that is visible in the plane."""
     places = [q[np.isfinite(q)] for q, _ in (unforced(data, log) for log in data.logs)]
     low, high = _ends(data, "q")
     if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.kinematics["q"]) for log in data.logs):
@@ -147,7 +147,7 @@ def moves_unforced(data: RunData) -> bool:
 def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatArray, FloatArray, Classes]:
     """Places (n,) and speeds (m,) over all that was measured, and what becomes of each (m, n), as `OUTCOMES` counts.
 
-    The model is let go at each of them without input and simulated for `BASIN_TIME` s; `saddle` parts the wells.
+    The model is released at each of them without input and simulated for `BASIN_TIME` s; `saddle` separates the wells.
     """
 
     def outcomes(states: FloatArray) -> Classes:

@@ -31,12 +31,12 @@ ESTIMATES = (
     Variable("moment", "N.m", "moment on the slope that the model does not explain"),
     Variable("status", "1", ", ".join(f"{number} {meaning}" for number, meaning in enumerate(STATUS))),
 )
-"""What the estimator tells of the joint, in this order (`pipeline.control.estimator.known_state`)."""
+"""Outputs of the estimator, in this order (`pipeline.control.estimator.known_state`)."""
 
 
 @dataclass(frozen=True)
 class ControllerSubject:
-    """A controller and what is said of it.
+    """A controller with its description.
 
     Attributes
     ----------

@@ -176,5 +176,5 @@ def _toml(value: Any) -> str:
         return f"{{ {inside} }}" if inside else "{}"
     if isinstance(value, list | tuple):
         return f"[{', '.join(map(_toml, value))}]"
-    # Texts, numbers and truth values are written alike in JSON and TOML, but for one control character.
+    # Texts, numbers and truth values are equal in JSON and TOML, except one control character.
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

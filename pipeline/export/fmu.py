@@ -149,7 +149,7 @@ class FmuVariable:
 
 @dataclass(frozen=True)
 class Fact:
-    """A constant that says where the model may be trusted."""
+    """A constant of the model's range of validity."""
 
     name: str
     value: float

@@ -73,7 +73,7 @@ def variables(subject: Subject) -> dict[str, Any]:
 
 
 def _mat_bytes(arrays: dict[str, Any], title: str) -> bytes:
-    """A MAT v5 file whose header says what it is instead of when it was written."""
+    """A MAT v5 file whose header has a title in place of the time of writing."""
     buffer = io.BytesIO()
     savemat(buffer, arrays, long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams too
     content = buffer.getvalue()

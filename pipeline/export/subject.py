@@ -97,7 +97,7 @@ class Exported:
 
 
 BREAKPOINTS = 201
-"""Linear interpolation between so many is off by less than a thousandth of a curve's range."""
+"""With this number linear interpolation is off by less than a thousandth of a curve's range."""
 
 
 @dataclass(frozen=True)

@@ -71,7 +71,7 @@ class Table:
         if array.ndim != len(self.shape.split()):
             raise ValueError(f"has {array.ndim} axes instead of {len(self.shape.split())}")
         if array.size and not (array.min() >= self.least and array.max() <= self.most):  # so is a NaN refused
-            raise ValueError(f"holds numbers outside {self.least:g} to {self.most:g}, or that are none")
+            raise ValueError(f"holds numbers outside {self.least:g} to {self.most:g}, or values that are not numbers")
         return np.ascontiguousarray(array, dtype=np.int64 if self.whole else np.float64)
 
 

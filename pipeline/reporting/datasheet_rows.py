@@ -12,7 +12,7 @@ from pipeline.runs.columns import FACT_COLUMNS, STABLE, FactColumn
 from pipeline.si_prefix import interval, percent, power, quantity, scale, significant
 
 NOT_USED = " (a model not to be used)"
-"""Said of what a model tells that the verdict says not to use."""
+"""Remark beside facts of a model that the verdict rejects."""
 WIDE = 2.0
 """Ratio of the ends of an interval beyond which it is written by its ends."""
 _WHAT = {
@@ -218,7 +218,7 @@ class Described:
 def described(
     name: str, description: Mapping[str, Any], displacement: str = "m", *, mass_known: bool = True
 ) -> Described:
-    """The description of a model; `DynamicModel.describe` tells what it may hold.
+    """The description of a model, as `DynamicModel.describe` returns it.
 
     A model calls its displacement a length, and its mass 1 kg if it has none: `displacement` is the true unit.
     """

@@ -193,7 +193,7 @@ def _curve_panel(
 
 
 def _outside(curves: Sequence[_Curve], visited: tuple[float, float], frame: tuple[float, float]) -> list[str]:
-    """Models whose curve is seen in less than half of the visited part."""
+    """Models whose curve is visible in less than half of the visited part."""
     inside = {c.model: (c.y >= frame[0]) & (c.y <= frame[1]) for c in curves}
     return [c.model for c in curves if np.mean(inside[c.model][c.inner(visited)]) < 0.5]
 
@@ -264,7 +264,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (
                 f"Measured motion while no {data.input_word} is on, over the basins of {sheet.model} without "
-                f"{data.input_word}: from each cell the model was let go and simulated for {BASIN_TIME:g} s."
+                f"{data.input_word}: from each cell the model was released and simulated for {BASIN_TIME:g} s."
             )
     if cells is None and not moves_unforced(data):
         return None

@@ -107,7 +107,7 @@ def change(fact: SeriesFact, unit: str) -> str:
     """What is claimed of a fact, in words; `unit` is that of the time."""
     trend, large = fact.trend, float(np.abs(fact.values).max())
     if trend.kind == "unknown" or trend.slope is None:
-        return f"{len(fact.at)} runs: nothing can be said"
+        return f"{len(fact.at)} runs: too few"
     if trend.kind == "step":
         step = quantity(trend.step, fact.unit, trend.step_error, large)
         return f"step of {step} between {unit}s {trend.after:g} and {trend.before:g}"
@@ -118,7 +118,7 @@ def change(fact: SeriesFact, unit: str) -> str:
 def conclusion(series: Series) -> str:
     """A sentence on the whole series."""
     if len(series.names) < FEWEST:
-        return f"{len(series.names)} runs: nothing can be said of drift; {FEWEST} are the least, six for a step"
+        return f"{len(series.names)} runs: too few to show a drift; it takes {FEWEST}, a step six"
     changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
     return f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
 

@@ -22,7 +22,7 @@ MOST_PLAIN = 1e3  # ratio of its ends beyond which they are powers of ten
 
 
 def linear_ticks(low: float, high: float, about: int) -> tuple[FloatArray, int]:
-    """Round numbers from `low` to `high`, about so many, and the decimals that they need."""
+    """About `about` round numbers from `low` to `high`, and the decimals that they need."""
     raw = (high - low) / max(1, about)
     power = math.floor(math.log10(raw))
     step = float(next(m for m in (1.0, 2.0, 5.0, 10.0) if m * 10.0**power >= raw * (1 - 1e-9)) * 10.0**power)
@@ -68,7 +68,7 @@ class Line:
     """y over x, both of shape (n,) in SI; NaN interrupts it.
 
     It has the dashes of its role unless it is given others. `parts` are two series of the same page whose difference is
-    y: the page then stores nothing for it. A `wide` line is seen under others that lie on it.
+    y: the page then stores nothing for it. A `wide` line stays visible under others that lie on it.
     """
 
     label: str
@@ -93,7 +93,7 @@ class Band:
 
 @dataclass(frozen=True)
 class Points:
-    """Marked points; the marker says what they are without its colour."""
+    """Marked points; the marker identifies them without its colour."""
 
     label: str
     role: Role

@@ -123,7 +123,7 @@ def _headline(scores: Any, judged: str, key: str) -> float:
 class FleetColumn:
     """One column: a fact or a score of every member, in the unit that is shown (NaN: unknown), and what stands out.
 
-    Scores of training logs are said to be such, and have no part in distributions.
+    Scores of training logs are marked, and left out of distributions.
     """
 
     title: str

@@ -142,7 +142,7 @@ def differentiation(data: RunData, log: LogData) -> str:
 
 
 def measured_signals(log: LogData) -> dict[str, FloatArray]:
-    """The measured signals that models are compared with, by name; φ is none: it is computed from q."""
+    """The measured signals that models are compared with, by name; without φ, which is computed from q."""
     return {name: log.kinematics[name] for name in ("q", "qdot", "qddot")}
 
 
@@ -165,7 +165,7 @@ FIT = "fit = 100 (1 − ‖error‖/‖q − mean‖) %"
 
 
 def fit_note(measured: FloatArray, free: FloatArray) -> str:
-    """How well a free run fits, or why that cannot be said."""
+    """How well a free run fits, or why there is no score."""
     fit = fit_percent(measured, free)
     if fit is not None:
         return f"fit {fit:.1f} %".replace("-", "−")

@@ -223,7 +223,7 @@ def _dashes(where: str, dash: Dash, width: float) -> Any:
 
 @dataclass(frozen=True)
 class _Ticks:
-    """About so many intervals between the ticks of an axis, and whether it is logarithmic or counts things."""
+    """Wanted intervals between the ticks of an axis, and whether it is logarithmic or counts things."""
 
     about: int
     log: bool

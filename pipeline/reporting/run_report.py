@@ -130,14 +130,14 @@ def _log_checks(data: RunData) -> dict[str, Any]:
 
 
 def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
-    """Limits of the checks; those of wells only where there are two, or a check asks for them."""
+    """Limits of the checks; those of wells only where there are two, or a check needs them."""
     judged = {check.name for check in sheet.checks}
     two = isinstance(sheet.wells, Wells)
     return {name: limit for name, limit in THRESHOLDS.items() if two or name in judged or name not in OF_WELLS}
 
 
 def _marks_explained(figure: Figure) -> str:
-    """What the upright lines of a figure are, as a sentence; empty where there are none."""
+    """A sentence on the upright lines of a figure; empty without any."""
     kinds = [f"dashed: {name}" if MARKS[name].kind == "snap" else name for name in figure.marks]
     return f"Upright lines: {'; '.join(kinds)}." if kinds else ""
 
@@ -157,7 +157,7 @@ def _facts_caption(sheet: Datasheet) -> str:
 
 
 def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
-    """The tables of the scores; without wells, what these say of wells is of rests that are none."""
+    """The tables of the scores; without wells, the columns on wells are left out."""
     none = {} if isinstance(sheet.wells, Wells) else dict.fromkeys(SCORES_OF_WELLS)
     scores = with_true_names(({**row, **none} for row in data.scores), [(log.role, log.source) for log in data.logs])
     tables: list[dict[str, Any]] = []

@@ -192,7 +192,7 @@ class BenchRecord:
 
 
 def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0, charging: float = 0.0) -> Bench:
-    """A bench with its own converters and instrument errors, and the electrodes that are told."""
+    """A bench with its own converters and instrument errors, and the given electrodes."""
 
     def converter() -> Converter:
         """Its lag [s], rate limit [V/s] and power limit [W]."""

@@ -129,7 +129,7 @@ def close_loop(
     around : Surroundings
         Instruments and disturbances, on the rows of `out`.
     target : FloatArray, shape (N,)
-        What the controller is told [m].
+        Target that the controller gets [m].
     address, memory : int
         Of the controller's step function and of its state.
     out : FloatArray, shape (N, 9)

@@ -46,7 +46,7 @@ class Burst:
     ----------
     shape : Shape
         ``pulse`` holds both sides; the others swing between the sides: what is positive goes left, what is
-        negative goes right, since the electrostatic force knows no sign of the voltage.
+        negative goes right, since the electrostatic force does not depend on the sign of the voltage.
     start, duration : float
         [s].
     left, right : float

@@ -28,7 +28,7 @@ _MAX_TRIES = 20
 _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
 _EXCITATIONS: dict[Role, str] = {"train": "training", "validation": "validation"}
-"""What excites the logs unless told otherwise."""
+"""Default excitation of the logs."""
 
 
 @dataclass(frozen=True)

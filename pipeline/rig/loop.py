@@ -42,7 +42,7 @@ class Controller:
 
 
 def python_controller(made: Callable[[float], Step]) -> Controller:
-    """A controller from a function that is told the first reading [m] and returns the step function."""
+    """A controller from a function that gets the first reading [m] and returns the step function."""
     failure: list[Exception] = []
     steps: list[Step] = []
 
@@ -83,7 +83,7 @@ class Scenario:
     Attributes
     ----------
     t, target : FloatArray, shape (n,)
-        From each time [s] on the controller is told this target [m], until the next; the first time is 0.
+        From each time [s] on the controller gets this target [m], until the next; the first time is 0.
     duration : float
         Length [s].
     highest : float
@@ -140,7 +140,7 @@ class Scenario:
 class ClosedLoop:
     """A closed-loop run, all of shape (N,) and SI: what a log holds, and what no instrument shows.
 
-    `q`, `v1`, `v2` are readings, `target` what the controller was told, `command1` and `command2` what it answered
+    `q`, `v1`, `v2` are readings, `target` what the controller got, `command1` and `command2` what it returned
     within the converters' range. Counted is how often it answered with no finite number (NaN acts as 0 V, an infinite
     one as the end of the range), and with one beyond the range.
     """

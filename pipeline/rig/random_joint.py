@@ -208,7 +208,7 @@ def parse_drift(text: str) -> dict[str, float]:
     Raises
     ------
     InputError
-        A name or a unit is none of `DRIFTS`.
+        A name or a unit is not in `DRIFTS`.
     """
     drift = {}
     for entry in text.split(",") if text != "none" else ():

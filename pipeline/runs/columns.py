@@ -1,6 +1,6 @@
 """The columns of every table, each defined once: for the Parquet files, the terminal, the page, CSV and the docs.
 
-`data/README.md` publishes them. A test compares it with this list, and asks for a new `SCHEMA_VERSION` when columns of
+`data/README.md` publishes them. A test compares it with this list, and requires a new `SCHEMA_VERSION` when columns of
 a file change.
 """
 
@@ -264,7 +264,7 @@ STUDY_COLUMNS: dict[StudyName, tuple[Column, ...]] = {
 }  # fmt: skip
 
 STABLE = "stable_"
-"""Start of the keys of stable states of a device that has neither one nor two."""
+"""Start of the keys of stable states of a device with three or more, or none."""
 
 
 def _of_wells(kind: str, title: str, unit: str, row: str, help_: str, fleet: str = "") -> Iterator[FactColumn]:

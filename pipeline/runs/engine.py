@@ -29,7 +29,7 @@ class Task:
     Attributes
     ----------
     stage, title : str
-        Name of the stage; the title says which log or model.
+        Name of the stage; the title names the log or model.
     algorithm : str
         Version of the algorithm; raise it when equal inputs give another result.
     settings : mapping
@@ -80,7 +80,7 @@ class Observer(Protocol):
 
 
 class Unheard:
-    """An observer that tells nobody."""
+    """An observer that reports nothing."""
 
     def started(self, task: Task, reasons: list[str]) -> None:
         """Say nothing."""
@@ -191,13 +191,13 @@ def missing_source(path: Path, task: Task) -> str:
 
 
 def unreadable_source(path: Path, error: OSError) -> str:
-    """That the system does not let a raw log or table be read."""
+    """The error for a raw log or table that the system does not let read."""
     return f"{path}: cannot be read: {error.strerror}; see to disk and permission"
 
 
 @dataclass(frozen=True)
 class _Seen:
-    """What tells whether a file was touched since, and whether it was touched so lately that this cannot tell."""
+    """Size and times that show whether a file changed, and whether they are too recent to show it."""
 
     identity: tuple[int, ...]
     recent: bool
@@ -232,7 +232,7 @@ def _check_sources(task: Task, recipe: Recipe, before: Mapping[Path, _Seen]) -> 
 
 
 def _outputs(run: RunFolder, task: Task) -> list[str]:
-    """The declared outputs, and what was written beside them because the data asked for it."""
+    """The declared outputs, and what was written beside them because of the data."""
     first = run.manifest.artifacts.get(task.outputs[0])
     beside = [name for name, record in run.manifest.artifacts.items() if first and record.recipe == first.recipe]
     return list(dict.fromkeys((*task.outputs, *beside)))

@@ -25,12 +25,12 @@ _LONGEST_NOTE, _LONGEST_HOST = 4096, 100
 def run_lock(root: Path) -> Iterator[None]:
     """Hold the run folder `root`, without waiting; missing folders are made.
 
-    A holder that was killed holds nothing; the note beside the lock only says who.
+    A holder that was killed holds nothing; the note beside the lock only names it.
 
     Raises
     ------
     RunLockedError
-        Another process holds it; the text says who and since when.
+        Another process holds it; the text names it and the time.
     InputError
         The folder cannot be written, its file system offers no locks, or the lock is a symbolic link.
     """

@@ -89,7 +89,7 @@ class ArtifactRecord:
         Of the content, independent of the file format's details.
     bytes : int
     notes : mapping
-        What the stage says of the result: counts, convergence, chosen parameters.
+        Notes of the stage on the result: counts, convergence, chosen parameters.
     environment : str
         Key of the environment that it was made in; empty in runs of before environments were recorded.
     """
@@ -208,7 +208,7 @@ def _dump(manifest: Manifest) -> str:
 
 
 def to_json(value: Any) -> Any:
-    """The value as JSON knows it: arrays as lists, keys as text, a number that is not finite as null."""
+    """The value for JSON: arrays as lists, keys as text, a number that is not finite as null."""
     if isinstance(value, Mapping):
         return {str(key): to_json(entry) for key, entry in value.items()}
     if hasattr(value, "tolist"):

@@ -84,7 +84,7 @@ def rebased(path: Path, staged: Path, folder: Path) -> Path:
 
 
 def _place(staged: Path, folder: Path, written: list[Path], about: dict[str, Any]) -> None:
-    """Move the files to their places; `about` is what the list says of each.
+    """Move the files to their places; `about` is the entry of each in the list.
 
     The list is there before them and knows what they replace: whatever interrupts, each file is one that it names.
     """

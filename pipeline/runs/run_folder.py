@@ -121,7 +121,7 @@ class RunFolder:
         return target
 
     def record(self, name: str) -> ArtifactRecord:
-        """What the manifest says of an artifact.
+        """The record of an artifact in the manifest.
 
         Raises
         ------

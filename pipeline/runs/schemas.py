@@ -109,7 +109,7 @@ def _fits(values: np.ndarray[Any, Any], dtype: Dtype) -> bool:
 
 ADVICE = "restore it, or move the folder away and run again"
 Number = float | None
-"""JSON knows no number that is not finite: null stands for it."""
+"""JSON has no number that is not finite: null stands for it."""
 
 
 class _Shape(BaseModel):
@@ -178,7 +178,7 @@ class _Notes(_Shape):
 
 
 class Notes(dict[str, Any]):
-    """Notes of an artifact, or a part of them, which must have what is asked of them.
+    """Notes of an artifact, or a part of them; a missing key is an error.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ def write_tree(
     """Write a tree and return its content hash; `within` as for `atomic_path`.
 
     Every leaf becomes a dataset: arrays chunked with Fletcher-32 checksums, numbers and texts as scalars.
-    What `columns` says of it become its attributes ``unit`` and ``meaning``, which do not count in the hash.
+    Its entry in `columns` gives its attributes ``unit`` and ``meaning``, which do not count in the hash.
 
     The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. What it was
     refused memory for while it closes a dataset it tells nobody, so the bytes are read back first, which takes as long.

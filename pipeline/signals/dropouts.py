@@ -61,7 +61,7 @@ _NOISES, _LEAST = 12.0, 0.01
 _LOST = 0.03
 """Share of the usual range that a jump exceeds where rows are missing: encoders and potentiometers slip by 1 to 2 %."""
 _USUAL_STEP = 1.5
-"""Sampling steps between two stamps beyond which time says itself that rows are missing."""
+"""Sampling steps between two stamps beyond which the stamps themselves show that rows are missing."""
 _OF_BESIDE = 4.0
 """Times the steps before and after it that a jump is at least; a motion of eight samples a period has up to 2."""
 _LONGEST = 0.25
@@ -210,7 +210,7 @@ def _held(samples: FloatArray, jumps: IntArray, longest: int) -> IntArray:
 
 
 def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
-    """What to say of them: what, how many, since when. Levels are told in `unit`, which is `factor` × SI."""
+    """Remarks on them: what, how many, since when. Levels are printed in `unit`, which is `factor` × SI."""
     remarks = []
     if len(lost.bursts):
         levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])

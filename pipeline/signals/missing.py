@@ -89,7 +89,7 @@ _CLOSE = 1e-6
 
 
 def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:
-    """A column with NaN in place of codes; the column itself where there are none."""
+    """A column with NaN in place of codes; the column itself without any."""
     if not codes:
         return samples
     parts = (np.where(_is_any(samples[rows], codes), np.nan, samples[rows]) for rows in chunks(samples.size))
@@ -106,7 +106,7 @@ def codes_in(
     samples : FloatArray, shape (N,)
         In the numbers of the log.
     declared : sequence of float, optional
-        What stands for no value; without it numbers of 1e20 and more, which count as one, and usual codes that lie
+        What stands for no value; without it numbers of 1e20 and more, taken as one, and usual codes that lie
         further from the rest than that is wide.
     of_time : bool
         Whether the column is a clock, which may pass by any smaller number.

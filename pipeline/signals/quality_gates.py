@@ -40,7 +40,7 @@ COARSEST_STEP = 3.0
 """Steps of a log in sample intervals of the settings: beyond, most uniform samples would be made up."""
 
 UNTOLD_STEP = 1.2
-"""The same, up to which nothing is said of it."""
+"""The same, up to which there is no remark."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequen
     masked : float
         Share of the uniform rows that are masked or cut off at the log's ends, for whatever reason.
     few : sequence of str
-        Inputs that have far fewer samples than their steps let expect, as if recorded on change only.
+        Inputs that have far fewer samples than their step and length give, as if recorded on change only.
 
     Notes
     -----
@@ -223,7 +223,7 @@ _RAGGED = 0.5
 
 
 def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
-    """What to say of an input that stays at its largest or smallest value to the last digit, though it has noise.
+    """Remarks on an input that stays at its largest or smallest value to the last digit, though it has noise.
 
     A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests at
     zero, as the part of a signed monitor does, is not at a rail there.

@@ -18,7 +18,7 @@ from pipeline.signals.columns import chunks, column
 from pipeline.signals.decimation_kernel import kernel, slope_window
 
 LEAST_RATIO = 1.5
-"""Below so many raw samples per output interval there is nothing to decimate; they are interpolated then."""
+"""Fewest raw samples per output interval for decimation; fewer are interpolated."""
 
 _SHIFTS = (-1, 0, 1, 2)
 _BLOCK = 1 << 15
@@ -80,7 +80,7 @@ def decimated(
 
 
 def _joined(runs: list[slice], apart: int) -> list[slice]:
-    """Runs of which those no further `apart` are one: to begin one costs a block of samples."""
+    """Runs, where those no further `apart` are joined: each run costs a block of samples."""
     joined: list[slice] = []
     for run in runs:
         if joined and run.start - joined[-1].stop <= apart:
@@ -213,7 +213,7 @@ class _Bins:
 
 
 def _blocks(time: FloatArray, origin: float, interval: float, points: int) -> Iterator[_Bins]:
-    """All bins within reach of a grid of so many points, in blocks of about `_BLOCK` samples.
+    """All bins within reach of a grid of `points` points, in blocks of about `_BLOCK` samples.
 
     Where a block ends depends on the samples alone, not on how they are read.
     """

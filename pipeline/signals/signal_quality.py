@@ -13,9 +13,9 @@ from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0
 BESIDE_SPIKE = 2
-"""Samples on either side by which a spike is told."""
+"""Samples on either side that a spike is compared with."""
 _BESIDE = 100
-"""Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
+"""Samples beside a run at an extreme that show whether the signal was clipped there."""
 _FINE = 1e-4
 """Share of the range below which the steps of a signal are those of its digits."""
 _LEAVING = 6.0
@@ -24,7 +24,7 @@ _OVERSHOOT, _PASSED = 0.3, 3
 """Share of the usual span by which a signal may overshoot a rest, and how many values there, in neighbouring samples as
 no spike is, tell that it does."""
 MOST_LEVELS = 8
-"""Different values up to which they are told one by one."""
+"""Different values up to which they are listed one by one."""
 BOTH_SIGNS = 0.1
 """Share of an input's largest magnitude beyond which it takes a sign."""
 

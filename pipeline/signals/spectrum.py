@@ -70,9 +70,9 @@ MAINS = (50.0, 60.0)
 _HUM_WINDOW = 4.0
 _HUM_BAND = 8.0
 _STANDS_OUT = 10.0
-"""Decibels over the spectrum beside it from which on a line is told."""
+"""Decibels over the spectrum beside it above which a line is reported."""
 EXCERPT = 1 << 21
-"""Samples of which a spectrum is taken at most."""
+"""Most samples of a spectrum."""
 
 
 @dataclass(frozen=True)

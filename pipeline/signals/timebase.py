@@ -13,7 +13,7 @@ GAP_STEPS = 5.0
 GAP_FLOOR = 1e-3
 """… unless it is shorter than this [s]: 10 mm at 9 Hz bend by less than 5 µm from the chord in 1 ms."""
 LOCATED = 20
-"""At most so many gaps, repetitions or reversals are located; all are counted."""
+"""Most gaps, repetitions or reversals that are located; all are counted."""
 _BLOCKS, _BLOCK = 64, 2048
 _UNIFORM = 1e-3
 
@@ -111,7 +111,7 @@ def default_gap_limit(step: float) -> float:
 
 
 def seldom(count: int, step: float, lasts: float) -> bool:
-    """Whether so many samples of a usual step are less than half of what a record lasts, as if made on change only."""
+    """Whether `count` samples of a usual step cover less than half of a record, as if made on change only."""
     return 2.0 * count * step < lasts
 
 

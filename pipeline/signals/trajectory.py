@@ -176,7 +176,7 @@ Log = TypeVar("Log", Trajectory, Record)
 
 
 def within(logs: Sequence[Log], samples: int) -> list[Log]:
-    """So many samples at most, but for `SHORTEST` of each: the first share of every stretch or record."""
+    """The first share of every stretch or record, `samples` together; at least `SHORTEST` of each."""
     share = min(1.0, samples / sum(log.t.size for log in logs))
     return [log.part(0, max(int(share * log.t.size), SHORTEST)) for log in logs]
 
@@ -196,7 +196,7 @@ def peaks(v: FloatArray, *, joint: bool) -> FloatArray:
     """Largest magnitude of each input, shape (K,), against which its steps and rests are seen.
 
     Of the joint, whose voltages are of one kind, the larger one of both; of another device each input's own, but not
-    less than a twentieth of the largest, so that the noise of an unused one is none.
+    less than a twentieth of the largest, so that the noise of an unused one is no step.
     """
     own: FloatArray = np.max(np.abs(v), axis=0, initial=0.0)
     largest = float(np.max(own, initial=0.0))

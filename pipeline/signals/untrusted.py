@@ -13,7 +13,7 @@ from pipeline.signals.dropouts import NONE, Dropouts, answer_inputs, dropouts
 from pipeline.signals.signal_quality import BESIDE_SPIKE, SignalQuality, examine_signal, spikes_in, three_in_a_row
 
 _LOST_FOR = 0.05
-"""Time [s] that a sensor stays at the level which says that it lost its target, on average at least."""
+"""Least mean time [s] that a sensor stays at the level of a lost target."""
 _FAR = 0.5
 """Gap between that level and the rest, as a share of the range of the rest."""
 _NOISES = 12.0
@@ -31,7 +31,7 @@ UNBOUNDED = (-np.inf, np.inf)
 def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> tuple[float, float]:
     """Values beyond which q is a level that the sensor shows without a target; infinite where there is none.
 
-    Such a level is constant but for little noise, lies far outside the rest, and is entered by a jump and kept for
+    Such a level is constant except for little noise, lies far outside the rest, and is entered by a jump and kept for
     50 ms or more. A device that moves passes through the values between; here hardly a sample has one. Nor does a
     sensor know the inputs: a level that is entered and left together with their steps is one of the device.
 
@@ -200,9 +200,9 @@ def trusted(
     q : (FloatArray, FloatArray)
         Time stamps [s] and samples as measured.
     inputs : sequence of (FloatArray, FloatArray)
-        The same of what drives the device; their steps tell a place of the device from a sensor's lost target.
+        The same of what drives the device; their steps separate a place of the device from a lost target.
     quality : SignalQuality
-        Of these samples: says where the rails are and how large the noise is.
+        Of these samples: the rails and the noise.
     step : float
         Nominal sampling step [s].
     rails, lost, spikes : bool

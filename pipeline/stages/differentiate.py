@@ -81,7 +81,7 @@ def contradiction(signals: Table) -> str | None:
     factor = float(by_q[both] @ by_velocity[both]) / power
     if abs(factor - 1.0) <= _AGREES:
         return None
-    return f"q goes {factor:.3g} times the way that qdot says; check unit, scale and sign of both in [channels]"
+    return f"q moves {factor:.3g} times as far as qdot; check unit, scale and sign of both in [channels]"
 
 
 def derivatives(

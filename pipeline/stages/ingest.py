@@ -174,7 +174,7 @@ def _few_samples(signals: SiLog, interval: float) -> tuple[list[str], "list[Find
 
 
 def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
-    """Refuse what cannot become a record of so many rows an interval [s] apart, from samples for `covered` seconds."""
+    """Refuse a log that cannot become `rows` rows an interval [s] apart, with samples for `covered` seconds."""
     if rows < _FEWEST_ROWS:
         raise DataRefusedError(
             f"{where}: lasts {rows} steps of [ingest] sample_interval = {interval:g} s only; "

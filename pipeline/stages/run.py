@@ -33,7 +33,7 @@ from pipeline.stages.run_place import Place, before_any_work, edited, place_of, 
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES = ("ingest", "check", "differentiate", "identify", "validate", "compare", "scores", "report")
-"""In the order of the work; those of `StageName` can be asked for alone."""
+"""In the order of the work; those of `StageName` can be run alone."""
 
 
 def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator[Task]:
@@ -126,7 +126,7 @@ def run_prototype(
 def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:
     """Bring one stage of an existing run up to date, by the settings that the run holds.
 
-    `figures` is the typeface of the figures for a paper, which the report makes if asked, or if the run holds some.
+    `figures` is the typeface of the figures for a paper, which the report makes if given, or if the run holds some.
 
     Raises
     ------
@@ -244,7 +244,7 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
-    """Whether `run_prototype` would find nothing to do; false where that cannot be told without doing it."""
+    """Whether `run_prototype` would find nothing to do; false where only doing it would show that."""
     try:
         prototype, run = load_prototype(prototype_file), RunFolder.open(root)
         made_for = (run.manifest.prototype, run.manifest.prototype_file)

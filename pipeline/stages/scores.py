@@ -91,7 +91,7 @@ def _score(
 def _wells(
     run: RunFolder, tables: Sequence[Table], plant: Device, log: tuple[Role, str], models: Sequence[str]
 ) -> "Wells | NoWells":
-    """The wells in the data, unless the first of these models with curves knows of no two; its free run notes that."""
+    """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
     from pipeline.device_facts.characteristics import believed_wells
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}

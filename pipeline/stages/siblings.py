@@ -1,4 +1,4 @@
-"""Ingest, beside the logs: what siblings teach, checked and filed."""
+"""Ingest, beside the logs: the prior from siblings, checked and filed."""
 
 from collections.abc import Mapping
 from functools import partial

@@ -193,7 +193,7 @@ def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
 
 @dataclass(frozen=True)
 class ClosedLoopOptions:
-    """What a user asked for, as text with units (see `debist rig closed-loop --help`)."""
+    """Options of the user, as text with units (see `debist rig closed-loop --help`)."""
 
     target: str
     duration: str = "5 s"

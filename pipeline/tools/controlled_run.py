@@ -121,9 +121,9 @@ class ControlRun:
         return tuple(layout.record(role, log) for role, log, _ in layout.logs(self.prototype) if role == "train")
 
     def converters(self, settings: ControlSettings) -> tuple["Converters", str]:
-        """The converters as given, as the training logs tell or as assumed, and how they are known.
+        """The converters as given, measured in the training logs or assumed, and which of these.
 
-        Where the logs tell the lag of one side only, both sides have it.
+        If the logs show the lag of one side only, both sides have it.
         """
         from pipeline.control.ensemble import Converters
         from pipeline.control.plant import ASSUMED_LAG

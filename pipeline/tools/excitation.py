@@ -59,7 +59,7 @@ class ExcitationSource:
     seed : int
         Draws the tolerances and the candidates.
     programme : str or None
-        The programme of which the free run of the run's `hybrid` is to become surer; None: that of validation logs.
+        The programme whose free run by the run's `hybrid` is to become more certain; None: that of validation logs.
     """
 
     parameters: str = "nominal"

@@ -1,4 +1,4 @@
-"""Several runs: what joints of one drawing teach the next one, and how one device changes from run to run."""
+"""Several runs: a prior from joints of one drawing, and how one device changes from run to run."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -37,7 +37,7 @@ class LearntFile:
     siblings : tuple of str
         Their names.
     left_out : dict of str to str
-        Runs that teach nothing, and why.
+        Runs that were left out, and why.
     learnt : Learnt
     """
 
@@ -78,7 +78,7 @@ def learn_siblings(roots: Sequence[Path], output: Path) -> LearntFile:
             left_out[str(root)] = str(error)
             continue
         if name in models:
-            raise InputError(f"{root}: a second run of {name!r}; a joint teaches once, name one of its runs")
+            raise InputError(f"{root}: a second run of {name!r}; a joint enters once, name one of its runs")
         models[name], origins[name] = model, origin
     learnt = learn(models)
     parameters = next(iter(models.values())).joint.parameters
@@ -98,12 +98,10 @@ def _sibling(run: RunFolder) -> tuple[str, str, "HybridModel"]:
 
     prototype = run.prototype
     if prototype.plant.siblings is not None:
-        raise InputError(
-            f"{run.root}: was identified with siblings, and would teach what they did; identify it without"
-        )
+        raise InputError(f"{run.root}: was identified with siblings, which would enter twice; identify it without")
     model = load_run_model(run, prototype, "hybrid")
     if not isinstance(model, HybridModel):
-        raise InputError(f"{run.root}: its hybrid is none")
+        raise InputError(f"{run.root}: its hybrid is not a hybrid model")
     return prototype.name, run.record(model_artifact(run, prototype, "hybrid")[1]).content_hash, model
 
 

@@ -163,7 +163,7 @@ def _work(
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
 
     def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
-        """The folds that are not kept from before, in so many processes."""
+        """The folds without a checkpoint, in `jobs` processes."""
         return in_processes(judge, [cuts[int(name)] for name in missing], jobs)
 
     results = run.checkpoints().each(map(str, range(split.count)), judged)

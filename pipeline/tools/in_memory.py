@@ -59,7 +59,7 @@ class Signals:
     v : FloatArray, shape (N, K)
         Voltages [V], K = 1 or 2.
     unit : {"m", "rad"} or None
-        What q is in, where its column says so.
+        Unit of q, if its column names one.
     """
 
     t: FloatArray

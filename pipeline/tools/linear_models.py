@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from pipeline.control.linear import LinearModel
 
 MOST_EQUILIBRIA = 9
-"""Of a joint, by far: files of as many are looked for among those of an earlier call."""
+"""Most equilibria of a joint, by far: an earlier call left files of at most this number."""
 
 
 def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> dict[str, Any]:

@@ -19,7 +19,7 @@ _DEEPEST = 3
 
 @dataclass(frozen=True)
 class VerifiedRun:
-    """One run of a folder: what a look at it found, or why that could not be told."""
+    """One run of a folder: the result of its check, or why it could not be checked."""
 
     root: Path
     result: Verified

@@ -217,7 +217,7 @@ class _Search:
         return _Point(inside, residuals, float(LOSS_SCALE**2 * loss))
 
     def step(self, here: _Point) -> tuple[_Point | None, bool]:
-        """A point of lower cost, None if there is none; and whether no fall is left that matters."""
+        """A point of lower cost or None, and whether no relevant fall is left."""
         jacobian, weights = self.problem.jacobian(here.x), loss_weights(here.residuals)
         weighted = weights[:, None] * jacobian
         slope, matrix = weighted.T @ here.residuals, weighted.T @ jacobian
@@ -266,7 +266,7 @@ class _Search:
     def _bent(
         self, here: _Point, step: FloatArray, free: BoolArray, matrix: FloatArray, weighted: FloatArray
     ) -> _Point | None:
-        """The end of the step along the valley's bend; None if it bends too much to tell."""
+        """The end of the step along the valley's bend; None if the bend is too strong."""
         ahead, behind = (self.point(here.x + share * step).residuals for share in (BEND, -BEND))
         second = (ahead + behind - 2.0 * here.residuals) / BEND**2
         second[np.abs(second) > JUMP] = 0.0

@@ -19,13 +19,12 @@ import numpy as np
 
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
-from pipeline.models.analytical.full_order import REACH, integrate, rest_states, state_scale
+from pipeline.models.analytical.full_order import REACH, Drive, integrate, no_solution, rest_states, state_scale
 from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains
 from pipeline.models.analytical.sensitivity import state_sensitivities
 from pipeline.models.analytical.statics import unactuated_path
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.stiff import STATES
 
 BENT = 0.01
 """Deviation from a straight line within a sample interval, relative to the largest voltage, from which it is refined:
@@ -223,9 +222,9 @@ def simulate_windows(
     def run(start: FloatArray, part: Window) -> WindowRun:
         """The motion over one window."""
         t, v, _ = part.drive
-        states, rates = np.full((t.size, STATES), np.nan), np.full((t.size, STATES), np.nan)
-        force, counts = np.zeros(t.size), np.zeros(2, np.int64)
-        return WindowRun(states, rates, integrate(t, v, force, start, p, scale, REACH, states, rates, counts))
+        solution = no_solution(t.size)
+        valid = integrate(Drive(t, v, np.zeros(t.size)), start, p, scale, REACH, solution)
+        return WindowRun(solution.states, solution.rates, valid)
 
     def errors(made: WindowRun, part: Window) -> FloatArray:
         """Error of q [m] after the first sample; `UNREACHABLE` after a divergence."""

@@ -83,7 +83,7 @@ class SindyFit:
 
 
 class _LimitReachedError(Exception):
-    """The search has tried as many candidates as it may."""
+    """The search has reached its limit of candidates."""
 
 
 def fit_sindy(

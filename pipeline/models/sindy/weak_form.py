@@ -291,7 +291,7 @@ def _half_width(trajectories: Sequence[Trajectory], blocks: Sequence[HeldOutBloc
     Raises
     ------
     InputError
-        No block holds so many samples.
+        No block is that long.
     """
     length, interval = max(
         ((b.stop - b.start - 1) * trajectories[b.source].interval, trajectories[b.source].interval) for b in blocks
