@@ -76,8 +76,8 @@ class Run:
         """Names of the identified models, the headline first, and of the baselines that the run holds."""
         from pipeline.loading.held_models import compared_models, identified_models
 
-        made = (self._folder, self._prototype)
-        return [*identified_models(*made), *compared_models(*made)]
+        source = (self._folder, self._prototype)
+        return [*identified_models(*source), *compared_models(*source)]
 
     @property
     def figures(self) -> dict[str, str]:

@@ -231,15 +231,15 @@ class Model:
         from pipeline.si_prefix import axis_scale, moment
 
         table = self._measured(t, q, v1, v2)
-        made = free_run(table, self.core)
+        run = free_run(table, self.core)
         if ax is None:
             ax = pyplot.subplots(figsize=(7.16, 2.6), layout="constrained")[1]
         unit, factor = axis_scale(self._units[0], float(abs(table["q"][table["segment"] >= 0]).max()))
-        note = fit_note(table["q"], made.q)
-        if made.diverged_at_s is not None:
-            note = f"diverged at {moment(made.diverged_at_s)}"
+        note = fit_note(table["q"], run.q)
+        if run.diverged_at_s is not None:
+            note = f"diverged at {moment(run.diverged_at_s)}"
         ax.plot(table["t"], factor * table["q"], color="0.6", linewidth=2.5, label="measured")
-        ax.plot(table["t"], factor * made.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
+        ax.plot(table["t"], factor * run.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
         ax.set(xlabel="time in s", ylabel=f"q in {unit}")
         ax.legend(ncols=2, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
         return ax

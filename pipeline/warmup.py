@@ -53,9 +53,9 @@ def _hybrid() -> None:
     basis, weights, dt = np.array([-0.01, 0.01, 0.01]), np.zeros((9, 3)), 0.01
     substeps(k, basis, weights, dt)
     u = np.zeros((2, 5, 2))
-    seen = instruments(np.zeros(len(nominal_deviations())))
+    undisturbed = instruments(np.zeros(len(nominal_deviations())))
     for shape in ((2, 2), (3, 10, 2)):
-        u = DrivingVoltages(np.zeros(shape), dt).squared(1, seen, 1.0)[None]
+        u = DrivingVoltages(np.zeros(shape), dt).squared(1, undisturbed, 1.0)[None]
     for joints in (1, 2):
         run_joints(
             np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis, u, np.zeros(joints, dtype=np.int64),

@@ -131,11 +131,11 @@ def _without_event(run: Path, name: str) -> Member:
 
 def _expected_end(journal: Journal, running: set[str], time: datetime) -> datetime | None:
     """When a shard will be done, if it goes on as before; runs that were up to date are left out of the estimate."""
-    made = [event.seconds for event in journal.last.values() if event.state in ("done", "failed")]
+    seconds = [event.seconds for event in journal.last.values() if event.state in ("done", "failed")]
     own = running & set(journal.plan.planned)
-    if not made or not own:
+    if not seconds or not own:
         return None
-    mean = sum(made) / len(made)
+    mean = sum(seconds) / len(seconds)
     begun = (time - journal.last[name].time for name in own if name in journal.last)
     spent = sum(min(mean, each.total_seconds()) for each in begun)
     ended = sum(event.state != "started" for event in journal.last.values())

@@ -65,10 +65,12 @@ def linearise(
     rows, still = [], not any(voltages)  # ring-downs were measured without voltage
     for each in linear["equilibria"]:
         side = "left" if each is linear["equilibria"][0] else "right"
-        seen = linear["measured"][side] if each["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
+        measured = (
+            linear["measured"][side] if each["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
+        )
         slowest = ", ".join(_pole(pole) for pole in _telling(each["poles_1_s"]))
-        ringing = (_number(each["frequency_Hz"], 2), _number(seen["frequency_Hz"], 2))
-        damping = (_number(each["damping_ratio"], 3), _number(seen["damping_ratio"], 3))
+        ringing = (_number(each["frequency_Hz"], 2), _number(measured["frequency_Hz"], 2))
+        damping = (_number(each["damping_ratio"], 3), _number(measured["damping_ratio"], 3))
         rows.append(
             (f"{1e3 * each['q_m']:.3f}", "stable" if each["stable"] else "unstable", *ringing, *damping, slowest)
         )

@@ -41,46 +41,46 @@ def learn(
     """
     from pipeline.tools.fleet import learn_siblings
 
-    made = learn_siblings(runs, output)
-    for name, reason in made.left_out.items():
+    siblings = learn_siblings(runs, output)
+    for name, reason in siblings.left_out.items():
         typer.echo(printable(f"warning: {name} is left out: {reason}"), err=True)
     if as_json:
-        _emit_json(made)
+        _emit_json(siblings)
     else:
-        _emit(made)
+        _emit(siblings)
 
 
-def _emit_json(made: "LearntFile") -> None:
+def _emit_json(siblings: "LearntFile") -> None:
     emit_json(
         {
-            "file": made.path,
-            "siblings": made.siblings,
-            "left_out": made.left_out,
-            "quantities": [vars(quantity) for quantity in made.learnt.quantities],
-            "odd": [vars(odd) for odd in made.learnt.odd],
-            "log_evidence_gain": made.learnt.gains,
+            "file": siblings.path,
+            "siblings": siblings.siblings,
+            "left_out": siblings.left_out,
+            "quantities": [vars(quantity) for quantity in siblings.learnt.quantities],
+            "odd": [vars(odd) for odd in siblings.learnt.odd],
+            "log_evidence_gain": siblings.learnt.gains,
         }
     )
 
 
-def _emit(made: "LearntFile") -> None:
-    quantities, gains = made.learnt.quantities, sorted(made.learnt.gains.values())
+def _emit(siblings: "LearntFile") -> None:
+    quantities, gains = siblings.learnt.quantities, sorted(siblings.learnt.gains.values())
     rows = [
         (each.name, f"{each.mean:.3g}", f"{each.spread:.2g}", each.unit, f"{each.share:.2f}")
         for each in quantities[:_SHOWN]
     ]
     heading = ("quantity", "mean deviation", "spread", "unit", "spread over the prior's")
-    emit_table(f"{len(made.siblings)} siblings, the best known quantities", heading, rows)
+    emit_table(f"{len(siblings.siblings)} siblings, the best known quantities", heading, rows)
     halved = sum(each.share < 0.5 for each in quantities)
     emit_text(
         f"{halved} of {len(quantities)} quantities have less than half the prior's spread; logs of a sibling that the "
         f"others are exp({gains[len(gains) // 2]:.0f}) times as probable as under the prior (median)"
     )
-    for odd in made.learnt.odd:
+    for odd in siblings.learnt.odd:
         emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")
-    if not made.learnt.odd:
+    if not siblings.learnt.odd:
         emit_text("no sibling is odd")
-    emit_text(f"written: {made.path}; name it in [plant] siblings, or give it to debist batch --siblings")
+    emit_text(f"written: {siblings.path}; name it in [plant] siblings, or give it to debist batch --siblings")
 
 
 def series(
@@ -106,15 +106,15 @@ def series(
     from pipeline.runs.atomic import write_text
     from pipeline.tools.fleet import series_of
 
-    made = series_of(runs, at)
+    facts = series_of(runs, at)
     if output is not None:
-        write_text(output, series_page(made))
+        write_text(output, series_page(facts))
     if as_json:
-        emit_json(asdict(made) | {"page": output})
+        emit_json(asdict(facts) | {"page": output})
     elif form == "csv":
         writer = csv.writer(sys.stdout, lineterminator="\n")
-        writer.writerow(("key", "unit", *asdict(made.facts[0].trend)) if made.facts else ("key", "unit"))
-        writer.writerows((fact.key, fact.unit, *asdict(fact.trend).values()) for fact in made.facts)
+        writer.writerow(("key", "unit", *asdict(facts.facts[0].trend)) if facts.facts else ("key", "unit"))
+        writer.writerows((fact.key, fact.unit, *asdict(fact.trend).values()) for fact in facts.facts)
     else:
-        emit_table(f"{len(made.names)} runs of one device, ± 95 %", COLUMNS, series_rows(made))
-        emit_text(conclusion(made))
+        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
+        emit_text(conclusion(facts))

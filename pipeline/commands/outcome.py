@@ -96,8 +96,8 @@ def emit_stale_exports(run: Path) -> None:
     from pipeline.tools.export import stale_exports
 
     if stale := stale_exports(run):
-        made = "was made" if len(stale) == 1 else "were made"
-        typer.echo(f"warning: {brief(stale)} {made} from another model than the run now holds; export again", err=True)
+        verb = "was made" if len(stale) == 1 else "were made"
+        typer.echo(f"warning: {brief(stale)} {verb} from another model than the run now holds; export again", err=True)
 
 
 def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *, as_json: bool) -> None:

@@ -174,12 +174,12 @@ def export(
     """
     from pipeline.tools.export import export_run
 
-    made = export_run(run, target, model=model, output=output, force=force)
+    exported = export_run(run, target, model=model, output=output, force=force)
     if as_json:
-        emit_json(vars(made))
+        emit_json(vars(exported))
         return
-    typer.echo("\n".join(map(str, made.written)))
-    for note in made.notes:
+    typer.echo("\n".join(map(str, exported.written)))
+    for note in exported.notes:
         typer.echo(f"note: {note}", err=True)
 
 
@@ -200,12 +200,12 @@ def paper(
     from pipeline.tools.paper import run_paper
 
     with Progress(quiet=quiet or as_json) as progress:
-        made = run_paper(source, output, progress)
+        recipe = run_paper(source, output, progress)
     if as_json:
-        emit_json({"page": str(made.page), "figures": str(made.root / "paper"), "table_2": made.table})
+        emit_json({"page": str(recipe.page), "figures": str(recipe.root / "paper"), "table_2": recipe.table})
         return
-    emit_table_2(made.table)
-    typer.echo(f"page: {made.page}\nfigures: {made.root / 'paper'}")
+    emit_table_2(recipe.table)
+    typer.echo(f"page: {recipe.page}\nfigures: {recipe.root / 'paper'}")
 
 
 if TYPE_CHECKING:

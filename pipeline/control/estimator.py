@@ -88,17 +88,17 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
 def begin(signals: Values, e: Values, rests: Values) -> Outputs:
     """The state after the first reading at zero voltages; a reading that is not finite is a lost sensor."""
     n = named(e)
-    q, seen = _reading(signals, n)
+    q, finite = _reading(signals, n)
     state = parts(rest(clip(q, -n["farthest"], n["farthest"]), n))
-    return {"s": joined(state | {"lost": [choose(seen, 0.0, RAMP)]})}
+    return {"s": joined(state | {"lost": [choose(finite, 0.0, RAMP)]})}
 
 
 def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     """Correct the estimate by a reading, or count what is missing; take the target over."""
     n, before = named(e), parts(s)
-    q, seen = _reading(signals, n)
-    again = function("and", seen, function("le", RAMP, before["lost"][0]))
-    strayed = function("and", seen, function("le", PERSISTENT, before["strayed"][0]))
+    q, finite = _reading(signals, n)
+    again = function("and", finite, function("le", RAMP, before["lost"][0]))
+    strayed = function("and", finite, function("le", PERSISTENT, before["strayed"][0]))
     fresh, anew = parts(rest(q, n)), _anew(before, q, n)
     now = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
@@ -106,9 +106,9 @@ def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     }
     corrected = _corrected(now, q, n)
     updated = {
-        name: [choose(seen, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected
+        name: [choose(finite, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected
     }
-    updated["lost"] = [choose(seen, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
+    updated["lost"] = [choose(finite, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
     wanted = choose(function("finite", signals[1]), signals[1], n["offset"]) - n["offset"]
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
     target = choose(function("finite", signals[1]), clip(wanted, n["first"], last), now["target"][0])

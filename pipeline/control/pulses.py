@@ -141,10 +141,10 @@ def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
         inside = np.clip((end - t) / PERIOD, 0.0, 1.0) - np.clip((begin - t) / PERIOD, 0.0, 1.0)
         share += values[:, [2 * segment + 1]] * inside
         begin = end
-    made = np.zeros((*share.shape, 2))
-    made[:, :, side] = highest * np.sqrt(np.clip(share, 0.0, 1.0))
-    made[:, :, 1 - side] = highest * np.sqrt(np.clip(-share, 0.0, 1.0))
-    return made
+    voltages = np.zeros((*share.shape, 2))
+    voltages[:, :, side] = highest * np.sqrt(np.clip(share, 0.0, 1.0))
+    voltages[:, :, 1 - side] = highest * np.sqrt(np.clip(-share, 0.0, 1.0))
+    return voltages
 
 
 def judged(q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal) -> FloatArray:

@@ -112,11 +112,11 @@ def pulses(voltages: FloatArray, durations: FloatArray, side: int) -> FloatArray
     """Commands (P, M, 2) [V] of pulses with these voltages [V] and durations [s], each of shape (P,), and the rest."""
     length = round((float(durations.max()) + REST) / PERIOD)
     t = np.arange(length) * PERIOD
-    made = np.zeros((len(voltages), length, 2))
+    commands = np.zeros((len(voltages), length, 2))
     # The last millisecond of a pulse carries what is left of its duration, as a share of the square.
     share = np.clip((durations[:, None] - t) / PERIOD, 0.0, 1.0)
-    made[:, :, side] = voltages[:, None] * np.sqrt(share)
-    return made
+    commands[:, :, side] = voltages[:, None] * np.sqrt(share)
+    return commands
 
 
 PULSES = (0.1, 0.2, 0.5)

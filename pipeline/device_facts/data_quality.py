@@ -196,8 +196,8 @@ def _outside(data: RunData) -> float | None:
     validation = data.role("validation")
     if not validation:
         return None
-    seen = [np.column_stack((log.kinematics["q"], voltages(log.kinematics))) for log in data.role("train")]
-    low, high = np.nanmin(np.concatenate(seen), axis=0), np.nanmax(np.concatenate(seen), axis=0)
+    trained = [np.column_stack((log.kinematics["q"], voltages(log.kinematics))) for log in data.role("train")]
+    low, high = np.nanmin(np.concatenate(trained), axis=0), np.nanmax(np.concatenate(trained), axis=0)
     rows = np.concatenate([np.column_stack((g.kinematics["q"], voltages(g.kinematics))) for g in validation])
     margin = 0.01 * (high - low)
     rows = rows[np.isfinite(rows).all(axis=1)]

@@ -313,11 +313,11 @@ def _facts(
     units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
     facts = []
     for key, title, unit in _listed(values):
-        seen = measured.get(key)
-        if values.get(key) is None and seen is None:
+        events = measured.get(key)
+        if values.get(key) is None and events is None:
             continue
         low, high = limits.get(key, (None, None))
-        samples = np.empty(0) if seen is None else seen
+        samples = np.empty(0) if events is None else events
         facts.append(
             DatasheetFact(
                 key,
@@ -358,9 +358,9 @@ def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]
             "well_left": ("_left", rests.left, rests.rings_left),
             "well_right": ("_right", rests.right, rests.rings_right),
         }
-    seen = {}
+    events = {}
     for key, (side, places, rings) in sides.items():
-        seen[key] = places
-        seen[f"frequency{side}"] = np.array([ring.frequency for ring in rings])
-        seen[f"damping{side}"] = np.array([ring.damping for ring in rings])
-    return {key: values for key, values in seen.items() if values.size}
+        events[key] = places
+        events[f"frequency{side}"] = np.array([ring.frequency for ring in rings])
+        events[f"damping{side}"] = np.array([ring.damping for ring in rings])
+    return {key: values for key, values in events.items() if values.size}

@@ -72,8 +72,8 @@ def _centres(excitation: Excitation, factor: float, unit: str) -> Iterator[Short
 
 def _driven(excitation: Excitation, names: Sequence[str], factor: float, unit: str) -> Iterator[Shortfall]:
     for k, name in enumerate(names):
-        seen = excitation.visits.visits >= FEW
-        poor = (excitation.visits.driven[k] < FEW) & seen
+        visited = excitation.visits.visits >= FEW
+        poor = (excitation.visits.driven[k] < FEW) & visited
         for rows in runs_of(poor):
             finding = f"{name} hardly acts at {_places(excitation, rows, factor, unit)}: its gain there is a guess"
             yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")

@@ -78,8 +78,8 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
     files = {each: asset(each) for each in ("fmi2.h", "fmu_common.h")}
     files["fmu.c"] = render("controller_fmu.c.j2", fields | more)
     description = render("controllerDescription.xml.j2", fields | more)
-    made = packed(sources | files, description, NAME, folder)
-    return Exported([*written, *made.written], made.notes)
+    unit = packed(sources | files, description, NAME, folder)
+    return Exported([*written, *unit.written], unit.notes)
 
 
 def _sources(subject: ControllerSubject) -> dict[str, str]:

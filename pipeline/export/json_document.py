@@ -44,19 +44,19 @@ def document(subject: Subject) -> dict[str, Any]:
 def _equations(subject: Subject) -> dict[str, Any] | None:
     """States, constants and integration; none for a model whose equations cannot be written down elsewhere."""
     try:
-        made = subject.realisation()
+        realisation = subject.realisation()
     except InputError:
         return None
     return {
-        "structure": made.structure,
-        "states": [vars(each) for each in made.states],
-        "hysteresis_states": [vars(each) for each in made.hysteresis_states],
-        "constants_si": made.constants,
+        "structure": realisation.structure,
+        "states": [vars(each) for each in realisation.states],
+        "hysteresis_states": [vars(each) for each in realisation.hysteresis_states],
+        "constants_si": realisation.constants,
         "integration": {
             "scheme": "classical Runge-Kutta, fixed step",
-            "step_s": made.step,
-            "inputs_between_samples": _BETWEEN[made.between],
-            "delay_s": made.delay,
+            "step_s": realisation.step,
+            "inputs_between_samples": _BETWEEN[realisation.between],
+            "delay_s": realisation.delay,
         },
     }
 

@@ -210,8 +210,8 @@ def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisatio
         others = ", ".join(entry.name for entry in ENTRIES if kind(entry.name).equations)
         raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
     module, _, function = equations.partition(":")
-    made: Realisation = getattr(importlib.import_module(module), function)(model, interval, unit)
-    return made
+    realisation: Realisation = getattr(importlib.import_module(module), function)(model, interval, unit)
+    return realisation
 
 
 Values = list[Any]

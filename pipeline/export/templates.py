@@ -88,12 +88,12 @@ _LANGUAGES = {"c": _in_code, "h": _in_code, "m": _in_code, "xml": _in_document}
 
 @cache
 def _environment(finalize: Callable[[Any], Any]) -> Environment:
-    made = Environment(
+    environment = Environment(
         loader=PackageLoader("pipeline.export", "assets"),
         undefined=StrictUndefined,
         keep_trailing_newline=True,
         autoescape=finalize is _in_document,  # noqa: S701 - markup is escaped so, the other languages by `finalize`
         finalize=finalize,
     )
-    made.filters["numbers"] = numbers
-    return made
+    environment.filters["numbers"] = numbers
+    return environment

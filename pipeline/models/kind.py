@@ -190,8 +190,8 @@ def kind(name: str) -> Kind:
         every = ", ".join(sorted(model.name for model in ENTRIES))
         raise InputError(f"there is no model {name!r}; choose one of {every}")
     module, _, attribute = listed.kind.partition(":")
-    made: Kind = getattr(importlib.import_module(module), attribute)
-    return made
+    loaded: Kind = getattr(importlib.import_module(module), attribute)
+    return loaded
 
 
 def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
@@ -204,14 +204,14 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
     CorruptArtifactError
         A tree that lacks what the model needs.
     """
-    made = kind(name)
+    family = kind(name)
     if name == "rbf" and tree.get("kind") == "hybrid":
         raise CorruptArtifactError(
             "an older debist made this run and called the joint's equations with corrections `rbf`; they are now "
             "`hybrid`: run `debist run PROTOTYPE.toml -o RUN` again"
         )
     try:
-        return made.read(dict(tree))
+        return family.read(dict(tree))
     except (TypeError, ValueError, ArithmeticError, InputError) as error:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 

@@ -89,8 +89,8 @@ def form_of(target: Path) -> Format:
 def save(figure: "Figure | Canvas", target: Path, models: Sequence[str]) -> None:
     """Write a figure; errors as for `form_of`."""
     form = form_of(target)
-    made = paper_figure(figure, models, form) if isinstance(figure, Figure) else drawn(figure, target.suffix)
-    target.write_bytes(made[0])
+    contents = paper_figure(figure, models, form) if isinstance(figure, Figure) else drawn(figure, target.suffix)
+    target.write_bytes(contents[0])
 
 
 def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typeface: Typeface = "sans") -> list[bytes]:

@@ -88,7 +88,7 @@ def _largest(facts: Mapping[str, DatasheetFact], keys: Sequence[str]) -> float:
 
 
 def _cell(facts: Mapping[str, DatasheetFact], keys: Sequence[str], like: float) -> SheetCell:
-    values, seen = [], ""
+    values, measured = [], ""
     for fact in (facts[key] for key in keys if key in facts):
         text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like).replace(" ", "\u00a0")
         if fact.key.startswith("switch"):
@@ -96,10 +96,10 @@ def _cell(facts: Mapping[str, DatasheetFact], keys: Sequence[str], like: float) 
         values.append(f"{text} ({fact.doubt})" if fact.doubt else text)
         if fact.measured is not None:
             spread = _shown(fact, fact.measured_spread)
-            seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
+            measured = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
             if fact.free_run is not None:
-                seen += f"\nfree run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
-    return SheetCell(", ".join(values) or "–", seen)
+                measured += f"\nfree run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
+    return SheetCell(", ".join(values) or "–", measured)
 
 
 def _shown(fact: DatasheetFact, value: float | None) -> float | None:
@@ -169,7 +169,7 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
     measured_rows: Rows = []
     for fact in document["facts"]:
         factor = 100.0 if fact["unit"] == "%" else 1.0
-        value, low, high, seen, spread, own = (
+        value, low, high, of_logs, spread, own = (
             None if fact.get(key) is None else factor * fact[key]
             for key in ("value", "low", "high", "measured", "measured_spread", "free_run")
         )
@@ -178,7 +178,7 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
             model, limits = interval(value, low, high, fact["unit"], alike[_kind(fact)])
         facts.append((fact["title"], model, limits))
         if fact["events"]:
-            measured = f"{quantity(seen, fact['unit'], spread)} ({fact['events']}×)"
+            measured = f"{quantity(of_logs, fact['unit'], spread)} ({fact['events']}×)"
             measured_rows.append((fact["title"], quantity(own, fact["unit"]), measured))
     verdict = document["verdict"]
     checks: Rows = [

@@ -183,8 +183,8 @@ def _curve_panel(
     lines, bands, rows = [], [], slice(None, None, 6)
     for model, q, y, low, high in curves:
         if low is not y:
-            seen = (low[rows] < frame[1]) & (high[rows] > frame[0])
-            limits = np.where(seen, np.clip([low[rows], high[rows]], *frame), np.nan)
+            visible = (low[rows] < frame[1]) & (high[rows] > frame[0])
+            limits = np.where(visible, np.clip([low[rows], high[rows]], *frame), np.nan)
             bands.append(Band(f"{model}, {100 * COVERAGE:.0f} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, q[rows], inside[rows]))
@@ -205,8 +205,8 @@ def _circles(
     if measured is None or frame is None:
         return ()
     q, y = measured
-    seen = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
-    return (Points("measured", "measured", q[seen], y[seen], "ring"),)
+    visible = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
+    return (Points("measured", "measured", q[visible], y[visible], "ring"),)
 
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:

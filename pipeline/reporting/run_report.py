@@ -164,11 +164,11 @@ def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
     for role in ("validation", "train"):
         rows = [row for row in scores if row["role"] == role and row["signal"] != "phi"]  # which is computed from q
         for name, table in (("nrmse", nrmse_table(rows)), ("behaviour", behaviour_table(rows))) if rows else ():
-            made = _score_table(name, table)
+            shown = _score_table(name, table)
             if role == "train" and tables:
                 title = "Errors" if name == "nrmse" else "Horizons and switches"
-                made |= {"name": f"{name}-train", "caption": "", "repeats": f"{title} on the training logs"}
-            tables.append(made)
+                shown |= {"name": f"{name}-train", "caption": "", "repeats": f"{title} on the training logs"}
+            tables.append(shown)
     return {
         "score_tables": tables,
         "worst": headline_table([row for row in scores if row["model"] in data.model_names]),

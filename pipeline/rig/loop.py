@@ -41,13 +41,13 @@ class Controller:
     keep: tuple[Any, ...] = ()
 
 
-def python_controller(made: Callable[[float], Step]) -> Controller:
+def python_controller(beginning: Callable[[float], Step]) -> Controller:
     """A controller from a function that gets the first reading [m] and returns the step function."""
     failure: list[Exception] = []
     steps: list[Step] = []
 
     def begin(q: float) -> None:
-        steps.append(made(q))
+        steps.append(beginning(q))
 
     def step(_state: Any, q: float, target: float, v: Any) -> None:
         """Write the voltages [V] for a reading and a target [m] into `v`; zero from the first failure on."""

@@ -161,9 +161,11 @@ def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
     stale: set[str] = set()
     statuses = []
     for task in tasks:
-        made = run.manifest.artifacts
-        waiting = [f"input {n} is {'stale' if n in made else 'not made yet'}" for n in task.inputs if n in stale]
-        missing = [name for name in task.inputs if name not in made]
+        artifacts = run.manifest.artifacts
+        waiting = [
+            f"input {n} is {'stale' if n in artifacts else 'not artifacts yet'}" for n in task.inputs if n in stale
+        ]
+        missing = [name for name in task.inputs if name not in artifacts]
         reasons = waiting or (
             [f"input {missing[0]} is missing"] if missing else _reasons(run, task, _recipe(run, task))
         )

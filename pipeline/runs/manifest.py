@@ -263,10 +263,10 @@ def recover(root: Path) -> None:
     with reading(root):
         if (root / NEXT_MANIFEST).exists():
             manifest = load_manifest(root)
-            made = {name: record.sha256 for name, record in manifest.artifacts.items()}
+            written = {name: record.sha256 for name, record in manifest.artifacts.items()}
             texts = {stage_file(stage): stage_text(stage, content) for stage, content in manifest.stages.items()}
-            made |= {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
-            _complete(root, manifest, [name for name, sha256 in made.items() if is_staged(root / name, sha256)])
+            written |= {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
+            _complete(root, manifest, [name for name, sha256 in written.items() if is_staged(root / name, sha256)])
     sweep(root, STAGED_MARK)
 
 

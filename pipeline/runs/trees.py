@@ -57,13 +57,13 @@ def _laid_out(tree: Mapping[str, Any], columns: Columns | None) -> bytes:
         for path, value in flatten(tree):
             array = np.asarray(value)
             if array.dtype.kind in "US":
-                made = file.create_dataset(path, data=array.astype(object), dtype=h5py.string_dtype())
+                dataset = file.create_dataset(path, data=array.astype(object), dtype=h5py.string_dtype())
             elif array.size and array.ndim:
-                made = file.create_dataset(path, data=array, compression="gzip", shuffle=True, fletcher32=True)
+                dataset = file.create_dataset(path, data=array, compression="gzip", shuffle=True, fletcher32=True)
             else:
-                made = file.create_dataset(path, data=array)
+                dataset = file.create_dataset(path, data=array)
             if columns is not None:
-                made.attrs["unit"], made.attrs["meaning"] = columns(path)
+                dataset.attrs["unit"], dataset.attrs["meaning"] = columns(path)
     return content.getvalue()
 
 

@@ -228,12 +228,12 @@ def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) ->
     A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests at
     zero, as the part of a signed monitor does, is not at a rail there.
     """
-    seen = examine_signal(time, samples, step)
-    if seen.constant or seen.stepped or seen.levels:
+    quality = examine_signal(time, samples, step)
+    if quality.constant or quality.stepped or quality.levels:
         return []
     remarks = []
-    for share, rail in ((seen.low_rail, seen.usual[0]), (seen.high_rail, seen.usual[1])):
-        if share < _SHARE or abs(rail) <= 1e-3 * max(abs(seen.smallest), abs(seen.largest)):
+    for share, rail in ((quality.low_rail, quality.usual[0]), (quality.high_rail, quality.usual[1])):
+        if share < _SHARE or abs(rail) <= 1e-3 * max(abs(quality.smallest), abs(quality.largest)):
             continue
         elsewhere = samples[np.isfinite(samples) & (samples != rail)]
         if np.mean(np.diff(elsewhere) != 0.0) < _RAGGED:

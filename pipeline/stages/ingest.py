@@ -288,11 +288,11 @@ def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> 
 def _pieces(
     resampling: "Resampling", names: Sequence[str], on_progress: OnProgress
 ) -> Iterator[Mapping[str, FloatArray]]:
-    rows, made = resampling.report.rows, 0
+    rows, done = resampling.report.rows, 0
     for piece in resampling.pieces():
         yield record_columns(piece, names)
-        made += piece.t.size
-        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", made / rows)
+        done += piece.t.size
+        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", done / rows)
 
 
 def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, FloatArray]:

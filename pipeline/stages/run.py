@@ -174,9 +174,9 @@ def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
     with run_lock(root):
         run, planned = _open(root)
         _strike_lost(run, observer)
-        made = {record.recipe.stage for record in run.manifest.artifacts.values()}
-        tasks = (task for task in planned if task.stage in made)
-        return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in made), observer)
+        stages = {record.recipe.stage for record in run.manifest.artifacts.values()}
+        tasks = (task for task in planned if task.stage in stages)
+        return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in stages), observer)
 
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
@@ -189,9 +189,9 @@ def _strike_lost(run: RunFolder, observer: Observer) -> None:
 
 def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
     """Nothing is made from an artifact, or called up to date with it, that has not the bytes it was written with."""
-    made = {name for task in tasks for name in task.outputs}
+    outputs = {name for task in tasks for name in task.outputs}
     for name in dict.fromkeys(name for task in tasks for name in task.inputs):
-        if name not in made and name in run.manifest.artifacts:
+        if name not in outputs and name in run.manifest.artifacts:
             run.checked(name)
 
 
@@ -200,10 +200,10 @@ def _bring_up_to_date(
 ) -> list[TaskStatus]:
     """Do what is to be done, and then state the content of these stages and of all that have tasks."""
     done = bring_up_to_date(run, tasks, observer)
-    made = {stage: dict[str, str]() for stage in (*stages, *(task.stage for task in done))}
+    contents = {stage: dict[str, str]() for stage in (*stages, *(task.stage for task in done))}
     for task in done:
-        made[task.stage] |= {name: run.record(name).content_hash for name in task.outputs}
-    run.state(made)
+        contents[task.stage] |= {name: run.record(name).content_hash for name in task.outputs}
+    run.state(contents)
     return done
 
 

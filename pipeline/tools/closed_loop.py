@@ -246,7 +246,7 @@ class ClosedLoopOptions:
             raise InputError(
                 f"--barrier {self.barrier:g}: give by how many percent the barrier is higher, -100 to 1000"
             )
-        made = with_side(
+        result = with_side(
             Scenario(
                 t=t,
                 target=target,
@@ -264,7 +264,7 @@ class ClosedLoopOptions:
         )
         if self.start not in (None, "left", "right"):
             raise InputError(f"--from {self.start}: the joint rests in its left or right well")
-        return made if self.start is None else replace(made, side=-1 if self.start == "left" else 1)
+        return result if self.start is None else replace(result, side=-1 if self.start == "left" else 1)
 
 
 def closed_loop_log(

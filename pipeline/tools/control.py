@@ -62,10 +62,10 @@ def _one_map(joint_run: ControlRun, converters: "Converters", to: Well, on_progr
         lowest.append(lowest_voltage(model, converters, places, to, duration))
     on_progress(f"map to the {to}", _OF_LOWEST)
     joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)
-    made = switching_map(
+    result = switching_map(
         joint, places, to, lambda what, share: on_progress(what, _OF_LOWEST + (1.0 - _OF_LOWEST) * share)
     )
-    return {**asdict(made), "lowest": [asdict(each) for each in lowest if each is not None]}
+    return {**asdict(result), "lowest": [asdict(each) for each in lowest if each is not None]}
 
 
 def pulse(
@@ -86,8 +86,8 @@ def pulse(
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
         joint = ensemble_of(joint_run.model, DRAWS, converters)
-        made = design_pulse(joint, begin, end, right - left, highest, goal)
-        low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
+        snap = design_pulse(joint, begin, end, right - left, highest, goal)
+        low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
         return {
             "format": "debist-pulse/2",
             "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, to the right one"},
@@ -95,18 +95,18 @@ def pulse(
             "minimised": goal,
             "start_m": begin,
             "target_m": end,
-            "largest_voltage_V": float(made.v.max()),
+            "largest_voltage_V": float(snap.v.max()),
             "lags_s": converters.lags,
             "lags_known": lags_known,
-            "settling_s": _finite(made.settling_s),
-            "settling_90_s": [_finite(made.settling_low_s), _finite(made.settling_high_s)],
-            "overshoot_m": made.overshoot_m,
-            "switching_probability": made.probability,
+            "settling_s": _finite(snap.settling_s),
+            "settling_90_s": [_finite(snap.settling_low_s), _finite(snap.settling_high_s)],
+            "overshoot_m": snap.overshoot_m,
+            "switching_probability": snap.probability,
             "draws": DRAWS,
-            "segments_s_share": made.segments,
-            "t_s": made.t,
-            "v_V": made.v,
-            "predicted": {"t_s": INTERVAL * np.arange(made.q.shape[1]), "q_m": made.q[0], "low_m": low, "high_m": high},
+            "segments_s_share": snap.segments,
+            "t_s": snap.t,
+            "v_V": snap.v,
+            "predicted": {"t_s": INTERVAL * np.arange(snap.q.shape[1]), "q_m": snap.q[0], "low_m": low, "high_m": high},
         }
 
     chosen = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}

@@ -139,8 +139,8 @@ class ControlRun:
         first, other = left or given[0], right or given[0]
         spread = max(_LEAST_SPREAD, *(each.scatter for each in given))
         counts = " and ".join(str(each.steps if each else 0) for each in (left, right))
-        made = Converters((first.lag, other.lag), spread, highest=self.limit)
-        return made, f"from {counts} voltage steps of the training logs"
+        converters = Converters((first.lag, other.lag), spread, highest=self.limit)
+        return converters, f"from {counts} voltage steps of the training logs"
 
 
 def control_run(root: Path) -> ControlRun:
@@ -211,8 +211,8 @@ def kept_document(
 
         def write(run: RunFolder, on_progress: OnProgress) -> dict[str, Written]:
             """Find out and write the document."""
-            made = work(joint_run, on_progress)
-            document = json.dumps(made, indent=1, allow_nan=False, default=lambda value: value.tolist())
+            findings = work(joint_run, on_progress)
+            document = json.dumps(findings, indent=1, allow_nan=False, default=lambda value: value.tolist())
             return {name: run.write_text(name, document + "\n", {})}
 
         inputs = (joint_run.artifact, *joint_run.records)

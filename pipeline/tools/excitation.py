@@ -219,9 +219,9 @@ def drawn_simulators(parameters: JointParameters, rng: np.random.Generator, coun
     for _ in range(_MOST_DRAWS):
         if len(simulators) == count:
             return simulators
-        made = _simulator(_made(parameters, rng))
-        if made is not None:
-            simulators.append(made)
+        simulator = _simulator(_made(parameters, rng))
+        if simulator is not None:
+            simulators.append(simulator)
     if len(simulators) < count:
         raise InputError(
             f"only {len(simulators)} of {_MOST_DRAWS} joints made after the drawing have two wells; "

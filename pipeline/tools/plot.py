@@ -110,8 +110,8 @@ def run_figures(root: Path) -> RunFigures:
     def read(run: RunFolder) -> RunFigures:
         """All figures of a run as it is now."""
         prototype = run.prototype
-        made = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
-        return RunFigures(root, made.figures, made.data.model_names)
+        prepared = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
+        return RunFigures(root, prepared.figures, prepared.data.model_names)
 
     return in_snapshot(root, read)
 

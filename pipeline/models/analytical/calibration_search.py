@@ -124,11 +124,11 @@ class SimulatedProblem:
 
     def jacobian(self, x: FloatArray) -> FloatArray:
         """Derivatives of the residuals where they were computed, shape (samples + P, P)."""
-        problem, made = self.problem, self._made[x.tobytes()]
-        self._made = {x.tobytes(): made}  # a search never goes back behind a point that it took
+        problem, runs = self.problem, self._made[x.tobytes()]
+        self._made = {x.tobytes(): runs}  # a search never goes back behind a point that it took
         steps = np.where(x + STEP <= problem.upper, STEP, -STEP)
         moved = [problem.parameters(x + step * unit) for step, unit in zip(steps, np.eye(x.size), strict=True)]
-        return np.vstack([error_derivatives(made, moved, steps, problem.pool) / RESOLUTION, np.eye(x.size)])
+        return np.vstack([error_derivatives(runs, moved, steps, problem.pool) / RESOLUTION, np.eye(x.size)])
 
 
 LOSS_SCALE = 3.0
@@ -188,13 +188,13 @@ def search(
     -----
     Cost: a step takes a Jacobian and one simulation if it falls as predicted, three more if it is bent.
     """
-    made = _Search(problem, limit, tolerance)
-    here, converged = made.point(x0), False
-    while not converged and made.left > 0:
-        if made.left <= limit // 2 and here.cost > HOPELESS * rival:
+    descent = _Search(problem, limit, tolerance)
+    here, converged = descent.point(x0), False
+    while not converged and descent.left > 0:
+        if descent.left <= limit // 2 and here.cost > HOPELESS * rival:
             break
         tick()
-        lower, converged = made.step(here)
+        lower, converged = descent.step(here)
         if lower is None:
             break
         here = lower
