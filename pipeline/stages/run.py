@@ -23,10 +23,9 @@ from pipeline.stages import (
     differentiate,
     identify,
     ingest,
-    measured_curves,
     report,
     scores,
-    siblings,
+    side_files,
     validate,
 )
 from pipeline.stages.run_place import Place, before_any_work, edited, place_of, run_folder
@@ -65,11 +64,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
 
 def _reading_tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """The tasks that read raw files."""
-    beside = (measured_curves, siblings)
-    return [
-        *ingest.tasks(prototype, prototype_file),
-        *(t for each in beside for t in each.tasks(prototype, prototype_file)),
-    ]
+    return [*ingest.tasks(prototype, prototype_file), *side_files.tasks(prototype, prototype_file)]
 
 
 def run_prototype(
