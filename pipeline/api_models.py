@@ -358,7 +358,7 @@ def identify(
 
     Notes
     -----
-    What was noticed and masked stands in ``notes["warnings"]`` of the model. Cost: 5 to 20 s of processor time for a
+    Remarks and masked samples are listed in ``notes["warnings"]`` of the model. Cost: 5 to 20 s of processor time for a
     log of 37.5 s.
 
     Examples

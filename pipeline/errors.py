@@ -1,4 +1,4 @@
-"""What can go wrong, as one line for the user; the only mapping from failure to exit code."""
+"""Failures, each as one line for the user; the only mapping from failure to exit code."""
 
 import errno
 import os

@@ -29,7 +29,7 @@ _DIGEST = ".sha256"
 def folder_for(modules: frozenset[Path]) -> Path:
     """The folder for kernels of these modules, in a state that depends on all that they import and on versions.
 
-    numba itself looks at the one file that a kernel stands in. Cost: each file of the package is read once a process.
+    numba itself checks only the file that defines a kernel. Cost: each file of the package is read once a process.
     Files that are not whole are deleted.
 
     Raises
@@ -57,7 +57,7 @@ def has_kernels(folder: Path) -> bool:
 
 
 def certify(folders: Iterable[Path]) -> None:
-    """Write the digest of each file that is newer than its digest; whoever compiled kernels calls this."""
+    """Write the digest of each file that is newer than its digest; called after a compilation."""
     for folder in folders:
         for file in _kernels(folder):
             digest = file.with_name(file.name + _DIGEST)

@@ -113,4 +113,4 @@ Typeface = Literal["sans", "serif"]
 Well = Literal["left", "right"]
 """Where a joint rests."""
 Goal = Literal["time", "energy", "voltage"]
-"""What a pulse is to need least of."""
+"""Quantity that a pulse minimises."""

@@ -41,7 +41,7 @@ _SLIPS = (
     (re.compile("[“”„‘’]"), 'text stands between plain quotes, as "P1"'),
     (re.compile(r"(?:^|[{,])\s*[\w.]+\s*=\s*(?!(true|false|inf|nan)\b)[^\W\d]"), 'text stands between quotes, as "P1"'),
 )
-"""What a line that is no TOML often holds, and what belongs there."""
+"""Common slips in a line that is no TOML, and the correct form."""
 
 Role = Literal["train", "validation"]
 ROLES: tuple[Role, ...] = ("train", "validation")
@@ -209,7 +209,7 @@ class Channels(_Settings):
 
 
 FILM_THICKNESS, FIELD_LIMIT = 50.0, 60.0
-"""Of the paper's joint [µm, V/µm]: 3 kV on an undeformed film of 50 µm."""
+"""Values of the paper's joint [µm, V/µm]: 3 kV on an undeformed film of 50 µm."""
 
 
 class Plant(_Settings):
@@ -405,7 +405,7 @@ class Quality(_Settings):
     """Data that are refused (exit code 3) unless they are accepted knowingly."""
 
     accept: tuple[Gate, ...] = ()
-    """Findings that shall not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
+    """Findings that do not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
     log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
     "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
     "time-base", "scale", "wrapped" (an angle that jumps by a turn), "device". Of the training data: "idle",
@@ -534,7 +534,7 @@ def load_prototype(path: Path) -> Prototype:
 
 
 def read_document(path: Path) -> dict[str, Any]:
-    """What stands in a prototype's TOML file, unchecked.
+    """The document of a prototype's TOML file, unchecked.
 
     Raises
     ------

@@ -107,7 +107,7 @@ def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
 
 
 def _table_at(location: list[str], settings: type[BaseModel]) -> type[BaseModel] | None:
-    """The table at a place, if one belongs there."""
+    """The table at a place, if there is one."""
     model = settings
     for part in location:
         if part.isdigit():

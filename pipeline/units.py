@@ -10,14 +10,14 @@ from typing import Any
 from pipeline.errors import InputError
 from pipeline.names import FILL_IN
 
-# What a quantity may be, by the SI unit it is kept in.
+# Allowed quantities, by their SI unit.
 DISPLACEMENT = ("m", "rad", "V")
 """V for an electronic circuit that stands for a mechanical device."""
 VELOCITY = {"m": "m/s", "rad": "rad/s", "V": "V/s"}
-"""What a velocity is kept in, by the unit of the displacement."""
+"""SI unit of a velocity, by the unit of the displacement."""
 ACCELERATION = ("m/s²", "rad/s²")
 SIGNALS = ("q", "phi", "qdot", "qddot")
-"""What models are scored by, in the order of tables and figures."""
+"""Signals by which models are scored, in the order of tables and figures."""
 HORIZONS = {"one_step": (0.0, "one step"), "100ms": (0.1, "0.1 s"), "1s": (1.0, "1 s")}
 """How far ahead of a measured state models are scored: in s (one sample at least), and in words."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
@@ -33,7 +33,7 @@ def of_joint(displacement: str, inputs: Sequence[str], *, squared: bool) -> bool
 
 
 MASS = {"m": "kg", "rad": "kg·m²", "V": "kg"}
-"""What a mass or an inertia is kept in, by the unit of the displacement."""
+"""SI unit of a mass or an inertia, by the unit of the displacement."""
 
 _BASE = {
     "m": "meter",
@@ -136,7 +136,7 @@ _TIME_WORDS = {
 _TIME_NAMES = {word: unit for unit, words in _TIME_WORDS.items() for word in (unit, *words.split())}
 
 _LONGEST = 60
-# One name, and a whole power of one digit: all that a unit needs, and nothing for which pint would count without end.
+# One name, and a whole power of one digit: all that a unit needs; pint would take long powers without end.
 _FACTOR = r"(?:1|%|°[CF]?|[^\W\d_][^\W\d]*)(?:(?:\*\*|\^)[+-]?[1-9]|[⁺⁻]?[¹²³⁴-⁹])?"
 _UNIT = re.compile(rf"\s*{_FACTOR}(?:\s*[*/·⋅ ]\s*{_FACTOR})*\s*")
 

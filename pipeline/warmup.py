@@ -158,4 +158,4 @@ def _control() -> None:
 
 
 GROUPS = ((_hybrid, _control), (_analytical, _without_parameter_set, _network, _measured, _rig))
-"""What is compiled in one process each, by about the same time; kernels that share others stand together."""
+"""Groups of kernels, one process each, of about the same time; kernels that share others stand together."""

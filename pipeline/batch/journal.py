@@ -45,7 +45,7 @@ class Shard(NamedTuple):
         return cls(*part)
 
     def holds(self, name: str) -> bool:
-        """Whether the prototype `name` belongs to it, which depends on no other name."""
+        """Whether the shard holds the prototype `name`, which depends on no other name."""
         return part_holds(self.number, self.of, name)
 
     @property

@@ -102,7 +102,7 @@ def _line(operation: Operation) -> str:
 
 
 class Builder:
-    """Operations, each different one once; of numbers alone at once."""
+    """Operations, each different one once; those of numbers alone are computed here."""
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
@@ -156,7 +156,7 @@ NUMPY: dict[str, Callable[..., Any]] = {
 
 Number = Union["Value", float]
 _OF_NUMBERS = {"add", "sub", "mul", "neg", "le", "lt"}
-"""Operations that are done at once where all operands are known, alike in every language."""
+"""Operations that are computed here if all operands are numbers; every language gives the same value."""
 
 
 class Value:

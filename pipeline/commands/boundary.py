@@ -27,7 +27,7 @@ _PLACES = frozenset(
     getattr(errno, name)
     for name in ("EACCES", "EPERM", "EROFS", "ENOSPC", "EDQUOT", "ENOTDIR", "EISDIR", "EEXIST", "ENAMETOOLONG", "ELOOP")
 )
-"""What is wrong with a place that the user named, and no bug: read-only, full, or not what it should be."""
+"""Errors of a place that the user named, which are no bugs: read-only, full, or not what it should be."""
 _FULL = (errno.EMFILE, errno.ENFILE)
 ORDER = (
     "demo", "init", "inspect", "check", "run",
@@ -88,7 +88,7 @@ class _Unfailing(io.FileIO):
 
 
 _signals: list[int] = []
-"""Those that have come to end the command; what compiles kernels loses the exception, and fails in another way."""
+"""Signals received to end the command; the compiler of kernels loses the exception, and fails in another way."""
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:

@@ -37,7 +37,7 @@ class Stopwatch:
     Parameters
     ----------
     stages : sequence of str
-        The stage of every task that is to come; empty where that is not known.
+        The stages of all coming tasks; empty if they are unknown.
     """
 
     def __init__(self, stages: Sequence[str]) -> None:
@@ -238,7 +238,7 @@ class Progress:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Leave the terminal as it was; where the user has stopped it, say what is kept."""
+        """Restore the terminal; if the user has stopped the command, report what is kept."""
         self._stop()
         if isinstance(error, KeyboardInterrupt):
             finished = f"the results of {self._made} finished step{'s' if self._made > 1 else ''} are kept"

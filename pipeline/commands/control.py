@@ -16,11 +16,11 @@ app = group("From the identified model to control: linear models, snaps, switchi
 
 @dataclass(frozen=True)
 class Snap:
-    """From where to where, and what is to be least."""
+    """Start and target of a pulse, and the quantity that it minimises."""
 
     to: Annotated[Well, typer.Option(help="Well to bring the joint to.")]
     start: Annotated[Well | None, typer.Option("--from", help="Well it rests in [default: the other one].")] = None
-    minimise: Annotated[Goal, typer.Option(help="What is to be least.")] = "time"
+    minimise: Annotated[Goal, typer.Option(help="Quantity that the pulse minimises.")] = "time"
 
 
 Run = Annotated[

@@ -65,7 +65,7 @@ def repair(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Set aside what is damaged in a run and make it anew from what is intact and from the raw logs.
+    """Set aside damaged artifacts of a run and make them anew from the intact ones and the raw logs.
 
     Nothing is deleted: damaged files keep a name with .corrupt-. Example: debist repair runs/P1
     """

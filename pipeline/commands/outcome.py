@@ -1,4 +1,4 @@
-"""What a run or a batch came to: the headline table, the verdict, the state of tasks; and the progress of a batch."""
+"""Results of a run or a batch: the headline table, the verdict, the state of tasks, and the progress of a batch."""
 
 import sys
 import time

@@ -1,4 +1,4 @@
-"""What a run is taken for: `debist diff`, `export`, `paper`, `study`, and the comparison of `verify --against`."""
+"""Uses of a run: `debist diff`, `export`, `paper`, `study`, and the comparison of `verify --against`."""
 
 import csv
 import sys

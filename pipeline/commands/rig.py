@@ -188,7 +188,7 @@ class SimulatedWith:
         str | None,
         typer.Option(
             metavar="KIND|FILE",
-            help="Where free runs of --run shall become surer: an excitation or voltages [default: validation].",
+            help="Free runs of --run that shall become more certain: an excitation or voltages [default: validation].",
         ),
     ] = None
     model: Annotated[str | None, typer.Option(help="Which model of the run [default: the headline].")] = None

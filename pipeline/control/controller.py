@@ -17,7 +17,7 @@ _S, _SIGNALS, _V, _E, _U = ({name: SIZES[name]} for name in ("s", "signals", "v"
 _JOINT = {"prepared": PREPARE.outputs["p"]} | _E | {"curves": 0}
 _STAGES = tuple(f"k{i + 1}" for i in range(len(SHARES)))
 _NEXT = {0.5: "halfway", 1.0: "ahead"}
-"""What leads to the next stage, by the part of the period before it."""
+"""Graph that leads to the next stage, by the part of the period before it."""
 GRAPHS = {
     "begin": trace(estimator.begin, **_SIGNALS, **_E, rests=0),
     "listen": trace(estimator.listen, **_S, **_SIGNALS, **_E, rests=0),

@@ -22,7 +22,7 @@ from pipeline.numerics.arrays import FloatArray
 BEYOND = 2
 """Rows of the table of targets beyond each well; a row lies in each well, where the moment that holds it is zero."""
 NEAR, FAST = 1.5e-3, 0.12
-"""Distance [m] and speed [m/s] within which the regulator takes over; it lets go at twice that distance."""
+"""Distance [m] and speed [m/s] within which the regulator acts; it stops at twice that distance."""
 STEEPNESS = 1.0 / 0.04
 """Share of the largest moment for each m/s off the braking curve [s/m]."""
 SURE = 0.92
@@ -42,7 +42,7 @@ CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-2, 1e-8)
 BOUNDS = (4.0, 0.8, 60.0, 3.0, 300.0, 0.01)
 """Magnitudes that no estimate of q̇ [m/s], τ, τ̇ [1/s], β, β̇ [1/s] and d [N·m] passes."""
 NODES = 2
-"""Of the table of the corrections in a width σ."""
+"""Points of the table of the corrections in a width σ."""
 
 
 @dataclass(frozen=True)

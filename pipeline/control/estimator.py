@@ -1,7 +1,7 @@
 """State estimator: an extended Kalman filter on the identified joint, fed by the laser once in a period.
 
 The estimate holds the joint's state x, its stop operators z (exact in a step), the voltages of both converters, which
-lag behind their commands, and a moment d on the slope that stands for everything that the model does not know (external
+lag behind their commands, and a moment d on the slope for everything outside the model (external
 forces, friction of another kind, a drifting barrier). The voltages act as such a moment, so that they can balance it. d
 changes as a random walk, so that the estimate of q has no steady error.
 
@@ -27,7 +27,7 @@ Values = list[Any]
 Outputs = dict[str, Values]
 
 PERIOD = 1e-3
-"""Of the controller [s]."""
+"""Period of the controller [s]."""
 RAMP = 40.0
 """Periods in which the voltages of a controller without readings go to zero."""
 STRUCK, FORGET = 0.3e-3, 0.99
@@ -43,7 +43,7 @@ ANEW = (1e-9, 0.03, 1e-3, 1.0, 1e-3, 1.0, 1e-6)
 ANEW_COUNTS = 0.25
 """Time [s] that a new beginning counts among the attempts on a target."""
 STATUS = ("ok", "recovering", "lost signal", "no authority", "given up")
-"""What the number of the status means: the estimate began anew or differs from the readings; readings are missing, so
+"""Meaning of the status: the estimate began anew or differs from the readings; readings are missing, so
 the voltages go to zero; no voltage takes the offset away, so none stays on; the target was not reached, so the voltages
 are zero until the next one."""
 

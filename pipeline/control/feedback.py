@@ -46,7 +46,7 @@ FADES = 0.2
 ENOUGH, SWINGS = 4.0, 16.0
 """Time [s] after which a target that is not reached is given up, and how much more is given to the pump."""
 FORGIVEN = 0.1
-"""Of this time, what each second near the target takes away [s]."""
+"""Part of this time that each second near the target takes away [s]."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 

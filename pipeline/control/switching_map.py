@@ -20,7 +20,7 @@ REACH = 3
 """Cells about the estimate's boundary in which the draws are run."""
 _AT_ONCE = 256
 LEAST_VOLTAGE, SHORTEST, LONGEST = 0.3, 0.02, 1.0
-"""Of the map: lowest voltage as a share of the largest, shortest and longest pulse [s]."""
+"""Bounds of the map: lowest voltage as a share of the largest, shortest and longest pulse [s]."""
 
 
 @dataclass(frozen=True)
@@ -128,7 +128,7 @@ LEAST, COARSE = 0.1, 155
 STEP, ABOUT, HALVINGS = 1e-3, 0.01, 24
 """Length [widths, or logarithm of a lag] of the differences, and the bisection that finds what the voltage becomes: its
 logarithm is right to 1e-9. The parameters move along columns of their covariance's factor. Those that are moved singly
-leave the valley in which the data hold them, where the voltage is curved: the deviation of one joint was 1.25 % so."""
+leave the valley of the posterior, where the voltage is curved: the deviation of one joint was 1.25 % so."""
 
 
 @dataclass(frozen=True)

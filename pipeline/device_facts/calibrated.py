@@ -1,4 +1,4 @@
-"""What the fit of the hybrid model makes of each physical quantity: nominal value, calibrated value, interval."""
+"""Physical quantities by the fit of the hybrid model: nominal value, calibrated value, interval, siblings."""
 
 from dataclasses import dataclass
 

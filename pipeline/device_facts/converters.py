@@ -14,7 +14,7 @@ from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval, sampl
 from pipeline.numerics.metrics import rms, robust_std
 
 BLOCK = 2e-3
-"""Time [s] over which the voltage is looked at at once."""
+"""Window [s] in which a voltage step is sought."""
 STILL, SETTLED = 6, 24
 """Blocks without a change that make a plateau, and those of its beginning that are looked at."""
 CHANGE = 0.02

@@ -127,7 +127,7 @@ def _extrapolation_checks(data: RunData) -> list[Check]:
 
 
 def _coverage_checks(data: RunData) -> list[Check]:
-    """Samples at the centres between the outermost two, where the range is over however often it is visited."""
+    """Samples at the centres between the outermost two, which lie at the ends of the range."""
     inner = centre_visits(data)[1][1:-1]
     if inner.size == 0:
         return []

@@ -38,7 +38,7 @@ SCATTERED = 0.1
 LEAST_EVENTS = 3
 """Fewest events for a spread."""
 LEAST_SPREAD = 0.05
-"""Of the measured value: no rest and no ring-down repeats better than that."""
+"""Least spread of a measured value: no rest and no ring-down repeats better."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class DatasheetFact:
     free_run : float or None
         The same from the model's own free runs over the logs, which compares motions of the same size.
     in_draws : float or None
-        Share of what the training data leave open that has the fact at all; without limits under `COVERAGE`.
+        Share of the draws that have the fact; there are no limits below `COVERAGE`.
     """
 
     key: str

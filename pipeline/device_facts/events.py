@@ -1,4 +1,4 @@
-"""What a log shows without any model: switched voltages, and the rests between with their ring-downs."""
+"""Events of a log without any model: switched voltages, and the rests between with their ring-downs."""
 
 from collections.abc import Collection
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a log did not excite, in words, and what to add; the thresholds with their reasons."""
+"""Gaps in the excitation of a log, in words, with what to add; the thresholds with their reasons."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -11,13 +11,13 @@ from pipeline.numerics.arrays import runs_of
 from pipeline.scoring.wells import NoWells, Wells
 
 LEAST_SWITCHES = 5
-"""Of either direction: a snap lasts 0.1 s, and nothing else shows the curves between the wells."""
+"""Snaps in either direction: each lasts 0.1 s, and nothing else shows the curves between the wells."""
 LEAST_INTERMEDIATE = 0.1
 """Share of an input's acting time: with full pulses alone q and v² go together, and c and g cannot be separated."""
 LEAST_TOGETHER = 0.01
 """Share of the time: whether two inputs add up is otherwise an assumption."""
 LEAST_LARGEST = 0.8
-"""Of the other input's largest value: the force goes with the square, so 0.8 is two thirds of it."""
+"""Share of the other input's largest value: the force goes with the square, so 0.8 is two thirds of it."""
 
 
 @dataclass(frozen=True)

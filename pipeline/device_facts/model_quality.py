@@ -48,7 +48,7 @@ def model_checks(
     checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
     checks += _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
-    # Beside an error that is good as it is, a yet smaller one on the training data is no fault.
+    # A still smaller error on the training data is no fault if the error is good.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
         ratio = max(errors) / max(train)
         text = f"the validation error is {significant(ratio, 2)} times the training error"
@@ -95,7 +95,7 @@ def _spread(data: RunData, score: Mapping[str, Any]) -> float:
 
 
 def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Where another model of the run predicts a log surely better, or at all where this one diverged."""
+    """Logs that another model of the run predicts surely better, or that this one diverged on."""
     rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
     checks = []
     for own in judged:

@@ -19,10 +19,10 @@ LEAST_MOTION = 0.02  # of the range of q: what moves less without input is a dot
 ON = 0.3  # of an input's largest value: there it acts on the motion
 VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
 MARGIN = 0.04
-"""Of the range of what was measured, on either side of the map of the basins."""
+"""Margin on either side of the map of the basins, as a share of the measured range."""
 
 OUTCOMES = ("ends in the left well", "ends in the right well", "diverges")
-"""What becomes of a cell, by its class in `basin_map`."""
+"""Outcome of a cell, by its class in `basin_map`."""
 BLOCK = 8  # cells between the first look's grid lines
 
 Classes = np.ndarray[Any, np.dtype[np.int8]]

@@ -1,4 +1,4 @@
-"""What is left in the residual of a free run: its correlation with itself and with the inputs, and its spectrum.
+"""The residual of a free run: its correlation with itself and with the inputs, and its spectrum.
 
 The tests are those of MATLAB's ``resid`` (Ljung, System Identification, § 16.6): a residual without memory stays
 inside the band of its autocorrelation, one that the inputs explain no further inside that of the cross-correlation. A

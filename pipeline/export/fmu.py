@@ -27,7 +27,7 @@ FLAGS = (
     "-fPIC",
     "-fvisibility=hidden",
 )
-"""Of the compiler; without contraction the digits are those of debist on any processor."""
+"""Flags of the compiler; without contraction the digits are those of debist on any processor."""
 
 
 def write_fmu(subject: Subject, folder: Path) -> Exported:

@@ -1,4 +1,4 @@
-"""What is exported: a model with its bounds and curves, and its realisation: states, constants, how it moves."""
+"""The exported model with its bounds and curves, and its realisation: states, constants, equations of motion."""
 
 import importlib
 from collections.abc import Mapping
@@ -230,7 +230,7 @@ def lagged_nodes(
 
 
 def _behind(h: Any, lag: float, lagged: Any, before: Any, after: Any) -> Any:
-    """Lagged input after h [s] in which the input goes on a line."""
+    """Lagged input after h [s] of an input that is linear in time."""
     ratio = h / lag
     positive = function("lt", 0.0, ratio)
     share = choose(positive, -function("expm1", -ratio) / choose(positive, ratio, 1.0), 1.0)

@@ -44,7 +44,7 @@ def in_xml(text: str) -> str:
 
 
 def constant(value: float) -> Code:
-    """A real number that stands for itself in any expression."""
+    """A real number as text that is safe in any expression."""
     return Code(f"({number(value)})") if value < 0.0 else number(value)
 
 
@@ -62,7 +62,7 @@ def render(name: str, fields: dict[str, Any]) -> str:
 
 
 def asset(name: str) -> str:
-    """A file that is taken as it is."""
+    """The text of a file that is copied unchanged."""
     return files("pipeline.export").joinpath("assets", name).read_text(encoding="utf-8")
 
 

@@ -193,7 +193,7 @@ def _first_parts(training: Training) -> tuple[Record, ...]:
 
 
 def _block(training: Training, *errors: FloatArray) -> int:
-    """Samples over which errors hang together."""
+    """Samples over which errors are correlated."""
     record, (displacement, voltage) = training.records[0], training.units
     joint = of_joint(displacement, [voltage] * record.v.shape[1], squared=training.inputs == "squared")
     return block_of(errors, record.interval, joint=joint)

@@ -123,7 +123,7 @@ class Training:
     on_progress : callable
         Called with the step of a fit, and the share of its time limit that is spent.
     keep : callable
-        Keeps what a fit has finished, so that one that is killed goes on from there.
+        Keeps the finished parts of a fit, so that a killed fit continues from there.
     """
 
     stretches: tuple[Trajectory, ...]

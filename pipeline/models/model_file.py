@@ -94,7 +94,7 @@ def _rising(values: FloatArray) -> FloatArray:
 
 
 MOST_FACTORS, _HIGHEST_POWER = 4000, 12
-"""Of all terms of a polynomial together; an export writes each of them."""
+"""Most factors of all terms of a polynomial; an export writes each of them."""
 Exponents = Annotated[IntArray, Table("P X", 0, _HIGHEST_POWER, whole=True), AfterValidator(_short)]
 """Powers of X variables in P terms."""
 PositiveRow = Annotated[FloatArray, Table("X", 1.0 / LARGEST)]
@@ -245,7 +245,7 @@ _COLUMNS = (
     ("*/units", TEXT, "SI units of displacement and inputs"),
     ("*/name", TEXT, "name of the model"),
     ("narx/structure", "1", "degree, increments, lags of the inputs, number of inputs"),
-    ("narx/interval_s", "s", "sample interval that the equation belongs to"),
+    ("narx/interval_s", "s", "sample interval of the equation"),
     ("*/tolerance", "1", "local error of the integrator, relative to the usual size of each state"),
 )
 _DIAGNOSTICS = {
@@ -307,7 +307,7 @@ _DIAGNOSTICS = {
     "values": ("SI", "fitted values"),
     "visits_per_centre": ("1", "training samples around each centre"),
 }
-"""Of how a fit went, whatever the model."""
+"""Entries on the course of a fit, for every model."""
 
 
 def column_of(path: str, units: Mapping[str, str]) -> tuple[str, str]:

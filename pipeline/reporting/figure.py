@@ -1,4 +1,4 @@
-"""What a figure shows, apart from how it is drawn: the page, the viewer and the paper figures share these."""
+"""Contents of figures, apart from their drawing: the page, the viewer and the paper figures share these."""
 
 import math
 import re
@@ -14,7 +14,7 @@ from pipeline.si_prefix import power, significant
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
 MARGIN = 0.04  # of the range of y, above and below
 
-# Who a line belongs to: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
+# Origin of a line: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
 Role = str
 Dash = Literal["role", "solid", "dashed", "dotted"]
 MOST_POWERS = 6  # labels along a logarithmic axis
@@ -230,7 +230,7 @@ def window(figure: Figure, start: float, stop: float) -> Figure:
 
 
 def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> Figure:
-    """The figure with what belongs to the `wanted` ones of all `models`, and with all that belongs to none of them."""
+    """The figure with the lines of the `wanted` ones of all `models`, and with all lines of no model."""
 
     def kept(role: Role) -> bool:
         """Whether what has this role stays."""

@@ -22,7 +22,7 @@ FACTS = {column.key: column.fleet for column in FACT_COLUMNS if column.fleet}
 """Facts of the fleet's table and their headings."""
 GRADES = ("", "good", "fair", "poor", "failed")
 _KEPT_BITS = 0xFFFFFC00
-"""Of a 32-bit float: 13 bits of the fraction, a relative step of 1.2e-4, of which tables show three digits."""
+"""Stored bits of a 32-bit float: 13 of the fraction, a relative step of 1.2e-4; tables show three digits."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ from pipeline.rig.parameters import RigParameters
 HALVES = 2
 """Time steps of the joint in a period of the controller, and rows of the log."""
 PERIOD = 1e-3
-"""Of the controller [s]."""
+"""Period of the controller [s]."""
 GONE, FROZEN = 1.0, 2.0
 """Marks of a laser that gives no value, and of one that gives its last."""
 GIVE = 0.3e-3

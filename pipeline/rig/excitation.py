@@ -33,7 +33,7 @@ SHARES: dict[str, tuple[float, float, float, float, float]] = {
 """The last two are those of three prototypes' logs, as are the shares below: 6 logs of 20 to 27 bursts."""
 
 EXCITATIONS = (*SHARES, "alternating")
-"""What a log can be driven by; "alternating" is `switching_pulses`."""
+"""Excitations of a log; "alternating" is `switching_pulses`."""
 
 SHORT_PULSES, SHORT_PAUSES = 0.45, 0.6
 

@@ -1,4 +1,4 @@
-"""What goes wrong on a test bench, put into a log on request: each fault at places drawn from a generator."""
+"""Faults of a test bench, put into a log on request, each at places drawn from a generator."""
 
 from dataclasses import dataclass
 

@@ -195,11 +195,12 @@ def _switches(p: RigParameters) -> bool:
 
 
 DRIFTS = {"capacitance": "1", "stiffness": "1", "charging": "s", "laser": "m"}
-"""What may change, with the unit of the change in a day: C0 of both membranes, the beam's bending stiffness, the time
-constant with which the membranes charge, and the laser's reading at q = 0. Changes are proportional to the age."""
+"""Quantities that may change, with the unit of the change in a day: C0 of both membranes, the beam's bending stiffness,
+the time constant with which the membranes charge, and the laser's reading at q = 0. Changes are proportional to the
+age."""
 
 USUAL = "capacitance=-0.1%,stiffness=-0.05%,charging=20us,laser=2um"
-"""What changes in a day unless it is stated."""
+"""Default changes in a day."""
 
 
 def parse_drift(text: str) -> dict[str, float]:

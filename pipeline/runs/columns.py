@@ -86,7 +86,7 @@ class FactColumn(Column):
     row : str
         The row of the datasheet for people that shows it.
     side : {"", "left", "right"}
-        The well that it belongs to; empty for a fact of the whole device.
+        Well of the fact; empty for a fact of the whole device.
     fleet : str
         Its heading in the table of a fleet; empty where that has no such column.
     """
@@ -125,7 +125,7 @@ PHI_COLUMN = Column("phi", "φ", "rad", "tip rotation, from q by kinematics: the
 
 
 def _band(of: str, unit: str, how: str) -> tuple[Column, Column]:
-    """The columns of an interval, after the number that it belongs to."""
+    """The columns of a number's interval."""
     end = "_s" if unit == "s" else ""
     return (
         Column(f"{of}_low{end}", "", unit, f"lower end of its 95 % interval: {how}"),
@@ -163,7 +163,7 @@ NOTED_COLUMNS = (
         "int64",
     ),
 )  # fmt: skip
-"""Scores that stand in the notes of a free run under the same key (`pipeline.stages.validate`)."""
+"""Scores that the notes of a free run hold under the same key (`pipeline.stages.validate`)."""
 
 SCORE_COLUMNS = (
     _text("log", "name of the log"),

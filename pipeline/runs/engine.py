@@ -45,7 +45,7 @@ class Task:
     work : callable
         Writes the outputs into the run that it is given, and returns them by name.
     reports : bool
-        Whether `work` also takes a callable (what is going on, share done) that it calls as it goes on.
+        Whether `work` also takes a callable (current step, share done) that reports its progress.
     """
 
     stage: str
@@ -95,7 +95,7 @@ class Unheard:
         """Say nothing."""
 
     def warned(self, what: str, warning: str) -> None:
-        """Say nothing: what is warned of stands in the notes of the artifacts."""
+        """Print nothing: the notes of the artifacts hold the warnings."""
 
 
 @runtime_checkable

@@ -86,7 +86,7 @@ def _not_locked(root: Path, error: OSError) -> InputError:
 
 
 def _leave_note(root: Path) -> None:
-    """Who holds the lock, for whoever comes second; a courtesy, without which the lock holds as well."""
+    """The holder of the lock, for the message to a second process; the lock works without it."""
     note = {
         "pid": os.getpid(),
         "host": socket.gethostname(),

@@ -119,7 +119,7 @@ class Manifest:
     environments : dict
         What the artifacts were made in, by key.
     stages : dict of str to dict
-        What stands in the stage manifests: content hash by artifact, by stage.
+        Content of the stage manifests: content hash by artifact, by stage.
     set_aside : list of str
         Damaged files that were moved out of the way, by path in the run.
     """
@@ -142,7 +142,7 @@ _SHAPE = TypeAdapter(Manifest)
 
 
 def _read(root: Path) -> tuple[Path, bytes]:
-    """The manifest that counts, and what stands in it: the next one where a commit was cut short."""
+    """The valid manifest and its text: the next one if a commit was cut short."""
     path = root / NEXT_MANIFEST
     try:
         try:

@@ -236,7 +236,7 @@ class RunFolder:
         return staging_place(path)
 
     def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
-        """Make the artifacts that one task has written valid, all at once; a stage manifest of other content goes."""
+        """Make the artifacts of one task valid, all at once; a stage manifest of other content is removed."""
         key, environment = current_environment()
         for name, artifact in written.items():
             staged = staging_place(self.path(name))
@@ -305,7 +305,7 @@ class RunFolder:
 def in_snapshot(root: Path, work: Callable[[RunFolder], T]) -> T:
     """Do some reading in one state of a run, though another process may go on writing into it.
 
-    All that is read is checked against one manifest; where that was replaced meanwhile, the work begins anew.
+    All that is read is checked against one manifest; if that was replaced meanwhile, the work starts again.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Samples that are no measurement though they lie within the range: bursts at one level, values held, rows lost.
 
-A device with inertia passes through what lies between. What it cannot do is to jump from one sample to the next.
+A device with inertia passes through the values between. It cannot jump from one sample to the next.
 """
 
 from collections.abc import Sequence

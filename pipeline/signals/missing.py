@@ -1,4 +1,4 @@
-"""What a log lacks of a signal: samples that stand for no value, and times at which only q is known."""
+"""Missing parts of a signal: samples that stand for no value, and times at which only q is known."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -85,7 +85,7 @@ _CODES = np.array([*_NINES, *_ENDS])
 _HUGE = 0.999e20
 """No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
 _CLOSE = 1e-6
-"""Share by which a number of 32 bits differs from the code that it stands for, with room."""
+"""Relative difference between a number of 32 bits and the code that it represents, with room."""
 
 
 def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:
@@ -106,7 +106,7 @@ def codes_in(
     samples : FloatArray, shape (N,)
         In the numbers of the log.
     declared : sequence of float, optional
-        What stands for no value; without it numbers of 1e20 and more, taken as one, and usual codes that lie
+        Numbers that stand for no value; without them numbers of 1e20 and more, taken as one, and usual codes that lie
         further from the rest than that is wide.
     of_time : bool
         Whether the column is a clock, which may pass by any smaller number.

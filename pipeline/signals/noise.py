@@ -20,7 +20,7 @@ _RESOLUTION = 1e-12
 _OF_GRID, _OFF_GRID = 100, 0.02
 """Fewest different values that show a grid, and the share of a step by which they may be off it."""
 _ROUNDED = 1e-9
-"""Of the largest difference, or of the range: smaller differences are nothing but the rounding of numbers."""
+"""Share of the largest difference, or of the range, below which a difference is only rounding."""
 
 
 def noise_std(samples: FloatArray) -> float:
@@ -74,7 +74,7 @@ def noise_of_differences(difference: FloatArray, order: int) -> float:
 
 
 def is_idle(span: float, noise: float) -> bool:
-    """Whether a signal shows nothing but its noise: its span is that of 10⁶ normal samples, or smaller."""
+    """Whether a signal shows only its noise: its span is that of 10⁶ normal samples, or smaller."""
     return span <= _IDLE * noise
 
 

@@ -104,7 +104,7 @@ class SignalQuality:
 
     @property
     def idle(self) -> bool:
-        """Whether nothing but noise happens: the span is that of 10⁶ normal samples or less, and it is no command."""
+        """Whether there is only noise: the span is that of 10⁶ normal samples or less, and it is no command."""
         return is_idle(self.span, self.noise) and not self.stepped
 
 

@@ -10,7 +10,7 @@ from pipeline.numerics.arrays import FloatArray
 LEAST_PER_PERIOD = 5.0
 """Samples in a period of what moves, below which a record hardly shows it."""
 ADVISED_PER_PERIOD = 8.0
-"""The same of an interval that is advised."""
+"""The same for an advised interval."""
 LOST_PER_PERIOD = 10.0 / 3.0
 """The same, below which decimation takes most of it: the kernel lets a third of its power pass."""
 _NEARLY_ALL = 0.99

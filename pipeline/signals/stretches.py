@@ -1,6 +1,6 @@
 """The usable part of a log: advancing rows, finite samples, gap-free stretches, and these on a uniform grid.
 
-What is left out is counted; on the grid the stretches are one stream of values, with straight lines between them.
+Rows that are left out are counted. On the grid the stretches are one stream of values, with lines between them.
 """
 
 from collections.abc import Iterator, Sequence
@@ -184,7 +184,7 @@ def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
 
 
 def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
-    """Stretches also end where time stepped back or rows are missing, however small the hole is that this leaves."""
+    """Stretches also end where time stepped back or rows are missing, even if the hole is small."""
     if ends.size == 0:
         return bounds
     edges = np.unique(np.concatenate((bounds.ravel(), np.searchsorted(stamps, ends, side="right"))))

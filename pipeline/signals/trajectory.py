@@ -184,7 +184,7 @@ def within(logs: Sequence[Log], samples: int) -> list[Log]:
 LONGEST_BRIDGE = 10.0
 """Sample intervals without inputs up to which a straight line stands for them."""
 UNKNOWN = "inputs_unknown"
-"""Of a record's notes: spans [s] in which the inputs were not recorded for longer."""
+"""Key of a record's notes for spans [s] in which the inputs were not recorded for longer."""
 
 
 def voltages(table: Mapping[str, FloatArray]) -> FloatArray:

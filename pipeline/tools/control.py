@@ -191,7 +191,7 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
 
 
 SETTLES, SWINGS = 0.3, 5e-5
-"""What is promised: settling in a well [s], and RMS [m] about the unstable equilibrium."""
+"""Limits of a good controller: settling in a well [s], and RMS [m] about the unstable equilibrium."""
 
 
 def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:

@@ -30,7 +30,7 @@ DATA_SHEET, GIVEN = 0.36, 0.1
 """Standard deviations of a lag's logarithm: of the one assumed, for converters of 2 to 7 ms, and of one that the user
 states."""
 _LEAST_SPREAD = 0.02
-"""The same of a lag from steps, at least: a step of another height takes another time."""
+"""The same for a lag from steps, at least: a step of another height takes another time."""
 _SIZES = 1.5
 """Factor in the distance of the wells within which the distances of estimator and law fit a joint. The logs show that,
 whereas a beam's length trades with its other parameters."""

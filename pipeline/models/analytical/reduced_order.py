@@ -177,7 +177,7 @@ _motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
 
 
 TOLERANCE = 1e-5
-"""Of the full-order model beside which the reduced one is set."""
+"""Tolerance of the full-order model that the reduced one is compared with."""
 
 
 @dataclass(frozen=True)

@@ -64,7 +64,7 @@ class NarxEquation:
     scales : FloatArray, shape (1 + L + K·M,)
         Scales of the variables.
     interval : float
-        Sample interval [s] that the equation belongs to.
+        Sample interval [s] of the equation.
     squared : bool
         Whether u = v² or u = v.
     low, high : float

@@ -172,7 +172,7 @@ STEPS, MOST_ROWS = 30, 60_000
 SLOW = 0.05
 """Speed w of the smoothed friction tanh(q̇/w), over the largest speed."""
 _SHORTEST_LAG = 0.25
-"""Of a sample interval: a lag that is seen in samples."""
+"""Shortest lag as a share of a sample interval."""
 
 
 @dataclass(frozen=True)
