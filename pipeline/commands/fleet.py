@@ -73,8 +73,8 @@ def _emit(siblings: "LearntFile") -> None:
     emit_table(f"{len(siblings.siblings)} siblings, the best known quantities", heading, rows)
     halved = sum(each.share < 0.5 for each in quantities)
     emit_text(
-        f"{halved} of {len(quantities)} quantities have less than half the prior's spread; logs of a sibling that the "
-        f"others are exp({gains[len(gains) // 2]:.0f}) times as probable as under the prior (median)"
+        f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other siblings as "
+        f"prior, the logs of a sibling are exp({gains[len(gains) // 2]:.0f}) times as probable (median)"
     )
     for odd in siblings.learnt.odd:
         emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")

@@ -162,9 +162,7 @@ def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
     statuses = []
     for task in tasks:
         artifacts = run.manifest.artifacts
-        waiting = [
-            f"input {n} is {'stale' if n in artifacts else 'not artifacts yet'}" for n in task.inputs if n in stale
-        ]
+        waiting = [f"input {n} is {'stale' if n in artifacts else 'not made yet'}" for n in task.inputs if n in stale]
         missing = [name for name in task.inputs if name not in artifacts]
         reasons = waiting or (
             [f"input {missing[0]} is missing"] if missing else _reasons(run, task, _recipe(run, task))
