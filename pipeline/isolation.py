@@ -178,8 +178,8 @@ class Isolated:
 
 def next_ready(running: Iterable[Running]) -> Running:
     """The first of some processes that has sent something, has ended, or has to be killed."""
-    by_channel: dict[Any, Running] = {each.channel: each for each in running}
-    first = min(by_channel.values(), key=lambda each: each.end)
+    by_channel: dict[Any, Running] = {process.channel: process for process in running}
+    first = min(by_channel.values(), key=lambda process: process.end)
     ready = wait(list(by_channel), first.seconds_left)
     return by_channel[ready[0]] if ready else first
 

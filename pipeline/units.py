@@ -205,7 +205,7 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
         if base == target_base:
             return SiUnit(float(factor / target_factor), symbol)
     needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(dict.fromkeys(allowed))})"
-    velocity = any(base == registry.get_base_units(registry.Unit(_BASE[each]))[1] for each in VELOCITY.values())
+    velocity = any(base == registry.get_base_units(registry.Unit(_BASE[rate]))[1] for rate in VELOCITY.values())
     raise InputError(f"{where}: {needed}{_instead(unit, allowed, velocity=velocity)}")
 
 

@@ -28,7 +28,7 @@ def warm_up(jobs: int) -> float:
 def is_warm() -> bool:
     """Whether the kernels of the default model are in the cache; nothing is imported to find out."""
     specifications = (find_spec(name) for name in ("pipeline.models.hybrid.runs", "pipeline.solvers.fixed_step"))
-    modules = frozenset(Path(each.origin) for each in specifications if each is not None and each.origin)
+    modules = frozenset(Path(spec.origin) for spec in specifications if spec is not None and spec.origin)
     return has_kernels(folder_for(modules))
 
 

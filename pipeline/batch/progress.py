@@ -137,7 +137,7 @@ def _expected_end(journal: Journal, running: set[str], time: datetime) -> dateti
         return None
     mean = sum(seconds) / len(seconds)
     begun = (time - journal.last[name].time for name in own if name in journal.last)
-    spent = sum(min(mean, each.total_seconds()) for each in begun)
+    spent = sum(min(mean, span.total_seconds()) for span in begun)
     ended = sum(event.state != "started" for event in journal.last.values())
     left = mean * (len(journal.plan.planned) - ended) - spent
     return time + timedelta(seconds=max(0.0, left) / min(journal.plan.jobs, len(own)))

@@ -63,16 +63,16 @@ def linearise(
         emit_json({"files": files, **linear})
         return
     rows, still = [], not any(voltages)  # ring-downs were measured without voltage
-    for each in linear["equilibria"]:
-        side = "left" if each is linear["equilibria"][0] else "right"
+    for point in linear["equilibria"]:
+        side = "left" if point is linear["equilibria"][0] else "right"
         measured = (
-            linear["measured"][side] if each["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
+            linear["measured"][side] if point["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
         )
-        slowest = ", ".join(_pole(pole) for pole in _telling(each["poles_1_s"]))
-        ringing = (_number(each["frequency_Hz"], 2), _number(measured["frequency_Hz"], 2))
-        damping = (_number(each["damping_ratio"], 3), _number(measured["damping_ratio"], 3))
+        slowest = ", ".join(_pole(pole) for pole in _telling(point["poles_1_s"]))
+        ringing = (_number(point["frequency_Hz"], 2), _number(measured["frequency_Hz"], 2))
+        damping = (_number(point["damping_ratio"], 3), _number(measured["damping_ratio"], 3))
         rows.append(
-            (f"{1e3 * each['q_m']:.3f}", "stable" if each["stable"] else "unstable", *ringing, *damping, slowest)
+            (f"{1e3 * point['q_m']:.3f}", "stable" if point["stable"] else "unstable", *ringing, *damping, slowest)
         )
     header = ("q [mm]", "", "f [Hz]", "measured", "damping", "measured", "poles [1/s]")
     emit_table(f"{run}: equilibria at {v1}, {v2}", header, rows, numeric_from=2)
@@ -93,16 +93,16 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
     if as_json:
         emit_json(document)
         return
-    for each in document["maps"]:
-        durations = each["durations"]
+    for drawn in document["maps"]:
+        durations = drawn["durations"]
         shown = range(0, len(durations), 8)
         rows = [
-            (f"{1e-3 * each['voltages'][i]:.2f}", *(f"{each['probability'][i][j]:.2f}" for j in shown))
-            for i in range(0, len(each["voltages"]), 4)
+            (f"{1e-3 * drawn['voltages'][i]:.2f}", *(f"{drawn['probability'][i][j]:.2f}" for j in shown))
+            for i in range(0, len(drawn["voltages"]), 4)
         ]
         header = ("kV", *(f"{durations[j]:.3f} s" for j in shown))
-        emit_table(f"{run}: probability of switching to the {each['to']}", header, rows)
-        for pulse in each["lowest"]:
+        emit_table(f"{run}: probability of switching to the {drawn['to']}", header, rows)
+        for pulse in drawn["lowest"]:
             volts, low, high = (1e-3 * pulse[name] for name in ("voltage", "low", "high"))
             band, top = f"{low:.3f} to {high:.3f} kV with 90 %", pulse["until"]
             reach = "on" if top is None else f"to below {1e-3 * top:.2f} kV, where the joint swings back"

@@ -66,12 +66,12 @@ def _emit_json(siblings: "LearntFile") -> None:
 def _emit(siblings: "LearntFile") -> None:
     quantities, gains = siblings.learnt.quantities, sorted(siblings.learnt.gains.values())
     rows = [
-        (each.name, f"{each.mean:.3g}", f"{each.spread:.2g}", each.unit, f"{each.share:.2f}")
-        for each in quantities[:_SHOWN]
+        (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
+        for quantity in quantities[:_SHOWN]
     ]
     heading = ("quantity", "mean deviation", "spread", "unit", "spread over the prior's")
     emit_table(f"{len(siblings.siblings)} siblings, the best known quantities", heading, rows)
-    halved = sum(each.share < 0.5 for each in quantities)
+    halved = sum(quantity.share < 0.5 for quantity in quantities)
     emit_text(
         f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other siblings as "
         f"prior, the logs of a sibling are exp({gains[len(gains) // 2]:.0f}) times as probable (median)"

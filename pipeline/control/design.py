@@ -88,7 +88,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
             f"{LEAST_OF_TRAINED * plant.highest:.0f} V"
         )
     wells = wells_and_saddle(plant)
-    left, saddle, right = (float(each.x[0]) for each in wells)
+    left, saddle, right = (float(well.x[0]) for well in wells)
     between = TARGETS - 1 - 2 * BEYOND
     places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
     lags = acting_lags(plant, settings)

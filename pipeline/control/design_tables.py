@@ -177,7 +177,7 @@ def braking_curves(
                 if towards * (place - q) > 0.2e-3:
                     points[i].append((towards * (place - q), towards * v))
     reaches = np.linspace(0.0, REACH * (REACHES - 1), REACHES)
-    return np.array([_curve(each, reaches) for each in points])
+    return np.array([_curve(point, reaches) for point in points])
 
 
 def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray:

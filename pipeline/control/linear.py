@@ -259,23 +259,23 @@ def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
         The joint has not two wells with one unstable equilibrium between them.
     """
     models = equilibria(plant, np.zeros(2))
-    stable = [each for each in models if each.stable]
+    stable = [model for model in models if model.stable]
     if plant.rests is not None and stable:
         wells = [_nearest(stable, rest) for rest in plant.rests]
-        models = [each for each in models if wells[0].q <= each.q <= wells[1].q]
+        models = [model for model in models if wells[0].q <= model.q <= wells[1].q]
         stable = wells
     middle = 0.5 * (stable[0].q + stable[-1].q) if stable else 0.0
-    pair = outermost_pair([each.stable for each in models], [-abs(each.q - middle) for each in models])
+    pair = outermost_pair([model.stable for model in models], [-abs(model.q - middle) for model in models])
     if pair is None:
         raise InputError(
             "the identified joint has not two wells; there is nothing to switch between: it has equilibria at "
-            f"{', '.join(f'{1e3 * each.q:.2f} mm ({_STABLE[each.stable]})' for each in models) or 'no place'}"
+            f"{', '.join(f'{1e3 * model.q:.2f} mm ({_STABLE[model.stable]})' for model in models) or 'no place'}"
         )
     return [models[i] for i in pair]
 
 
-def _nearest(some: list[LinearModel], q: float) -> LinearModel:
-    return min(some, key=lambda each: abs(each.q - q))
+def _nearest(models: list[LinearModel], q: float) -> LinearModel:
+    return min(models, key=lambda model: abs(model.q - q))
 
 
 _STABLE = {True: "stable", False: "unstable"}

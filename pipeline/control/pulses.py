@@ -149,8 +149,8 @@ def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
 
 def judged(q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal) -> FloatArray:
     """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): the measure of the goal, far more without settling."""
-    each = [settling_times(q, target, share * distance) for share in BANDS]
-    settling = np.mean(np.minimum(each, LENGTH), axis=0)
+    times = [settling_times(q, target, share * distance) for share in BANDS]
+    settling = np.mean(np.minimum(times, LENGTH), axis=0)
     over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance
     late = np.abs(q[..., -round(LATE / INTERVAL) :] - target).mean(axis=2) / distance
     size = np.abs(values[:, 1::2])
@@ -161,7 +161,7 @@ def judged(q: FloatArray, start: float, target: float, distance: float, values: 
         "voltage": size.max(axis=1)[:, None] + SETTLING_COST * settling,
     }[goal]
     cost = cost + over + OVERTIME_COST * np.maximum(settling - PERMITTED[goal], 0.0)
-    return np.asarray(np.where(np.isfinite(each[-1]), cost, _FAILED * (1.0 + late)))
+    return np.asarray(np.where(np.isfinite(times[-1]), cost, _FAILED * (1.0 + late)))
 
 
 def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:

@@ -219,10 +219,10 @@ def uncertain(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemb
     0.8 s were 0.72 to 1.36 times that at `TYPICAL`, and correlated with it by 0.83 to 1.00. So all pulses are scaled
     alike, by the first of `lowest` that lasts as long.
     """
-    switching = [each for each in lowest if each is not None]
+    switching = [pulse for pulse in lowest if pulse is not None]
     if not switching:
         return joint
-    typical = next((each for each in switching if each.duration >= TYPICAL), switching[-1])
+    typical = next((pulse for pulse in switching if pulse.duration >= TYPICAL), switching[-1])
     return joint.erring(float(np.hypot(typical.of_parameters, typical.of_probe)))
 
 

@@ -111,7 +111,7 @@ def places_among(model: DynamicModel | None, siblings: NormalPopulation | None) 
     """The quantities that the siblings know best, the best known first; none without siblings or of another model."""
     if siblings is None or not isinstance(model, HybridModel):
         return []
-    spread, before = (np.sqrt(np.diag(each.covariance)) for each in (siblings, usual_prior()))
+    spread, before = (np.sqrt(np.diag(population.covariance)) for population in (siblings, usual_prior()))
     own = np.sqrt(np.sum(model.spread[: len(spread)] ** 2, axis=1))
     distances = (model.theta[: len(spread)] - siblings.mean) / spread
     best = np.argsort(spread / before, kind="stable")[:SHOWN]

@@ -75,7 +75,7 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list
             checks.append((own["nrmse"] / spread, spread, own))
     if not checks:
         return []
-    _, spread, own = max(checks, key=lambda each: each[0])
+    _, spread, own = max(checks, key=lambda check: check[0])
     text = (
         f"a constant, its mean, predicts the {log_title(own['role'], own['log'])} better than {own['model']}: "
         f"{percent(spread)} for {percent(own['nrmse'])}"
@@ -109,7 +109,7 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
             checks.append((own["nrmse"] / others[best], best, others[best], own))
     if not checks:
         return _rivals_from_a_state(data, judged)
-    ratio, best, error, own = max(checks, key=lambda each: each[0])
+    ratio, best, error, own = max(checks, key=lambda check: check[0])
     name, log = own["model"], log_title(own["role"], own["log"])
     if own["nrmse"] is None:
         text = f"{best} predicts the {log} with {percent(error)}, where {name} diverged"
@@ -135,7 +135,7 @@ def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> 
                 checks.append((own[at] / best[at], words, best[at], own[at], best))
     if not checks:
         return []
-    ratio, words, error, own_error, best = max(checks, key=lambda each: each[0])
+    ratio, words, error, own_error, best = max(checks, key=lambda check: check[0])
     text = (
         f"{best['model']} predicts the {log_title(best['role'], best['log'])} surely better than {judged[0]['model']} "
         f"{words} after a measured state: {percent(error)} for {percent(own_error)}"

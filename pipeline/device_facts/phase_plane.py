@@ -127,7 +127,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
     NaN as well where an input only crosses zero, but on the joint, whose pulses have rests.
     """
-    largest = np.max([peaks(voltages(each.kinematics), joint=data.joint) for each in data.logs], axis=0)
+    largest = np.max([peaks(voltages(other.kinematics), joint=data.joint) for other in data.logs], axis=0)
     free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
     for rows in () if data.joint else runs_of(free):
         still = np.all(np.ptp(voltages(log.kinematics)[rows], axis=0) <= UNFORCED * largest)

@@ -75,7 +75,7 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
         "variables": [*_VARIABLES, *estimated],
         "title": f"Controller of the joint {subject.prototype}",
     }
-    files = {each: asset(each) for each in ("fmi2.h", "fmu_common.h")}
+    files = {name: asset(name) for name in ("fmi2.h", "fmu_common.h")}
     files["fmu.c"] = render("controller_fmu.c.j2", fields | more)
     description = render("controllerDescription.xml.j2", fields | more)
     unit = packed(sources | files, description, NAME, folder)
@@ -89,7 +89,7 @@ def _sources(subject: ControllerSubject) -> dict[str, str]:
         "constants": ", ".join(f"law_{table}" for table in ("e", *TABLES)),
         "observes": ", ".join(f"law_{table}" for table in OBSERVE.given[3:]),
         "functions": [
-            *(c_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
+            *(c_function(name, graph, frozenset()) for name, graph in GRAPHS.items()),
             c_sequence("begin_control", BEGIN),
             c_sequence("control", CONTROL),
             c_sequence("observe", OBSERVE),
@@ -111,7 +111,7 @@ def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
             "constants": ", ".join(f"c.{table}" for table in ("e", *TABLES)),
             "observes": ", ".join(f"c.{table}" for table in OBSERVE.given[3:]),
             "functions": [
-                *(matlab_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
+                *(matlab_function(name, graph, frozenset()) for name, graph in GRAPHS.items()),
                 matlab_sequence("begin_control", BEGIN),
                 matlab_sequence("control", CONTROL),
                 matlab_sequence("observe", OBSERVE),

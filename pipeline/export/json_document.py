@@ -49,8 +49,8 @@ def _equations(subject: Subject) -> dict[str, Any] | None:
         return None
     return {
         "structure": realisation.structure,
-        "states": [vars(each) for each in realisation.states],
-        "hysteresis_states": [vars(each) for each in realisation.hysteresis_states],
+        "states": [vars(state) for state in realisation.states],
+        "hysteresis_states": [vars(state) for state in realisation.hysteresis_states],
         "constants_si": realisation.constants,
         "integration": {
             "scheme": "classical Runge-Kutta, fixed step",

@@ -292,7 +292,7 @@ def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
         interval, length = record.interval, float(record.t[-1] - record.t[0])
         times = [time for time, _ in HORIZONS.values() if SHORTEST_HORIZON * interval <= time <= length / 2.0]
         v = record.drive if model.fine_voltages else record.v
-        q, speed = (np.where(record.valid, each, np.nan) for each in (record.q, record.qdot))
+        q, speed = (np.where(record.valid, signal, np.nan) for signal in (record.q, record.qdot))
         path = MeasuredPath(record.t, v, q, speed)
         shared = not model.fine_voltages
         errors += horizon_errors(predictor(model), path, times, joint=False, most_starts=STARTS, shared=shared)

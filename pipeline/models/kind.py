@@ -234,7 +234,7 @@ def load_model(path: Path | str) -> DynamicModel:
     >>> load_model("runs/P1/model.h5").simulate(t, v, q0, qdot0)  # doctest: +SKIP
     """
     tree = read_tree(Path(path))
-    held = [each.name for each in ENTRIES if each.name in tree]
+    held = [model.name for model in ENTRIES if model.name in tree]
     if not held:
         raise CorruptArtifactError(f"{path}: holds no model; run `debist run` again")
     headline = str(tree.get(HEADLINE, held[0]))

@@ -125,7 +125,7 @@ def _facts(value: Any, levels: int = _DEEPEST) -> Any:
     if isinstance(value, Mapping):
         if not levels or len(value) > _MOST_FACTS:
             raise ValueError("is nested too deeply or has too many entries")
-        return {str(key): _facts(each, levels - 1) for key, each in value.items()}
+        return {str(key): _facts(entry, levels - 1) for key, entry in value.items()}
     if isinstance(value, str | bool | int | float):
         if isinstance(value, str) and len(value) > _LONGEST_TEXT:
             raise ValueError("holds a text that is too long")
@@ -151,7 +151,7 @@ class FilePart(BaseModel):
         """Axes of one letter are equally long and within their sizes."""
         lengths: dict[str, tuple[int, str]] = {}
         for name, field in type(self).model_fields.items():
-            for table in (each for each in field.metadata if isinstance(each, Table)):
+            for table in (annotation for annotation in field.metadata if isinstance(annotation, Table)):
                 for axis, length in zip(table.shape.split(), getattr(self, name).shape, strict=True):
                     expected, where = (
                         (int(axis), "") if axis.isdigit() else lengths.setdefault(axis, (length, f" as {name}"))

@@ -59,8 +59,8 @@ def diff_page(names: Sequence[str], tables: Sequence[DiffTable], runs: Sequence[
     """The page as HTML; the same runs give the same bytes."""
     figures = [*_curves(runs), *_free_runs(runs)]
     charts = [
-        {"figure": each, "drawings": page_chart(each, names), "legend": swatches(each, names, marks=True)}
-        for each in figures
+        {"figure": figure, "drawings": page_chart(figure, names), "legend": swatches(figure, names, marks=True)}
+        for figure in figures
     ]
     return render("diff.html.j2", (), {"names": names, "tables": tables, "charts": charts})
 
@@ -131,8 +131,8 @@ def series_page(series: Series) -> str:
     """The page as HTML; the same series gives the same bytes."""
     figures = [_figure(fact, series.unit) for fact in series.facts]
     charts = [
-        {"figure": each, "drawings": page_chart(each, ("all",)), "legend": swatches(each, ("all",), marks=True)}
-        for each in figures
+        {"figure": figure, "drawings": page_chart(figure, ("all",)), "legend": swatches(figure, ("all",), marks=True)}
+        for figure in figures
     ]
     context = {
         "names": [f"{name} ({series.unit} {at:g})" for name, at in zip(series.names, series.at, strict=True)],

@@ -218,7 +218,7 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
 def _dashes(where: str, dash: Dash, width: float) -> Any:
     """On and off in widths of the line, as matplotlib counts them; a solid line has none."""
     points = slot_dashes(where) if dash == "role" else _DASHES[dash]
-    return tuple(each / width for each in points) if points else (None, None)
+    return tuple(length / width for length in points) if points else (None, None)
 
 
 @dataclass(frozen=True)
@@ -252,7 +252,7 @@ def _cells(on: Axes, cells: Cells, fx: float, fy: float) -> None:
 
     classes = [number for number in range(len(cells.labels)) if (cells.index == number).any()]
     where = [cells.index < 0, *(cells.index == number for number in classes)]
-    share = [gaussian_filter(each.astype(float), SMOOTHING) for each in where]
+    share = [gaussian_filter(area.astype(float), SMOOTHING) for area in where]
     for place, number in enumerate(classes, start=1):
         ahead: FloatArray = np.max(share[place:], axis=0) - np.max(share[:place], axis=0)
         on.contourf(cells.x * fx, cells.y * fy, ahead, levels=[0.0, 2.0], colors=[CELL_COLOURS[number]], zorder=0.2)

@@ -230,7 +230,7 @@ def load_sequence(path: Path) -> Sequence:
 
     recording = read_recording(path, channels=[TIME, *INPUTS])
     t, *inputs = (recording.channel(name).samples for name in (TIME, *INPUTS))
-    if t.size < 2 or not np.all(np.diff(t) > 0.0) or not all(np.isfinite(each).all() for each in inputs):
+    if t.size < 2 or not np.all(np.diff(t) > 0.0) or not all(np.isfinite(column).all() for column in inputs):
         raise InputError(f"{path}: a sequence needs times that advance and voltages that are finite")
     return Sequence(t - t[0], np.column_stack(inputs))
 

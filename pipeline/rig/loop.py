@@ -250,8 +250,8 @@ def _pushes(scenario: Scenario, t: FloatArray) -> FloatArray:
 
 def bench_from_json(values: dict[str, Any]) -> Bench:
     """The bench back from `dataclasses.asdict`."""
-    left, right = (Converter(**each) for each in values["converters"])
-    first, second = (Probe(**each) for each in values["probes"])
+    left, right = (Converter(**entry) for entry in values["converters"])
+    first, second = (Probe(**entry) for entry in values["probes"])
     return Bench(
         values["rate"], (left, right), Laser(**values["laser"]), (first, second), float(values.get("charging", 0.0))
     )

@@ -151,7 +151,7 @@ def _read(root: Path) -> tuple[Path, bytes]:
             path = root / MANIFEST
             raw = read_plain(path, _LARGEST)
     except FileNotFoundError:
-        within = sorted(each.parent for each in root.glob(f"*/{MANIFEST}"))
+        within = sorted(place.parent for place in root.glob(f"*/{MANIFEST}"))
         hint = f"name one of those in it, such as {within[0]}" if within else ""
         hint = hint or f"`debist run PROTOTYPE.toml -o {root}` makes one"
         raise InputError(f"{root}: no run here (no {MANIFEST}); {hint}") from None

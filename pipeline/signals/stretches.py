@@ -260,11 +260,11 @@ def _stretch(
     if decimate:
         yield from decimated(time, columns, points, interval)
         return
-    each = [
+    streams = [
         interpolated(time, samples, points, smooth=smooth)
         for samples, smooth in zip(columns, group.smooth, strict=True)
     ]
-    for pieces in zip(*each, strict=True):
+    for pieces in zip(*streams, strict=True):
         yield np.stack(pieces)
 
 

@@ -54,7 +54,7 @@ def _one_map(joint_run: ControlRun, converters: "Converters", to: Well, on_progr
     from pipeline.control.switching_map import PULSES, lowest_voltage, switching_map, uncertain
 
     model = joint_run.model
-    left, saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
+    left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
     places = (left, saddle, right)
     lowest = []
     for k, duration in enumerate(PULSES):
@@ -65,7 +65,7 @@ def _one_map(joint_run: ControlRun, converters: "Converters", to: Well, on_progr
     result = switching_map(
         joint, places, to, lambda what, share: on_progress(what, _OF_LOWEST + (1.0 - _OF_LOWEST) * share)
     )
-    return {**asdict(result), "lowest": [asdict(each) for each in lowest if each is not None]}
+    return {**asdict(result), "lowest": [asdict(pulse) for pulse in lowest if pulse is not None]}
 
 
 def pulse(
@@ -82,7 +82,7 @@ def pulse(
         from pipeline.control.linear import wells_and_saddle
         from pipeline.control.pulses import design_pulse
 
-        left, _saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
+        left, _saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
         joint = ensemble_of(joint_run.model, DRAWS, converters)
@@ -158,7 +158,7 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         plant = joint_run.plant
         converters, lags_known = joint_run.converters(settings)
         law = design_law(plant, Settings(highest, converters.lags))
-        left, saddle, right = (each.q for each in wells_and_saddle(plant))
+        left, saddle, right = (model.q for model in wells_and_saddle(plant))
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
         return {

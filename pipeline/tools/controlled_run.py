@@ -133,12 +133,12 @@ class ControlRun:
             return Converters((settings.lag, settings.lag), GIVEN, highest=self.limit), "given"
         tables = [self.run.read_table(name) for name in self.records]
         left, right = (converter_lag([(table["t"], table[v]) for table in tables]) for v in ("v1", "v2"))
-        given = [each for each in (left, right) if each is not None]
+        given = [side for side in (left, right) if side is not None]
         if not given:
             return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET, highest=self.limit), "assumed"
         first, other = left or given[0], right or given[0]
-        spread = max(_LEAST_SPREAD, *(each.scatter for each in given))
-        counts = " and ".join(str(each.steps if each else 0) for each in (left, right))
+        spread = max(_LEAST_SPREAD, *(side.scatter for side in given))
+        counts = " and ".join(str(side.steps if side else 0) for side in (left, right))
         converters = Converters((first.lag, other.lag), spread, highest=self.limit)
         return converters, f"from {counts} voltage steps of the training logs"
 

@@ -219,8 +219,8 @@ def assess(
     runs = [_play(simulate, bursts, duration) for simulate in simulators]
     information = [weights.information(*run, INTERVAL) for run in runs]
     coverages = [_coverage(weights, run) for run in runs]
-    mean = float(np.mean([log_information(each) for each in information]))
-    covered = float(np.mean([_covered(each) for each in coverages]))
+    mean = float(np.mean([log_information(matrix) for matrix in information]))
+    covered = float(np.mean([_covered(coverage) for coverage in coverages]))
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
     judged = conditioning(information[0])
     return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, coverages[0], judged, crossings)
