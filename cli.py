@@ -11,18 +11,7 @@ from typing import Annotated
 
 import typer
 
-from pipeline.commands import (
-    control,
-    fleet,
-    inspection,
-    integrity,
-    outcome,
-    physics,
-    results,
-    rig,
-    stages,
-    whole_run,
-)
+from pipeline.commands import control, fleet, inspection, integrity, outcome, physics, results, rig, stages, whole_run
 from pipeline.commands.boundary import ErrorBoundary, Program, with_options
 from pipeline.commands.console import Json, Quiet, Report, emit_json
 from pipeline.errors import BatchFailedError, InputError

@@ -292,8 +292,7 @@ def runs_of(given: list[Path]) -> list[Path]:
 
 
 Run = Annotated[
-    Path,
-    typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of),
+    Path, typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of)
 ]
 Runs = Annotated[
     list[Path],

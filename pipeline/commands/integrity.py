@@ -59,8 +59,7 @@ def verify(
 def repair(
     run: Run,
     prototype: Annotated[
-        Path | None,
-        typer.Argument(metavar="[PROTOTYPE.toml]", help="Settings, for a run whose manifest is damaged."),
+        Path | None, typer.Argument(metavar="[PROTOTYPE.toml]", help="Settings, for a run whose manifest is damaged.")
     ] = None,
     as_json: Json = False,
     quiet: Quiet = False,

@@ -136,12 +136,7 @@ def equilibria(
 
 @app.command()
 @with_options
-def curves(
-    parameters: JointSet,
-    voltage: Voltage = "3 kV",
-    figure: Figure = None,
-    as_json: Json = False,
-) -> None:
+def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = None, as_json: Json = False) -> None:
     """Bistable range of z_b, switching voltage, F(q), C(q): lengths in mm, force in mN, capacitance in pF.
 
     Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg

@@ -77,8 +77,7 @@ class LogRoles:
         ),
     ] = None
     play: Annotated[
-        Path | None,
-        typer.Option("--play", metavar="FILE", help="Voltages (CSV or MAT, in V) for the training logs."),
+        Path | None, typer.Option("--play", metavar="FILE", help="Voltages (CSV or MAT, in V) for the training logs.")
     ] = None
 
 
@@ -289,8 +288,7 @@ class LoopScenario:
     """What happens in a closed loop."""
 
     target: Annotated[
-        str,
-        typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file."),
+        str, typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file.")
     ] = "0s:left,0.5s:right,2.5s:left"
     start: Annotated[
         str | None, typer.Option("--from", help="Well it rests in: left, right [default: nearest the first target].")

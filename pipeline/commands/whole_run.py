@@ -206,8 +206,7 @@ def _fleet_status(folder: Path, *, watch: bool, as_json: bool) -> None:
 
 
 def warmup(
-    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 2,
-    as_json: Json = False,
+    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 2, as_json: Json = False
 ) -> None:
     """Compile the kernels once per installation, so that no later command has to.
 

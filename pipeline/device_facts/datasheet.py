@@ -193,10 +193,7 @@ class Datasheet:
             "choice": None if data.choice is None else dict(data.choice),
             "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
-            "verdict": {
-                **self.grades,
-                "checks": [asdict(check) for check in self.checks],
-            },
+            "verdict": {**self.grades, "checks": [asdict(check) for check in self.checks]},
             "scores": [dict(score) for score in data.scores],
         }
 

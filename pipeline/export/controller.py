@@ -96,10 +96,7 @@ def _sources(subject: ControllerSubject) -> dict[str, str]:
             c_sequence("estimated", ESTIMATE),
         ],
     }
-    return {
-        f"{NAME}.h": render("controller.h.j2", fields),
-        f"{NAME}.c": render("controller.c.j2", fields),
-    }
+    return {f"{NAME}.h": render("controller.h.j2", fields), f"{NAME}.c": render("controller.c.j2", fields)}
 
 
 def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:

@@ -66,11 +66,4 @@ def _check(subject: Subject) -> dict[str, Any]:
     rows = slice(0, CHECK_SAMPLES)
     t, v = subject.t[rows], subject.v[rows]
     run = subject.model.simulate(t, v, *subject.start)
-    return {
-        "t_s": t,
-        "v": v,
-        "q0": subject.start[0],
-        "qdot0": subject.start[1],
-        "q": run.q,
-        "status": run.status,
-    }
+    return {"t_s": t, "v": v, "q0": subject.start[0], "qdot0": subject.start[1], "q": run.q, "status": run.status}

@@ -10,15 +10,7 @@ import numpy as np
 from markupsafe import Markup
 
 from pipeline.numerics.metrics import robust_std
-from pipeline.reporting.fleet_table import (
-    FACTS,
-    FleetColumn,
-    Summary,
-    decimals,
-    fleet_columns,
-    histogram,
-    strip_chart,
-)
+from pipeline.reporting.fleet_table import FACTS, FleetColumn, Summary, decimals, fleet_columns, histogram, strip_chart
 from pipeline.reporting.page import json_for_script, render
 from pipeline.si_prefix import scale, significant
 

@@ -17,11 +17,7 @@ from pipeline.si_prefix import grouped, moment, power, quantity, significant
 from pipeline.signals.trajectory import UNKNOWN, unknown_rows, voltages
 from pipeline.units import ALPHA_UNIT, signal_units
 
-METHODS = {
-    "tvregdiff": "TVRegDiff",
-    "savitzky-golay": "Savitzky–Golay filter",
-    "rts": "Rauch–Tung–Striebel smoother",
-}
+METHODS = {"tvregdiff": "TVRegDiff", "savitzky-golay": "Savitzky–Golay filter", "rts": "Rauch–Tung–Striebel smoother"}
 BASELINES_SHOWN = 2
 LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
 
@@ -111,10 +107,7 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             Panel(
                 HEADINGS[name],
                 unit[name],
-                (
-                    Line("plain differences", "raw", t, raw[name]),
-                    Line("regularised", "measured", t, table[name]),
-                ),
+                (Line("plain differences", "raw", t, raw[name]), Line("regularised", "measured", t, table[name])),
             )
         )
     caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."

@@ -177,10 +177,7 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
         on.axvspan(start * fx, stop * fx, color="#e6e6e6", linewidth=0, zorder=0.1)
     if panel.cells is not None:
         _cells(on, panel.cells, fx, fy)
-    for zero, is_log, (first, last) in (
-        (on.axhline, panel.log, (bottom, top)),
-        (on.axvline, x_log, (low, high)),
-    ):
+    for zero, is_log, (first, last) in ((on.axhline, panel.log, (bottom, top)), (on.axvline, x_log, (low, high))):
         if not is_log and first < 0.0 < last:
             zero(0.0, color="#a9b1bb", linewidth=0.4, zorder=0.5)
     for name, positions in figure.marks.items():

@@ -26,15 +26,7 @@ from pipeline.reporting.legend import MARKS, swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.short_tables import headline_table
-from pipeline.reporting.tables import (
-    BEST,
-    HEADINGS,
-    TIED,
-    NrmseTable,
-    TableCell,
-    behaviour_table,
-    nrmse_table,
-)
+from pipeline.reporting.tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, nrmse_table
 from pipeline.scoring.wells import Wells
 from pipeline.si_prefix import short
 
@@ -210,11 +202,7 @@ def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
 
 
 def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
-    return {
-        "figure": figure,
-        "drawings": page_chart(figure, models),
-        "legend": swatches(figure, models, marks=True),
-    }
+    return {"figure": figure, "drawings": page_chart(figure, models), "legend": swatches(figure, models, marks=True)}
 
 
 def _model(data: RunData, name: str) -> Described:

@@ -109,10 +109,7 @@ RECORD_COLUMNS = (
     Column("velocity", "q̇", "{q}/s", "measured velocity, where there is such a channel"),
     Column("segment", "", "1", "number of the gap-free stretch; -1 where the row is masked", dtype="int32"),
 )
-RATE_COLUMNS = (
-    Column("qdot", "q̇", "{q}/s", "velocity"),
-    Column("qddot", "q̈", "{q}/s²", "acceleration"),
-)
+RATE_COLUMNS = (Column("qdot", "q̇", "{q}/s", "velocity"), Column("qddot", "q̈", "{q}/s²", "acceleration"))
 TUBE_COLUMNS = (
     Column("q_low", "", "{q}", "lower end of the 90 % tube of q, where the model has one"),
     Column("q_high", "", "{q}", "upper end of it"),

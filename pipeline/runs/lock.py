@@ -87,11 +87,7 @@ def _not_locked(root: Path, error: OSError) -> InputError:
 
 def _leave_note(root: Path) -> None:
     """The holder of the lock, for the message to a second process; the lock works without it."""
-    note = {
-        "pid": os.getpid(),
-        "host": socket.gethostname(),
-        "since": datetime.now(UTC).isoformat(timespec="seconds"),
-    }
+    note = {"pid": os.getpid(), "host": socket.gethostname(), "since": datetime.now(UTC).isoformat(timespec="seconds")}
     with suppress(InputError):
         write_text(root / HOLDER, json.dumps(note), within=root)
 

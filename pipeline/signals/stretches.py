@@ -129,10 +129,7 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArr
 
 
 def finite_stretches(
-    rows: TimeRows,
-    columns: Sequence[FloatArray],
-    smooth: Sequence[bool],
-    names: Sequence[str],
+    rows: TimeRows, columns: Sequence[FloatArray], smooth: Sequence[bool], names: Sequence[str]
 ) -> list[Stretches]:
     """Split columns into gap-free stretches; neighbouring columns with the same valid rows share one result.
 

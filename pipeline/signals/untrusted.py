@@ -59,12 +59,7 @@ def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, ste
 
 
 def _bound(
-    q: Signal,
-    inputs: Sequence[Signal],
-    level: tuple[float, float],
-    smallest: float,
-    step: float,
-    sign: float = 1.0,
+    q: Signal, inputs: Sequence[Signal], level: tuple[float, float], smallest: float, step: float, sign: float = 1.0
 ) -> float | None:
     """The middle of the gap below the level at the top of `sign` times q, if the sensor has lost its target there.
 

@@ -17,17 +17,7 @@ from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.settings import Prototype, load_prototype
-from pipeline.stages import (
-    check,
-    compare,
-    differentiate,
-    identify,
-    ingest,
-    report,
-    scores,
-    side_files,
-    validate,
-)
+from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, side_files, validate
 from pipeline.stages.run_place import Place, before_any_work, edited, place_of, run_folder
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]

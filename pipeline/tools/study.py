@@ -155,13 +155,9 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
 
     mse, condition, nrmse = np.array(run.checkpoints().each(points, rows)).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
-    return {
-        "basis_functions": counts,
-        "smoothing": smoothings,
-        "mse": mse,
-        "condition": condition,
-        "nrmse": nrmse,
-    }, {"model": "rbf-paper"}
+    return {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}, {
+        "model": "rbf-paper"
+    }
 
 
 def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
@@ -177,10 +173,7 @@ def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
 
 
 def _one_basis(
-    data: "list[Trajectory]",
-    held_out: "list[Trajectory]",
-    asked: dict[str, Any],
-    point: tuple[int, float],
+    data: "list[Trajectory]", held_out: "list[Trajectory]", asked: dict[str, Any], point: tuple[int, float]
 ) -> tuple[float, float, float]:
     from pipeline.models.paper.model import identify_rbf_paper
     from pipeline.scoring.data_study import held_out_error
