@@ -1,4 +1,4 @@
-"""Names of prototypes and logs: what a person may write, and the safe form of it that names folders and files."""
+"""Names that a user writes: of prototypes and logs, with their safe forms for folders and files, and of choices."""
 
 import hashlib
 import re

@@ -1,4 +1,4 @@
-"""The one place where a failure becomes a line and an exit code."""
+"""The program and its command groups: options as dataclasses, and each failure as a line and an exit code."""
 
 import errno
 import inspect

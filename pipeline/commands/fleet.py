@@ -102,7 +102,7 @@ def series(
 
     Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 -o series.html
     """
-    from pipeline.reporting.diff_page import COLUMNS, conclusion, series_page, series_rows
+    from pipeline.reporting.several_runs import COLUMNS, conclusion, series_page, series_rows
     from pipeline.runs.atomic import write_text
     from pipeline.tools.fleet import series_of
 

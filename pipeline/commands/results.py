@@ -36,7 +36,7 @@ def diff(
     NRMSE in percent, a fraction in JSON and CSV; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
-    from pipeline.reporting.diff_page import DiffTable
+    from pipeline.reporting.several_runs import DiffTable
     from pipeline.tools.diff import diff_runs, write_diff_page
 
     if len(runs) < 2:

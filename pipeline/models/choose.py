@@ -1,4 +1,4 @@
-"""Choice of the model for a device: the joint's equations with corrections, or the RBF network from data alone.
+"""Choice of the model for a device, the joint's equations or the RBF network, and of the headline of a run.
 
 The joint's equations are a candidate for every device with two squared inputs and two wells. They are fitted to the
 first three quarters of the training logs and judged in free run over the rest. Where they predict that as no network

@@ -1,4 +1,4 @@
-"""One closed-loop experiment on a virtual joint: scenario in, log and truth out."""
+"""One closed-loop experiment on a virtual joint: controller and scenario in, log and truth out."""
 
 import ctypes
 from collections.abc import Callable

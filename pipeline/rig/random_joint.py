@@ -1,4 +1,4 @@
-"""Random prototypes: joints as a workshop makes them, none like the drawing, in three families of physics.
+"""Random prototypes, new or aged: joints as a workshop makes them, in three families of physics.
 
 ``same``    the analytical model's own theory (Ritz beam, neo-Hookean rubber, one Maxwell branch) with left/right
             asymmetries, creep and Maxwell-slip friction, which that model does not have;

@@ -1,4 +1,4 @@
-"""The tables of a run: which columns each has, and whether a file holds them."""
+"""What the artifacts of a run hold: the columns of each table, and the kinds of the values in their notes."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""Findings that make a log unfit for identification, each with its number and the bound that it breaks.
+"""Findings that make a log unfit for identification, with number and bound, and remarks on units and probes.
 
 The bounds are five times and more what the worst of twelve measured and simulated logs shows (jitter 0.06 steps,
 displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above the noise), or where half of a log is

@@ -1,4 +1,4 @@
-"""Anti-alias decimation of unevenly sampled signals onto a uniform grid, without delay.
+"""Unevenly sampled signals on a uniform grid: decimated without delay or aliasing, or interpolated.
 
 The kernel (`pipeline.signals.decimation_kernel`) is evaluated at the samples' actual times and weighted by their
 trapezoidal share of the time axis.

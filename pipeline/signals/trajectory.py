@@ -1,4 +1,4 @@
-"""Measured motions with their derivatives and voltages: gap-free stretches, and whole logs with their gaps marked."""
+"""Measured motions with derivatives and inputs: gap-free stretches, and whole logs with their gaps marked."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

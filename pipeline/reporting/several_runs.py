@@ -1,4 +1,4 @@
-"""The page of any number of runs side by side: what differs, their curves over one another, and their free runs."""
+"""The pages of several runs: side by side with their curves and free runs, and the facts of one device over time."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
