@@ -14,7 +14,8 @@ from pipeline.loading.report_data import load_scores
 from pipeline.loading.siblings import read_siblings
 from pipeline.names import slug
 from pipeline.runs.atomic import write_text
-from pipeline.settings import parse_prototype, read_document
+from pipeline.settings import parse_prototype
+from pipeline.settings_file import read_document
 
 FOLDER = "settings"
 """Where these files lie, in the folder of the runs."""

@@ -12,7 +12,8 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.settings import Differentiate, Prototype, Role
+from pipeline.settings import Differentiate, Prototype
+from pipeline.settings_logs import Role
 from pipeline.units import ALPHA_UNIT
 
 ALGORITHM = "7"

@@ -19,7 +19,8 @@ from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.settings import Ingest, LogGate, Prototype, Role
+from pipeline.settings import Ingest, LogGate, Prototype
+from pipeline.settings_logs import Role
 from pipeline.signals.trajectory import LONGEST_BRIDGE, UNKNOWN
 
 if TYPE_CHECKING:

@@ -15,7 +15,9 @@ from pipeline.runs.engine import Task, missing_source, unreadable_source
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
 from pipeline.runs.run_folder import RunFolder, holds_run
-from pipeline.settings import ROLES, Channels, Prototype, load_prototype, parse_prototype, read_document
+from pipeline.settings import Prototype, load_prototype, parse_prototype
+from pipeline.settings_file import read_document
+from pipeline.settings_logs import ROLES, Channels
 from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
 
 _ALLOWED = {"time": TIME, "q": DISPLACEMENT, "qdot": tuple(VELOCITY.values())}

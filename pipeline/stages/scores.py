@@ -18,7 +18,8 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
-from pipeline.settings import Prototype, Role
+from pipeline.settings import Prototype
+from pipeline.settings_logs import Role
 from pipeline.signals.trajectory import voltages
 from pipeline.units import SIGNALS, signal_units
 

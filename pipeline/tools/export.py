@@ -18,7 +18,8 @@ from pipeline.runs.hashing import file_sha256
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import ROLES, Prototype, log_label
+from pipeline.settings import Prototype
+from pipeline.settings_logs import ROLES, log_label
 
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported

@@ -1,11 +1,24 @@
-"""A mistake in a settings file as one line: the key, what is wrong with it, and what stands there instead."""
+"""A settings file as a document, and its mistakes as one line each: the key, the mistake, and the remedy."""
 
 import difflib
+import errno
 import re
+import tomllib
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, get_args
 
 from pydantic import BaseModel
+
+from pipeline.errors import InputError
+from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
+
+_SLIPS = (
+    (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
+    (re.compile("[“”„‘’]"), 'text stands between plain quotes, as "P1"'),
+    (re.compile(r"(?:^|[{,])\s*[\w.]+\s*=\s*(?!(true|false|inf|nan)\b)[^\W\d]"), 'text stands between quotes, as "P1"'),
+)
+"""Common slips in a line that is no TOML, and the correct form."""
 
 _BRANCH = re.compile(r"int|float|str|LogPart|literal\[.*\]|constrained-.*|tuple\[.*\]", re.DOTALL)
 """Parts of pydantic's locations that name a branch of a union and no key."""
@@ -20,6 +33,49 @@ _STRETCHED = (
     "; for a faster log stretch time, as by 1e4: time = { …, scale = 1e4 } in [channels], or sample_rate over 1e4, and "
     "intervals times 1e4; a second of the results is then 1e-4 s"
 )
+
+
+def read_document(path: Path) -> dict[str, Any]:
+    """The document of a prototype's TOML file, unchecked.
+
+    Raises
+    ------
+    InputError
+        The file is missing, or is no TOML.
+    """
+    try:
+        return read_toml(path)
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: is a folder; name a settings file (*.toml)") from None
+    except OSError as error:
+        if error.errno == errno.EFBIG:
+            raise InputError(f"{path}: {_no_toml(path, error)}") from error
+        raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{path}: {_no_toml(path, error)}") from error
+
+
+def _no_toml(path: Path, error: Exception) -> str:
+    if path.suffix.lower() != ".toml":
+        return f"no settings file; if it is a log, `debist init {path}` writes settings for it"
+    if isinstance(error, UnicodeDecodeError):
+        return "not UTF-8; save it as UTF-8 in your editor"
+    if isinstance(error, OSError):
+        return f"no settings file: it {error.strerror}"
+    return f"not valid TOML: {error}{_advice(path, str(error))}"
+
+
+def _advice(path: Path, error: str) -> str:
+    """What to write instead, where the line that is no TOML shows a common slip; else nothing."""
+    if "Unescaped" in error:
+        return "; write paths with / or between single quotes"
+    place = re.search(r"at line (\d+)", error)
+    if place is None:
+        return ""
+    line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
+    return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")
 
 
 def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
