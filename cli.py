@@ -11,23 +11,9 @@ from typing import Annotated
 
 import typer
 
-from pipeline.commands import (
-    control,
-    fleet,
-    integrity,
-    outcome,
-    physics,
-    raw_logs,
-    results,
-    rig,
-    series,
-    stages,
-    whole_run,
-)
-from pipeline.commands.boundary import ErrorBoundary, Program
+from pipeline.commands import control, fleet, inspection, integrity, outcome, physics, results, rig, stages, whole_run
+from pipeline.commands.boundary import ErrorBoundary, Program, with_options
 from pipeline.commands.console import Json, Quiet, Report, emit_json
-from pipeline.commands.inspection import check
-from pipeline.commands.options import with_options
 from pipeline.errors import BatchFailedError, InputError
 from pipeline.machine import settle_machine
 
@@ -47,15 +33,15 @@ app.add_typer(fleet.app, name="fleet")
 app.add_typer(physics.app, name="physics")
 app.add_typer(rig.app, name="rig")
 app.add_typer(results.study, name="study")
-app.command()(check)
+app.command()(inspection.check)
 app.command()(results.diff)
-app.command()(series.series)
+app.command()(fleet.series)
 app.command()(results.export)
 app.command()(integrity.verify)
 app.command()(integrity.repair)
 app.command()(results.paper)
-app.command()(raw_logs.init)
-app.command()(raw_logs.inspect)
+app.command()(inspection.init)
+app.command()(inspection.inspect)
 app.command()(stages.ingest)
 app.command()(stages.differentiate)
 app.command()(stages.identify)
@@ -146,7 +132,7 @@ def batch(
     Writes fleet.parquet and fleet.csv (NRMSE as fractions); a shard leaves them to --collect. While it works,
     `debist status DIR` shows how far it is. Example: debist batch prototypes/ -o runs --jobs 2
     """
-    from pipeline.batch.batch import collect_batch, named_prototypes, prototype_files, run_batch
+    from pipeline.batch.batch import Execution, collect_batch, named_prototypes, prototype_files, run_batch
     from pipeline.batch.journal import Shard
     from pipeline.batch.matrix import with_siblings
     from pipeline.units import parse_quantity
@@ -167,12 +153,10 @@ def batch(
     else:
         count = sum(shard is None or shard.holds(name) for name, _ in named)
         with outcome.BatchProgress(count, quiet=quiet) as progress:
-            outcomes = run_batch(
-                named, output, options.jobs, progress, program=debist, fail_fast=options.fail_fast,
-                report=with_report, time_limit=limit, shard=shard,
-            )  # fmt: skip
+            execution = Execution(options.jobs, with_report, options.fail_fast, limit)
+            outcomes = run_batch(named, output, progress, debist, execution, shard)
     outcome.emit_outcomes(outcomes, output, as_json=as_json)
-    failed = [one.name for one in outcomes if one.failed]
+    failed = [result.name for result in outcomes if result.failed]
     if failed:
         raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {', '.join(failed)}")
 
@@ -192,14 +176,14 @@ def study_settings(
 
     Example: debist study settings P1.toml --set identify.basis_functions=6,8 --set differentiate.alpha=auto,0.01 -o m
     """
-    from pipeline.batch.batch import named_prototypes, run_batch
+    from pipeline.batch.batch import Execution, named_prototypes, run_batch
     from pipeline.batch.matrix import matrix_rows, write_matrix
 
     variants = write_matrix(prototype, sets, output)
     named = named_prototypes([variant.path for variant in variants])
     with outcome.BatchProgress(len(named), quiet=quiet or as_json) as progress:
-        outcomes = run_batch(named, output, jobs, progress, program=debist, report=False)
+        outcomes = run_batch(named, output, progress, debist, Execution(jobs, report=False))
     runs = {variant.name: output / run.name for variant, run in zip(variants, outcomes, strict=True) if not run.failed}
     results.emit_matrix(matrix_rows(runs, variants), as_json=as_json)
-    if failed := [one for one in outcomes if one.failed]:
+    if failed := [result for result in outcomes if result.failed]:
         raise BatchFailedError(f"{len(failed)} of {len(outcomes)} runs failed: {failed[0].name}: {failed[0].reason}")

@@ -35,11 +35,10 @@ from pipeline.control.ensemble import INTERVAL, Converters, Ensemble, ensemble_o
 from pipeline.control.estimator import PERIOD
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.linear import wells_and_saddle
-from pipeline.control.lowest_voltage import TYPICAL, lowest_voltage, uncertain
 from pipeline.control.plant import ASSUMED_LAG, plant_of
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import one_step
-from pipeline.control.switching_map import Well, pulses
+from pipeline.control.switching_map import TYPICAL, Well, lowest_voltage, pulses, uncertain
 from pipeline.device_parameters import NOMINAL
 from pipeline.errors import DebistError, InputError
 from pipeline.export.controller import ControllerSubject, write_controller
@@ -50,10 +49,9 @@ from pipeline.models.hybrid.problem import DEVIATIONS
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench
-from pipeline.rig.controllers import Controller, played
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.rig.joint import rest, wells
-from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
+from pipeline.rig.loop import ClosedLoop, Controller, Scenario, played, run_loop
 from pipeline.rig.parameters import RigParameters
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype

@@ -29,8 +29,7 @@ from pipeline.control.plant import ControlledJoint, forces, inertia, plant_of
 from pipeline.generated.condensed_joint import STATES
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.controllers import Controller, python_controller
-from pipeline.rig.loop import Scenario
+from pipeline.rig.loop import Controller, Scenario, python_controller
 
 _GIVEN = CONTROL.given
 _listen = sequence_kernel(GraphSequence(GRAPHS, CONTROL.calls[:2], _GIVEN))

@@ -17,7 +17,7 @@ from pipeline.device_facts.series import ALARM
 from pipeline.fitting.trends import trend
 from pipeline.rig.joint import barrier
 from pipeline.rig.parameters import from_json
-from pipeline.tools.series import series_of
+from pipeline.tools.fleet import series_of
 
 
 def truth_of(logs: Path) -> dict[str, float]:

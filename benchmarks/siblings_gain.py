@@ -15,7 +15,7 @@ from measure import Silent
 
 from cli import debist
 from debist import open_run
-from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
+from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch
 from pipeline.batch.matrix import with_siblings
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
@@ -61,8 +61,8 @@ def main() -> None:
     write_settings(given.fleet, given.output / "settings")
     named = named_prototypes(prototype_files([given.output / "settings"]))
     without, taught = given.output / "without", given.output / "taught"
-    run_batch(named, without, 1, Silent(), program=debist, report=False)
-    run_batch(with_siblings(named, given.siblings, taught), taught, 1, Silent(), program=debist, report=False)
+    run_batch(named, without, Silent(), debist, Execution(1, report=False))
+    run_batch(with_siblings(named, given.siblings, taught), taught, Silent(), debist, Execution(1, report=False))
     for length in ("long", "short"):
         for kind in ("same", "foreign"):
             names = [name for name, _ in named if name.startswith(kind) and name.endswith(length)]

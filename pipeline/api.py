@@ -76,8 +76,8 @@ class Run:
         """Names of the identified models, the headline first, and of the baselines that the run holds."""
         from pipeline.loading.held_models import compared_models, identified_models
 
-        made = (self._folder, self._prototype)
-        return [*identified_models(*made), *compared_models(*made)]
+        source = (self._folder, self._prototype)
+        return [*identified_models(*source), *compared_models(*source)]
 
     @property
     def figures(self) -> dict[str, str]:
@@ -158,13 +158,13 @@ class Run:
         name = log or self.logs[-1]
         table = load_motion(self._folder, self._prototype, self._role(name), name)
         core = self.model(model).core
-        found = free_run(table, core)
-        columns = {"t": found.t, "q": found.q, "qdot": found.qdot, "qddot": found.qddot}
+        run = free_run(table, core)
+        columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
         if tube:
-            columns |= wanted_tubes(found.q, drawn_runs(table, core), core)
+            columns |= wanted_tubes(run.q, drawn_runs(table, core), core)
         columns |= {key: table[key] for key in ("v1", "v2") if key in table}
         result = frame(columns | {"q_measured": table["q"]}, *self._units)
-        result.attrs = {"status": found.status, "diverged_at_s": found.diverged_at_s}
+        result.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return result
 
     def datasheet(self) -> dict[str, Any]:

@@ -49,8 +49,8 @@ def read_log(log: str | Path, settings: str | Path) -> "pd.DataFrame":
     t, q = signals.q
     columns = {"t": t, "q": q}
     for name, (own, samples) in signals.beside.items():
-        seen = np.isfinite(own) & np.isfinite(samples)
-        columns[name] = samples if own is t else np.interp(t, own[seen], samples[seen], left=np.nan, right=np.nan)
+        finite = np.isfinite(own) & np.isfinite(samples)
+        columns[name] = samples if own is t else np.interp(t, own[finite], samples[finite], left=np.nan, right=np.nan)
     columns.pop("velocity", None)
     return frame({name: np.asarray(column) for name, column in columns.items()}, *si_symbols(prototype)).dropna(
         ignore_index=True
@@ -64,7 +64,7 @@ def check(place: str | Path) -> "pd.DataFrame":
     Returns
     -------
     pandas.DataFrame
-        A row for each thing looked at: log, what, found, limit, state (ok, note, wrong, not seen), gate, advice, more,
+        A row for each check: log, what, found, limit, state (ok, note, wrong, not seen), gate, advice, more,
         and values, a dict of numbers with the SI unit in the key.
 
     Raises
@@ -120,9 +120,9 @@ def differentiate(
     interval = float(times[-1] - times[0]) / (times.size - 1)
     if not np.all(np.abs(np.diff(times) - interval) <= _EVEN * interval):
         raise InputError("t is not uniform; interpolate q, or split it at its gaps")
-    made = differentiated(samples, interval, method=method, order=order, alpha=alpha, epsilon=epsilon)
-    table = pd.DataFrame({"t_s": times, "q": made.q_smooth, "qdot": made.qdot, "qddot": made.qddot})
-    table.attrs = {"alpha": made.alpha, "epsilon": made.epsilon, "noise_std": made.noise_std}
+    rates = differentiated(samples, interval, method=method, order=order, alpha=alpha, epsilon=epsilon)
+    table = pd.DataFrame({"t_s": times, "q": rates.q_smooth, "qdot": rates.qdot, "qddot": rates.qddot})
+    table.attrs = {"alpha": rates.alpha, "epsilon": rates.epsilon, "noise_std": rates.noise_std}
     return table
 
 

@@ -184,7 +184,7 @@ class Model:
         self, t: "ArrayLike | pd.DataFrame", q: "ArrayLike | None" = None, v1: "ArrayLike | None" = None,
         v2: "ArrayLike | None" = None, *, ahead: int = 1,
     ) -> "pd.DataFrame":  # fmt: skip
-        """Displacement so many samples ahead of the measurement, as a predictive controller finds it.
+        """Displacement `ahead` samples after each measured one, as a predictive controller needs it.
 
         Parameters
         ----------
@@ -206,7 +206,7 @@ class Model:
 
         Notes
         -----
-        Before each restart the model sees up to 1 s of the measurement. Cost: a simulation of that for each sample.
+        Before each restart the model is given up to 1 s of the measurement. Cost: a simulation of that for each sample.
         """
         from pipeline.scoring.horizons import predicted
         from pipeline.stages.validate import measured_path
@@ -231,15 +231,15 @@ class Model:
         from pipeline.si_prefix import axis_scale, moment
 
         table = self._measured(t, q, v1, v2)
-        made = free_run(table, self.core)
+        run = free_run(table, self.core)
         if ax is None:
             ax = pyplot.subplots(figsize=(7.16, 2.6), layout="constrained")[1]
         unit, factor = axis_scale(self._units[0], float(abs(table["q"][table["segment"] >= 0]).max()))
-        note = fit_note(table["q"], made.q)
-        if made.diverged_at_s is not None:
-            note = f"diverged at {moment(made.diverged_at_s)}"
+        note = fit_note(table["q"], run.q)
+        if run.diverged_at_s is not None:
+            note = f"diverged at {moment(run.diverged_at_s)}"
         ax.plot(table["t"], factor * table["q"], color="0.6", linewidth=2.5, label="measured")
-        ax.plot(table["t"], factor * made.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
+        ax.plot(table["t"], factor * run.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
         ax.set(xlabel="time in s", ylabel=f"q in {unit}")
         ax.legend(ncols=2, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
         return ax
@@ -266,11 +266,11 @@ class Model:
         if places.ndim != 1:
             raise InputError(f"q has the shape {places.shape}; give one column of displacements, shape (n,)")
         units = device(self._prototype).curve_units
-        found = {
+        columns = {
             f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve
             for name, curve in self.core.curves(places).items()
         }
-        return pd.DataFrame({f"q_{self._units[0]}": places, **found})
+        return pd.DataFrame({f"q_{self._units[0]}": places, **columns})
 
     def describe(self) -> dict[str, Any]:
         """Structure, parameters and diagnostics, with units in the keys."""
@@ -292,10 +292,10 @@ class Model:
             return table
         (signals,) = _logs(t, q, v1, v2)
         self._check_columns(signals.v.shape[1], signals.unit)
-        found = cleaned(signals, self._prototype, "the log")
-        for text in found.warnings:
+        record = cleaned(signals, self._prototype, "the log")
+        for text in record.warnings:
             warnings.warn(f"debist: {text}", stacklevel=_CALLER)
-        return found.motion
+        return record.motion
 
     def _check_columns(self, count: int, unit: str | None) -> None:
         if count != self.inputs:
@@ -333,7 +333,7 @@ def identify(
     inputs : {"squared", "linear"}
         Whether the force goes with v² (electrostatic) or v.
     angle : bool
-        Whether q is an angle, as a column q_rad says by itself.
+        Whether q is an angle; a column q_rad is one anyway.
     model : str
         "auto" (hybrid or rbf, whichever predicts held-out training data better), "hybrid", "rbf" or "rbf-paper".
     settings : mapping, optional
@@ -348,7 +348,7 @@ def identify(
     InputError
         Signals of different lengths, samples that are not finite, settings that are not valid.
     DataRefusedError
-        The signals do not show what the model needs; the text says what to do.
+        The signals do not show what the model needs; the text names what to do.
 
     Warns
     -----
@@ -358,7 +358,7 @@ def identify(
 
     Notes
     -----
-    What was noticed and masked stands in ``notes["warnings"]`` of the model. Cost: 5 to 20 s of processor time for a
+    Remarks and masked samples are listed in ``notes["warnings"]`` of the model. Cost: 5 to 20 s of processor time for a
     log of 37.5 s.
 
     Examples

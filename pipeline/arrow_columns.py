@@ -56,8 +56,8 @@ def from_numpy(values: Any, kind: Any) -> Any:
         samples = np.ascontiguousarray(values, dtype=_FIXED[kind])
         return pa.Array.from_buffers(kind, len(samples), [None, pa.py_buffer(samples)])
     entries = list(values)
-    known = np.array([entry is not None for entry in entries], dtype=bool)
-    buffers = [None if known.all() else pa.py_buffer(np.packbits(known, bitorder="little"))]
+    present = np.array([entry is not None for entry in entries], dtype=bool)
+    buffers = [None if present.all() else pa.py_buffer(np.packbits(present, bitorder="little"))]
     if kind in _FIXED:
         fixed = np.array([0 if entry is None else entry for entry in entries], dtype=_FIXED[kind])
         buffers += [pa.py_buffer(fixed)]

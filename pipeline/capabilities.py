@@ -3,8 +3,8 @@
 from typing import Any, get_args
 
 from pipeline import __version__
-from pipeline.choices import Target
 from pipeline.model_list import ENTRIES
+from pipeline.names import Target
 
 INPUTS = {
     "raw logs": "MAT, MDF 3 and 4, CSV, Parquet, HDF5, NPY, NPZ, TDMS, workbooks, compressed; any length",

@@ -50,7 +50,7 @@ def shared(function: Kernel) -> Kernel:
 
 
 def _kernel(function: Callable[..., Any], with_module_of: type | None, options: dict[str, Any]) -> Any:
-    modules = frozenset(Path(inspect.getfile(each)).resolve() for each in (function, with_module_of) if each)
+    modules = frozenset(Path(inspect.getfile(source)).resolve() for source in (function, with_module_of) if source)
     usual = numba.config.CACHE_DIR
     try:
         numba.config.CACHE_DIR = str(folder_for(modules))

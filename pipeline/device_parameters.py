@@ -85,7 +85,7 @@ def capacitance(n: Any, eps_r: Any, beta: Any, A0: Any, d0: Any) -> Any:
 
 @dataclass(frozen=True, kw_only=True)
 class JointParameters:
-    """Everything that the analytical model knows about a joint."""
+    """All parameters of the analytical model of a joint."""
 
     l: float = _quantity("m", "length of the beam")
     A: float = _quantity("m²", "cross-section of the beam")
@@ -213,10 +213,10 @@ TABLE1 = JointParameters(
 a0 belongs to the geometry, and β = 1 and g = 9.81 m/s², which the table does not give."""
 
 NOMINAL = replace(TABLE1, E=1.76e9)
-"""Table 1 with E = 1.76 GPa: inside the paper's range of PETG, and what the text says of figures 3 to 5 holds."""
+"""Table 1 with E = 1.76 GPa: inside the paper's range of PETG; it reproduces the statements on figures 3 to 5."""
 
 PARAMETER_SETS = {"table1": TABLE1, "nominal": NOMINAL}
 """The sets that ship with the program, by name."""
 
 B_MAX = 30e-3
-"""b_max [m] of eq. 17: z_b = b_max − b tells how far the mounts are screwed together."""
+"""b_max [m] of eq. 17: z_b = b_max − b is how far the mounts are screwed together."""

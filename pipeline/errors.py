@@ -1,4 +1,4 @@
-"""What can go wrong, as one line for the user; the only mapping from failure to exit code."""
+"""Failures, each as one line for the user; the only mapping from failure to exit code."""
 
 import errno
 import os
@@ -75,9 +75,9 @@ class BatchFailedError(DebistError):
 
 
 def disk_failure(error: Exception) -> str | None:
-    """Why the system refused to read, if it is that what `error` says; None for what may as well be damage."""
-    said = _IN_HDF5.search(str(error))
-    number = int(said[1]) if said else error.errno if isinstance(error, OSError) else None
+    """The system's reason for a refused read; None if `error` may also mean damage."""
+    number_text = _IN_HDF5.search(str(error))
+    number = int(number_text[1]) if number_text else error.errno if isinstance(error, OSError) else None
     return os.strerror(number) if number in _DISK else None
 
 
@@ -90,7 +90,7 @@ def interrupted(error: BaseException | None) -> bool:
 
 
 def memory_failure(error: BaseException | None) -> bool:
-    """Whether memory ended, be it that a library says so in its own words, or that this error came of it."""
+    """Whether memory ended, by the text of this error or of one that caused it."""
     if interrupted(error):
         return False  # compiled code that a signal stops says what it also says where memory ends
     while error is not None:

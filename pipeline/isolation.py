@@ -48,7 +48,7 @@ _LONGEST_FOLDER = 70
 """Characters of the temporary folder beyond which the socket of the server would have too long a name."""
 _LONGEST_MESSAGE, _LONGEST_WORDS = 1 << 28, 1 << 16
 _GRACE = 5.0
-"""How long [s] a process may take to end after it was asked to."""
+"""Time [s] for a process to end by itself before it is killed."""
 _starting, _preloaded = threading.RLock(), list[str]()
 
 
@@ -134,7 +134,7 @@ class Isolated:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """End the process if it still runs: it is asked first, and then killed."""
+        """Terminate the process if it still runs, and kill it if it does not end."""
         self.end = min(self.end, time.monotonic() + _GRACE)
         if not wait([self._process.sentinel], 0.0):
             self._process.terminate()
@@ -178,8 +178,8 @@ class Isolated:
 
 def next_ready(running: Iterable[Running]) -> Running:
     """The first of some processes that has sent something, has ended, or has to be killed."""
-    by_channel: dict[Any, Running] = {each.channel: each for each in running}
-    first = min(by_channel.values(), key=lambda each: each.end)
+    by_channel: dict[Any, Running] = {process.channel: process for process in running}
+    first = min(by_channel.values(), key=lambda process: process.end)
     ready = wait(list(by_channel), first.seconds_left)
     return by_channel[ready[0]] if ready else first
 
@@ -188,13 +188,13 @@ def death(exit_code: int) -> str:
     """What ended a process that has sent no answer."""
     if exit_code >= 0:
         return f"exit code {exit_code if exit_code < 1 << 16 else hex(exit_code)}"  # Windows counts in hex
-    known = -exit_code in set(signal.Signals)
-    name = signal.Signals(-exit_code).name if known else f"signal {-exit_code}"
+    is_signal = -exit_code in set(signal.Signals)
+    name = signal.Signals(-exit_code).name if is_signal else f"signal {-exit_code}"
     return f"{name} (by another program, or by the system where memory runs out)" if name == "SIGKILL" else name
 
 
 def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int) -> Iterator[Made]:
-    """What `work` makes of each item, in order, in so many processes; in this one for a single job."""
+    """The results of `work` for the items, in order, in `jobs` processes; in this one for a single job."""
     if jobs == 1 or not items:
         yield from map(work, items)
         return

@@ -1,7 +1,7 @@
 """Where compiled kernels lie on disk: a folder for each state of their sources, whose files are checked before use.
 
 numba keeps machine code and the index to it in files that it unpickles and runs without a check. So a folder that
-others can write to is refused, and a digest beside each file tells whether the file is whole. A file without its digest
+others can write to is refused, and a digest beside each file shows whether the file is whole. A file without its digest
 is deleted, and numba compiles that kernel anew.
 """
 
@@ -29,7 +29,7 @@ _DIGEST = ".sha256"
 def folder_for(modules: frozenset[Path]) -> Path:
     """The folder for kernels of these modules, in a state that depends on all that they import and on versions.
 
-    numba itself looks at the one file that a kernel stands in. Cost: each file of the package is read once a process.
+    numba itself checks only the file that defines a kernel. Cost: each file of the package is read once a process.
     Files that are not whole are deleted.
 
     Raises
@@ -57,7 +57,7 @@ def has_kernels(folder: Path) -> bool:
 
 
 def certify(folders: Iterable[Path]) -> None:
-    """Write the digest of each file that is newer than its digest; whoever compiled kernels calls this."""
+    """Write the digest of each file that is newer than its digest; called after a compilation."""
     for folder in folders:
         for file in _kernels(folder):
             digest = file.with_name(file.name + _DIGEST)

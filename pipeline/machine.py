@@ -15,7 +15,7 @@ ONE_THREAD = tuple(f"{library}_NUM_THREADS" for library in ("OMP", "OPENBLAS", "
 
 
 def settle_machine() -> None:
-    """Let linear algebra take one thread, whatever the environment says.
+    """Let linear algebra take one thread, whatever the environment variables.
 
     The matrices here are small: threads cost ten times the work that they share, and their number decides the order
     of sums.
@@ -25,7 +25,7 @@ def settle_machine() -> None:
 
 
 def one_thread(work: Callable[P, T]) -> Callable[P, T]:
-    """The same function, during which linear algebra takes one thread; afterwards it has as many as before."""
+    """The same function, during which linear algebra takes one thread; the number before is restored."""
 
     @wraps(work)
     def limited(*arguments: P.args, **named: P.kwargs) -> T:

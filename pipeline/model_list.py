@@ -1,4 +1,4 @@
-"""Every model that the program knows: one line each. Settings, stages, folds, export and the store read this list.
+"""Every model of the program: one line each. Settings, stages, folds, export and the store read this list.
 
 So do the basis functions of the paper's model.
 """

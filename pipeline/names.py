@@ -1,11 +1,11 @@
-"""Names of prototypes and logs: what a person may write, and the safe form of it that names folders and files."""
+"""Names that a user writes: of prototypes and logs, with their safe forms for folders and files, and of choices."""
 
 import hashlib
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 ROLE_WORDS = {"train": "training", "validation": "validation"}
 FILL_IN = "FILL IN"
@@ -40,7 +40,7 @@ def slug(name: str) -> str:
     """The name of its folder: itself where it is safe, else spelt in ASCII (``Prüfling 1`` → ``Pruefling-1``).
 
     What has no spelling (another script) gets a name from its hash, always the same one; a name of more than 64 letters
-    keeps its first ones, and a hash tells it from others that begin alike.
+    keeps its first ones, with a hash that separates it from others that begin alike.
     """
     if SAFE.fullmatch(name):
         return name
@@ -87,7 +87,7 @@ def check_log_name(log: str) -> str:
 
 
 def log_title(role: str, name: str) -> str:
-    """``training log``, and the log's true name where it says more."""
+    """``training log``, and the log's true name where that differs."""
     words = f"{ROLE_WORDS[role]} log"
     return words if name.lower() in (role, ROLE_WORDS[role]) else f"{words} {name}"
 
@@ -104,3 +104,13 @@ def with_true_names(rows: Iterable[Mapping[str, Any]], sources: Iterable[tuple[s
     """
     called = {(role, log_name(log)): true_name(log) for role, log in sources}
     return [{**row, "log": called.get((row["role"], row["log"]), row["log"])} for row in rows]
+
+
+Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]
+"""Form of an export."""
+Typeface = Literal["sans", "serif"]
+"""Of a figure."""
+Well = Literal["left", "right"]
+"""Where a joint rests."""
+Goal = Literal["time", "energy", "voltage"]
+"""Quantity that a pulse minimises."""

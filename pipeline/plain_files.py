@@ -34,7 +34,7 @@ def open_plain(path: Path) -> BufferedReader:
 
 
 def read_plain(path: Path, most: int) -> bytes:
-    """The bytes of a regular file of at most so many bytes.
+    """The bytes of a regular file of at most `most` bytes.
 
     Raises
     ------

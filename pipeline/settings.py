@@ -5,99 +5,19 @@ The reference page of the settings is generated from the descriptions below.
 """
 
 import difflib
-import errno
-import math
-import re
-import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Discriminator,
-    Field,
-    Strict,
-    Tag,
-    ValidationError,
-    field_validator,
-    model_validator,
-)
+from pydantic import Field, ValidationError, field_validator, model_validator
 
-from pipeline.errors import InputError, SeveralMistakesError
+from pipeline.errors import SeveralMistakesError
 from pipeline.model_list import AUTO, BASIS_FUNCTIONS, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
-from pipeline.names import FILL_IN, check_log_name, check_name, log_name, slug, true_name
-from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
-from pipeline.settings_errors import mistakes
-from pipeline.units import TIME, parse_quantity
-
-# Numbers are written as such: neither true nor "0.01" is one, and neither inf nor nan is.
-Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
-Whole = Annotated[int, Strict()]
-Switch = Annotated[bool, Strict()]
-
-_SLIPS = (
-    (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
-    (re.compile("[“”„‘’]"), 'text stands between plain quotes, as "P1"'),
-    (re.compile(r"(?:^|[{,])\s*[\w.]+\s*=\s*(?!(true|false|inf|nan)\b)[^\W\d]"), 'text stands between quotes, as "P1"'),
-)
-"""What a line that is no TOML often holds, and what belongs there."""
-
-Role = Literal["train", "validation"]
-ROLES: tuple[Role, ...] = ("train", "validation")
+from pipeline.names import check_log_name, check_name, log_name, slug
+from pipeline.settings_file import mistakes, read_document
+from pipeline.settings_logs import ROLES, Channels, Logs, Number, SettingsTable, Switch, Whole, log_label
 
 
-class _Settings(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
-
-
-class LogColumn(_Settings):
-    """One column of the raw log."""
-
-    channel: str = Field(min_length=1, max_length=1000)
-    """Name of the channel in the log."""
-    unit: str = Field(min_length=1, max_length=100)
-    """Unit of the channel's numbers in pint notation, such as mm, kV, s, deg; mandatory."""
-    scale: Number = 1.0
-    """Unit per number of the log, for a log in volts of its data acquisition: value = scale · number + offset."""
-    offset: Number = 0.0
-    """What is added after that, in the channel's unit."""
-    missing: tuple[Number, ...] | None = None
-    """Numbers of the log that stand for no value, such as [-9999]. Left out, numbers of 1e20 and more are taken for
-    such, and usual codes (-9999, 65535, …) that lie further from the rest than that is wide; [] keeps all."""
-
-    @field_validator("channel")
-    @classmethod
-    def _filled_in(cls, value: str) -> str:
-        if value == FILL_IN:
-            raise ValueError("is still to be filled in; `debist inspect LOG` lists the channels of a log")
-        return value
-
-    @field_validator("scale")
-    @classmethod
-    def _not_zero(cls, value: float) -> float:
-        if value == 0.0:
-            raise ValueError("must not be 0: the channel would be constant")
-        return value
-
-
-class Channel(LogColumn):
-    """One channel of the raw log."""
-
-    part: Literal["all", "positive", "negative"] = "all"
-    """Which part of a signed monitor of both membranes is this input: its "positive" values, or its "negative" ones
-    without their sign; of an input only."""
-    on_change: bool = False
-    """Whether the log has a sample only when it changed, which holds until the next one (event-based recording); of
-    an input only."""
-    average: Number = Field(default=0.0, ge=0.0, le=10.0)
-    """Window [s] over which the sensor of q averages before each sample, as some lasers do: half of it is taken off the
-    channel's time, by which the motion is seen late; of q only. Motion within the window stays smoothed."""
-    time: LogColumn | None = None
-    """The channel's own time, where a table has several: its column and unit; `[channels] time` by default."""
-
-
-class Quantity(_Settings):
+class Quantity(SettingsTable):
     """A number with its unit."""
 
     value: Number = Field(gt=0.0)
@@ -106,113 +26,11 @@ class Quantity(_Settings):
     """Its unit in pint notation."""
 
 
-class LogPart(_Settings):
-    """A part of a recording: all samples from `start` to before `stop`, by the time that the log itself has."""
-
-    file: str = Field(min_length=1)
-    """The log."""
-    start: str | None = None
-    """Where the part begins, as "12 s"; left out, with the log."""
-    stop: str | None = None
-    """Where it ends, as "49.5 s"; left out, with the log."""
-
-    @model_validator(mode="after")
-    def _lasts(self) -> "LogPart":
-        try:
-            start, stop = self.span
-        except InputError as error:
-            raise ValueError(str(error)) from None
-        if not start < stop:
-            raise ValueError(f"stop = {self.stop!r} is not after start = {self.start!r}; correct one of them")
-        return self
-
-    @property
-    def span(self) -> tuple[float, float]:
-        """From when to when it lasts [s]."""
-        start, stop = self.start, self.stop
-        return (
-            -math.inf if start is None else parse_quantity(start, TIME, "start"),
-            math.inf if stop is None else parse_quantity(stop, TIME, "stop"),
-        )
-
-    @property
-    def label(self) -> str:
-        """What a person calls it, in place of a file's name: ``long from 12 s to 49.5 s.mf4``."""
-        ends = [f"from {self.start}"] * (self.start is not None) + [f"to {self.stop}"] * (self.stop is not None)
-        return " ".join([true_name(self.file), *ends]) + (Path(self.file).suffix or ".log")
-
-
-Log = Annotated[
-    Annotated[str, Tag("str")] | Annotated[LogPart, Tag("LogPart")],
-    Discriminator(lambda log: "LogPart" if isinstance(log, dict | LogPart) else "str"),
-]
-"""A raw log, or a part of it."""
-
-
-def log_label(log: Log) -> str:
-    """What a log is called: its path, or what `LogPart.label` says."""
-    return log if isinstance(log, str) else log.label
-
-
-class Logs(_Settings):
-    """Raw logs, as paths relative to the settings file, or parts of them: { file, start, stop }."""
-
-    train: tuple[Log, ...] = Field(min_length=1)
-    """Logs on which the models are identified; a part of one is { file = "long.mf4", start = "12 s", stop = "49.5 s" },
-    by the log's own time."""
-    validation: tuple[Log, ...] = ()
-    """Logs that no identification sees; parts of a recording too, where none of it is for training."""
-
-
-class Channels(_Settings):
-    """Where the signals are in the logs."""
-
-    time: LogColumn | None = None
-    """Time; left out where the format carries its own time base."""
-    q: Channel
-    """Displacement of the joint: a length or an angle, or the voltage that stands for it in a circuit."""
-    qdot: Channel | None = None
-    """Velocity of q where it was measured too (a tachometer, a gyroscope, a laser vibrometer), in the unit of q per
-    time as in mm/s or deg/s: derivatives and the fit of `rbf` then rest on it as well."""
-    v1: Channel
-    """First input: voltage of the left membrane."""
-    v2: Channel | None = None
-    """Second input: voltage of the right membrane; left out for a device with one input."""
-
-    @model_validator(mode="after")
-    def _each_its_own(self) -> "Channels":
-        named: dict[tuple[str, str], str] = {}
-        for key in ("time", "q", "qdot", "v1", "v2"):
-            column = getattr(self, key)
-            if column is None:
-                continue
-            part = getattr(column, "part", "all")
-            other = named.setdefault((column.channel, part), key)
-            if other not in (key, "v1"):
-                raise ValueError(f"{key} and {other} are the same channel {column.channel!r}")
-            if key in ("q", "qdot") and (part != "all" or column.on_change):
-                why = "is no signed input" if part != "all" else "cannot be recorded on change only"
-                raise ValueError(f"{key} {why}: between two samples it moves")
-            if key != "q" and isinstance(column, Channel) and column.average:
-                raise ValueError(f"{key} has no average: that is for q, whose sensor is the one that lags")
-        if self.v2 == self.v1:
-            raise ValueError(
-                f"v1 and v2 are the same channel {self.v1.channel!r}; leave v2 out for a single input, or give both "
-                "their `part` of a signed monitor"
-            )
-        return self
-
-    @property
-    def inputs(self) -> tuple[Channel, ...]:
-        """The input channels in order."""
-        return (self.v1,) if self.v2 is None else (self.v1, self.v2)
-
-
 FILM_THICKNESS, FIELD_LIMIT = 50.0, 60.0
-"""Of the paper's joint [µm, V/µm]: 3 kV on an undeformed film of 50 µm."""
+"""Values of the paper's joint [µm, V/µm]: 3 kV on an undeformed film of 50 µm."""
 
 
-class Plant(_Settings):
+class Plant(SettingsTable):
     """What is known of the device."""
 
     mass: Quantity | None = None
@@ -240,7 +58,7 @@ FILM = {"film_thickness", "field_limit"}
 """Settings of the plant that bound voltages and change no fit."""
 
 
-class Csv(_Settings):
+class Csv(SettingsTable):
     """How to read CSV logs, where it is not to be found out from the file."""
 
     encoding: str | None = None
@@ -253,7 +71,7 @@ class Csv(_Settings):
     """Row of the column names, counted from 0."""
 
 
-class Ingest(_Settings):
+class Ingest(SettingsTable):
     """From raw logs to uniform records."""
 
     sample_interval: Number = Field(default=0.01, ge=1e-5, le=10.0)
@@ -279,7 +97,7 @@ class Ingest(_Settings):
     """How to read CSV logs."""
 
 
-class Differentiate(_Settings):
+class Differentiate(SettingsTable):
     """From displacement to velocity and acceleration."""
 
     method: Literal["tvregdiff", "savitzky-golay", "rts"] = "tvregdiff"
@@ -314,7 +132,7 @@ class Differentiate(_Settings):
         return self
 
 
-class Identify(_Settings):
+class Identify(SettingsTable):
     """From kinematics to models."""
 
     models: tuple[str, ...] = Field(default=(AUTO, "rbf", "rbf-paper"), min_length=1)
@@ -375,7 +193,7 @@ class Identify(_Settings):
         return _known_names((value,), tuple(name for name, _ in BASIS_FUNCTIONS), "basis function")[0]
 
 
-class Compare(_Settings):
+class Compare(SettingsTable):
     """Baselines on the same logs."""
 
     models: tuple[str, ...] | None = None
@@ -401,18 +219,18 @@ TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
 Gate = Literal[LogGate, CheckGate, TrainingGate]
 
 
-class Quality(_Settings):
+class Quality(SettingsTable):
     """Data that are refused (exit code 3) unless they are accepted knowingly."""
 
     accept: tuple[Gate, ...] = ()
-    """Findings that shall not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
+    """Findings that do not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
     log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
     "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
     "time-base", "scale", "wrapped" (an angle that jumps by a turn), "device". Of the training data: "idle",
     "undriven", "one-well", "visits", "rank"."""
 
 
-class Prototype(_Settings):
+class Prototype(SettingsTable):
     """Everything that decides the results of one prototype."""
 
     name: str
@@ -447,7 +265,9 @@ class Prototype(_Settings):
 
     @model_validator(mode="after")
     def _joint(self) -> "Prototype":
-        lacking = [one.name for one in ENTRIES if one.needs_parameters and one.name in (self.compare.models or ())]
+        lacking = [
+            entry.name for entry in ENTRIES if entry.needs_parameters and entry.name in (self.compare.models or ())
+        ]
         if self.plant.parameters is None and lacking:
             raise ValueError(f"compare.models: {lacking[0]!r} needs a parameter set; name one as plant.parameters")
         if "hybrid" in self.identify.models and not self.may_be_a_joint:
@@ -501,27 +321,27 @@ class Prototype(_Settings):
         """The baselines to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every = [one for one in ENTRIES if one.part == "compare"]
-        return tuple(one.name for one in every if not one.needs_parameters or self.plant.parameters is not None)
+        every = [entry for entry in ENTRIES if entry.part == "compare"]
+        return tuple(entry.name for entry in every if not entry.needs_parameters or self.plant.parameters is not None)
 
 
-def _default(section: type[_Settings], key: str) -> Any:
+def _default(section: type[SettingsTable], key: str) -> Any:
     """What a key is where it is left out."""
     return section.model_fields[key].default
 
 
-def _known_names(given: tuple[str, ...], known: tuple[str, ...], what: str = "model") -> tuple[str, ...]:
+def _known_names(given: tuple[str, ...], choices: tuple[str, ...], what: str = "model") -> tuple[str, ...]:
     """The names, each once.
 
     Raises
     ------
     ValueError
-        One that is none of the known.
+        An unknown name.
     """
     for name in given:
-        if name not in known:
-            close = difflib.get_close_matches(name, known, n=1)
-            hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(known)}"
+        if name not in choices:
+            close = difflib.get_close_matches(name, choices, n=1)
+            hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(choices)}"
             raise ValueError(f"no {what} {name!r} here; {hint}")
     return tuple(dict.fromkeys(given))
 
@@ -529,28 +349,6 @@ def _known_names(given: tuple[str, ...], known: tuple[str, ...], what: str = "mo
 def load_prototype(path: Path) -> Prototype:
     """Read a prototype's TOML file; raises what `read_document` and `parse_prototype` do."""
     return parse_prototype(read_document(path), str(path))
-
-
-def read_document(path: Path) -> dict[str, Any]:
-    """What stands in a prototype's TOML file, unchecked.
-
-    Raises
-    ------
-    InputError
-        The file is missing, or is no TOML.
-    """
-    try:
-        return read_toml(path)
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
-    except IsADirectoryError:
-        raise InputError(f"{path}: is a folder; name a settings file (*.toml)") from None
-    except OSError as error:
-        if error.errno == errno.EFBIG:
-            raise InputError(f"{path}: {_no_toml(path, error)}") from error
-        raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise InputError(f"{path}: {_no_toml(path, error)}") from error
 
 
 def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
@@ -565,24 +363,3 @@ def parse_prototype(document: dict[str, Any], where: str) -> Prototype:
         return Prototype.model_validate(document)
     except ValidationError as error:
         raise SeveralMistakesError.of(where, mistakes(error.errors(include_url=False), Prototype)) from None
-
-
-def _no_toml(path: Path, error: Exception) -> str:
-    if path.suffix.lower() != ".toml":
-        return f"no settings file; if it is a log, `debist init {path}` writes settings for it"
-    if isinstance(error, UnicodeDecodeError):
-        return "not UTF-8; save it as UTF-8 in your editor"
-    if isinstance(error, OSError):
-        return f"no settings file: it {error.strerror}"
-    return f"not valid TOML: {error}{_advice(path, str(error))}"
-
-
-def _advice(path: Path, error: str) -> str:
-    """What to write instead, where the line that is no TOML shows a common slip; else nothing."""
-    if "Unescaped" in error:
-        return "; write paths with / or between single quotes"
-    place = re.search(r"at line (\d+)", error)
-    if place is None:
-        return ""
-    line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
-    return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")

@@ -38,10 +38,10 @@ def scale(unit: str, largest: float) -> tuple[str, float]:
 
 def _in_degrees(unit: str) -> tuple[str, float]:
     """The unit with degrees for radians, such as ``°/(s²·V)`` or ``°²/Hz``, and the factor from SI to it."""
-    found = _ANGLE.match(unit)
-    if found is None:
+    angle = _ANGLE.match(unit)
+    if angle is None:
         return unit, 1.0
-    return f"°{unit.removeprefix('rad')}", (180.0 / math.pi) ** (2 if found[1] else 1)
+    return f"°{unit.removeprefix('rad')}", (180.0 / math.pi) ** (2 if angle[1] else 1)
 
 
 def axis_scale(unit: str, largest: float) -> tuple[str, float]:
@@ -94,7 +94,7 @@ def _decade(number: float) -> int:
 
 
 def rounded(number: float, places: int, largest: float) -> str:
-    """A number to so many decimals, before the point where they are negative, with the power of ten of `largest`.
+    """A number to `places` decimals (negative: before the point), with the power of ten of `largest`.
 
     That is left out from 1e-4 to 1e5, so that numbers written beside one another have one power: 9.24·10⁵ ± 0.32·10⁵.
     """

@@ -1,4 +1,4 @@
-"""Units at the edges: from what a log or a setting says to SI, by pint; the program inside knows SI only."""
+"""Units at the edges: from logs and settings to SI, by pint; the program inside has SI only."""
 
 import math
 import re
@@ -10,14 +10,14 @@ from typing import Any
 from pipeline.errors import InputError
 from pipeline.names import FILL_IN
 
-# What a quantity may be, by the SI unit it is kept in.
+# Allowed quantities, by their SI unit.
 DISPLACEMENT = ("m", "rad", "V")
 """V for an electronic circuit that stands for a mechanical device."""
 VELOCITY = {"m": "m/s", "rad": "rad/s", "V": "V/s"}
-"""What a velocity is kept in, by the unit of the displacement."""
+"""SI unit of a velocity, by the unit of the displacement."""
 ACCELERATION = ("m/s²", "rad/s²")
 SIGNALS = ("q", "phi", "qdot", "qddot")
-"""What models are scored by, in the order of tables and figures."""
+"""Signals by which models are scored, in the order of tables and figures."""
 HORIZONS = {"one_step": (0.0, "one step"), "100ms": (0.1, "0.1 s"), "1s": (1.0, "1 s")}
 """How far ahead of a measured state models are scored: in s (one sample at least), and in words."""
 INPUT = ("V", "A", "N", "N·m", "Pa", "1", *ACCELERATION)
@@ -27,13 +27,13 @@ TIME = ("s",)
 def of_joint(displacement: str, inputs: Sequence[str], *, squared: bool) -> bool:
     """Whether signals of these SI units can be those of the bistable joint: two squared voltages on a length.
 
-    What is no fault of another device is none there: that it has one well, or turns to the other side.
+    A device with one well, or one that turns to the other side, is no fault.
     """
     return squared and displacement == "m" and tuple(inputs) == ("V", "V")
 
 
 MASS = {"m": "kg", "rad": "kg·m²", "V": "kg"}
-"""What a mass or an inertia is kept in, by the unit of the displacement."""
+"""SI unit of a mass or an inertia, by the unit of the displacement."""
 
 _BASE = {
     "m": "meter",
@@ -124,7 +124,7 @@ POWERS = {
     "Pa·s": (1, -1, -1, 0),
     "F": (1, 2, -2, -2),
 }
-"""Powers of kg, m, s and V in units of the joint's quantities; pint knows them too, a test compares."""
+"""Powers of kg, m, s and V in units of the joint's quantities; a test compares them with pint's."""
 
 SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "day": 86_400.0}
 """Seconds per unit of time, by pint's names."""
@@ -136,7 +136,7 @@ _TIME_WORDS = {
 _TIME_NAMES = {word: unit for unit, words in _TIME_WORDS.items() for word in (unit, *words.split())}
 
 _LONGEST = 60
-# One name, and a whole power of one digit: all that a unit needs, and nothing for which pint would count without end.
+# One name, and a whole power of one digit: all that a unit needs; pint would take long powers without end.
 _FACTOR = r"(?:1|%|°[CF]?|[^\W\d_][^\W\d]*)(?:(?:\*\*|\^)[+-]?[1-9]|[⁺⁻]?[¹²³⁴-⁹])?"
 _UNIT = re.compile(rf"\s*{_FACTOR}(?:\s*[*/·⋅ ]\s*{_FACTOR})*\s*")
 
@@ -205,7 +205,7 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
         if base == target_base:
             return SiUnit(float(factor / target_factor), symbol)
     needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(dict.fromkeys(allowed))})"
-    velocity = any(base == registry.get_base_units(registry.Unit(_BASE[each]))[1] for each in VELOCITY.values())
+    velocity = any(base == registry.get_base_units(registry.Unit(_BASE[rate]))[1] for rate in VELOCITY.values())
     raise InputError(f"{where}: {needed}{_instead(unit, allowed, velocity=velocity)}")
 
 
@@ -241,8 +241,8 @@ def parse_quantity(text: str, allowed: tuple[str, ...], where: str) -> float:
     InputError
         No number, no unit, or a unit of another kind.
     """
-    found = _NUMBER.match(text)
-    number, unit = (found[0], text[found.end() :].strip()) if found else ("", text)
+    number_match = _NUMBER.match(text)
+    number, unit = (number_match[0], text[number_match.end() :].strip()) if number_match else ("", text)
     try:
         value = float(number)
     except ValueError:

@@ -19,7 +19,7 @@ COST = 60.0
 
 
 def warm_up(jobs: int) -> float:
-    """Compile what any command needs, in so many processes; the wall time [s] that it took."""
+    """Compile what any command needs in `jobs` processes; returns the wall time [s]."""
     began = time.perf_counter()
     list(in_processes(_compile, range(len(GROUPS)), jobs))
     return time.perf_counter() - began
@@ -28,7 +28,7 @@ def warm_up(jobs: int) -> float:
 def is_warm() -> bool:
     """Whether the kernels of the default model are in the cache; nothing is imported to find out."""
     specifications = (find_spec(name) for name in ("pipeline.models.hybrid.runs", "pipeline.solvers.fixed_step"))
-    modules = frozenset(Path(each.origin) for each in specifications if each is not None and each.origin)
+    modules = frozenset(Path(spec.origin) for spec in specifications if spec is not None and spec.origin)
     return has_kernels(folder_for(modules))
 
 
@@ -53,9 +53,9 @@ def _hybrid() -> None:
     basis, weights, dt = np.array([-0.01, 0.01, 0.01]), np.zeros((9, 3)), 0.01
     substeps(k, basis, weights, dt)
     u = np.zeros((2, 5, 2))
-    seen = instruments(np.zeros(len(nominal_deviations())))
+    undisturbed = instruments(np.zeros(len(nominal_deviations())))
     for shape in ((2, 2), (3, 10, 2)):
-        u = DrivingVoltages(np.zeros(shape), dt).squared(1, seen, 1.0)[None]
+        u = DrivingVoltages(np.zeros(shape), dt).squared(1, undisturbed, 1.0)[None]
     for joints in (1, 2):
         run_joints(
             np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis, u, np.zeros(joints, dtype=np.int64),
@@ -84,9 +84,9 @@ def _without_parameter_set() -> None:
 def _network() -> None:
     from pipeline.models.rbf.dynamics import Coefficients, Coupling, Drive, basis, no_sensitivities, observed_run, slid
 
-    x, u, one, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
+    x, u, single, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
     two, curves = np.zeros(2), np.zeros((5, 5))
-    joint = Coefficients(curves, one, one, one, two, one, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
+    joint = Coefficients(curves, single, single, single, two, single, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
     drive, coupling = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False), Coupling(x, x, 0.0)
     observed_run(joint, drive, coupling, (0.0, 0.0), 0.01, 1, no_sensitivities())
     basis(x, joint)
@@ -126,9 +126,8 @@ def _measured() -> None:
 
 def _rig() -> None:
     from pipeline.rig.bench import Bench, record
-    from pipeline.rig.controllers import played
     from pipeline.rig.joint import potential, rest, tip_displacement
-    from pipeline.rig.loop import Scenario, run_loop
+    from pipeline.rig.loop import Scenario, played, run_loop
     from pipeline.rig.parameters import nominal
 
     p, bench = nominal(), Bench(rate=2000.0)
@@ -159,4 +158,4 @@ def _control() -> None:
 
 
 GROUPS = ((_hybrid, _control), (_analytical, _without_parameter_set, _network, _measured, _rig))
-"""What is compiled in one process each, by about the same time; kernels that share others stand together."""
+"""Groups of kernels, one process each, of about the same time; kernels that share others stand together."""

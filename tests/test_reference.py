@@ -13,8 +13,9 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.capabilities import INPUTS, NOT_SUITABLE, OUTPUTS, PRECONDITIONS
-from pipeline.choices import Target
-from pipeline.settings import Channel, Channels, Prototype, Quantity
+from pipeline.names import Target
+from pipeline.settings import Prototype, Quantity
+from pipeline.settings_logs import Channel, Channels
 
 DOCS = Path(__file__).resolve().parents[1] / "docs" / "reference"
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from pydantic import BaseModel, ValidationError
 
-from pipeline import settings
+from pipeline import settings, settings_logs
 from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.runs import layout
 from pipeline.settings import Prototype, load_prototype, parse_prototype
@@ -175,6 +175,7 @@ def test_every_setting_says_what_it_is() -> None:
     def undocumented(model: type[BaseModel]) -> list[str]:
         return [f"{model.__name__}.{name}" for name, field in model.model_fields.items() if not field.description]
 
-    models = [m for m in vars(settings).values() if isinstance(m, type) and issubclass(m, BaseModel)]
+    classes = {**vars(settings), **vars(settings_logs)}.values()
+    models = [m for m in classes if isinstance(m, type) and issubclass(m, BaseModel)]
     missing = [name for model in models for name in undocumented(model)]
     assert [m for m in missing if m.split(".")[0] != Prototype.__name__] == []

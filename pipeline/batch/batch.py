@@ -5,6 +5,7 @@ import math
 import time
 import tomllib
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from pipeline.batch.fleet import FLEET_FILES, existing_outcomes, write_fleet
@@ -29,7 +30,7 @@ def prototype_files(places: Sequence[Path]) -> list[Path]:
     Raises
     ------
     InputError
-        A place that does not exist, a folder without settings files, or a fleet file that is none.
+        A place that does not exist, a folder without settings files, or a fleet file with mistakes.
     """
     files: list[Path] = []
     for place in places:
@@ -69,16 +70,34 @@ def _fleet_members(place: Path) -> list[Path]:
     return paths
 
 
+@dataclass(frozen=True)
+class Execution:
+    """How the runs of a batch are executed.
+
+    Attributes
+    ----------
+    jobs : int
+        Processes at a time; results do not depend on it.
+    report : bool
+        Make each prototype's report; the tables and the page of the fleet are written anyway.
+    fail_fast : bool
+        Start no more after the first failure; those left out have an exit code of None.
+    time_limit : float
+        Wall time [s] after which a prototype's process is killed; it has failed then, and the others go on.
+    """
+
+    jobs: int = 1
+    report: bool = True
+    fail_fast: bool = False
+    time_limit: float = math.inf
+
+
 def run_batch(
     named: Sequence[tuple[str, Path]],
     output: Path,
-    jobs: int,
     observer: BatchObserver,
-    *,
     program: Program,
-    fail_fast: bool = False,
-    report: bool = True,
-    time_limit: float = math.inf,
+    execution: Execution,
     shard: Shard | None = None,
 ) -> list[Outcome]:
     """Run every prototype; what is up to date costs a check only.
@@ -89,18 +108,12 @@ def run_batch(
         Names and settings files, as `named_prototypes` gives them.
     output : Path
         Gets one run folder per prototype, and the fleet tables.
-    jobs : int
-        Processes at a time; results do not depend on it.
     observer : BatchObserver
-        Told about each start and end.
+        Notified of each start and end.
     program : callable
         The command ``debist`` with a list of arguments, a function of a module; each process runs it.
-    fail_fast : bool
-        Start no more after the first failure; those left out have an exit code of None.
-    report : bool
-        Make each prototype's report; the tables and the page of the fleet are written anyway.
-    time_limit : float
-        Wall time [s] after which a prototype's process is killed; it has failed then, and the others go on.
+    execution : Execution
+        Number of processes, time limit, and what a failure stops.
     shard : Shard, optional
         Run the prototypes of this shard only, and leave the tables of the fleet to `collect_batch`.
 
@@ -117,31 +130,33 @@ def run_batch(
     make_folder(output)
     preload([program.__module__, "pipeline.batch.preloaded"])
     own = [(name, path) for name, path in named if shard is None or shard.holds(name)]
-    options = () if report else ("--no-report",)
+    options = () if execution.report else ("--no-report",)
 
     def begin(name: str, prototype: Path) -> "Worker | None":
         """Its process; None where none is needed."""
-        if _is_up_to_date(prototype, output / name, report):
+        if _is_up_to_date(prototype, output / name, execution.report):
             return None
-        return Worker(program, name, prototype, output, options, time_limit=time_limit)
+        return Worker(program, name, prototype, output, options, time_limit=execution.time_limit)
 
-    with journal_of(output, shard or Shard(), [name for name, _ in own], jobs, observer) as journal:
-        outcomes = _run_all(own, jobs, journal, begin, fail_fast=fail_fast)
+    with journal_of(output, shard or Shard(), [name for name, _ in own], execution.jobs, observer) as journal:
+        outcomes = _run_all(own, journal, begin, execution)
     if shard is None:
         write_fleet(output, outcomes)
     return sorted(outcomes, key=lambda outcome: outcome.name)
 
 
 def _run_all(
-    named: Sequence[tuple[str, Path]], jobs: int, observer: BatchObserver, begin: Callable[[str, Path], Worker | None],
-    *, fail_fast: bool,
-) -> list[Outcome]:  # fmt: skip
+    named: Sequence[tuple[str, Path]],
+    observer: BatchObserver,
+    begin: Callable[[str, Path], Worker | None],
+    execution: Execution,
+) -> list[Outcome]:
     """The outcome of each, in the order in which they ended."""
     waiting, outcomes, running = list(named), list[Outcome](), list[Worker]()
     first_failed = ""
     try:
         while waiting or running:
-            while waiting and len(running) < jobs:
+            while waiting and len(running) < execution.jobs:
                 name, prototype = waiting.pop(0)
                 observer.started(name)
                 began = time.perf_counter()
@@ -156,7 +171,7 @@ def _run_all(
                     outcomes.append(ready.outcome())
                 running.remove(ready)
                 observer.finished(outcomes[-1])
-            if fail_fast and outcomes and outcomes[-1].failed:
+            if execution.fail_fast and outcomes and outcomes[-1].failed:
                 first_failed = first_failed or outcomes[-1].name
                 outcomes += [_not_started(name, path, first_failed) for name, path in waiting]
                 waiting.clear()

@@ -34,7 +34,7 @@ def write_fleet(output: Path, outcomes: Iterable[Outcome]) -> None:
 
 
 def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
-    """The scores of all prototypes in one table, Parquet and CSV; one that failed has a row that says why."""
+    """The scores of all prototypes in one table, Parquet and CSV; one that failed has a row with the reason."""
     rows: list[dict[str, Any]] = []
     for outcome in outcomes:
         head = {"prototype": outcome.name, "exit_code": outcome.exit_code, "reason": outcome.reason}
@@ -55,7 +55,7 @@ def write_fleet_tables(output: Path, outcomes: Iterable[Outcome]) -> None:
 def existing_outcomes(named: Sequence[tuple[str, Path]], output: Path) -> list[Outcome]:
     """What the runs in a folder hold already, without running anything.
 
-    One that failed last, by the journals of the batch there, or that has no scores counts as failed.
+    A prototype has failed if the journals there end with its failure, or if it has no scores.
     """
     failed_last, outcomes = failures(output) if output.is_dir() else {}, []
     for name, prototype in named:
@@ -99,7 +99,7 @@ def _member(output: Path, name: str, reason: str) -> Summary:
 
 
 def _scores_alone(run: Path) -> dict[str, Any]:
-    """What the page takes from a datasheet, of a run without one: errors, but neither facts nor a verdict."""
+    """Entries of the page for a run without a datasheet: errors, without facts or a verdict."""
     scores = load_scores(run)
     judged = next((row["model"] for row in scores if row["headline"]), scores[0]["model"])
     return {"scores": scores, "judged_model": judged, "facts": [], "verdict": {"data": "", "model": ""}}

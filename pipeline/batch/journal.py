@@ -45,7 +45,7 @@ class Shard(NamedTuple):
         return cls(*part)
 
     def holds(self, name: str) -> bool:
-        """Whether the prototype `name` belongs to it, which depends on no other name."""
+        """Whether the shard holds the prototype `name`, which depends on no other name."""
         return part_holds(self.number, self.of, name)
 
     @property
@@ -201,9 +201,9 @@ def _read(path: Path, shard: Shard) -> Journal:
     return Journal(shard, plan, {event.name: event for event in events})
 
 
-def latest(kept: Iterable[Journal]) -> dict[str, Event]:
+def latest(records: Iterable[Journal]) -> dict[str, Event]:
     """The last event of each prototype that has begun, whichever journal holds it."""
-    events = sorted((event for journal in kept for event in journal.last.values()), key=lambda event: event.time)
+    events = sorted((event for journal in records for event in journal.last.values()), key=lambda event: event.time)
     return {event.name: event for event in events}
 
 

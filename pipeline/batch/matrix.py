@@ -14,7 +14,8 @@ from pipeline.loading.report_data import load_scores
 from pipeline.loading.siblings import read_siblings
 from pipeline.names import slug
 from pipeline.runs.atomic import write_text
-from pipeline.settings import parse_prototype, read_document
+from pipeline.settings import parse_prototype
+from pipeline.settings_file import read_document
 
 FOLDER = "settings"
 """Where these files lie, in the folder of the runs."""
@@ -57,7 +58,7 @@ def write_matrix(prototype_file: Path, sets: Sequence[str], output: Path) -> lis
     Raises
     ------
     InputError
-        A text is no such set, a key or a value is none of the settings, or there are too many combinations.
+        A text is not a set, a key or a value is unknown, or there are too many combinations.
     """
     document = read_document(prototype_file)
     parse_prototype(document, str(prototype_file))
@@ -85,7 +86,7 @@ def with_siblings(named: Sequence[tuple[str, Path]], siblings: Path, output: Pat
     Raises
     ------
     InputError
-        There is no such file, or it is none of siblings.
+        There is no such file, or it is not a file of siblings.
     """
     read_siblings(siblings)
     changed = []

@@ -1,4 +1,4 @@
-"""What the processes of a batch share where they are forked: all that a run imports, and the kernels of every run."""
+"""Imports and kernels of every run, loaded once where the processes of a batch are forked."""
 
 import importlib
 import pkgutil

@@ -79,30 +79,30 @@ def fleet_progress(output: Path) -> FleetProgress:
     DebistError
         The folder or a journal cannot be read.
     """
-    kept, time = journals(output), datetime.now(UTC)
-    events = latest(kept)
+    recorded, time = journals(output), datetime.now(UTC)
+    events = latest(recorded)
     runs = {path.parent.name for path in output.glob(f"*/{MANIFEST}")}
-    names = sorted(runs | set(events) | {name for journal in kept for name in journal.plan.planned})
+    names = sorted(runs | set(events) | {name for journal in recorded for name in journal.plan.planned})
     if not names:
         raise InputError(f"{output}: holds neither runs nor the journal of a batch; name the DIR of `debist batch`")
     members = tuple(_member(output, name, events.get(name), time) for name in names)
     running = {member.name for member in members if member.state == "running"}
-    ends = [end for journal in kept if (end := _expected_end(journal, running, time))]
-    of_newest = _newest(kept)
+    ends = [end for journal in recorded if (end := _expected_end(journal, running, time))]
+    of_newest = _newest(recorded)
     shards = of_newest[0].shard.of if of_newest else 0
     return FleetProgress(members, max(ends, default=None), shards, len(of_newest))
 
 
-def _newest(kept: Iterable[Journal]) -> list[Journal]:
+def _newest(recorded: Iterable[Journal]) -> list[Journal]:
     """The journals of the batch that was begun last: another one may have had another count of shards."""
     by_count: dict[int, list[Journal]] = {}
-    for journal in kept:
+    for journal in recorded:
         by_count.setdefault(journal.shard.of, []).append(journal)
     return max(by_count.values(), key=_last_time, default=[])
 
 
-def _last_time(kept: Iterable[Journal]) -> float:
-    return max((event.time.timestamp() for journal in kept for event in journal.last.values()), default=0.0)
+def _last_time(recorded: Iterable[Journal]) -> float:
+    return max((event.time.timestamp() for journal in recorded for event in journal.last.values()), default=0.0)
 
 
 def _member(output: Path, name: str, event: Event | None, time: datetime) -> Member:
@@ -130,14 +130,14 @@ def _without_event(run: Path, name: str) -> Member:
 
 
 def _expected_end(journal: Journal, running: set[str], time: datetime) -> datetime | None:
-    """When a shard will be done, if it goes on as before; what is up to date says nothing of the speed."""
-    made = [event.seconds for event in journal.last.values() if event.state in ("done", "failed")]
+    """When a shard will be done, if it goes on as before; runs that were up to date are left out of the estimate."""
+    seconds = [event.seconds for event in journal.last.values() if event.state in ("done", "failed")]
     own = running & set(journal.plan.planned)
-    if not made or not own:
+    if not seconds or not own:
         return None
-    mean = sum(made) / len(made)
+    mean = sum(seconds) / len(seconds)
     begun = (time - journal.last[name].time for name in own if name in journal.last)
-    spent = sum(min(mean, each.total_seconds()) for each in begun)
+    spent = sum(min(mean, span.total_seconds()) for span in begun)
     ended = sum(event.state != "started" for event in journal.last.values())
     left = mean * (len(journal.plan.planned) - ended) - spent
     return time + timedelta(seconds=max(0.0, left) / min(journal.plan.jobs, len(own)))

@@ -12,9 +12,9 @@ from pipeline.checks.rows import CheckRow, State, in_si, short_quantity, times_t
 from pipeline.scoring.wells import Wells
 from pipeline.settings import CheckGate
 from pipeline.si_prefix import quantity, significant
-from pipeline.signals.bandwidth import advised_interval
 from pipeline.signals.noise import below_resolution
-from pipeline.signals.plausible_spans import plausible_span, scale_suspicion
+from pipeline.signals.quality_gates import plausible_span, scale_suspicion
+from pipeline.signals.spectrum import advised_interval
 
 ROUNDING = 1e-9
 """Range of q over its largest value up to which it is constant but for the rounding of its unit."""

@@ -3,7 +3,7 @@
 The text of a graph has its operations in order, apart by semicolons: ``mul 3 17`` is the product of the values of
 operations 3 and 17, counted from 0; ``input x 2`` an entry of an input, ``constant 0.5`` a number, ``store f 0 41``
 writes the value of operation 41 to an entry of an output; ``fetch t 2 41`` is the entry of the input t that lies
-as many places behind its entry 2 as the value of operation 41, a whole number, says.
+behind its entry 2 by the value of operation 41, a whole number of places.
 
 `trace` makes a graph from a plain Python function of numbers, for what is known only when a model is exported: its
 structure.
@@ -102,7 +102,7 @@ def _line(operation: Operation) -> str:
 
 
 class Builder:
-    """Operations, each different one once; of numbers alone at once."""
+    """Operations, each different one once; those of numbers alone are computed here."""
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
@@ -146,7 +146,7 @@ NUMPY: dict[str, Callable[..., Any]] = {
     "or": np.maximum,
     "not": lambda a: 1.0 - a,
     "where": lambda condition, value: np.where(condition != 0.0, value, 0.0),
-    "choose": lambda condition, one, other: np.where(np.asarray(condition) != 0.0, one, other),
+    "choose": lambda condition, chosen, other: np.where(np.asarray(condition) != 0.0, chosen, other),
     "finite": lambda a: np.where(np.isfinite(a), 1.0, 0.0),
     "expm1": np.expm1, "floor": np.floor,
     "fetch": lambda array, entry, index: array[entry + np.asarray(index, dtype=np.int64)],
@@ -156,7 +156,7 @@ NUMPY: dict[str, Callable[..., Any]] = {
 
 Number = Union["Value", float]
 _OF_NUMBERS = {"add", "sub", "mul", "neg", "le", "lt"}
-"""Operations that are done at once where all operands are known, alike in every language."""
+"""Operations that are computed here if all operands are numbers; every language gives the same value."""
 
 
 class Value:

@@ -3,7 +3,7 @@
 `kernel` takes arrays, `formula` numbers.
 
 Written as Python source they would pass numba's type inference one by one, 2 ms each; so they cost a tenth of that, and
-vector instructions are asked for, not hoped for.
+vector instructions are written out, and do not depend on an optimiser.
 """
 
 # mypy: disable-error-code="no-untyped-def,no-untyped-call,call-overload"
@@ -123,7 +123,7 @@ def formula(graph: Graph) -> Any:
 
 
 def write_graph(graph: Graph, builder: Any, pointers: dict[str, Any]) -> None:
-    """Emit the operations of a graph of one joint, its arrays being where `pointers` says, with the digits of C."""
+    """Emit the operations of a graph of one joint, with its arrays at `pointers`; the digits are those of C."""
     _Writer(builder, pointers, 1, ()).write(graph)
 
 
@@ -212,8 +212,8 @@ class _Writer:
             self.builder.load(at, align=self.bytes),
             ir.Constant(ir.IntType(32), 0),
         )
-        lanes = ir.Constant(ir.VectorType(ir.IntType(32), self.width), [0] * self.width)
-        return self.builder.shuffle_vector(single, ir.Constant(self.type, ir.Undefined), lanes)
+        broadcast = ir.Constant(ir.VectorType(ir.IntType(32), self.width), [0] * self.width)
+        return self.builder.shuffle_vector(single, ir.Constant(self.type, ir.Undefined), broadcast)
 
     def _store(self, operation: Operation, value: Any) -> Any:
         if operation.place[0] not in self.pointers:

@@ -18,7 +18,7 @@ from pipeline.codegen.text_writer import Code, arguments
 from pipeline.compiled import TypingError, intrinsic, types
 
 Call = tuple[str, dict[str, str]]
-"""Name of a graph, and the arrays that stand for some of its inputs and outputs; the others have their own names."""
+"""Name of a graph, and the arrays used for some of its inputs and outputs; the others have their own names."""
 
 
 @dataclass(frozen=True)

@@ -81,7 +81,7 @@ _CONDITIONS = frozenset({"lt", "le", "and", "or", "not", "finite"})
 
 
 def c_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
-    """A static C function of the inputs, then of the outputs that are none of them."""
+    """A static C function of the inputs, then of the outputs that are not inputs."""
     typed = [
         f"real {array}" if array in scalars else f"{'' if array in graph.outputs else 'const '}real *{array}"
         for array in arguments(graph)
@@ -104,7 +104,7 @@ def matlab_function(name: str, graph: Graph, scalars: frozenset[str]) -> Code:
 
 
 def arguments(graph: Graph) -> list[str]:
-    """Inputs, then outputs that are none of them, by name."""
+    """Inputs, then outputs that are not inputs, by name."""
     return list(dict.fromkeys([*graph.inputs, *graph.outputs]))
 
 

@@ -1,11 +1,15 @@
-"""The one place where a failure becomes a line and an exit code."""
+"""The program and its command groups: options as dataclasses, and each failure as a line and an exit code."""
 
 import errno
+import inspect
 import io
 import os
 import signal
 import sys
 import traceback
+from collections.abc import Callable
+from dataclasses import fields, is_dataclass
+from functools import wraps
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -23,7 +27,7 @@ _PLACES = frozenset(
     getattr(errno, name)
     for name in ("EACCES", "EPERM", "EROFS", "ENOSPC", "EDQUOT", "ENOTDIR", "EISDIR", "EEXIST", "ENAMETOOLONG", "ELOOP")
 )
-"""What is wrong with a place that the user named, and no bug: read-only, full, or not what it should be."""
+"""Errors of a place that the user named, which are no bugs: read-only, full, or not what it should be."""
 _FULL = (errno.EMFILE, errno.ENFILE)
 ORDER = (
     "demo", "init", "inspect", "check", "run",
@@ -84,7 +88,7 @@ class _Unfailing(io.FileIO):
 
 
 _signals: list[int] = []
-"""Those that have come to end the command; what compiles kernels loses the exception, and fails in another way."""
+"""Signals received to end the command; the compiler of kernels loses the exception, and fails in another way."""
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:
@@ -173,7 +177,7 @@ def _interruption(goes_on: str = "") -> typer.Exit:
 
 
 def _told(error: Exception) -> str | None:
-    """What a user can do about an exception that is none of debist's, and no bug; None for a bug."""
+    """The remedy for an exception from outside debist that is not a bug; None for a bug."""
     if isinstance(error, RuntimeError) and "no locator available" in str(error):  # numba's words
         return "no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written"
     if isinstance(error, OSError) and error.errno in _FULL:
@@ -200,3 +204,32 @@ def _stdout_fails() -> bool:
 def group(text: str) -> typer.Typer:
     """A group of commands with its help."""
     return typer.Typer(cls=WholeLines, no_args_is_help=True, rich_markup_mode=None, help=text)
+
+
+def with_options(command: Callable[..., None]) -> Callable[..., None]:
+    """A command that typer gives the fields of its dataclass parameters, each as an option of its own.
+
+    The fields carry `typer.Option` in their annotations, as parameters of a command do.
+    """
+    signature = inspect.signature(command, eval_str=True)
+    groups: dict[str, Any] = {
+        name: parameter.annotation
+        for name, parameter in signature.parameters.items()
+        if is_dataclass(parameter.annotation)
+    }
+    parameters: list[inspect.Parameter] = []
+    for name, parameter in signature.parameters.items():
+        parameters += (
+            inspect.signature(groups[name], eval_str=True).parameters.values() if name in groups else [parameter]
+        )
+
+    @wraps(command)
+    def from_options(**values: Any) -> None:
+        for name, group in groups.items():
+            values[name] = group(**{field.name: values.pop(field.name) for field in fields(group)})
+        command(**values)
+
+    keyword_only = [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in parameters]
+    from_options.__signature__ = signature.replace(parameters=keyword_only)  # type: ignore[attr-defined]
+    from_options.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    return from_options

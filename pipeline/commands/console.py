@@ -26,7 +26,7 @@ _SENTENCE = 18  # columns from which a text may be wrapped
 _GAP = 2  # columns between two of a table
 COST = {"ingest": 1.0, "check": 0.5, "differentiate": 1.0, "identify": 10.0, "validate": 0.5, "compare": 2.0}
 """Processor time [s] of a task of each stage on a log of 37.5 s at 30 kHz, roughly; 1 s for the others. Only what is
-left is estimated from it: the time so far says how fast this machine is."""
+left is estimated from it and from the time so far."""
 _ELSE = 1.0
 _TELLING = 0.15  # share of the cost that must be done before a rest is told
 
@@ -37,7 +37,7 @@ class Stopwatch:
     Parameters
     ----------
     stages : sequence of str
-        The stage of every task that is to come; empty where that is not known.
+        The stages of all coming tasks; empty if they are unknown.
     """
 
     def __init__(self, stages: Sequence[str]) -> None:
@@ -52,7 +52,7 @@ class Stopwatch:
         self._at += 1
 
     def done(self, stage: str, *, made: bool = True) -> None:
-        """A task is over; one that was up to date says nothing of the speed."""
+        """A task is over; one that was up to date is left out of the estimate."""
         cost = COST.get(stage, _ELSE)
         self._coming = max(0.0, self._coming - cost)
         self._made += cost if made else 0.0
@@ -64,7 +64,7 @@ class Stopwatch:
 
     @property
     def left(self) -> str:
-        """The time so far and about how much is left, in words; nothing where that cannot be told."""
+        """The time so far and the estimated rest, in words; empty if there is no estimate."""
         if not self._total or not self._coming:
             return ""
         elapsed = time.perf_counter() - self._began
@@ -124,19 +124,19 @@ def emit_table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]],
 
     cells = [[printable(cell) for cell in row] for row in rows]
     widths = [max(cell_len(row[k]) for row in (list(header), *cells)) for k in range(len(header))]
-    kept = [
+    fitted = [
         width if k and (k >= numeric_from or width < _SENTENCE) else min(width, _SENTENCE)
         for k, width in enumerate(widths)
     ]
     blocks: list[list[int]] = [[0]]
     for k in range(1, len(header)):
-        if sum(kept[i] + _GAP for i in (*blocks[-1], k)) + _GAP > _width() and len(blocks[-1]) > 1:
+        if sum(fitted[i] + _GAP for i in (*blocks[-1], k)) + _GAP > _width() and len(blocks[-1]) > 1:
             blocks.append([0])
         blocks[-1].append(k)
     for number, block in enumerate(blocks):
         _print_table(
             "" if number else printable(title),
-            [(header[k], k >= numeric_from, widths[k] == kept[k]) for k in block],
+            [(header[k], k >= numeric_from, widths[k] == fitted[k]) for k in block],
             [[row[k] for k in block] for row in cells],
         )
 
@@ -224,7 +224,7 @@ class Progress:
             typer.echo(printable(line), err=True)
 
     def warned(self, what: str, warning: str) -> None:
-        """Say what deserves a look, even when told to be quiet."""
+        """Print a warning, also with `--quiet`."""
         typer.echo(printable(f"warning: {what}: {warning}"), err=True)
 
     def skipped(self, task: "Task") -> None:
@@ -238,11 +238,11 @@ class Progress:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Leave the terminal as it was; where the user has stopped it, say what is kept."""
+        """Restore the terminal; if the user has stopped the command, report what is kept."""
         self._stop()
         if isinstance(error, KeyboardInterrupt):
-            kept = f"the results of {self._made} finished step{'s' if self._made > 1 else ''} are kept"
-            error.args = (f"{kept}; the same command goes on from there" if self._made else _NOTHING_KEPT,)
+            finished = f"the results of {self._made} finished step{'s' if self._made > 1 else ''} are kept"
+            error.args = (f"{finished}; the same command goes on from there" if self._made else _NOTHING_KEPT,)
 
     def _stop(self) -> None:
         for shown in (self._bar, self._status):
@@ -288,12 +288,11 @@ def run_of(given: Path) -> Path:
 
 def runs_of(given: list[Path]) -> list[Path]:
     """The run folders that some arguments mean."""
-    return [run_of(one) for one in given]
+    return [run_of(place) for place in given]
 
 
 Run = Annotated[
-    Path,
-    typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of),
+    Path, typer.Argument(metavar="RUN", help="Run folder, or the settings file of a run in runs/NAME.", callback=run_of)
 ]
 Runs = Annotated[
     list[Path],

@@ -7,21 +7,20 @@ from typing import Annotated, Any
 
 import typer
 
-from pipeline.choices import Goal, Well
-from pipeline.commands.boundary import group
+from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
-from pipeline.commands.options import with_options
+from pipeline.names import Goal, Well
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
 
 
 @dataclass(frozen=True)
 class Snap:
-    """From where to where, and what is to be least."""
+    """Start and target of a pulse, and the quantity that it minimises."""
 
     to: Annotated[Well, typer.Option(help="Well to bring the joint to.")]
     start: Annotated[Well | None, typer.Option("--from", help="Well it rests in [default: the other one].")] = None
-    minimise: Annotated[Goal, typer.Option(help="What is to be least.")] = "time"
+    minimise: Annotated[Goal, typer.Option(help="Quantity that the pulse minimises.")] = "time"
 
 
 Run = Annotated[
@@ -58,20 +57,22 @@ def linearise(
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
     with Progress(quiet=quiet) as progress:
-        found = linear_models.linearise(run, voltages, progress)
-    files = linear_models.write_linear(run, found, output, force=force)
+        linear = linear_models.linearise(run, voltages, progress)
+    files = linear_models.write_linear(run, linear, output, force=force)
     if as_json:
-        emit_json({"files": files, **found})
+        emit_json({"files": files, **linear})
         return
     rows, still = [], not any(voltages)  # ring-downs were measured without voltage
-    for each in found["equilibria"]:
-        side = "left" if each is found["equilibria"][0] else "right"
-        seen = found["measured"][side] if each["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
-        slowest = ", ".join(_pole(pole) for pole in _telling(each["poles_1_s"]))
-        ringing = (_number(each["frequency_Hz"], 2), _number(seen["frequency_Hz"], 2))
-        damping = (_number(each["damping_ratio"], 3), _number(seen["damping_ratio"], 3))
+    for point in linear["equilibria"]:
+        side = "left" if point is linear["equilibria"][0] else "right"
+        measured = (
+            linear["measured"][side] if point["stable"] and still else {"frequency_Hz": None, "damping_ratio": None}
+        )
+        slowest = ", ".join(_pole(pole) for pole in _telling(point["poles_1_s"]))
+        ringing = (_number(point["frequency_Hz"], 2), _number(measured["frequency_Hz"], 2))
+        damping = (_number(point["damping_ratio"], 3), _number(measured["damping_ratio"], 3))
         rows.append(
-            (f"{1e3 * each['q_m']:.3f}", "stable" if each["stable"] else "unstable", *ringing, *damping, slowest)
+            (f"{1e3 * point['q_m']:.3f}", "stable" if point["stable"] else "unstable", *ringing, *damping, slowest)
         )
     header = ("q [mm]", "", "f [Hz]", "measured", "damping", "measured", "poles [1/s]")
     emit_table(f"{run}: equilibria at {v1}, {v2}", header, rows, numeric_from=2)
@@ -88,24 +89,24 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
     from pipeline.tools import control
 
     with Progress(quiet=quiet) as progress:
-        found = control.switching_maps(run, _settings(None, lag), progress)
+        document = control.switching_maps(run, _settings(None, lag), progress)
     if as_json:
-        emit_json(found)
+        emit_json(document)
         return
-    for each in found["maps"]:
-        durations = each["durations"]
+    for drawn in document["maps"]:
+        durations = drawn["durations"]
         shown = range(0, len(durations), 8)
         rows = [
-            (f"{1e-3 * each['voltages'][i]:.2f}", *(f"{each['probability'][i][j]:.2f}" for j in shown))
-            for i in range(0, len(each["voltages"]), 4)
+            (f"{1e-3 * drawn['voltages'][i]:.2f}", *(f"{drawn['probability'][i][j]:.2f}" for j in shown))
+            for i in range(0, len(drawn["voltages"]), 4)
         ]
         header = ("kV", *(f"{durations[j]:.3f} s" for j in shown))
-        emit_table(f"{run}: probability of switching to the {each['to']}", header, rows)
-        for one in each["lowest"]:
-            volts, low, high = (1e-3 * one[name] for name in ("voltage", "low", "high"))
-            band, top = f"{low:.3f} to {high:.3f} kV with 90 %", one["until"]
+        emit_table(f"{run}: probability of switching to the {drawn['to']}", header, rows)
+        for pulse in drawn["lowest"]:
+            volts, low, high = (1e-3 * pulse[name] for name in ("voltage", "low", "high"))
+            band, top = f"{low:.3f} to {high:.3f} kV with 90 %", pulse["until"]
             reach = "on" if top is None else f"to below {1e-3 * top:.2f} kV, where the joint swings back"
-            typer.echo(f"pulses of {one['duration']:g} s switch from {volts:.3f} kV ({band}) {reach}")
+            typer.echo(f"pulses of {pulse['duration']:g} s switch from {volts:.3f} kV ({band}) {reach}")
 
 
 @app.command()
@@ -134,17 +135,17 @@ def pulse(
     if output is not None:
         control.check_pulse_name(output)
     with Progress(quiet=quiet) as progress:
-        found = control.pulse(run, snap.to, snap.start, snap.minimise, _settings(max_voltage, lag), progress)
+        design = control.pulse(run, snap.to, snap.start, snap.minimise, _settings(max_voltage, lag), progress)
     place = output or run / layout.EXPORTS / f"pulse-to-{snap.to}.csv"
-    files = control.write_pulse(run, found, place, force=force)
+    files = control.write_pulse(run, design, place, force=force)
     if as_json:
-        emit_json({"files": files, **found})
+        emit_json({"files": files, **design})
         return
-    low, high = found["settling_90_s"]
+    low, high = design["settling_90_s"]
     emit_text(
-        f"to the {snap.to}: {_settles(found['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
-        f"{1e3 * found['overshoot_m']:.2f} mm, switches with probability {found['switching_probability']:.2f}, peak "
-        f"{1e-3 * found['largest_voltage_V']:.2f} kV"
+        f"to the {snap.to}: {_settles(design['settling_s'])} (90 % of the draws: {_ms(low)} to {_ms(high)}), overshoot "
+        f"{1e3 * design['overshoot_m']:.2f} mm, switches with probability {design['switching_probability']:.2f}, peak "
+        f"{1e-3 * design['largest_voltage_V']:.2f} kV"
     )
     typer.echo("\n".join(map(str, files)))
 
@@ -159,23 +160,23 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = None, quiet: Quiet = F
     from pipeline.tools import control
 
     with Progress(quiet=quiet) as progress:
-        found = control.design(run, _settings(max_voltage, lag), progress)
+        document = control.design(run, _settings(max_voltage, lag), progress)
     if as_json:
-        emit_json(found)
+        emit_json(document)
         return
-    places, predicted = found["places_m"], found["predicted"]["steps"]
+    places, predicted = document["places_m"], document["predicted"]["steps"]
     emit_text(
-        f"model {found['model']}: wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable "
-        f"equilibrium at {1e3 * places['saddle']:.2f} mm; at most {1e-3 * found['largest_voltage_V']:.2f} kV"
+        f"model {document['model']}: wells at {1e3 * places['left']:.2f} and {1e3 * places['right']:.2f} mm, unstable "
+        f"equilibrium at {1e3 * places['saddle']:.2f} mm; at most {1e-3 * document['largest_voltage_V']:.2f} kV"
     )
-    left, right = (f"{1e3 * lag:.1f}" for lag in found["lags_s"])
-    emit_text(f"the converters' lags: {left} and {right} ms, {found['lags_known']}")
+    left, right = (f"{1e3 * lag:.1f}" for lag in document["lags_s"])
+    emit_text(f"the converters' lags: {left} and {right} ms, {document['lags_known']}")
     for name, step in zip(("to the right", "to the left", "to the unstable equilibrium"), predicted, strict=True):
         emit_text(
             f"on the model, {name}: {_settles(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm, "
             f"RMS {1e3 * step['rms_m']:.3f} mm then"
         )
-    for warning in found["warnings"]:
+    for warning in document["warnings"]:
         emit_text(f"warning: {warning}")
     emit_text(f"next: debist export {shlex.quote(str(run))} --to controller")
 

@@ -1,23 +1,27 @@
-"""`debist fleet`: what many joints of one drawing teach the next one."""
+"""`debist fleet` and `debist series`: a prior from joints of one drawing, and how one device changes."""
 
+import csv
+import sys
+from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import Json, emit_json, emit_table, emit_text, printable
+from pipeline.commands.console import Json, Runs, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
-    from pipeline.tools.siblings import LearntFile
+    from pipeline.tools.fleet import LearntFile
 
-app = group("What many joints of one drawing teach the next one.")
+
+app = group("A prior for the next joint, from many joints of one drawing.")
 _SHOWN = 15
 
 
 @app.callback()
 def fleet() -> None:
-    """What many joints of one drawing teach the next one."""
+    """A prior for the next joint, from many joints of one drawing."""
 
 
 @app.command()
@@ -35,45 +39,82 @@ def learn(
     From five siblings on; all need the parameter set that the next joint has. Lengths in m, all other units SI, odd
     quantities in percent where they are positive. Example: debist fleet learn runs -o siblings.h5
     """
-    from pipeline.tools.siblings import learn_siblings
+    from pipeline.tools.fleet import learn_siblings
 
-    made = learn_siblings(runs, output)
-    for name, reason in made.left_out.items():
-        typer.echo(printable(f"warning: {name} teaches nothing: {reason}"), err=True)
+    siblings = learn_siblings(runs, output)
+    for name, reason in siblings.left_out.items():
+        typer.echo(printable(f"warning: {name} is left out: {reason}"), err=True)
     if as_json:
-        _emit_json(made)
+        _emit_json(siblings)
     else:
-        _emit(made)
+        _emit(siblings)
 
 
-def _emit_json(made: "LearntFile") -> None:
+def _emit_json(siblings: "LearntFile") -> None:
     emit_json(
         {
-            "file": made.path,
-            "siblings": made.siblings,
-            "left_out": made.left_out,
-            "quantities": [vars(quantity) for quantity in made.learnt.quantities],
-            "odd": [vars(odd) for odd in made.learnt.odd],
-            "log_evidence_gain": made.learnt.gains,
+            "file": siblings.path,
+            "siblings": siblings.siblings,
+            "left_out": siblings.left_out,
+            "quantities": [vars(quantity) for quantity in siblings.learnt.quantities],
+            "odd": [vars(odd) for odd in siblings.learnt.odd],
+            "log_evidence_gain": siblings.learnt.gains,
         }
     )
 
 
-def _emit(made: "LearntFile") -> None:
-    quantities, gains = made.learnt.quantities, sorted(made.learnt.gains.values())
+def _emit(siblings: "LearntFile") -> None:
+    quantities, gains = siblings.learnt.quantities, sorted(siblings.learnt.gains.values())
     rows = [
-        (each.name, f"{each.mean:.3g}", f"{each.spread:.2g}", each.unit, f"{each.share:.2f}")
-        for each in quantities[:_SHOWN]
+        (quantity.name, f"{quantity.mean:.3g}", f"{quantity.spread:.2g}", quantity.unit, f"{quantity.share:.2f}")
+        for quantity in quantities[:_SHOWN]
     ]
     heading = ("quantity", "mean deviation", "spread", "unit", "spread over the prior's")
-    emit_table(f"{len(made.siblings)} siblings, the best known quantities", heading, rows)
-    halved = sum(each.share < 0.5 for each in quantities)
+    emit_table(f"{len(siblings.siblings)} siblings, the best known quantities", heading, rows)
+    halved = sum(quantity.share < 0.5 for quantity in quantities)
     emit_text(
-        f"{halved} of {len(quantities)} quantities have less than half the prior's spread; logs of a sibling that the "
-        f"others teach are exp({gains[len(gains) // 2]:.0f}) times as probable as under the prior (median)"
+        f"{halved} of {len(quantities)} quantities have less than half the prior's spread; with the other siblings as "
+        f"prior, the logs of a sibling are exp({gains[len(gains) // 2]:.0f}) times as probable (median)"
     )
-    for odd in made.learnt.odd:
+    for odd in siblings.learnt.odd:
         emit_text(f"odd: {odd.name}: {odd.quantity} {odd.size:+.3g} ± {odd.error:.2g} {odd.unit}")
-    if not made.learnt.odd:
+    if not siblings.learnt.odd:
         emit_text("no sibling is odd")
-    emit_text(f"written: {made.path}; name it in [plant] siblings, or give it to debist batch --siblings")
+    emit_text(f"written: {siblings.path}; name it in [plant] siblings, or give it to debist batch --siblings")
+
+
+def series(
+    runs: Runs,
+    at: Annotated[
+        str | None,
+        typer.Option("--at", metavar="TIME,…", help="Date (2026-03-01) or day of each run [default: in this order]."),
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a page with a figure of each fact.")
+    ] = None,
+    form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
+    as_json: Json = False,
+) -> None:
+    """Drift and steps of the facts of one device over several runs, with 95 % intervals; units SI in JSON and CSV.
+
+    Rests, barriers, switching voltages, stiffness, capacitance gains, charging time, creep and the laser's zero. A
+    change is claimed where chance explains it in one of twenty series at most; four runs are the least.
+
+    Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 -o series.html
+    """
+    from pipeline.reporting.several_runs import COLUMNS, conclusion, series_page, series_rows
+    from pipeline.runs.atomic import write_text
+    from pipeline.tools.fleet import series_of
+
+    facts = series_of(runs, at)
+    if output is not None:
+        write_text(output, series_page(facts))
+    if as_json:
+        emit_json(asdict(facts) | {"page": output})
+    elif form == "csv":
+        writer = csv.writer(sys.stdout, lineterminator="\n")
+        writer.writerow(("key", "unit", *asdict(facts.facts[0].trend)) if facts.facts else ("key", "unit"))
+        writer.writerows((fact.key, fact.unit, *asdict(fact.trend).values()) for fact in facts.facts)
+    else:
+        emit_table(f"{len(facts.names)} runs of one device, ± 95 %", COLUMNS, series_rows(facts))
+        emit_text(conclusion(facts))

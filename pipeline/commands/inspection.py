@@ -1,20 +1,90 @@
-"""A raw log's inspection as tables, and `debist check`: are the logs what the settings say?"""
+"""Raw logs before there is a run: a first settings file, what a log holds, and whether the settings fit."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from pipeline.commands.console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text
-from pipeline.commands.excitation import emit_visits
 from pipeline.si_prefix import quantity
 
 if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
+    from pipeline.fitting.coverage import Coverage
+    from pipeline.numerics.arrays import FloatArray
     from pipeline.rig_logs.inspection import InspectedChannel, Inspection
     from pipeline.signals.timebase import TimeQuality
+    from pipeline.tools.excitation_design import Design
     from pipeline.tools.inspection import LogExcitation
+    from pipeline.tools.next_log import NextLog
+
+
+def emit_design(design: "Design | NextLog", files: Iterable[Path]) -> None:
+    """Print what the design is expected to bring, and the files."""
+    from pipeline.tools.next_log import NextLog
+
+    if isinstance(design, NextLog):
+        _emit_next_log(design)
+    else:
+        _emit_first_log(design)
+    typer.echo("\n".join(map(str, files)))
+
+
+def _emit_next_log(design: "NextLog") -> None:
+    """Print how sure the free run is and will be."""
+    rows = [
+        (what, quantity(sd, "m", like=design.now), f"{100.0 * sd / design.stroke:.3f} %")
+        for what, sd in (
+            ("with the logs of the run", design.now),
+            ("with a usual log as well", design.usual),
+            ("with the designed log as well", design.designed),
+        )
+    ]
+    title = f"Expected standard deviation of the free run, programme {design.programme}"
+    emit_table(title, ("", "RMS", "of its range"), rows)
+    emit_text(
+        f"{len(design.bursts)} bursts; expected error with the designed log over that with a usual one: "
+        f"{design.designed / design.usual:.2f}, as far as the model's equations are those of the device"
+    )
+
+
+def _emit_first_log(design: "Design") -> None:
+    """Print the visits per centre, and the criteria beside those of plain pulses."""
+    designed, plain = design.designed, design.plain
+    names = ("left", "right")
+    emit_visits(
+        "Simulated samples per basis centre, one every 10 ms", design.weights.centres, designed.visits, names, 1e3, "mm"
+    )
+    rows = [
+        ("information per weight [nats]", f"{designed.log_information:.2f}", f"{plain.log_information:.2f}"),
+        (
+            "log det on unit-norm columns, per weight",
+            f"{designed.conditioning.log_det:.2f}",
+            f"{plain.conditioning.log_det:.2f}",
+        ),
+        ("condition number", f"{designed.conditioning.condition:.0f}", f"{plain.conditioning.condition:.0f}"),
+        ("cells with 20 samples [%]", f"{100 * designed.covered:.0f}", f"{100 * plain.covered:.0f}"),
+        ("passages between the wells", _counts(designed.crossings), _counts(plain.crossings)),
+    ]
+    emit_table("The sequence beside alternating full pulses", ("", "designed", "alternating"), rows)
+    emit_text(f"relative D-efficiency {design.efficiency:.2f} ({len(design.bursts)} bursts)")
+
+
+def emit_visits(
+    title: str, centres: "FloatArray", visits: "Coverage", inputs: Sequence[str], factor: float, unit: str
+) -> None:
+    """Print the samples nearest to each centre, and those of them under each input."""
+    rows = [
+        (f"{factor * centre:.2f}", str(count), *map(str, driven))
+        for centre, count, driven in zip(centres, visits.visits, visits.driven.T, strict=True)
+    ]
+    emit_table(title, (f"q [{unit}]", "samples", *(f"{name} acting" for name in inputs)), rows, numeric_from=0)
+
+
+def _counts(crossings: Sequence[int]) -> str:
+    return " / ".join(map(str, crossings))
 
 
 def inspection_document(inspection: "Inspection", excitation: "LogExcitation | str") -> Any:
@@ -69,7 +139,7 @@ def _emit_excitation(coverage: "LogExcitation") -> None:
             f"{shown.switches[1]} to the left; condition number of the regressor {shown.conditioning.condition:.0f}"
         )
     if coverage.assumed:
-        emit_text("the channels were taken by name and unit; --settings PROTOTYPE.toml says which they are")
+        emit_text("the channels were chosen by name and unit; --settings PROTOTYPE.toml names them")
     rows = [(shortfall.finding, shortfall.add) for shortfall in coverage.shortfalls]
     if rows:
         emit_table("Not excited", ("finding", "add"), rows, numeric_from=2)
@@ -135,3 +205,48 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
             emit_text(row.sentence, indent="  ")
     if all(row.state in ("ok", "not seen") for row in rows):
         emit_text("nothing speaks against it")
+
+
+LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
+
+
+def init(
+    logs: Annotated[
+        list[Path], typer.Argument(metavar="LOG...", help="Raw logs of one device: MAT, MDF4, CSV, Parquet or HDF5.")
+    ],
+    as_json: Json = False,
+) -> None:
+    """Print a starting settings file for raw logs; what cannot be known is left for you to fill in.
+
+    Units are those of the logs where they state them; which log is for validation is proposed by its name.
+    Example: debist init train.mat validation.mat > P1.toml
+    """
+    from pipeline.rig_logs.draft import toml_draft
+    from pipeline.rig_logs.inspection import inspect_log
+
+    draft = toml_draft([inspect_log(log) for log in logs], [str(log) for log in logs])
+    if as_json:
+        emit_json({"toml": draft})
+    else:
+        typer.echo(draft, nl=False)
+
+
+def inspect(
+    log: LogArgument,
+    settings: Annotated[
+        Path | None,
+        typer.Option("--settings", metavar="PROTOTYPE.toml", help="Which channel is what [default: by name and unit]."),
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Channels, units, rates, gaps, saturation and hum of a raw log; what it does not excite, and what to add.
+
+    Times in s, rates in Hz, values in the log's own units. Example: debist inspect train.mat
+    """
+    from pipeline.tools.inspection import inspect as inspect_stage
+
+    inspection, excitation = inspect_stage(log, settings)
+    if as_json:
+        emit_json(inspection_document(inspection, excitation))
+    else:
+        emit_inspection(inspection, excitation)

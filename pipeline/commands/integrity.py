@@ -59,13 +59,12 @@ def verify(
 def repair(
     run: Run,
     prototype: Annotated[
-        Path | None,
-        typer.Argument(metavar="[PROTOTYPE.toml]", help="Settings, for a run whose manifest is damaged."),
+        Path | None, typer.Argument(metavar="[PROTOTYPE.toml]", help="Settings, for a run whose manifest is damaged.")
     ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Set aside what is damaged in a run and make it anew from what is intact and from the raw logs.
+    """Set aside damaged artifacts of a run and make them anew from the intact ones and the raw logs.
 
     Nothing is deleted: damaged files keep a name with .corrupt-. Example: debist repair runs/P1
     """
@@ -106,14 +105,14 @@ def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
     from pipeline.errors import CorruptArtifactError
 
     if as_json:
-        emit_json({"runs": [{"run": run.root, **vars(run.found), "failure": run.failure} for run in runs]})
+        emit_json({"runs": [{"run": run.root, **vars(run.result), "failure": run.failure} for run in runs]})
     else:
         rows = [
             (
                 str(run.root),
-                str(run.found.checked),
-                str(len(run.found.problems)),
-                str(len(run.found.unknown) + len(run.found.leftover)),
+                str(run.result.checked),
+                str(len(run.result.problems)),
+                str(len(run.result.unknown) + len(run.result.leftover)),
                 _first(run),
             )
             for run in runs
@@ -127,8 +126,8 @@ def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
 
 
 def _first(run: "VerifiedRun") -> str:
-    problems = (f"{p['artifact']} {p['problem']}" for p in run.found.problems)
-    others = (f"{name} does not belong there" for name in (*run.found.unknown, *run.found.leftover))
+    problems = (f"{p['artifact']} {p['problem']}" for p in run.result.problems)
+    others = (f"{name} does not belong there" for name in (*run.result.unknown, *run.result.leftover))
     return run.failure or next(iter((*problems, *others)), "")
 
 

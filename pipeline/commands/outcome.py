@@ -1,4 +1,4 @@
-"""What a run or a batch came to: the headline table, the verdict, the state of tasks; and the progress of a batch."""
+"""Results of a run or a batch: the headline table, the verdict, the state of tasks, and the progress of a batch."""
 
 import sys
 import time
@@ -96,8 +96,8 @@ def emit_stale_exports(run: Path) -> None:
     from pipeline.tools.export import stale_exports
 
     if stale := stale_exports(run):
-        made = "was made" if len(stale) == 1 else "were made"
-        typer.echo(f"warning: {brief(stale)} {made} from another model than the run now holds; export again", err=True)
+        verb = "was made" if len(stale) == 1 else "were made"
+        typer.echo(f"warning: {brief(stale)} {verb} from another model than the run now holds; export again", err=True)
 
 
 def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *, as_json: bool) -> None:
@@ -247,7 +247,7 @@ class BatchProgress:
             )
 
     def _left(self) -> str:
-        """About how long the rest takes, by those that were run; one that was up to date says nothing of the speed."""
+        """Estimated time for the rest, from the prototypes that were run; those up to date are left out."""
         if self._began is None or not self._made or self._done == self._total:
             return ""
         elapsed = time.perf_counter() - self._began

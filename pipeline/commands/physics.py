@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.boundary import group
+from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Quiet, emit_json, emit_table, progress_report
-from pipeline.commands.options import with_options
 from pipeline.errors import InputError
 
 if TYPE_CHECKING:
@@ -137,12 +136,7 @@ def equilibria(
 
 @app.command()
 @with_options
-def curves(
-    parameters: JointSet,
-    voltage: Voltage = "3 kV",
-    figure: Figure = None,
-    as_json: Json = False,
-) -> None:
+def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = None, as_json: Json = False) -> None:
     """Bistable range of z_b, switching voltage, F(q), C(q): lengths in mm, force in mN, capacitance in pF.
 
     Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg

@@ -1,4 +1,4 @@
-"""What a run is taken for: `debist diff`, `export`, `paper`, `study`, and the comparison of `verify --against`."""
+"""Uses of a run: `debist diff`, `export`, `paper`, `study`, and the comparison of `verify --against`."""
 
 import csv
 import sys
@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from pipeline.choices import Target
 from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 from pipeline.commands.outcome import emit_table_2
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.names import Target
 from pipeline.si_prefix import percent
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def diff(
     NRMSE in percent, a fraction in JSON and CSV; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
-    from pipeline.reporting.diff_page import DiffTable
+    from pipeline.reporting.several_runs import DiffTable
     from pipeline.tools.diff import diff_runs, write_diff_page
 
     if len(runs) < 2:
@@ -174,12 +174,12 @@ def export(
     """
     from pipeline.tools.export import export_run
 
-    made = export_run(run, target, model=model, output=output, force=force)
+    exported = export_run(run, target, model=model, output=output, force=force)
     if as_json:
-        emit_json(vars(made))
+        emit_json(vars(exported))
         return
-    typer.echo("\n".join(map(str, made.written)))
-    for note in made.notes:
+    typer.echo("\n".join(map(str, exported.written)))
+    for note in exported.notes:
         typer.echo(f"note: {note}", err=True)
 
 
@@ -200,12 +200,12 @@ def paper(
     from pipeline.tools.paper import run_paper
 
     with Progress(quiet=quiet or as_json) as progress:
-        made = run_paper(source, output, progress)
+        recipe = run_paper(source, output, progress)
     if as_json:
-        emit_json({"page": str(made.page), "figures": str(made.root / "paper"), "table_2": made.table})
+        emit_json({"page": str(recipe.page), "figures": str(recipe.root / "paper"), "table_2": recipe.table})
         return
-    emit_table_2(made.table)
-    typer.echo(f"page: {made.page}\nfigures: {made.root / 'paper'}")
+    emit_table_2(recipe.table)
+    typer.echo(f"page: {recipe.page}\nfigures: {recipe.root / 'paper'}")
 
 
 if TYPE_CHECKING:

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.boundary import group
+from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Quiet, emit_json, emit_text, progress_report, working
-from pipeline.commands.options import with_options
 
 if TYPE_CHECKING:
     from pipeline.rig.fleet import Experiment
@@ -78,8 +77,7 @@ class LogRoles:
         ),
     ] = None
     play: Annotated[
-        Path | None,
-        typer.Option("--play", metavar="FILE", help="Voltages (CSV or MAT, in V) for the training logs."),
+        Path | None, typer.Option("--play", metavar="FILE", help="Voltages (CSV or MAT, in V) for the training logs.")
     ] = None
 
 
@@ -102,7 +100,7 @@ class Ageing:
     def fields(self) -> dict[str, Any]:
         """The same for an experiment."""
         from pipeline.errors import InputError
-        from pipeline.rig.ageing import USUAL, parse_drift
+        from pipeline.rig.random_joint import USUAL, parse_drift
 
         if self.age is None:
             if self.drift is not None:
@@ -189,7 +187,7 @@ class SimulatedWith:
         str | None,
         typer.Option(
             metavar="KIND|FILE",
-            help="Where free runs of --run shall become surer: an excitation or voltages [default: validation].",
+            help="Free runs of --run that shall become more certain: an excitation or voltages [default: validation].",
         ),
     ] = None
     model: Annotated[str | None, typer.Option(help="Which model of the run [default: the headline].")] = None
@@ -263,14 +261,14 @@ def excite(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Design a voltage sequence that visits every basis centre in both wells and tells most about the curves.
+    """Design a voltage sequence that visits every basis centre in both wells and determines the curves best.
 
     With `--run` and its model `hybrid`, the one after which its free run in a programme is expected to be surest.
 
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
-    from pipeline.commands.excitation import emit_design
+    from pipeline.commands.inspection import emit_design
     from pipeline.tools.excitation import description, excite
 
     requirements, rate = form.requirements(), _parsed(form.rate, "Hz", "--rate")
@@ -290,8 +288,7 @@ class LoopScenario:
     """What happens in a closed loop."""
 
     target: Annotated[
-        str,
-        typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file."),
+        str, typer.Option(help="Reference: VALUE or TIME:VALUE,… with units or left, right, saddle; or a file.")
     ] = "0s:left,0.5s:right,2.5s:left"
     start: Annotated[
         str | None, typer.Option("--from", help="Well it rests in: left, right [default: nearest the first target].")

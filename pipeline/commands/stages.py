@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.choices import Typeface
 from pipeline.commands import outcome
 from pipeline.commands.console import Details, Form, Json, Output, Progress, PrototypeFile, Quiet, Run
+from pipeline.names import Typeface
 
 if TYPE_CHECKING:
     from pipeline.runs.engine import TaskStatus

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from pipeline.choices import Typeface
 from pipeline.commands import outcome
+from pipeline.commands.boundary import with_options
 from pipeline.commands.console import (
     Details,
     Force,
@@ -23,8 +23,8 @@ from pipeline.commands.console import (
     emit_json,
     emit_table,
 )
-from pipeline.commands.options import with_options
 from pipeline.errors import InputError
+from pipeline.names import Typeface
 
 
 @dataclass(frozen=True)
@@ -206,8 +206,7 @@ def _fleet_status(folder: Path, *, watch: bool, as_json: bool) -> None:
 
 
 def warmup(
-    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 2,
-    as_json: Json = False,
+    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 2, as_json: Json = False
 ) -> None:
     """Compile the kernels once per installation, so that no later command has to.
 

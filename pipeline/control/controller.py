@@ -13,14 +13,14 @@ from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPE
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.fixed_step import AHEAD, SHARES
 
-_S, _TOLD, _V, _E, _U = ({name: SIZES[name]} for name in ("s", "told", "v", "e", "u"))
+_S, _SIGNALS, _V, _E, _U = ({name: SIZES[name]} for name in ("s", "signals", "v", "e", "u"))
 _JOINT = {"prepared": PREPARE.outputs["p"]} | _E | {"curves": 0}
 _STAGES = tuple(f"k{i + 1}" for i in range(len(SHARES)))
 _NEXT = {0.5: "halfway", 1.0: "ahead"}
-"""What leads to the next stage, by the part of the period before it."""
+"""Graph that leads to the next stage, by the part of the period before it."""
 GRAPHS = {
-    "begin": trace(estimator.begin, **_TOLD, **_E, rests=0),
-    "listen": trace(estimator.listen, **_S, **_TOLD, **_E, rests=0),
+    "begin": trace(estimator.begin, **_SIGNALS, **_E, rests=0),
+    "listen": trace(estimator.listen, **_S, **_SIGNALS, **_E, rests=0),
     "decide": trace(feedback.decide, **_S, **_E, targets=0, braking=0),
     "lag": trace(estimator.lag, **_S, **_V, **_E),
     "spread": trace(estimator.spread, **_S, um=2, slopes=PREPARE_SLOPES.outputs["p"], **_JOINT),
@@ -46,17 +46,17 @@ _MOVE = (
     ("finish", dict[str, str]()),
 )
 """One step of classical Runge-Kutta; the state begins with x."""
-BEGIN = GraphSequence(GRAPHS, (("begin", {}),), ("s", "told", "e", "rests"))
+BEGIN = GraphSequence(GRAPHS, (("begin", {}),), ("s", "signals", "e", "rests"))
 MOVE = GraphSequence(GRAPHS, (("lag", {}), *_MOVE), ("s", "v", "e", "prepared", "curves"))
 CONTROL = GraphSequence(
     GRAPHS,
     (("listen", {}), ("decide", {}), ("lag", {}), ("spread", {}), *_MOVE, ("check", {})),
-    ("s", "told", "v", "e", *TABLES),
+    ("s", "signals", "v", "e", *TABLES),
 )
 OBSERVE = GraphSequence(
     GRAPHS,
     (("heed", {}), ("listen", {}), ("lag", {}), ("spread", {}), *_MOVE, ("check", {})),
-    ("s", "told", "v", "e", *TABLES[:4]),
+    ("s", "signals", "v", "e", *TABLES[:4]),
 )
 ESTIMATE = GraphSequence(GRAPHS, (("known_state", {}),), ("s", "estimate", "e"))
 
@@ -67,9 +67,9 @@ _observe, _estimate = sequence_kernel(OBSERVE), sequence_kernel(ESTIMATE)
 @compiled
 def begin_control(reading: float, law: Law, s: FloatArray) -> None:
     """Fill the controller's state, shape (CONTROLLER_STATE,), from the first reading [m], all voltages being zero."""
-    told = np.zeros(2)
-    told[0] = reading
-    _begin((s, told, law.numbers, law.rests))
+    signals = np.zeros(2)
+    signals[0] = reading
+    _begin((s, signals, law.numbers, law.rests))
 
 
 @compiled
@@ -79,20 +79,20 @@ def control(s: FloatArray, reading: float, target: float, law: Law, v: FloatArra
     Whatever reading and target are, the voltages lie within 0 … the largest; without a reading they go to zero in
     `estimator.RAMP` periods, and the estimate begins anew when readings come back. Cost: the same in every state, 3 µs.
     """
-    told = np.zeros(2)
-    told[0], told[1] = reading, target
-    _control((s, told, v, law.numbers, law.prepared, law.slopes, law.curves, law.rests, law.targets, law.braking))
+    signals = np.zeros(2)
+    signals[0], signals[1] = reading, target
+    _control((s, signals, v, law.numbers, law.prepared, law.slopes, law.curves, law.rests, law.targets, law.braking))
 
 
 @compiled
 def observe(s: FloatArray, reading: float, v: FloatArray, law: Law) -> None:
     """One period of the estimator alone, where others command: `v`, shape (2,) [V], acts until the next reading.
 
-    What is no number counts as 0 V, and all is held within 0 … the largest. Cost: 3 µs.
+    A voltage that is not a number is read as 0 V; all are limited to 0 … the largest. Cost: 3 µs.
     """
-    told, acting = np.zeros(2), v.copy()
-    told[0], told[1] = reading, np.nan
-    _observe((s, told, acting, law.numbers, law.prepared, law.slopes, law.curves, law.rests))
+    signals, acting = np.zeros(2), v.copy()
+    signals[0], signals[1] = reading, np.nan
+    _observe((s, signals, acting, law.numbers, law.prepared, law.slopes, law.curves, law.rests))
 
 
 @compiled
@@ -103,9 +103,9 @@ def estimate(s: FloatArray, law: Law) -> FloatArray:
     [1], creep [m], stop operators [1], voltages behind the converters [V], and the moment on the slope that the model
     does not explain [N·m].
     """
-    told = np.empty(ESTIMATED)
-    _estimate((s, told, law.numbers))
-    return told
+    estimated = np.empty(ESTIMATED)
+    _estimate((s, estimated, law.numbers))
+    return estimated
 
 
 @compiled

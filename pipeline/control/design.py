@@ -22,7 +22,7 @@ from pipeline.numerics.arrays import FloatArray
 BEYOND = 2
 """Rows of the table of targets beyond each well; a row lies in each well, where the moment that holds it is zero."""
 NEAR, FAST = 1.5e-3, 0.12
-"""Distance [m] and speed [m/s] within which the regulator takes over; it lets go at twice that distance."""
+"""Distance [m] and speed [m/s] within which the regulator acts; it stops at twice that distance."""
 STEEPNESS = 1.0 / 0.04
 """Share of the largest moment for each m/s off the braking curve [s/m]."""
 SURE = 0.92
@@ -42,7 +42,7 @@ CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-2, 1e-8)
 BOUNDS = (4.0, 0.8, 60.0, 3.0, 300.0, 0.01)
 """Magnitudes that no estimate of q̇ [m/s], τ, τ̇ [1/s], β, β̇ [1/s] and d [N·m] passes."""
 NODES = 2
-"""Of the table of the corrections in a width σ."""
+"""Points of the table of the corrections in a width σ."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
             f"{LEAST_OF_TRAINED * plant.highest:.0f} V"
         )
     wells = wells_and_saddle(plant)
-    left, saddle, right = (float(each.x[0]) for each in wells)
+    left, saddle, right = (float(well.x[0]) for well in wells)
     between = TARGETS - 1 - 2 * BEYOND
     places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
     lags = acting_lags(plant, settings)
@@ -112,7 +112,7 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
 def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
     """What estimator and motion need of a plant whose converters have the time constants `lags` [s], without tables."""
     k, p, basis, weights = plant.constants
-    farthest, kept = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
+    farthest, decays = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
     grid = np.linspace(-farthest, farthest, RESTS)
     rests = []
     for q in grid:
@@ -123,8 +123,8 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
     curves = tabulate(basis, weights[None], NODES)[0, :, :, :CURVES] if centres else np.zeros((1, 6, CURVES))
     numbers = {
         "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
-        **{f"kept_{side}": left for side, left in zip(SIDES, kept, strict=True)},
-        **{f"kept_mean_{side}": (1.0 - left) * lag / PERIOD for side, left, lag in zip(SIDES, kept, lags, strict=True)},
+        **{f"kept_{side}": left for side, left in zip(SIDES, decays, strict=True)},
+        **{f"kept_mean_{x}": (1.0 - left) * lag / PERIOD for x, left, lag in zip(SIDES, decays, lags, strict=True)},
         "reading_variance": READING**2, "shake": SHAKE**2, "twist": TWIST**2, "walk": WALK**2,
         **{f"calm_{name}": value**2 for name, value in zip(("shake", "twist", "walk"), CALM, strict=True)},
         **{f"certain_{i}": value for i, value in enumerate(CERTAIN)},
@@ -143,9 +143,9 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
 @compiled
 def prepare_slopes(k: FloatArray) -> FloatArray:
     """Constants prepared for the Jacobian of a joint with the constants k."""
-    found = np.empty(_SLOPES)
-    _prepare_slopes((k, found))
-    return found
+    slopes = np.empty(_SLOPES)
+    _prepare_slopes((k, slopes))
+    return slopes
 
 
 _SLOPES = PREPARE.outputs["p"]

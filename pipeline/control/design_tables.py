@@ -92,7 +92,7 @@ def charged(
     """
     if growth(plant, x, u) < _UNSTABLE:
         return (x, u), 0.0
-    found, share = (x, u), _LEAST_COMMON
+    equilibrium, share = (x, u), _LEAST_COMMON
     for common in np.linspace(*COMMON, 18):
         answer = held(plant, x, common * highest**2 * np.ones(2), np.array([0.5, -0.5]))
         if answer is None:
@@ -100,10 +100,10 @@ def charged(
         x, difference = answer[0], answer[1] / highest**2
         if abs(difference) <= 2.0 * min(common, 1.0 - common):
             left = common + 0.5 * difference
-            found, share = (x, highest**2 * np.array([left, left - difference])), float(common)
-            if growth(plant, *found) < SLOW:
+            equilibrium, share = (x, highest**2 * np.array([left, left - difference])), float(common)
+            if growth(plant, *equilibrium) < SLOW:
                 break
-    return found, share
+    return equilibrium, share
 
 
 _UNSTABLE, _LEAST_COMMON = 0.5, 0.02  # 1/s, share
@@ -116,7 +116,7 @@ def regulator(
     """Gains of the linear-quadratic regulator about an equilibrium under squared voltages, shape (FEEDBACK,).
 
     The moment that acts follows the commanded one with the converters' lag; it is the last state. Both sides act along
-    the same direction but for a few percent; the mean of both stands for it.
+    the same direction to within a few percent; the mean of both is used.
     """
     a, b = jacobian(x, u, plant.constants)
     per_square = moments_per_square(plant, x, u)
@@ -129,10 +129,10 @@ def regulator(
     weight = np.full(FEEDBACK, 1e-9)
     off, speed, turning, moment = weights
     weight[0], weight[1], weight[3] = 1.0 / off**2, 1.0 / speed**2, 1.0 / turning**2
-    effort = 1.0 / (moment * float(np.mean(per_square)) * highest**2) ** 2
+    control_weight = 1.0 / (moment * float(np.mean(per_square)) * highest**2) ** 2
     drive = step[:-1, -1:]
-    cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[effort]]))
-    gain: FloatArray = np.linalg.solve(effort + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]
+    cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
+    gain: FloatArray = np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]
     return gain
 
 
@@ -177,7 +177,7 @@ def braking_curves(
                 if towards * (place - q) > 0.2e-3:
                     points[i].append((towards * (place - q), towards * v))
     reaches = np.linspace(0.0, REACH * (REACHES - 1), REACHES)
-    return np.array([_curve(each, reaches) for each in points])
+    return np.array([_curve(point, reaches) for point in points])
 
 
 def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray:

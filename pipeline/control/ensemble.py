@@ -157,14 +157,14 @@ def ensemble_at(
     The converters give `highest` [V] at most.
     """
     condensed = model.joint
-    seen = [condensed.instruments(theta) for theta in thetas]
+    instruments = [condensed.instruments(theta) for theta in thetas]
     return Ensemble(
         constants=condensed.in_use(thetas),
         weights=condensed.weights(thetas),
         basis=condensed.basis,
-        offsets=np.array([one.offset for one in seen]),
-        delays=np.array([one.delay for one in seen]),
-        charging=np.array([one.charging for one in seen]),
+        offsets=np.array([instrument.offset for instrument in instruments]),
+        delays=np.array([instrument.delay for instrument in instruments]),
+        charging=np.array([instrument.charging for instrument in instruments]),
         lags=lags,
         gains=gains,
         highest=min(condensed.largest_voltage, highest),
@@ -190,8 +190,8 @@ def _behind(fine: FloatArray, lags: Sequence[float]) -> FloatArray:
 
     for side, lag in enumerate(lags):
         if lag > 0.0:
-            kept = float(np.exp(-PERIOD / _FINE / lag))
-            fine[..., side] = lfilter([1.0 - kept], [1.0, -kept], fine[..., side], axis=1)
+            decay = float(np.exp(-PERIOD / _FINE / lag))
+            fine[..., side] = lfilter([1.0 - decay], [1.0, -decay], fine[..., side], axis=1)
     return fine
 
 

@@ -1,7 +1,7 @@
 """State estimator: an extended Kalman filter on the identified joint, fed by the laser once in a period.
 
 The estimate holds the joint's state x, its stop operators z (exact in a step), the voltages of both converters, which
-lag behind their commands, and a moment d on the slope that stands for everything that the model does not know (external
+lag behind their commands, and a moment d on the slope for everything outside the model (external
 forces, friction of another kind, a drifting barrier). The voltages act as such a moment, so that they can balance it. d
 changes as a random walk, so that the estimate of q has no steady error.
 
@@ -27,23 +27,23 @@ Values = list[Any]
 Outputs = dict[str, Values]
 
 PERIOD = 1e-3
-"""Of the controller [s]."""
+"""Period of the controller [s]."""
 RAMP = 40.0
 """Periods in which the voltages of a controller without readings go to zero."""
 STRUCK, FORGET = 0.3e-3, 0.99
 """Innovation [m] above which a joint near its target is estimated as one in motion, and what is left of it a period
 later."""
 OTHER = 1e-9
-"""Distance [m] from which a target counts as another one."""
+"""Least distance [m] between two targets; a smaller change is the same target."""
 LARGEST, PERSISTENT = 1e-3, 15.0
-"""Innovation [m] above which a reading counts as much as this, and the periods of it after which the estimate begins
+"""Limit [m] of the innovation of a reading, and the periods of it after which the estimate begins
 anew."""
 ANEW = (1e-9, 0.03, 1e-3, 1.0, 1e-3, 1.0, 1e-6)
 """Variances of the filter's numbers then."""
 ANEW_COUNTS = 0.25
 """Time [s] that a new beginning counts among the attempts on a target."""
 STATUS = ("ok", "recovering", "lost signal", "no authority", "given up")
-"""What the number of the status means: the estimate began anew or differs from the readings; readings are missing, so
+"""Meaning of the status: the estimate began anew or differs from the readings; readings are missing, so
 the voltages go to zero; no voltage takes the offset away, so none stays on; the target was not reached, so the voltages
 are zero until the next one."""
 
@@ -58,9 +58,9 @@ def parts(s: Values) -> dict[str, Values]:
     return {name: list(s[place]) for name, place in PLACES.items()}
 
 
-def joined(found: dict[str, Values]) -> Values:
+def joined(state: dict[str, Values]) -> Values:
     """The state from its parts."""
-    return [value for name in PLACES for value in found[name]]
+    return [value for name in PLACES for value in state[name]]
 
 
 def row(place: Any, count: int) -> tuple[Any, Any]:
@@ -76,59 +76,61 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
     tau, beta, stuck = (
         fetch("rests", i, 3.0 * lower) * (1.0 - share) + fetch("rests", 3 + i, 3.0 * lower) * share for i in range(3)
     )
-    found = {name: [0.0] * (place.stop - place.start) for name, place in PLACES.items()}
-    found["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_ELEMENT - 5), *(x * q for x in AT_REST)]
-    found["z"] = [stuck] * STOPS
-    found["target"], found["phase"] = [q], [1.0]
+    state = {name: [0.0] * (place.stop - place.start) for name, place in PLACES.items()}
+    state["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_ELEMENT - 5), *(x * q for x in AT_REST)]
+    state["z"] = [stuck] * STOPS
+    state["target"], state["phase"] = [q], [1.0]
     for i in range(FILTER):
-        found["spread"][_packed(i, i)] = n[f"certain_{i}"]
-    return joined(found)
+        state["spread"][_packed(i, i)] = n[f"certain_{i}"]
+    return joined(state)
 
 
-def begin(told: Values, e: Values, rests: Values) -> Outputs:
-    """The state after the first reading, all voltages being zero; one that is none counts as a sensor that is lost."""
+def begin(signals: Values, e: Values, rests: Values) -> Outputs:
+    """The state after the first reading at zero voltages; a reading that is not finite is a lost sensor."""
     n = named(e)
-    q, seen = _reading(told, n)
+    q, finite = _reading(signals, n)
     state = parts(rest(clip(q, -n["farthest"], n["farthest"]), n))
-    return {"s": joined(state | {"lost": [choose(seen, 0.0, RAMP)]})}
+    return {"s": joined(state | {"lost": [choose(finite, 0.0, RAMP)]})}
 
 
-def listen(s: Values, told: Values, e: Values, rests: Values) -> Outputs:
+def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     """Correct the estimate by a reading, or count what is missing; take the target over."""
     n, before = named(e), parts(s)
-    q, seen = _reading(told, n)
-    again = function("and", seen, function("le", RAMP, before["lost"][0]))
-    strayed = function("and", seen, function("le", PERSISTENT, before["strayed"][0]))
+    q, finite = _reading(signals, n)
+    again = function("and", finite, function("le", RAMP, before["lost"][0]))
+    strayed = function("and", finite, function("le", PERSISTENT, before["strayed"][0]))
     fresh, anew = parts(rest(q, n)), _anew(before, q, n)
     now = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
         for name, old in before.items()
     }
     corrected = _corrected(now, q, n)
-    found = {name: [choose(seen, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected}
-    found["lost"] = [choose(seen, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
-    wanted = choose(function("finite", told[1]), told[1], n["offset"]) - n["offset"]
+    updated = {
+        name: [choose(finite, a, b) for a, b in zip(corrected[name], now[name], strict=True)] for name in corrected
+    }
+    updated["lost"] = [choose(finite, 0.0, function("min", RAMP, now["lost"][0] + 1.0))]
+    wanted = choose(function("finite", signals[1]), signals[1], n["offset"]) - n["offset"]
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
-    target = choose(function("finite", told[1]), clip(wanted, n["first"], last), now["target"][0])
+    target = choose(function("finite", signals[1]), clip(wanted, n["first"], last), now["target"][0])
     other = function("lt", OTHER, function("abs", target - now["target"][0]))
-    found["target"] = [target]
-    found["tried"], found["refused"] = ([choose(other, 0.0, now[name][0])] for name in ("tried", "refused"))
-    return {"s": joined(now | found)}
+    updated["target"] = [target]
+    updated["tried"], updated["refused"] = ([choose(other, 0.0, now[name][0])] for name in ("tried", "refused"))
+    return {"s": joined(now | updated)}
 
 
 def _anew(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """The state of a joint that is at q [m] against what was estimated: of its motion little is known."""
-    found = parts(rest(q, n))
+    state = parts(rest(q, n))
     for i in range(FILTER):
-        found["spread"][_packed(i, i)] = ANEW[i]
-    kept = ("volts", "target", "lost", "refused", "phase", "dwell", "missed")
-    return found | {name: now[name] for name in kept} | {"tried": [now["tried"][0] + ANEW_COUNTS]}
+        state["spread"][_packed(i, i)] = ANEW[i]
+    unchanged = ("volts", "target", "lost", "refused", "phase", "dwell", "missed")
+    return state | {name: now[name] for name in unchanged} | {"tried": [now["tried"][0] + ANEW_COUNTS]}
 
 
-def _reading(told: Values, n: dict[str, Any]) -> tuple[Any, Any]:
-    """Displacement q [m] that the sensor tells, and whether it is one."""
-    finite = function("finite", told[0])
-    q = choose(finite, told[0], n["offset"]) - n["offset"]
+def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
+    """Displacement q [m] by the sensor, and whether the reading is finite."""
+    finite = function("finite", signals[0])
+    q = choose(finite, signals[0], n["offset"]) - n["offset"]
     return q, function("and", finite, function("lt", function("abs", q), n["farthest"]))
 
 
@@ -193,10 +195,10 @@ def corrections(q: Any, n: dict[str, Any]) -> tuple[Values, Values]:
 
 
 def _horner(coefficients: Values, t: Any) -> Any:
-    found = coefficients[-1]
-    for one in reversed(coefficients[:-1]):
-        found = found * t + one
-    return found
+    value = coefficients[-1]
+    for coefficient in reversed(coefficients[:-1]):
+        value = value * t + coefficient
+    return value
 
 
 def _pushed(x: Values, prepared: Values) -> tuple[dict[int, Any], dict[int, Any]]:
@@ -213,11 +215,11 @@ def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: 
     n, now = named(e), parts(s)
     c, _ = corrections(y[0], n)
     start = [now["x"][0], now["x"][2]]
-    found = inline(RATES, x=y, u=u, c=c, z=now["z"], start=start, p=prepared)["rates"]
+    derivatives = inline(RATES, x=y, u=u, c=c, z=now["z"], start=start, p=prepared)["rates"]
     twist, _ = _pushed(y, prepared)
     for i, on in twist.items():
-        found[i] = found[i] + now["moment"][0] * on
-    return {"dx": found}
+        derivatives[i] = derivatives[i] + now["moment"][0] * on
+    return {"dx": derivatives}
 
 
 def ahead(share: float) -> Any:
@@ -253,24 +255,24 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
         step[i][i] = step[i][i] + 1.0
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
-    found = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
+    covariance = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
     calm = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK))
     shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
     for i, j in ((i, j) for i in push for j in push if i >= j):
         noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]
-        found[_packed(i, j)] = found[_packed(i, j)] + PERIOD * noise
-    found[-1] = found[-1] + PERIOD * walk
-    return {"s": joined(now | {"spread": found})}
+        covariance[_packed(i, j)] = covariance[_packed(i, j)] + PERIOD * noise
+    covariance[-1] = covariance[-1] + PERIOD * walk
+    return {"s": joined(now | {"spread": covariance})}
 
 
 def _there(value: Any) -> bool:
     return isinstance(value, Value) or value != 0.0
 
 
-def _product(one: list[Values], other: list[Values]) -> list[Values]:
+def _product(left: list[Values], right: list[Values]) -> list[Values]:
     size = range(FILTER)
     return [
-        [sum(one[i][m] * other[m][j] for m in size if _there(one[i][m]) and _there(other[m][j])) for j in size]
+        [sum(left[i][m] * right[m][j] for m in size if _there(left[i][m]) and _there(right[m][j])) for j in size]
         for i in size
     ]
 
@@ -299,7 +301,7 @@ def _jacobian(
 
 
 def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
-    """Where a number is none any more: zero voltages, and a new beginning with the next reading."""
+    """If a number is not finite: zero voltages, and a new start with the next reading."""
     n = named(e)
     sound = function("finite", s[0])
     for value in s[1:]:
@@ -312,7 +314,7 @@ def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
 
 
 def heed(v: Values, e: Values) -> Outputs:
-    """Voltages [V] that act on the joint, told from outside: within 0 … the largest, 0 for what is no number."""
+    """Voltages [V] that act on the joint, as measured: within 0 … the largest, 0 for what is not finite."""
     n = named(e)
     return {"v": [clip(choose(function("finite", volts), volts, 0.0), 0.0, n["highest"]) for volts in v]}
 
@@ -329,5 +331,5 @@ def known_state(s: Values, e: Values) -> Outputs:
 
 ESTIMATED = STATES + STOPS + 4
 """Numbers of an estimate."""
-SIZES = {"s": CONTROLLER_STATE, "told": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2, "y": STATES, "dx": STATES}
+SIZES = {"s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2, "y": STATES, "dx": STATES}
 """Lengths of the arrays that the functions take."""

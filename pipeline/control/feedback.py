@@ -38,7 +38,7 @@ FREE, LEFT = 0.15e-3, 0.05e-3
 SLOW, LEAK = 0.7, 3.0
 """Time constants [s] of the slow moment, and of its decay where the offset is small."""
 ENGAGED, TIRED = 0.035, 0.8
-"""Shares of the largest moment from which the slow moment counts as on, and with which it is given up."""
+"""Shares of the largest moment above which the slow moment is on, and at which the attempt is given up."""
 LEAST_STIFF = 30.0
 """Least share of the largest moment that moves a rest by a metre: a model may invert the statics beyond its wells."""
 FADES = 0.2
@@ -46,7 +46,7 @@ FADES = 0.2
 ENOUGH, SWINGS = 4.0, 16.0
 """Time [s] after which a target that is not reached is given up, and how much more is given to the pump."""
 FORGIVEN = 0.1
-"""Of this time, what each second near the target takes away [s]."""
+"""Part of this time that each second near the target takes away [s]."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 
@@ -65,10 +65,10 @@ def braking_speed(place: Any, distance: Any, from_right: Any, n: dict[str, Any])
     lower, share = row(place, TARGETS)
     part, more = row(distance * n["per_reach"], REACHES)
     index = (lower + float(TARGETS) * from_right) * float(REACHES) + part
-    one, other = (
+    nearer, farther = (
         fetch("braking", i, index) * (1.0 - more) + fetch("braking", i + 1, index) * more for i in (0, REACHES)
     )
-    return one * (1.0 - share) + other * share
+    return nearer * (1.0 - share) + farther * share
 
 
 def slope(name: str, place: Any, n: dict[str, Any]) -> Any:
@@ -107,10 +107,10 @@ def shares(moment: Any, left: Any, right: Any, common: Any) -> Any:
     return choose(function("lt", function("abs", together), 2.0 * common), together, alone)
 
 
-def _both(one: Any, *others: Any) -> Any:
+def _both(every: Any, *others: Any) -> Any:
     for other in others:
-        one = function("and", one, other)
-    return one
+        every = function("and", every, other)
+    return every
 
 
 def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any, Any]:
@@ -127,8 +127,8 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     past = _both(function("lt", before, 0.0), function("lt", 0.0, phase))
     turns = _both(function("lt", choose(past, PATIENCE, DWELL), dwell), function("lt", speed * towards * phase, STILL))
     phase, dwell = choose(turns, -phase, phase), choose(turns, 0.0, dwell)
-    effort = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
-    return effort, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0)
+    push = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
+    return push, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0)
 
 
 def _regulates(now: dict[str, Values], n: dict[str, Any]) -> Any:
@@ -138,11 +138,11 @@ def _regulates(now: dict[str, Values], n: dict[str, Any]) -> Any:
     return choose(function("lt", 2.0 * n["near"], away), 0.0, choose(caught, 1.0, now["near"][0]))
 
 
-def _voltages(effort: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
+def _voltages(push: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
     """Voltages [V] of a difference of shares and a mean share of the largest squared voltage."""
-    left = function("max", function("max", common + 0.5 * effort, effort), 0.0)
-    left = function("min", function("min", left, 1.0), 1.0 + effort)
-    both = (left, left - effort)
+    left = function("max", function("max", common + 0.5 * push, push), 0.0)
+    left = function("min", function("min", left, 1.0), 1.0 + push)
+    both = (left, left - push)
     return [function("min", n["highest"], top * function("sqrt", clip(share, 0.0, 1.0))) for share in both]
 
 
@@ -173,21 +173,21 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     x, place = now["x"], (now["target"][0] - n["first"]) * n["per_step"]
     regulates = function("lt", 0.5, _regulates(now, n))
     left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
-    one, other = (volts * volts for volts in now["volts"])
-    acting = (left * one - right * other) / (n["highest"] * n["highest"])
+    pull_left, pull_right = (volts * volts for volts in now["volts"])
+    acting = (left * pull_left - right * pull_right) / (n["highest"] * n["highest"])
     (common,), (hold,) = tabulated("common", place), tabulated("holding", place)
     largest = 0.5 * (left + right)
     calm = _both(regulates, function("lt", 0.01, common))
     moment, level, fading = _near(now, (hold, acting, largest), calm, place, n)
     share = shares(moment, left, right, common)
     share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
-    effort, phase, dwell = far(now, n, place)
-    effort = choose(regulates, share, effort)
+    push, phase, dwell = far(now, n, place)
+    push = choose(regulates, share, push)
     refused, tried = _refused(
         now, n, regulates, _both(function("lt", common, 0.01), function("lt", TIRED * largest, function("abs", level)))
     )
     stopped = function("lt", choose(regulates, 1.5, 0.5), refused)
-    found = {
+    updated = {
         "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
         "level": [choose(regulates, level, 0.0)],
         "mean": [choose(regulates, fading, 0.0)],
@@ -197,8 +197,8 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
         "dwell": [choose(regulates, now["dwell"][0], dwell)],
     }
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    volts = _voltages(choose(stopped, 0.0, effort), choose(stopped, 0.0, choose(calm, common, 0.0)), top, n)
-    return {"v": volts, "s": joined(now | found)}
+    volts = _voltages(choose(stopped, 0.0, push), choose(stopped, 0.0, choose(calm, common, 0.0)), top, n)
+    return {"v": volts, "s": joined(now | updated)}
 
 
 def _refused(now: dict[str, Values], n: dict[str, Any], regulates: Any, tired: Any) -> tuple[Any, Any]:

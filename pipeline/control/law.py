@@ -1,4 +1,4 @@
-"""What a designed controller consists of: its numbers and tables, and where its state keeps what."""
+"""Parts of a designed controller: its numbers, its tables, and the layout of its state."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -33,7 +33,7 @@ CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
 SIDES = ("left", "right")
-"""Of the joint: a membrane with its converter on each."""
+"""Sides of the joint: a membrane with its converter on each."""
 NUMBERS = (
     "offset", "wall", "farthest",
     *(f"{name}_{side}" for name in ("kept", "kept_mean") for side in SIDES),
@@ -70,7 +70,7 @@ _SHAPES = {
     "numbers": (len(NUMBERS),), "prepared": (PREPARE.outputs["p"],), "slopes": (PREPARE_SLOPES.outputs["p"],),
     "rests": (RESTS, 3), "targets": (TARGETS, TARGET_COLUMNS["common"].stop), "braking": (2 * TARGETS, REACHES),
 }  # fmt: skip
-"""Of the tables whose shape does not depend on the joint."""
+"""Shapes of the tables that do not depend on the joint."""
 
 
 class Law(NamedTuple):

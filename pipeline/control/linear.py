@@ -60,8 +60,8 @@ class LinearModel:
     @property
     def poles(self) -> ComplexArray:
         """Eigenvalues of A [1/s], shape (STATES,), the slowest first."""
-        found = np.linalg.eigvals(self.a).astype(np.complex128)
-        return found[np.lexsort((found.imag, np.abs(found)))]
+        eigenvalues = np.linalg.eigvals(self.a).astype(np.complex128)
+        return eigenvalues[np.lexsort((eigenvalues.imag, np.abs(eigenvalues)))]
 
     @property
     def stable(self) -> bool:
@@ -86,12 +86,12 @@ class LinearModel:
             python-control is not installed.
         """
         try:
-            made = importlib.import_module("control").StateSpace
+            system = importlib.import_module("control").StateSpace
         except ImportError as error:
             raise InputError(
                 "StateSpace is of python-control, which is not installed; `pip install control`"
             ) from error
-        return made(self.a, self.b_squared if squared else self.b, self.c, self.d)
+        return system(self.a, self.b_squared if squared else self.b, self.c, self.d)
 
     def to_json(self) -> dict[str, Any]:
         """Everything as numbers and lists, SI."""
@@ -165,16 +165,16 @@ def equilibria(plant: ControlledJoint, v: FloatArray) -> list[LinearModel]:
     Newton's method on the forces on q, slope and interior shape, from a grid of displacements with the shape at rest
     there, and with the slope of slow motions: a buckled beam has several slopes at one displacement.
     """
-    u, found, c = v**2, list[FloatArray](), plant.constants
+    u, places, c = v**2, list[FloatArray](), plant.constants
     length = float(c.k[INDEX["l"]])
     low, high = _window(plant)
     for q in np.linspace(low, high, 25):
         relaxed, _ = rest_state(q, u, c.k, c.p, c.basis, c.weights, 0.0)
         for shape in (relaxed, still(q, float(c.k[INDEX["slope_ratio"]]) * q / length, 0.0)):
             x = newton(plant, shape, u)
-            if x is not None and low <= x[0] <= high and not any(abs(x[0] - y[0]) < _SAME for y in found):
-                found.append(x)
-    return [linearise(plant, x, v) for x in sorted(found, key=lambda x: float(x[0]))]
+            if x is not None and low <= x[0] <= high and not any(abs(x[0] - y[0]) < _SAME for y in places):
+                places.append(x)
+    return [linearise(plant, x, v) for x in sorted(places, key=lambda x: float(x[0]))]
 
 
 def _window(plant: ControlledJoint) -> tuple[float, float]:
@@ -258,24 +258,24 @@ def wells_and_saddle(plant: ControlledJoint) -> list[LinearModel]:
     InputError
         The joint has not two wells with one unstable equilibrium between them.
     """
-    found = equilibria(plant, np.zeros(2))
-    stable = [each for each in found if each.stable]
+    models = equilibria(plant, np.zeros(2))
+    stable = [model for model in models if model.stable]
     if plant.rests is not None and stable:
         wells = [_nearest(stable, rest) for rest in plant.rests]
-        found = [each for each in found if wells[0].q <= each.q <= wells[1].q]
+        models = [model for model in models if wells[0].q <= model.q <= wells[1].q]
         stable = wells
     middle = 0.5 * (stable[0].q + stable[-1].q) if stable else 0.0
-    pair = outermost_pair([each.stable for each in found], [-abs(each.q - middle) for each in found])
+    pair = outermost_pair([model.stable for model in models], [-abs(model.q - middle) for model in models])
     if pair is None:
         raise InputError(
             "the identified joint has not two wells; there is nothing to switch between: it has equilibria at "
-            f"{', '.join(f'{1e3 * each.q:.2f} mm ({_STABLE[each.stable]})' for each in found) or 'no place'}"
+            f"{', '.join(f'{1e3 * model.q:.2f} mm ({_STABLE[model.stable]})' for model in models) or 'no place'}"
         )
-    return [found[i] for i in pair]
+    return [models[i] for i in pair]
 
 
-def _nearest(some: list[LinearModel], q: float) -> LinearModel:
-    return min(some, key=lambda each: abs(each.q - q))
+def _nearest(models: list[LinearModel], q: float) -> LinearModel:
+    return min(models, key=lambda model: abs(model.q - q))
 
 
 _STABLE = {True: "stable", False: "unstable"}

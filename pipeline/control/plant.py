@@ -23,7 +23,7 @@ UNITS = ("m", "m/s", "1", "1/s", "1", "1/s", *("1",) * (2 * BRANCHES), *(unit fo
 
 
 ASSUMED_LAG = 4e-3
-"""Time constant [s] of converters of which nothing is known."""
+"""Assumed time constant [s] of unknown converters."""
 
 
 class Constants(NamedTuple):
@@ -80,15 +80,15 @@ class ControlledJoint:
 def plant_of(model: "HybridModel", rests: tuple[float, float] | None = None) -> ControlledJoint:
     """The plant of an identified hybrid joint, whose logs show these rests (readings [m])."""
     theta, condensed = model.theta, model.joint
-    seen = condensed.instruments(theta)
+    instruments = condensed.instruments(theta)
     k = condensed.in_use(theta)
     constants = Constants(k, prepare(k[None])[0], condensed.basis, condensed.weights(theta))
-    probe = np.asarray(seen.probe, dtype=np.float64)
+    probe = np.asarray(instruments.probe, dtype=np.float64)
     return ControlledJoint(
         constants,
-        float(seen.offset),
-        float(seen.delay),
-        float(seen.charging),
+        float(instruments.offset),
+        float(instruments.delay),
+        float(instruments.charging),
         probe,
         condensed.largest_voltage,
         0.5 * condensed.length,

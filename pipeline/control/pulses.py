@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from pipeline.choices import Goal
 from pipeline.control.ensemble import INTERVAL, Ensemble
 from pipeline.control.estimator import PERIOD
 from pipeline.control.step_metrics import BAND
 from pipeline.errors import InputError
+from pipeline.names import Goal
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import settling_index
 
@@ -108,8 +108,8 @@ def design_pulse(
 
     bounds = np.array(_BOUNDS)
     alone, robust = joint.some(1), joint.some(1 + _ROBUST)
-    found = np.array([_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in _SEEDS])
-    first = found[int(np.argmin(cost(found.T, robust)))]
+    optima = np.array([_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in _SEEDS])
+    first = optima[int(np.argmin(cost(optima.T, robust)))]
     near = 0.15 * (bounds[:, 1] - bounds[:, 0])
     about = np.clip(np.column_stack([first - near, first + near]), bounds[:, :1], bounds[:, 1:])
     best = _search(lambda v: cost(v, robust), _ROBUST_ROUNDS, _spread(about, first, _SEEDS[0]), about, _SEEDS[0])
@@ -135,22 +135,22 @@ def design_pulse(
 def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
     """Commands (P, M, 2) [V] of pulses with values (P, 6): duration [s] and effort of push, brake, catch."""
     t = np.arange(round(LENGTH / PERIOD)) * PERIOD
-    begin, effort = np.zeros((len(values), 1)), np.zeros((len(values), t.size))
+    begin, share = np.zeros((len(values), 1)), np.zeros((len(values), t.size))
     for segment in range(3):
         end = begin + values[:, [2 * segment]]
         inside = np.clip((end - t) / PERIOD, 0.0, 1.0) - np.clip((begin - t) / PERIOD, 0.0, 1.0)
-        effort += values[:, [2 * segment + 1]] * inside
+        share += values[:, [2 * segment + 1]] * inside
         begin = end
-    made = np.zeros((*effort.shape, 2))
-    made[:, :, side] = highest * np.sqrt(np.clip(effort, 0.0, 1.0))
-    made[:, :, 1 - side] = highest * np.sqrt(np.clip(-effort, 0.0, 1.0))
-    return made
+    voltages = np.zeros((*share.shape, 2))
+    voltages[:, :, side] = highest * np.sqrt(np.clip(share, 0.0, 1.0))
+    voltages[:, :, 1 - side] = highest * np.sqrt(np.clip(-share, 0.0, 1.0))
+    return voltages
 
 
 def judged(q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal) -> FloatArray:
-    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): what the goal says, far more without settling."""
-    each = [settling_times(q, target, share * distance) for share in BANDS]
-    settling = np.mean(np.minimum(each, LENGTH), axis=0)
+    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): the measure of the goal, far more without settling."""
+    times = [settling_times(q, target, share * distance) for share in BANDS]
+    settling = np.mean(np.minimum(times, LENGTH), axis=0)
     over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance
     late = np.abs(q[..., -round(LATE / INTERVAL) :] - target).mean(axis=2) / distance
     size = np.abs(values[:, 1::2])
@@ -161,7 +161,7 @@ def judged(q: FloatArray, start: float, target: float, distance: float, values: 
         "voltage": size.max(axis=1)[:, None] + SETTLING_COST * settling,
     }[goal]
     cost = cost + over + OVERTIME_COST * np.maximum(settling - PERMITTED[goal], 0.0)
-    return np.asarray(np.where(np.isfinite(each[-1]), cost, _FAILED * (1.0 + late)))
+    return np.asarray(np.where(np.isfinite(times[-1]), cost, _FAILED * (1.0 + late)))
 
 
 def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
@@ -179,11 +179,11 @@ def settling_times(q: FloatArray, target: float, distance: float) -> FloatArray:
 
 def _search(cost: Any, rounds: int, starts: FloatArray, bounds: FloatArray, seed: int) -> FloatArray:
     limits: Any = bounds
-    found = differential_evolution(
+    optimum = differential_evolution(
         cost, limits, maxiter=rounds, init=starts, vectorized=True, polish=False, updating="deferred", tol=1e-6,
         mutation=(0.4, 0.9), recombination=0.8, rng=seed,
     )  # fmt: skip
-    return np.asarray(found.x)
+    return np.asarray(optimum.x)
 
 
 def _starts(bounds: FloatArray, seed: int) -> FloatArray:
@@ -195,7 +195,7 @@ def _starts(bounds: FloatArray, seed: int) -> FloatArray:
     return np.clip(drawn, bounds[:, 0], bounds[:, 1])
 
 
-def _spread(bounds: FloatArray, kept: FloatArray, seed: int) -> FloatArray:
+def _spread(bounds: FloatArray, included: FloatArray, seed: int) -> FloatArray:
     drawn = np.random.default_rng(seed).uniform(bounds[:, 0], bounds[:, 1], (48, len(bounds)))
-    drawn[-1] = kept
+    drawn[-1] = included
     return drawn

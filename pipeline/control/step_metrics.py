@@ -8,7 +8,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms, settling_index
 
 BAND = 0.05
-"""Half width of the band in which a joint counts as settled, as a share of the wells' distance."""
+"""Half width of the band in which a joint has settled, as a share of the wells' distance."""
 
 
 @dataclass(frozen=True)

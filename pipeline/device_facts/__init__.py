@@ -1,1 +1,1 @@
-"""What a model or a log says of the device: wells, barriers, basins, ring-downs, the datasheet, the verdict."""
+"""Facts of the device from a model or a log: wells, barriers, basins, ring-downs, the datasheet, the verdict."""

@@ -1,13 +1,15 @@
-"""What the fit of the hybrid model makes of each physical quantity: nominal value, calibrated value, interval."""
+"""Physical quantities by the fit of the hybrid model: nominal value, calibrated value, interval, siblings."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.device_parameters import QUANTITIES, VECTOR_NAMES
+from pipeline.fitting.population import NormalPopulation
 from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS, NAMES, OF_INSTRUMENTS, PRIOR_STD
+from pipeline.models.hybrid.siblings import title, usual_prior
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
 from pipeline.units import POWERS
@@ -22,7 +24,7 @@ class Calibrated:
     name, unit : str
         As in the parameter set; a share of the nominal value ("1") where the set has no such quantity.
     nominal : float or None
-        Value of the parameter set; None where it says nothing of it.
+        Value of the parameter set; None if it has none.
     value, low, high : float
         Calibrated value and its central 90 % by the model's posterior. Of what cannot be negative the interval is
         that of its logarithm.
@@ -87,3 +89,30 @@ def _bounds(model: HybridModel, row: FloatArray) -> FloatArray:
 
 
 _SIZES = [NAMES.index(f"log {unit}") for unit in ("length", "time", "voltage")]
+
+
+SHOWN = 12
+"""Quantities that are shown: those that the siblings narrow most against the prior."""
+
+
+@dataclass(frozen=True)
+class AmongSiblings:
+    """A quantity of a joint among its siblings, in standard deviations of the siblings from their mean.
+
+    `error` is the standard deviation that the joint's own posterior leaves.
+    """
+
+    name: str
+    distance: float
+    error: float
+
+
+def places_among(model: DynamicModel | None, siblings: NormalPopulation | None) -> list[AmongSiblings]:
+    """The quantities that the siblings know best, the best known first; none without siblings or of another model."""
+    if siblings is None or not isinstance(model, HybridModel):
+        return []
+    spread, before = (np.sqrt(np.diag(population.covariance)) for population in (siblings, usual_prior()))
+    own = np.sqrt(np.sum(model.spread[: len(spread)] ** 2, axis=1))
+    distances = (model.theta[: len(spread)] - siblings.mean) / spread
+    best = np.argsort(spread / before, kind="stable")[:SHOWN]
+    return [AmongSiblings(title(int(i)), float(distances[i]), float(own[i] / spread[i])) for i in best]

@@ -1,4 +1,4 @@
-"""What a model's characteristic curves say of the device: wells, barriers, switching voltages, asymmetry.
+"""Facts from a model's characteristic curves: wells, barriers, switching voltages, asymmetry.
 
 With the restoring force F(q), positive where it pulls towards smaller q, and the inputs' forces g_k(q) u_k,
 the device rests where F(q) = Σ g_k(q) u_k (eq. 37 at rest); u = v² for an electrostatic input, u = v for a linear one.

@@ -1,6 +1,6 @@
 """The lag of the high-voltage converters, from the voltages that a log measured.
 
-A converter that is told a step answers with ``v = b + (a − b) e^(−t/lag)`` from the plateau a to the plateau b. The
+A converter responds to a commanded step with ``v = b + (a − b) e^(−t/lag)`` from the plateau a to the plateau b. The
 logarithm of the share that is left of a step falls on a line, whose slope is −1/lag; no command need be known.
 """
 
@@ -14,7 +14,7 @@ from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval, sampl
 from pipeline.numerics.metrics import rms, robust_std
 
 BLOCK = 2e-3
-"""Time [s] over which the voltage is looked at at once."""
+"""Window [s] in which a voltage step is sought."""
 STILL, SETTLED = 6, 24
 """Blocks without a change that make a plateau, and those of its beginning that are looked at."""
 CHANGE = 0.02

@@ -10,9 +10,9 @@ from pipeline.fitting.coverage import coverage
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import percent, quantity, significant
-from pipeline.signals.inputs import voltages
 from pipeline.signals.noise import below_resolution, noise_std, rounding
 from pipeline.signals.signal_quality import examine_signal
+from pipeline.signals.trajectory import voltages
 
 NOT_DECIMATED = 0.9
 """Least sample interval of a log over that of its kinematics at which both have the same noise."""
@@ -34,7 +34,7 @@ MASKS = (
         "repair the recorder, or record again what the gaps cut",
     ),
 )  # fmt: skip
-"""What leaves rows without a measurement: ingest's note with its number, one and several of it, and what to do."""
+"""Causes of rows without a measurement: ingest's note with the number, its noun and plural, and what to do."""
 
 
 DEALT_WITH = re.compile(
@@ -127,7 +127,7 @@ def _extrapolation_checks(data: RunData) -> list[Check]:
 
 
 def _coverage_checks(data: RunData) -> list[Check]:
-    """Samples at the centres between the outermost two, where the range is over however often it is visited."""
+    """Samples at the centres between the outermost two, which lie at the ends of the range."""
     inner = centre_visits(data)[1][1:-1]
     if inner.size == 0:
         return []
@@ -169,7 +169,7 @@ def _signal_numbers(data: RunData) -> tuple[float, float, float]:
         quality = examine_signal(t, q, sample_interval(t))
         spans.append(quality.largest - quality.smallest)
         rails.append(quality.low_rail + quality.high_rail)
-        # The differentiator sees the noise at the log's own rate; the record's is what the filter left of it.
+        # The differentiator works on the noise at the log's own rate; the record has what the filter left of it.
         notes = log.kinematics_notes
         of_q = notes.get("stretches", ()) if notes.get("of", "q") == "q" else ()
         stated = [s["noise_std"] * notes["unit_si"] for s in of_q if s.get("noise_std")]
@@ -178,7 +178,7 @@ def _signal_numbers(data: RunData) -> tuple[float, float, float]:
 
 
 def _noise_of_residual(data: RunData, log: LogData) -> float:
-    """Noise of q in what the headline's free run leaves, infinite where that says nothing of the sensor.
+    """Noise of q in the residual of the headline's free run, infinite where the residual does not show the sensor.
 
     Where the device moves within a few samples, differences of q take motion for noise (1.0 mV on an electronic
     resonator whose model errs by 0.24 mV); those of the residual have less of it. A log that was decimated has lost
@@ -196,8 +196,8 @@ def _outside(data: RunData) -> float | None:
     validation = data.role("validation")
     if not validation:
         return None
-    seen = [np.column_stack((log.kinematics["q"], voltages(log.kinematics))) for log in data.role("train")]
-    low, high = np.nanmin(np.concatenate(seen), axis=0), np.nanmax(np.concatenate(seen), axis=0)
+    trained = [np.column_stack((log.kinematics["q"], voltages(log.kinematics))) for log in data.role("train")]
+    low, high = np.nanmin(np.concatenate(trained), axis=0), np.nanmax(np.concatenate(trained), axis=0)
     rows = np.concatenate([np.column_stack((g.kinematics["q"], voltages(g.kinematics))) for g in validation])
     margin = 0.01 * (high - low)
     rows = rows[np.isfinite(rows).all(axis=1)]

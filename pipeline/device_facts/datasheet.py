@@ -27,18 +27,18 @@ from pipeline.numerics.metrics import NORMAL_90
 from pipeline.runs.columns import FACT_COLUMNS, STABLE
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.si_prefix import quantity
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 
 FORMAT = "debist-datasheet/1"
 RING_TIME, RING_STEP = 2.0, 0.005  # s
 RING_AMPLITUDE = 0.025  # of the range of q: small enough for one frequency, large against friction
 
 SCATTERED = 0.1
-"""Share of the range of q beyond which the standard deviation of rests says that they are not one."""
+"""Share of the range of q: rests whose standard deviation is larger are several places."""
 LEAST_EVENTS = 3
-"""Events below which a spread says nothing."""
+"""Fewest events for a spread."""
 LEAST_SPREAD = 0.05
-"""Of the measured value: no rest and no ring-down repeats better than that."""
+"""Least spread of a measured value: no rest and no ring-down repeats better."""
 
 
 @dataclass(frozen=True)
@@ -52,13 +52,13 @@ class DatasheetFact:
     low, high : float or None
         Central 90 % of what the training data leave open.
     measured, measured_spread : float or None
-        The same seen in the data without any model, and its standard deviation over the events.
+        The same from the data without any model, and its standard deviation over the events.
     events : int
-        How many events were seen.
+        Number of events.
     free_run : float or None
-        The same seen in the model's own free runs over the logs: like with like, whatever the size of the motion.
+        The same from the model's own free runs over the logs, which compares motions of the same size.
     in_draws : float or None
-        Share of what the training data leave open that has the fact at all; without limits under `COVERAGE`.
+        Share of the draws that have the fact; there are no limits below `COVERAGE`.
     """
 
     key: str
@@ -75,7 +75,7 @@ class DatasheetFact:
 
     @property
     def doubt(self) -> str:
-        """What is said in place of an interval where too few draws have the fact; empty where nothing is to be said."""
+        """Text in place of an interval where too few draws have the fact; empty otherwise."""
         return doubt(self.low, self.in_draws)
 
     @property
@@ -175,7 +175,7 @@ class Datasheet:
 
     @property
     def refused(self) -> bool:
-        """Whether the facts come from a model that the verdict says not to use."""
+        """Whether the facts come from a model that the verdict rejects."""
         return self.model == self.headline and is_refused([vars(check) for check in self.checks])
 
     @property
@@ -193,10 +193,7 @@ class Datasheet:
             "choice": None if data.choice is None else dict(data.choice),
             "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
-            "verdict": {
-                **self.grades,
-                "checks": [asdict(check) for check in self.checks],
-            },
+            "verdict": {**self.grades, "checks": [asdict(check) for check in self.checks]},
             "scores": [dict(score) for score in data.scores],
         }
 
@@ -313,11 +310,11 @@ def _facts(
     units = {"{q}": data.displacement, "{v}": data.voltage, "{U}": data.energy_unit, "{k}": stiffness}
     facts = []
     for key, title, unit in _listed(values):
-        seen = measured.get(key)
-        if values.get(key) is None and seen is None:
+        events = measured.get(key)
+        if values.get(key) is None and events is None:
             continue
         low, high = limits.get(key, (None, None))
-        samples = np.empty(0) if seen is None else seen
+        samples = np.empty(0) if events is None else events
         facts.append(
             DatasheetFact(
                 key,
@@ -358,9 +355,9 @@ def _measured(rests: RestFacts, wells: Wells | NoWells) -> dict[str, FloatArray]
             "well_left": ("_left", rests.left, rests.rings_left),
             "well_right": ("_right", rests.right, rests.rings_right),
         }
-    seen = {}
+    events = {}
     for key, (side, places, rings) in sides.items():
-        seen[key] = places
-        seen[f"frequency{side}"] = np.array([ring.frequency for ring in rings])
-        seen[f"damping{side}"] = np.array([ring.damping for ring in rings])
-    return {key: values for key, values in seen.items() if values.size}
+        events[key] = places
+        events[f"frequency{side}"] = np.array([ring.frequency for ring in rings])
+        events[f"damping{side}"] = np.array([ring.damping for ring in rings])
+    return {key: values for key, values in events.items() if values.size}

@@ -1,4 +1,4 @@
-"""What a log shows without any model: switched voltages, and the rests between with their ring-downs."""
+"""Events of a log without any model: switched voltages, and the rests between with their ring-downs."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, end_of_rest, places_of_rest, rests
-from pipeline.signals.mains_hum import aliased
+from pipeline.signals.spectrum import aliased
 
 SWITCHED = 0.5  # of an input's largest value: crossing it is a switch
 STEP, LEVEL_MOVES = 0.1, 0.02  # of an input's range: least height of a step, and what moves between two levels
@@ -156,7 +156,7 @@ def rest_facts(
     records : list of (t, q, v)
         Uniform records: time [s], displacement with NaN where masked, inputs (N, K).
     wells : Wells or NoWells
-        Without wells all rests count as one, on the left.
+        Without wells all rests are one place, on the left.
     hum : collection of float
         Mains lines in the displacement [Hz]; what oscillates there, or where it is aliased to, is no ring-down.
     joint : bool
@@ -164,7 +164,7 @@ def rest_facts(
 
     Notes
     -----
-    Cost: 8 ms a ring-down, of which at most `MOST_RING_DOWNS` a log are looked at, evenly over it.
+    Cost: 8 ms a ring-down, at most `MOST_RING_DOWNS` in a log, evenly over it.
     """
     places: tuple[list[float], list[float]] = ([], [])
     rings: tuple[list[RingDown], list[RingDown]] = ([], [])

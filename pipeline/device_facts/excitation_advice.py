@@ -1,4 +1,4 @@
-"""What a log did not excite, in words, and what to add; the thresholds with their reasons."""
+"""Gaps in the excitation of a log, in words, with what to add; the thresholds with their reasons."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -11,13 +11,13 @@ from pipeline.numerics.arrays import runs_of
 from pipeline.scoring.wells import NoWells, Wells
 
 LEAST_SWITCHES = 5
-"""Of either direction: a snap lasts 0.1 s, and the curves between the wells are seen in nothing else."""
+"""Snaps in either direction: each lasts 0.1 s, and nothing else shows the curves between the wells."""
 LEAST_INTERMEDIATE = 0.1
-"""Share of an input's acting time: with full pulses alone q and v² go together, and c is not told from g."""
+"""Share of an input's acting time: with full pulses alone q and v² go together, and c and g cannot be separated."""
 LEAST_TOGETHER = 0.01
 """Share of the time: whether two inputs add up is otherwise an assumption."""
 LEAST_LARGEST = 0.8
-"""Of the other input's largest value: the force goes with the square, so 0.8 is two thirds of it."""
+"""Share of the other input's largest value: the force goes with the square, so 0.8 is two thirds of it."""
 
 
 @dataclass(frozen=True)
@@ -31,9 +31,9 @@ class Shortfall:
 def shortfalls(
     excitation: Excitation, names: Sequence[str], factor: float, unit: str, *, joint: bool = True
 ) -> list[Shortfall]:
-    """Everything that falls short; `names` are those of the inputs, q is told in `factor` × SI, called `unit`.
+    """Everything that falls short; `names` are those of the inputs; q is printed in `unit`, which is `factor` × SI.
 
-    Another device than the `joint` needs no two wells, and two places where it rests are none yet.
+    A device other than the `joint` needs no two wells; two places of rest are no wells yet.
     """
     return [
         *(_wells(excitation, names) if joint else ()),
@@ -72,8 +72,8 @@ def _centres(excitation: Excitation, factor: float, unit: str) -> Iterator[Short
 
 def _driven(excitation: Excitation, names: Sequence[str], factor: float, unit: str) -> Iterator[Shortfall]:
     for k, name in enumerate(names):
-        seen = excitation.visits.visits >= FEW
-        poor = (excitation.visits.driven[k] < FEW) & seen
+        visited = excitation.visits.visits >= FEW
+        poor = (excitation.visits.driven[k] < FEW) & visited
         for rows in runs_of(poor):
             finding = f"{name} hardly acts at {_places(excitation, rows, factor, unit)}: its gain there is a guess"
             yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")

@@ -29,9 +29,7 @@ THRESHOLDS = {
     "masked": Threshold(0.01, 0.1, "every gap costs two filter lengths of rows, and a free run must pass it unchecked"),
     "noise": Threshold(1e-3, 1e-2, "noise of 0.1 % of the range is a twentieth of the paper's model error (2.1 %)"),
     "rails": Threshold(1e-3, 1e-2, "samples at a sensor's rail are no measurement, and bend the curves there"),
-    "switches": Threshold(
-        10, 4, "the force between the wells is only seen while the device snaps, 0.1 s at a time", True
-    ),
+    "switches": Threshold(10, 4, "only snaps, of 0.1 s each, show the force between the wells", True),
     "coverage": Threshold(
         20, 5, "samples per basis centre: below five, its weights follow noise and ridge, not data", True
     ),

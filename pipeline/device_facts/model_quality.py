@@ -14,7 +14,7 @@ from pipeline.si_prefix import moment, percent, significant
 from pipeline.units import HORIZONS
 
 RIVAL_SURELY = 2e-3
-"""NRMSE by which a baseline must surely be nearer before it is told."""
+"""Least NRMSE by which a baseline is surely better before it is mentioned."""
 
 
 WORST = 0.15
@@ -48,7 +48,7 @@ def model_checks(
     checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
     checks += _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
-    # Beside an error that is good as it is, a yet smaller one on the training data is no fault.
+    # A still smaller error on the training data is no fault if the error is good.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
         ratio = max(errors) / max(train)
         text = f"the validation error is {significant(ratio, 2)} times the training error"
@@ -61,7 +61,7 @@ def model_checks(
 
 
 def _no_validation(data: RunData) -> Check:
-    new = f"an error on the training data says nothing of new {data.input_word}s"
+    new = f"an error on the training data does not hold for new {data.input_word}s"
     text, advice = "no validation log: errors are those of training", f"add a log under [logs] validation: {new}"
     return Check("model", "validation", "fair", text, advice)
 
@@ -75,7 +75,7 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list
             checks.append((own["nrmse"] / spread, spread, own))
     if not checks:
         return []
-    _, spread, own = max(checks, key=lambda each: each[0])
+    _, spread, own = max(checks, key=lambda check: check[0])
     text = (
         f"a constant, its mean, predicts the {log_title(own['role'], own['log'])} better than {own['model']}: "
         f"{percent(spread)} for {percent(own['nrmse'])}"
@@ -95,7 +95,7 @@ def _spread(data: RunData, score: Mapping[str, Any]) -> float:
 
 
 def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Where another model of the run predicts a log surely better, or at all where this one diverged."""
+    """Logs that another model of the run predicts surely better, or that this one diverged on."""
     rivals = {(s["role"], s["log"], s["model"]): s["nrmse"] for s in data.scores if s["signal"] == "q"}
     checks = []
     for own in judged:
@@ -109,7 +109,7 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
             checks.append((own["nrmse"] / others[best], best, others[best], own))
     if not checks:
         return _rivals_from_a_state(data, judged)
-    ratio, best, error, own = max(checks, key=lambda each: each[0])
+    ratio, best, error, own = max(checks, key=lambda check: check[0])
     name, log = own["model"], log_title(own["role"], own["log"])
     if own["nrmse"] is None:
         text = f"{best} predicts the {log} with {percent(error)}, where {name} diverged"
@@ -135,7 +135,7 @@ def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> 
                 checks.append((own[at] / best[at], words, best[at], own[at], best))
     if not checks:
         return []
-    ratio, words, error, own_error, best = max(checks, key=lambda each: each[0])
+    ratio, words, error, own_error, best = max(checks, key=lambda check: check[0])
     text = (
         f"{best['model']} predicts the {log_title(best['role'], best['log'])} surely better than {judged[0]['model']} "
         f"{words} after a measured state: {percent(error)} for {percent(own_error)}"
@@ -148,7 +148,7 @@ def _number(value: float | None, *, lacking: float = np.inf) -> float:
 
 
 def not_converged(model: str) -> tuple[str, str]:
-    """What is said of such a fit, and what to do."""
+    """The finding on such a fit, and what to do."""
     advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
     return f"the fit of {model} had not converged when it ended, so its error may be chance", advice
 
@@ -167,7 +167,7 @@ def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Ma
 
 
 def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
-    """Outcomes that hinge on less than the model knows, and states that it was never trained on."""
+    """Ambiguous switching outcomes, and states outside the training data."""
     checks = []
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:

@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.models.base import DynamicModel, SimulatesMany
 from pipeline.numerics.arrays import FloatArray, runs_of
-from pipeline.signals.inputs import peaks, voltages
+from pipeline.signals.trajectory import peaks, voltages
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals
@@ -19,10 +19,10 @@ LEAST_MOTION = 0.02  # of the range of q: what moves less without input is a dot
 ON = 0.3  # of an input's largest value: there it acts on the motion
 VISITED = 0.01  # share of the training samples at either end that count as not visited for the frame
 MARGIN = 0.04
-"""Of the range of what was measured, on either side of the map of the basins."""
+"""Margin on either side of the map of the basins, as a share of the measured range."""
 
 OUTCOMES = ("ends in the left well", "ends in the right well", "diverges")
-"""What becomes of a cell, by its class in `basin_map`."""
+"""Outcome of a cell, by its class in `basin_map`."""
 BLOCK = 8  # cells between the first look's grid lines
 
 Classes = np.ndarray[Any, np.dtype[np.int8]]
@@ -101,7 +101,7 @@ def settled(model: DynamicModel, starts: FloatArray, seconds: float, step: float
 
     Notes
     -----
-    Cost of the hybrid joint: 0.2 ms for a run of 2.5 s; of other models as many free runs.
+    Cost: one free run a cell, 0.2 ms for 2.5 s of the hybrid joint.
     """
     t = np.arange(0.0, seconds, step)
     v = np.zeros((len(t), inputs))
@@ -127,7 +127,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
     NaN as well where an input only crosses zero, but on the joint, whose pulses have rests.
     """
-    largest = np.max([peaks(voltages(each.kinematics), joint=data.joint) for each in data.logs], axis=0)
+    largest = np.max([peaks(voltages(other.kinematics), joint=data.joint) for other in data.logs], axis=0)
     free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)
     for rows in () if data.joint else runs_of(free):
         still = np.all(np.ptp(voltages(log.kinematics)[rows], axis=0) <= UNFORCED * largest)
@@ -136,7 +136,7 @@ def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
 
 
 def moves_unforced(data: RunData) -> bool:
-    """Whether the logs show a motion without input that can be seen in the plane."""
+    """Whether the logs show a motion without input that is visible in the plane."""
     places = [q[np.isfinite(q)] for q, _ in (unforced(data, log) for log in data.logs)]
     low, high = _ends(data, "q")
     if sum(q.size for q in places) < LEAST_SHARE * sum(len(log.kinematics["q"]) for log in data.logs):
@@ -147,7 +147,7 @@ def moves_unforced(data: RunData) -> bool:
 def basin_map(data: RunData, model: DynamicModel, saddle: float) -> tuple[FloatArray, FloatArray, Classes]:
     """Places (n,) and speeds (m,) over all that was measured, and what becomes of each (m, n), as `OUTCOMES` counts.
 
-    The model is let go at each of them without input and simulated for `BASIN_TIME` s; `saddle` parts the wells.
+    The model is released at each of them without input and simulated for `BASIN_TIME` s; `saddle` separates the wells.
     """
 
     def outcomes(states: FloatArray) -> Classes:

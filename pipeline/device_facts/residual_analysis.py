@@ -1,4 +1,4 @@
-"""What is left in the residual of a free run: its correlation with itself and with the inputs, and its spectrum.
+"""The residual of a free run: its correlation with itself and with the inputs, and its spectrum.
 
 The tests are those of MATLAB's ``resid`` (Ljung, System Identification, § 16.6): a residual without memory stays
 inside the band of its autocorrelation, one that the inputs explain no further inside that of the cross-correlation. A
@@ -14,7 +14,7 @@ from scipy.signal import correlate, welch
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.numerics.arrays import FloatArray, longest_run, samples_of
 from pipeline.numerics.metrics import NORMAL_99
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 
 LONGEST_LAG, FEWEST_LAGS, SHARE = 1.0, 50, 8
 """Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the

@@ -16,7 +16,7 @@ from pipeline.units import curve_units, of_joint
 
 Columns = Mapping[str, Any]
 WHY = "chosen because"
-"""Name of a model's fact that says why "auto" chose it."""
+"""Key of the reason for which "auto" chose a model."""
 
 
 @dataclass(frozen=True)

@@ -135,12 +135,12 @@ def _error(low: float, high: float) -> float:
 
 def facts_over_time(at: Sequence[float], runs: Sequence[Sequence[RunFact]]) -> tuple[SeriesFact, ...]:
     """Each fact that at least two runs have, with its change; `at` are the times of the runs, ascending."""
-    seen: dict[tuple[str, str, str], list[tuple[float, float, float]]] = {}
+    by_fact: dict[tuple[str, str, str], list[tuple[float, float, float]]] = {}
     for time, facts in zip(at, runs, strict=True):
         for fact in facts:
             if np.isfinite(fact.value) and fact.error > 0.0:
-                seen.setdefault((fact.key, fact.title, fact.unit), []).append((time, fact.value, fact.error))
-    several = {named: np.array(rows) for named, rows in seen.items() if len(rows) > 1}
+                by_fact.setdefault((fact.key, fact.title, fact.unit), []).append((time, fact.value, fact.error))
+    several = {named: np.array(rows) for named, rows in by_fact.items() if len(rows) > 1}
     return tuple(_over_time(named, rows, ALARM / len(several)) for named, rows in several.items())
 
 

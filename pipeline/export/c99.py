@@ -33,7 +33,7 @@ def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False)
 
 
 def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
-    """What the templates ask for, but for the program itself."""
+    """Fields of the templates, except the functions."""
     validity = subject.validity
     ranges = [("Q_MIN", validity.q[0]), ("Q_MAX", validity.q[1])]
     ranges += [("QDOT_MIN", validity.qdot[0]), ("QDOT_MAX", validity.qdot[1])]

@@ -31,12 +31,12 @@ ESTIMATES = (
     Variable("moment", "N.m", "moment on the slope that the model does not explain"),
     Variable("status", "1", ", ".join(f"{number} {meaning}" for number, meaning in enumerate(STATUS))),
 )
-"""What the estimator tells of the joint, in this order (`pipeline.control.estimator.known_state`)."""
+"""Outputs of the estimator, in this order (`pipeline.control.estimator.known_state`)."""
 
 
 @dataclass(frozen=True)
 class ControllerSubject:
-    """A controller and what is said of it.
+    """A controller with its description.
 
     Attributes
     ----------
@@ -75,11 +75,11 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
         "variables": [*_VARIABLES, *estimated],
         "title": f"Controller of the joint {subject.prototype}",
     }
-    files = {each: asset(each) for each in ("fmi2.h", "fmu_common.h")}
+    files = {name: asset(name) for name in ("fmi2.h", "fmu_common.h")}
     files["fmu.c"] = render("controller_fmu.c.j2", fields | more)
     description = render("controllerDescription.xml.j2", fields | more)
-    made = packed(sources | files, description, NAME, folder)
-    return Exported([*written, *made.written], made.notes)
+    unit = packed(sources | files, description, NAME, folder)
+    return Exported([*written, *unit.written], unit.notes)
 
 
 def _sources(subject: ControllerSubject) -> dict[str, str]:
@@ -89,17 +89,14 @@ def _sources(subject: ControllerSubject) -> dict[str, str]:
         "constants": ", ".join(f"law_{table}" for table in ("e", *TABLES)),
         "observes": ", ".join(f"law_{table}" for table in OBSERVE.given[3:]),
         "functions": [
-            *(c_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
+            *(c_function(name, graph, frozenset()) for name, graph in GRAPHS.items()),
             c_sequence("begin_control", BEGIN),
             c_sequence("control", CONTROL),
             c_sequence("observe", OBSERVE),
             c_sequence("estimated", ESTIMATE),
         ],
     }
-    return {
-        f"{NAME}.h": render("controller.h.j2", fields),
-        f"{NAME}.c": render("controller.c.j2", fields),
-    }
+    return {f"{NAME}.h": render("controller.h.j2", fields), f"{NAME}.c": render("controller.c.j2", fields)}
 
 
 def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
@@ -111,7 +108,7 @@ def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
             "constants": ", ".join(f"c.{table}" for table in ("e", *TABLES)),
             "observes": ", ".join(f"c.{table}" for table in OBSERVE.given[3:]),
             "functions": [
-                *(matlab_function(each, graph, frozenset()) for each, graph in GRAPHS.items()),
+                *(matlab_function(name, graph, frozenset()) for name, graph in GRAPHS.items()),
                 matlab_sequence("begin_control", BEGIN),
                 matlab_sequence("control", CONTROL),
                 matlab_sequence("observe", OBSERVE),

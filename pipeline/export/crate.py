@@ -66,7 +66,7 @@ def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
     crate.name = f"Run of {packed.name}"
     crate.description = f"Models identified from the rig logs of the prototype {packed.name} by debist"
     crate.license = "not stated by the run"
-    crate.datePublished = made = datetime.fromtimestamp((run.root / MANIFEST).stat().st_mtime, UTC)
+    crate.datePublished = date = datetime.fromtimestamp((run.root / MANIFEST).stat().st_mtime, UTC)
     crate.metadata.extra_contexts.append("https://w3id.org/ro/terms/workflow-run/context")
     crate.metadata.extra_terms.update(_TERMS)
     profile = _entity(crate, PROFILE, "CreativeWork", "Process Run Crate", version=PROFILE.rsplit("/", 1)[1])
@@ -81,7 +81,7 @@ def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
             properties={
                 "name": f"debist run {packed.name}",
                 "description": f"debist run {packed.name}.toml -o run",
-                "endTime": made.isoformat(timespec="seconds"),
+                "endTime": date.isoformat(timespec="seconds"),
                 "actionStatus": "http://schema.org/CompletedActionStatus",
             },
         )
@@ -135,8 +135,8 @@ def _file(crate: Any, source: Path, name: str, title: str, **more: str) -> Any:
 
 def environment_files(manifest: Manifest) -> dict[str, str]:
     """File names of the recorded environments by key: ``environment.txt`` is the one that made the most artifacts."""
-    made = Counter(record.environment for record in manifest.artifacts.values())
-    order = sorted(manifest.environments, key=lambda key: (-made[key], key))
+    artifacts = Counter(record.environment for record in manifest.artifacts.values())
+    order = sorted(manifest.environments, key=lambda key: (-artifacts[key], key))
     return {key: NAME if n == 1 else f"environment-{n}.txt" for n, key in enumerate(order, 1)}
 
 
@@ -176,5 +176,5 @@ def _toml(value: Any) -> str:
         return f"{{ {inside} }}" if inside else "{}"
     if isinstance(value, list | tuple):
         return f"[{', '.join(map(_toml, value))}]"
-    # Texts, numbers and truth values are written alike in JSON and TOML, but for one control character.
+    # Texts, numbers and truth values are equal in JSON and TOML, except one control character.
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.codegen.graph import Graph, apply, choose, function, trace
-from pipeline.export.input_lag import lagged_nodes
-from pipeline.export.subject import Realisation, Variable
+from pipeline.export.subject import Realisation, Variable, lagged_nodes
 from pipeline.generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
 from pipeline.models.rbf.dynamics import WALL, Coefficients, free_rates, no_sensitivities, resting_elements, slide
 from pipeline.models.rbf.model import RbfModel

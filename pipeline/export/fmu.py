@@ -20,14 +20,8 @@ from pipeline.runs.atomic import write_bytes
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
-FLAGS = (
-    "-std=c99",
-    "-O2",
-    "-ffp-contract=off",
-    "-fPIC",
-    "-fvisibility=hidden",
-)
-"""Of the compiler; without contraction the digits are those of debist on any processor."""
+FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden")
+"""Flags of the compiler; without contraction the digits are those of debist on any processor."""
 
 
 def write_fmu(subject: Subject, folder: Path) -> Exported:
@@ -149,7 +143,7 @@ class FmuVariable:
 
 @dataclass(frozen=True)
 class Fact:
-    """A constant that says where the model may be trusted."""
+    """A constant of the model's range of validity."""
 
     name: str
     value: float
@@ -179,8 +173,8 @@ def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
     """All variables; their positions are the value references of the source."""
     unit, v = subject.validity.q_unit, subject.validity
     declared = [
-        FmuVariable(f"v{i}", each, f"input {i}, as measured", "input", "continuous", start=0.0)
-        for i, each in enumerate(v.v_units, start=1)
+        FmuVariable(f"v{i}", symbol, f"input {i}, as measured", "input", "continuous", start=0.0)
+        for i, symbol in enumerate(v.v_units, start=1)
     ]
     declared += [
         FmuVariable("q", unit, "displacement of the joint, positive to the right", "output", "continuous"),
@@ -209,15 +203,15 @@ def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
 def description(subject: Subject, realisation: Realisation, guid: str) -> str:
     """``modelDescription.xml``."""
     declared = variables(subject, realisation)
-    places = {each.name: i for i, each in enumerate(declared, start=1)}
-    outputs = [places[each.name] for each in declared if each.causality == "output"]
-    derivatives = [places[each.name] for each in declared if each.derivative]
+    places = {fact.name: i for i, fact in enumerate(declared, start=1)}
+    outputs = [places[fact.name] for fact in declared if fact.causality == "output"]
+    derivatives = [places[fact.name] for fact in declared if fact.derivative]
     states = [places[x.name] for x in realisation.states]
     fields: dict[str, Any] = model_fields(subject, realisation) | {
         "guid": guid,
         "description": f"{realisation.structure}. Training range: {'; '.join(bounds(subject))}.",
         "variables": declared,
-        "units": [(name, _BASE_UNITS.get(name)) for name in sorted({each.unit for each in declared if each.unit})],
+        "units": [(name, _BASE_UNITS.get(name)) for name in sorted({fact.unit for fact in declared if fact.unit})],
         "stop": math.ceil(float(subject.t[-1] - subject.t[0])),
         "outputs": outputs,
         "derivatives": derivatives,

@@ -3,8 +3,7 @@
 from typing import Any
 
 from pipeline.codegen.graph import apply, choose, clip, function, inline, square, trace
-from pipeline.export.input_lag import lagged_nodes
-from pipeline.export.subject import Realisation, Variable
+from pipeline.export.subject import Realisation, Variable, lagged_nodes
 from pipeline.generated.condensed_joint import (
     AT_REST,
     BENDS,
@@ -66,7 +65,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
             "finish": trace(joint.finish, base=2, x=ALL_STATES, z=STOPS),
             "flow": trace(joint.flow, x=ALL_STATES, z=STOPS, base=2, u=2),
             "read": trace(joint.read, x=ALL_STATES, dx=ALL_STATES),
-            # The wall confines every run, so only a number that is none lies outside.
+            # The wall confines every run, so only a number that is not finite lies outside.
             "within": trace(lambda x: {"ok": [function("finite", x[0])]}, x=ALL_STATES),
         },
         constants={

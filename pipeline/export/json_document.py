@@ -44,19 +44,19 @@ def document(subject: Subject) -> dict[str, Any]:
 def _equations(subject: Subject) -> dict[str, Any] | None:
     """States, constants and integration; none for a model whose equations cannot be written down elsewhere."""
     try:
-        made = subject.realisation()
+        realisation = subject.realisation()
     except InputError:
         return None
     return {
-        "structure": made.structure,
-        "states": [vars(each) for each in made.states],
-        "hysteresis_states": [vars(each) for each in made.hysteresis_states],
-        "constants_si": made.constants,
+        "structure": realisation.structure,
+        "states": [vars(state) for state in realisation.states],
+        "hysteresis_states": [vars(state) for state in realisation.hysteresis_states],
+        "constants_si": realisation.constants,
         "integration": {
             "scheme": "classical Runge-Kutta, fixed step",
-            "step_s": made.step,
-            "inputs_between_samples": _BETWEEN[made.between],
-            "delay_s": made.delay,
+            "step_s": realisation.step,
+            "inputs_between_samples": _BETWEEN[realisation.between],
+            "delay_s": realisation.delay,
         },
     }
 
@@ -66,11 +66,4 @@ def _check(subject: Subject) -> dict[str, Any]:
     rows = slice(0, CHECK_SAMPLES)
     t, v = subject.t[rows], subject.v[rows]
     run = subject.model.simulate(t, v, *subject.start)
-    return {
-        "t_s": t,
-        "v": v,
-        "q0": subject.start[0],
-        "qdot0": subject.start[1],
-        "q": run.q,
-        "status": run.status,
-    }
+    return {"t_s": t, "v": v, "q0": subject.start[0], "qdot0": subject.start[1], "q": run.q, "status": run.status}

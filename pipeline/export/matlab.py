@@ -45,7 +45,7 @@ def function_source(subject: Subject) -> str:
 def variables(subject: Subject) -> dict[str, Any]:
     """What the MAT file holds, all in SI."""
     v, run = subject.validity, subject.model.simulate(subject.t, subject.v, *subject.start)
-    found: dict[str, Any] = {
+    arrays: dict[str, Any] = {
         "validity": {
             "q": np.array(v.q),
             "qdot": np.array(v.qdot),
@@ -63,19 +63,19 @@ def variables(subject: Subject) -> dict[str, Any]:
     }
     units = {"q_bp": v.q_unit, "t": "s", "q": v.q_unit, "qdot": f"{v.q_unit}/s", "v": v.v_units[0]}
     for table in curve_tables(subject):
-        found["q_bp"] = table.q[None, :]
-        found[f"{table.name}_table"] = table.values[None, :]
+        arrays["q_bp"] = table.q[None, :]
+        arrays[f"{table.name}_table"] = table.values[None, :]
         units[f"{table.name}_table"] = table.unit.replace("·", ".")
-    if "q_bp" in found:
-        found["mass"] = float(getattr(subject.model, "mass", 1.0))
+    if "q_bp" in arrays:
+        arrays["mass"] = float(getattr(subject.model, "mass", 1.0))
         units["mass"] = MASS[v.q_unit].replace("·", ".").replace("²", "2")
-    return found | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
+    return arrays | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
 
 
-def _mat_bytes(found: dict[str, Any], title: str) -> bytes:
-    """A MAT v5 file whose header says what it is instead of when it was written."""
+def _mat_bytes(arrays: dict[str, Any], title: str) -> bytes:
+    """A MAT v5 file whose header has a title in place of the time of writing."""
     buffer = io.BytesIO()
-    savemat(buffer, found, long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams too
+    savemat(buffer, arrays, long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams too
     content = buffer.getvalue()
     return (
         title.encode("ascii", "replace")[:_DESCRIPTION_BYTES].ljust(_DESCRIPTION_BYTES) + content[_DESCRIPTION_BYTES:]

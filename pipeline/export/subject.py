@@ -1,4 +1,4 @@
-"""What is exported: a model with its bounds and curves, and its realisation: states, constants, how it moves."""
+"""The exported model with its bounds and curves, and its realisation: states, constants, equations of motion."""
 
 import importlib
 from collections.abc import Mapping
@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph
+from pipeline.codegen.graph import Graph, choose, function
 from pipeline.errors import InputError
 from pipeline.model_list import ENTRIES
 from pipeline.models.base import DynamicModel, HasCurves
@@ -97,7 +97,7 @@ class Exported:
 
 
 BREAKPOINTS = 201
-"""Linear interpolation between so many is off by less than a thousandth of a curve's range."""
+"""With this number linear interpolation is off by less than a thousandth of a curve's range."""
 
 
 @dataclass(frozen=True)
@@ -207,8 +207,32 @@ def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisatio
     """
     equations = kind(model.name).equations
     if not equations:
-        others = ", ".join(one.name for one in ENTRIES if kind(one.name).equations)
+        others = ", ".join(entry.name for entry in ENTRIES if kind(entry.name).equations)
         raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
     module, _, function = equations.partition(":")
-    made: Realisation = getattr(importlib.import_module(module), function)(model, interval, unit)
-    return made
+    realisation: Realisation = getattr(importlib.import_module(module), function)(model, interval, unit)
+    return realisation
+
+
+Values = list[Any]
+
+
+def lagged_nodes(
+    lagged: Values, before: Values, within: Values, after: Values, h: Any, lag: float
+) -> tuple[Values, Values]:
+    """Lagged inputs at the middle and the end of a step of h [s] whose inputs go on lines between its three nodes.
+
+    The lag [s] may be far shorter than the step.
+    """
+    half = 0.5 * h
+    middles = [_behind(half, lag, *interval) for interval in zip(lagged, before, within, strict=True)]
+    return middles, [_behind(half, lag, *interval) for interval in zip(middles, within, after, strict=True)]
+
+
+def _behind(h: Any, lag: float, lagged: Any, before: Any, after: Any) -> Any:
+    """Lagged input after h [s] of an input that is linear in time."""
+    ratio = h / lag
+    positive = function("lt", 0.0, ratio)
+    share = choose(positive, -function("expm1", -ratio) / choose(positive, ratio, 1.0), 1.0)
+    decay = function("exp", -ratio)
+    return decay * lagged + (share - decay) * before + (1.0 - share) * after

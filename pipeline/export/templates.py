@@ -44,7 +44,7 @@ def in_xml(text: str) -> str:
 
 
 def constant(value: float) -> Code:
-    """A real number that stands for itself in any expression."""
+    """A real number as text that is safe in any expression."""
     return Code(f"({number(value)})") if value < 0.0 else number(value)
 
 
@@ -62,7 +62,7 @@ def render(name: str, fields: dict[str, Any]) -> str:
 
 
 def asset(name: str) -> str:
-    """A file that is taken as it is."""
+    """The text of a file that is copied unchanged."""
     return files("pipeline.export").joinpath("assets", name).read_text(encoding="utf-8")
 
 
@@ -88,12 +88,12 @@ _LANGUAGES = {"c": _in_code, "h": _in_code, "m": _in_code, "xml": _in_document}
 
 @cache
 def _environment(finalize: Callable[[Any], Any]) -> Environment:
-    made = Environment(
+    environment = Environment(
         loader=PackageLoader("pipeline.export", "assets"),
         undefined=StrictUndefined,
         keep_trailing_newline=True,
         autoescape=finalize is _in_document,  # noqa: S701 - markup is escaped so, the other languages by `finalize`
         finalize=finalize,
     )
-    made.filters["numbers"] = numbers
-    return made
+    environment.filters["numbers"] = numbers
+    return environment

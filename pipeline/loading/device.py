@@ -10,7 +10,8 @@ from pipeline.errors import InputError
 from pipeline.models.model_file import column_of
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.schemas import Schema, resolve
-from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, LogColumn, Prototype, Quantity
+from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
+from pipeline.settings_logs import LogColumn
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from pipeline.checks.rows import State
-from pipeline.choices import Well
 from pipeline.errors import CorruptArtifactError
+from pipeline.names import Well
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 

@@ -10,8 +10,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, runs_of
 from pipeline.runs.tables import Table
-from pipeline.signals.inputs import unknown_rows
-from pipeline.signals.trajectory import SHORTEST
+from pipeline.signals.trajectory import SHORTEST, unknown_rows
 
 _PART = "recorded"
 

@@ -21,7 +21,8 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.columns import StudyName
 from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.settings import Prototype, Role
+from pipeline.settings import Prototype
+from pipeline.settings_logs import Role
 from pipeline.units import ALPHA_UNIT
 
 

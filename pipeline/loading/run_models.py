@@ -16,7 +16,7 @@ from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 
 if TYPE_CHECKING:
     from pipeline.export.subject import Subject, Validity

@@ -11,9 +11,10 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.loading.device import Device
 from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
-from pipeline.settings import Channel, LogColumn, Prototype
+from pipeline.settings import Prototype
+from pipeline.settings_logs import Channel, LogColumn
 from pipeline.signals.columns import Signal, chunks, column, equal, held, one_sign, scaled, sparse
-from pipeline.signals.missing_codes import codes_in, masked, said_of
+from pipeline.signals.missing import codes_in, masked, said_of
 from pipeline.signals.timebase import nominal_step
 from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 

@@ -15,9 +15,9 @@ from pipeline.numerics.progress import Keep, OnProgress, make_anew, silent
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, Role
-from pipeline.signals.inputs import UNKNOWN, voltages
-from pipeline.signals.trajectory import SHORTEST, Record, Trajectory
+from pipeline.settings import Prototype
+from pipeline.settings_logs import Role
+from pipeline.signals.trajectory import SHORTEST, UNKNOWN, Record, Trajectory, voltages
 
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters

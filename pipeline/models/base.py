@@ -117,7 +117,7 @@ class HasDraws(Protocol):
 
 @runtime_checkable
 class HasTubes(HasDraws, Protocol):
-    """A model that knows how far its free runs are from what another log shows."""
+    """A model with uncertainty bands of its free runs on other logs."""
 
     def tubes(self, free: FloatArray, ensemble: FloatArray) -> Tubes | None:
         """Tubes about a free run q, shape (N,), with its draws, (draws, N); None without a scale."""
@@ -171,7 +171,7 @@ def checked(method: MethodT) -> MethodT:
     InputError
         A time base that is not one column of at least two finite, rising, evenly spaced samples; voltages of another
         length or number than the time base and the model have; an initial value that is no number, or a path of
-        another length; anything that is not finite. The text says which and what was expected.
+        another length; anything that is not finite. The text names it and what was expected.
 
     Notes
     -----

@@ -123,7 +123,7 @@ class Training:
     on_progress : callable
         Called with the step of a fit, and the share of its time limit that is spent.
     keep : callable
-        Keeps what a fit has finished, so that one that is killed goes on from there.
+        Keeps the finished parts of a fit, so that a killed fit continues from there.
     """
 
     stretches: tuple[Trajectory, ...]
@@ -187,10 +187,11 @@ def kind(name: str) -> Kind:
     """
     listed = entry(name)
     if listed is None:
-        raise InputError(f"there is no model {name!r}; known are {', '.join(sorted(one.name for one in ENTRIES))}")
+        every = ", ".join(sorted(model.name for model in ENTRIES))
+        raise InputError(f"there is no model {name!r}; choose one of {every}")
     module, _, attribute = listed.kind.partition(":")
-    made: Kind = getattr(importlib.import_module(module), attribute)
-    return made
+    loaded: Kind = getattr(importlib.import_module(module), attribute)
+    return loaded
 
 
 def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
@@ -203,14 +204,14 @@ def model_from_tree(name: str, tree: Mapping[str, Any]) -> DynamicModel:
     CorruptArtifactError
         A tree that lacks what the model needs.
     """
-    made = kind(name)
+    family = kind(name)
     if name == "rbf" and tree.get("kind") == "hybrid":
         raise CorruptArtifactError(
             "an older debist made this run and called the joint's equations with corrections `rbf`; they are now "
             "`hybrid`: run `debist run PROTOTYPE.toml -o RUN` again"
         )
     try:
-        return made.read(dict(tree))
+        return family.read(dict(tree))
     except (TypeError, ValueError, ArithmeticError, InputError) as error:
         raise CorruptArtifactError(f"the model {name} cannot be read ({error}); run `debist run` again") from None
 
@@ -233,7 +234,7 @@ def load_model(path: Path | str) -> DynamicModel:
     >>> load_model("runs/P1/model.h5").simulate(t, v, q0, qdot0)  # doctest: +SKIP
     """
     tree = read_tree(Path(path))
-    held = [each.name for each in ENTRIES if each.name in tree]
+    held = [model.name for model in ENTRIES if model.name in tree]
     if not held:
         raise CorruptArtifactError(f"{path}: holds no model; run `debist run` again")
     headline = str(tree.get(HEADLINE, held[0]))

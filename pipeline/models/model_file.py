@@ -71,7 +71,7 @@ class Table:
         if array.ndim != len(self.shape.split()):
             raise ValueError(f"has {array.ndim} axes instead of {len(self.shape.split())}")
         if array.size and not (array.min() >= self.least and array.max() <= self.most):  # so is a NaN refused
-            raise ValueError(f"holds numbers outside {self.least:g} to {self.most:g}, or that are none")
+            raise ValueError(f"holds numbers outside {self.least:g} to {self.most:g}, or values that are not numbers")
         return np.ascontiguousarray(array, dtype=np.int64 if self.whole else np.float64)
 
 
@@ -94,7 +94,7 @@ def _rising(values: FloatArray) -> FloatArray:
 
 
 MOST_FACTORS, _HIGHEST_POWER = 4000, 12
-"""Of all terms of a polynomial together; an export writes each of them."""
+"""Most factors of all terms of a polynomial; an export writes each of them."""
 Exponents = Annotated[IntArray, Table("P X", 0, _HIGHEST_POWER, whole=True), AfterValidator(_short)]
 """Powers of X variables in P terms."""
 PositiveRow = Annotated[FloatArray, Table("X", 1.0 / LARGEST)]
@@ -125,7 +125,7 @@ def _facts(value: Any, levels: int = _DEEPEST) -> Any:
     if isinstance(value, Mapping):
         if not levels or len(value) > _MOST_FACTS:
             raise ValueError("is nested too deeply or has too many entries")
-        return {str(key): _facts(each, levels - 1) for key, each in value.items()}
+        return {str(key): _facts(entry, levels - 1) for key, entry in value.items()}
     if isinstance(value, str | bool | int | float):
         if isinstance(value, str) and len(value) > _LONGEST_TEXT:
             raise ValueError("holds a text that is too long")
@@ -151,7 +151,7 @@ class FilePart(BaseModel):
         """Axes of one letter are equally long and within their sizes."""
         lengths: dict[str, tuple[int, str]] = {}
         for name, field in type(self).model_fields.items():
-            for table in (each for each in field.metadata if isinstance(each, Table)):
+            for table in (annotation for annotation in field.metadata if isinstance(annotation, Table)):
                 for axis, length in zip(table.shape.split(), getattr(self, name).shape, strict=True):
                     expected, where = (
                         (int(axis), "") if axis.isdigit() else lengths.setdefault(axis, (length, f" as {name}"))
@@ -245,7 +245,7 @@ _COLUMNS = (
     ("*/units", TEXT, "SI units of displacement and inputs"),
     ("*/name", TEXT, "name of the model"),
     ("narx/structure", "1", "degree, increments, lags of the inputs, number of inputs"),
-    ("narx/interval_s", "s", "sample interval that the equation belongs to"),
+    ("narx/interval_s", "s", "sample interval of the equation"),
     ("*/tolerance", "1", "local error of the integrator, relative to the usual size of each state"),
 )
 _DIAGNOSTICS = {
@@ -307,7 +307,7 @@ _DIAGNOSTICS = {
     "values": ("SI", "fitted values"),
     "visits_per_centre": ("1", "training samples around each centre"),
 }
-"""Of how a fit went, whatever the model."""
+"""Entries on the course of a fit, for every model."""
 
 
 def column_of(path: str, units: Mapping[str, str]) -> tuple[str, str]:

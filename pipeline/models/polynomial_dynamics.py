@@ -89,7 +89,7 @@ class PolynomialJoint(NamedTuple):
     """Dynamics in a run, with voltages v (N, K), `refined` times as fine as the samples, and room for variables.
 
     `factors` lists the variables whose product each monomial is, one monomial after the other; `ends`, shape (P,),
-    tells where the factors of each end. `parts` half steps are a sample interval. Lags follow the variables `sources`.
+    gives the end of the factors of each. `parts` half steps are a sample interval. Lags follow the variables `sources`.
     """
 
     factors: IntArray

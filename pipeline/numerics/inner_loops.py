@@ -109,8 +109,8 @@ else:
 
             undefined = ir.Constant(_VECTOR, ir.Undefined)
             single = builder.insert_element(undefined, arguments[2], ir.Constant(ir.IntType(32), 0))
-            lanes = ir.Constant(ir.VectorType(ir.IntType(32), 16), [0] * 16)
-            spread, total = builder.shuffle_vector(single, undefined, lanes), row(5)
+            broadcast = ir.Constant(ir.VectorType(ir.IntType(32), 16), [0] * 16)
+            spread, total = builder.shuffle_vector(single, undefined, broadcast), row(5)
             for number in range(4, -1, -1):
                 product = builder.fmul(total, spread, flags=("contract",))
                 total = builder.fadd(product, row(number), flags=("contract",))

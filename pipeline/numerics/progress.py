@@ -18,7 +18,7 @@ Parts = dict[str, Any]
 """Numbers, texts, arrays of floats, and lists of these."""
 
 Keep = Callable[[str, Callable[[], Parts]], Parts]
-"""Gives what a piece of work makes, by the name that it alone has: as it was kept, or made now and kept."""
+"""Returns the result of a piece of work by its unique name: from the store, or computed and stored."""
 
 
 def make_anew(name: str, make: Callable[[], Parts]) -> Parts:

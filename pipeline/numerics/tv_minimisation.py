@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tv_newton import advance, newton_step, newton_step_high_order, objective
+from pipeline.numerics.tv_newton import Iterate, Step, advance, newton_step, newton_step_high_order, objective
 
 Status = Literal["converged", "iteration limit", "limited by rounding"]
 
@@ -98,34 +98,30 @@ class _Iterate:
 
     def __init__(self, problem: VariationProblem) -> None:
         n = problem.b.size
+        y, t, q, p, dy, dt, dp = (np.zeros(n) for _ in range(7))
         self.problem = problem
-        self.y, self.t, self.q, self.p, self.dy, self.dt, self.dp = (np.zeros(n) for _ in range(7))
-        self.lam = problem.lam_of_terms()
-        self.gains = np.empty((n, problem.order + 2))
+        self.at = Iterate(problem.b, y, t, q, p, problem.lam_of_terms())
+        self.step = Step(dy, dt, dp, np.empty((n, problem.order + 2)))
 
     def find_step(self, delta: float) -> tuple[float, float]:
         """Solve for the Newton step; return the longest dual step and the objective after a full one."""
-        pb = self.problem
-        state = (pb.b, self.y, self.t, self.q, self.p, self.lam, delta)
-        work = (1.0 if pb.fitted_start else 0.0, self.dy, self.dt, self.dp, self.gains)
-        if pb.order == 1:
-            return newton_step(*state, 0.5 if pb.trapezoidal else 1.0, *work)
-        return newton_step_high_order(*state, pb.order, *work)
+        problem, first_variance = self.problem, 1.0 if self.problem.fitted_start else 0.0
+        if problem.order == 1:
+            return newton_step(self.at, self.step, delta, 0.5 if problem.trapezoidal else 1.0, first_variance)
+        return newton_step_high_order(self.at, self.step, delta, problem.order, first_variance)
 
-    def objective(self, delta: float, step: float = 0.0) -> float:
-        """Objective less that of a straight line, `step` along the Newton direction."""
-        pb = self.problem
-        return float(objective(pb.b, self.y, self.t, self.dy, self.dt, step, self.lam, delta))
+    def objective(self, delta: float, share: float = 0.0) -> float:
+        """Objective less that of a straight line, a `share` along the Newton step."""
+        return float(objective(self.at, self.step, share, delta))
 
     def advance(self, delta: float, primal: float, dual: float) -> float:
         """Take the step; return the duality gap."""
-        step = (self.dy, self.dt, self.dp, primal, dual)
-        return float(advance(self.problem.b, self.y, self.t, self.q, self.p, *step, self.lam, delta))
+        return float(advance(self.at, self.step, primal, dual, delta))
 
     def shrink_dual(self) -> None:
         """Take all |p| away from 1; the pair (q, p) stays feasible, its constraints being linear and homogeneous."""
-        self.p *= _PULL_BACK
-        self.q *= _PULL_BACK
+        self.at.p[:] *= _PULL_BACK
+        self.at.q[:] *= _PULL_BACK
 
 
 def minimise_variation(problem: VariationProblem, *, tolerance: float, max_iterations: int) -> Minimiser:
@@ -162,9 +158,9 @@ def minimise_variation(problem: VariationProblem, *, tolerance: float, max_itera
         elif gap <= _CLOSE_ENOUGH * value:
             delta = max(problem.delta, _REDUCTION * delta)
             value = it.objective(delta)
-    constant = problem.delta * float(it.lam[problem.b.size - problem.differences :].sum())
+    constant = problem.delta * float(it.at.lam[problem.b.size - problem.differences :].sum())
     return Minimiser(
-        it.y, it.t, it.objective(problem.delta) + constant, it.advance(problem.delta, 0.0, 0.0), iteration, status
+        it.at.y, it.at.t, it.objective(problem.delta) + constant, it.advance(problem.delta, 0.0, 0.0), iteration, status
     )
 
 

@@ -28,12 +28,51 @@ J. Durbin, S. J. Koopman, Time Series Analysis by State Space Methods, 2nd ed., 
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.tv_chain import advance_covariance, difference_weights, start_covariance
+
+
+class Iterate(NamedTuple):
+    """Data and unknowns of the Newton iteration, each of shape (N,); N ≥ 2.
+
+    Attributes
+    ----------
+    b, y, t : FloatArray
+        Data, regularised signal and its differences [signal].
+    q, p : FloatArray
+        Dual variables of y − b and of t.
+    lam : FloatArray
+        Weight of the total variation at each sample [signal].
+    """
+
+    b: FloatArray
+    y: FloatArray
+    t: FloatArray
+    q: FloatArray
+    p: FloatArray
+    lam: FloatArray
+
+
+class Step(NamedTuple):
+    """A Newton step, which the kernels write, and their work space.
+
+    Attributes
+    ----------
+    dy, dt, dp : FloatArray, shape (N,)
+        Changes of the signal, its differences and their dual variables.
+    gains : FloatArray, shape (N, m + 2)
+        Filter gains and scaled innovations, for a variation of the derivative m.
+    """
+
+    dy: FloatArray
+    dt: FloatArray
+    dp: FloatArray
+    gains: FloatArray
 
 
 @compiled(inline="always")
@@ -69,39 +108,34 @@ def within_bounds(longest: float, p: float, dp: float) -> float:
 
 
 @compiled
-def newton_step(
-    b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
-    gamma: float, first_variance: float, dy: FloatArray, dt: FloatArray, dp: FloatArray, gains: FloatArray,
-) -> tuple[float, float]:  # fmt: skip
-    """Write the Newton step into `dy`, `dt`, `dp`; return the longest dual step and the objective after a full step.
+def newton_step(at: Iterate, step: Step, delta: float, gamma: float, first_variance: float) -> tuple[float, float]:
+    """Write the Newton step; return the longest dual step and the objective after a full step.
 
     The longest dual step is the one that keeps |p| ≤ 1; the objective is that of `objective`.
 
     Parameters
     ----------
-    b, y, t, q, p : FloatArray, shape (N,)
-        Data and iterate; N ≥ 2.
-    lam : FloatArray, shape (N,)
-        Weight of the total variation at each sample [unit of b].
+    at : Iterate
+        Where the step starts.
+    step : Step
+        The step (output).
     delta : float
-        Its rounding [unit of b].
+        Rounding of the total variation [unit of the data].
     gamma : float
         Share of a difference ``t_i`` that the value ``y_i`` already sees: 1 when increments are the unknowns
         (LARGE), ½ when the signal is the trapezoidal sum of values at the samples (SMALL).
     first_variance : float
         0: the first sample is exact, 1: it is as noisy as the others.
-    dy, dt, dp : FloatArray, shape (N,)
-        The step (output).
-    gains : FloatArray, shape (N, 3)
-        Work space: filter gains and scaled innovations.
     """
+    b, y, t, q, p, lam = at
+    dy, dt, dp, _ = step
     z0 = b[0] - y[0] - q[0]
     z1 = b[1] - y[1] - q[1]
     # Diffuse start: two samples fix value and increment.  SMALL has a difference between them, LARGE has not.
     mu1, v1 = driving_noise(t[1], p[1], 1.0 / lam[1], delta) if gamma < 1.0 else (0.0, 0.0)
     slope, variance = z1 - z0 + (1.0 - gamma) * mu1, 1.0 + first_variance + (1.0 - gamma) ** 2 * v1
-    _filter(b, y, t, q, p, lam, delta, gamma, z1, slope, variance, dy, dt, gains)
-    a0, a1, longest, variation, misfit = _smooth(b, y, t, q, p, lam, delta, gamma, dy, dt, dp, gains)
+    _filter(at, step, delta, gamma, z1, slope, variance)
+    a0, a1, longest, variation, misfit = _smooth(at, step, delta, gamma)
     drive = (1.0 - gamma) * a1
     dy[1], dy[0] = z1 + a0 + a1, z0 - first_variance * a1
     dt[1], dt[0] = mu1 + v1 * drive, 0.0
@@ -113,11 +147,10 @@ def newton_step(
 
 
 @compiled(inline="always")
-def _filter(
-    b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
-    gamma: float, m0: float, m1: float, p11: float, dy: FloatArray, dt: FloatArray, gains: FloatArray,
-) -> None:  # fmt: skip
+def _filter(at: Iterate, step: Step, delta: float, gamma: float, m0: float, m1: float, p11: float) -> None:
     """Kalman filter from value `m0` and increment `m1`, covariance [[1, 1], [1, `p11`]]; mu to `dt`, v to `dy`."""
+    b, y, t, q, p, lam = at
+    dy, dt, _, gains = step
     p00, p01 = 1.0, 1.0
     for i in range(2, b.size):
         mu, v = driving_noise(t[i], p[i], 1.0 / lam[i], delta)
@@ -142,11 +175,10 @@ def _filter(
 
 
 @compiled(inline="always")
-def _smooth(
-    b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
-    gamma: float, dy: FloatArray, dt: FloatArray, dp: FloatArray, gains: FloatArray,
-) -> tuple[float, float, float, float, float]:  # fmt: skip
+def _smooth(at: Iterate, step: Step, delta: float, gamma: float) -> tuple[float, float, float, float, float]:
     """Adjoint sweep down to sample 2: the adjoint there, the longest dual step, variation and squared misfit."""
+    b, y, t, q, p, lam = at
+    dy, dt, dp, gains = step
     longest = math.inf
     variation = 0.0
     misfit = 0.0
@@ -167,31 +199,29 @@ def _smooth(
 
 
 @compiled
-def objective(
-    b: FloatArray, y: FloatArray, t: FloatArray, dy: FloatArray, dt: FloatArray, step: float, lam: FloatArray,
-    delta: float,
-) -> float:  # fmt: skip
-    """Objective at ``(y, t) + step (dy, dt)`` less its value ``lam delta`` per difference for a straight line."""
+def objective(at: Iterate, step: Step, share: float, delta: float) -> float:
+    """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line."""
+    b, y, t, _, _, lam = at
+    dy, dt, _, _ = step
     variation = 0.0
     misfit = 0.0
     for i in range(b.size):
-        variation += lam[i] * excess(t[i] + step * dt[i], delta)
-        e = y[i] + step * dy[i] - b[i]
+        variation += lam[i] * excess(t[i] + share * dt[i], delta)
+        e = y[i] + share * dy[i] - b[i]
         misfit += e * e
     return variation + 0.5 * misfit
 
 
 @compiled
-def advance(
-    b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, dy: FloatArray, dt: FloatArray,
-    dp: FloatArray, primal: float, dual: float, lam: FloatArray, delta: float,
-) -> float:  # fmt: skip
+def advance(at: Iterate, step: Step, primal: float, dual: float, delta: float) -> float:
     """Add `primal` times the step to y and t, and `dual` times the step to q and p, in place; return the duality gap.
 
     The gap, primal less dual objective, is a sum of squares.  With ``t = r sin a``, ``delta = r cos a`` and
     ``p = sin c`` each term of the variation's gap ``r − p t − delta sqrt(1 − p²)`` is ``r (1 − cos(a − c))``, which
     is half a sum of two squares.  The objective is strongly convex, so ``½‖y − y*‖² ≤ gap``.
     """
+    b, y, t, q, p, lam = at
+    dy, dt, dp, _ = step
     variation = 0.0
     misfit = 0.0
     for i in range(b.size):
@@ -212,9 +242,8 @@ def advance(
 
 @compiled
 def newton_step_high_order(
-    b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
-    order: int, first_variance: float, dy: FloatArray, dt: FloatArray, dp: FloatArray, gains: FloatArray,
-) -> tuple[float, float]:  # fmt: skip
+    at: Iterate, step: Step, delta: float, order: int, first_variance: float
+) -> tuple[float, float]:
     """The Newton step for a variation of the second or a higher derivative; `newton_step` is its case m = 1.
 
     The smoother's state is the chain of m + 1 summators of `tv_chain`. With loops over the state a sample takes three
@@ -222,13 +251,15 @@ def newton_step_high_order(
     and about (m+1)(m+5) multiplications and additions.
 
     Parameters as of `newton_step`, with the `order` m = 1, 2, … of the penalised derivative, N ≥ m + 1,
-    ``t[:m+1] = 0``, and `gains` of shape (N, m + 2).
+    ``t[:m+1] = 0``.
     """
+    b, y, _, q, _, _ = at
+    dy, dt, dp, _ = step
     size = order + 1
     start = difference_weights(order)
-    _filter_chain(b, y, t, q, p, lam, delta, start, start_covariance(start, first_variance), dy, dt, gains)
+    _filter_chain(at, step, delta, start, start_covariance(start, first_variance))
     adjoint = np.zeros(size)
-    longest, variation, misfit = _smooth_chain(b, y, t, q, p, lam, delta, adjoint, dy, dt, dp, gains)
+    longest, variation, misfit = _smooth_chain(at, step, delta, adjoint)
     for j in range(size):
         response = 0.0
         for k in range(size):
@@ -241,11 +272,10 @@ def newton_step_high_order(
 
 
 @compiled(inline="always")
-def _filter_chain(
-    b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
-    start: FloatArray, cov: FloatArray, dy: FloatArray, dt: FloatArray, gains: FloatArray,
-) -> None:  # fmt: skip
+def _filter_chain(at: Iterate, step: Step, delta: float, start: FloatArray, cov: FloatArray) -> None:
     """As `_filter`, from the `start` of `difference_weights` with the covariance `cov`, which is overwritten."""
+    b, y, t, q, p, lam = at
+    dy, dt, _, gains = step
     size = len(start)
     mean = np.zeros(size)
     for j in range(size):
@@ -266,11 +296,10 @@ def _filter_chain(
 
 
 @compiled(inline="always")
-def _smooth_chain(
-    b: FloatArray, y: FloatArray, t: FloatArray, q: FloatArray, p: FloatArray, lam: FloatArray, delta: float,
-    adjoint: FloatArray, dy: FloatArray, dt: FloatArray, dp: FloatArray, gains: FloatArray,
-) -> tuple[float, float, float]:  # fmt: skip
+def _smooth_chain(at: Iterate, step: Step, delta: float, adjoint: FloatArray) -> tuple[float, float, float]:
     """As `_smooth`; `adjoint`, zero before, holds that of the first sample after the start."""
+    b, y, t, q, p, lam = at
+    dy, dt, dp, gains = step
     size = len(adjoint)
     longest = math.inf
     variation = 0.0

@@ -177,7 +177,7 @@ def _check(data: FloatArray, order: int, form: str, start: str) -> None:
     if not np.isfinite(data).all():
         raise InputError("tvregdiff needs finite samples: split the record at its gaps first")
     if form not in ("large", "small") or start not in ("exact", "fitted", "published") or order not in (1, 2, 3, 4):
-        raise InputError(f"tvregdiff knows no order={order!r}, form={form!r}, start={start!r}")
+        raise InputError(f"tvregdiff has no order={order!r}, form={form!r}, start={start!r}")
     if data.shape[0] <= order or (form == "small" and order != 1):
         raise InputError(f"tvregdiff of order {order} needs more than {order} samples and the form 'large'")
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from markupsafe import Markup, escape
 
-from pipeline.choices import Typeface
 from pipeline.errors import InputError
+from pipeline.names import Typeface
 from pipeline.reporting.figure import Figure, writable
 from pipeline.reporting.plotted import Look, paper_look, plotted, sans
 
@@ -73,12 +73,12 @@ def _lay_out(canvas: "Canvas") -> None:
 
 
 def form_of(target: Path) -> Format:
-    """The format that a file's ending says.
+    """The format by a file's ending.
 
     Raises
     ------
     InputError
-        It is none of `FORMATS`.
+        It is not in `FORMATS`.
     """
     if target.suffix not in FORMATS:
         raise InputError(f"{target}: figures are written as {', '.join(FORMATS)}")
@@ -89,8 +89,8 @@ def form_of(target: Path) -> Format:
 def save(figure: "Figure | Canvas", target: Path, models: Sequence[str]) -> None:
     """Write a figure; errors as for `form_of`."""
     form = form_of(target)
-    made = paper_figure(figure, models, form) if isinstance(figure, Figure) else drawn(figure, target.suffix)
-    target.write_bytes(made[0])
+    contents = paper_figure(figure, models, form) if isinstance(figure, Figure) else drawn(figure, target.suffix)
+    target.write_bytes(contents[0])
 
 
 def paper_figure(figure: Figure, models: Sequence[str], *formats: Format, typeface: Typeface = "sans") -> list[bytes]:
@@ -140,7 +140,7 @@ def _svg(figure: Figure, models: Sequence[str], look: Look) -> Markup:
 
 
 def _attributes(style: str) -> str:
-    """A style as presentation attributes; how letters are set says the style sheet, but for their anchor."""
+    """A style as presentation attributes; the style sheet sets the letters, except their anchor."""
     pairs = (part.split(":", 1) for part in style.split(";") if ":" in part)
     named = [(key.strip(), value.strip()) for key, value in pairs]
     return "".join(f' {key}="{escape(value)}"' for key, value in named if key != "font")

@@ -31,8 +31,8 @@ def control_figures(documents: Mapping[str, Mapping[str, Any]]) -> dict[str, Fig
 
 
 def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
-    for number, each in enumerate(document["equilibria"][:_MOST], start=1):
-        bode = {name: np.array(values) for name, values in each["bode"].items()}
+    for number, equilibrium in enumerate(document["equilibria"][:_MOST], start=1):
+        bode = {name: np.array(values) for name, values in equilibrium["bode"].items()}
         sides = (("left membrane", "v1", "left"), ("right membrane", "v2", "right"))
         panels = tuple(
             Panel(
@@ -40,27 +40,27 @@ def _bode(document: Mapping[str, Any]) -> Iterator[Figure]:
             )
             for name, unit, key in (("gain", "dB re 1 nm/V²", "dB"), ("phase", "°", "deg"))
         )
-        kind = "stable" if each["stable"] else "unstable"
-        title = f"Bode plot at q = {1e3 * each['q_m']:.2f} mm ({kind})".replace("-", "−")
+        kind = "stable" if equilibrium["stable"] else "unstable"
+        title = f"Bode plot at q = {1e3 * equilibrium['q_m']:.2f} mm ({kind})".replace("-", "−")
         caption = "From the squared voltage of each membrane to the displacement, friction left out."
         yield Figure(f"control-bode-{number}", title, caption, "frequency", "Hz", panels, x_log=True, half=True)
 
 
-def _map(each: Mapping[str, Any]) -> Figure:
+def _map(drawn_map: Mapping[str, Any]) -> Figure:
     from scipy.ndimage import maximum_filter, minimum_filter
 
-    probability = np.array(each["probability"])
+    probability = np.array(drawn_map["probability"])
     # At an edge the map does not resolve which draws switch: the band is at least as wide as the step of its grid.
     most, least = maximum_filter(probability, 3, mode="nearest"), minimum_filter(probability, 3, mode="nearest")
     index = np.select([most < _LIKELY[0], least > _LIKELY[1]], [0, 2], 3).astype(np.int8)
     labels = ("hardly ever switches", "", "nearly always switches", "may switch: 10 to 90 % of the draws")
-    cells = Cells(labels, np.array(each["durations"]), np.array(each["voltages"]), index)
+    cells = Cells(labels, np.array(drawn_map["durations"]), np.array(drawn_map["voltages"]), index)
     caption = (
         "Share of the posterior draws that a plain pulse switches, from rest; where it may, the log does not decide."
     )
-    title = f"Does a pulse switch to the {each['to']}?"
+    title = f"Does a pulse switch to the {drawn_map['to']}?"
     panel = Panel("voltage", "V", cells=cells)
-    return Figure(f"control-map-{each['to']}", title, caption, "duration", "s", (panel,), x_log=True, half=True)
+    return Figure(f"control-map-{drawn_map['to']}", title, caption, "duration", "s", (panel,), x_log=True, half=True)
 
 
 def _pulse(document: Mapping[str, Any]) -> Figure:

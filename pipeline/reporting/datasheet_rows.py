@@ -1,5 +1,6 @@
-"""The datasheet and the calibrated quantities as tables for people: one row per quantity, left beside right."""
+"""Facts of the device and of its models as tables for people: units from the keys, values with deviations."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -8,10 +9,10 @@ from pipeline.device_facts.calibrated import Calibrated, calibrated
 from pipeline.device_facts.datasheet import Datasheet, DatasheetFact, doubt, is_refused
 from pipeline.device_facts.run_data import RunData
 from pipeline.runs.columns import FACT_COLUMNS, STABLE, FactColumn
-from pipeline.si_prefix import interval, percent, quantity
+from pipeline.si_prefix import interval, percent, power, quantity, scale, significant
 
 NOT_USED = " (a model not to be used)"
-"""Said of what a model tells that the verdict says not to use."""
+"""Remark beside facts of a model that the verdict rejects."""
 WIDE = 2.0
 """Ratio of the ends of an interval beyond which it is written by its ends."""
 _WHAT = {
@@ -27,7 +28,7 @@ _PARTS = {
     "equations_with_rbf": "with basis functions",
     "rbf_alone": "rbf from data alone",
 }
-"""What was left out (`pipeline.models.choose.ABLATION`), in words."""
+"""Parts that an ablation leaves out (`pipeline.models.choose.ABLATION`), in words."""
 
 
 Rows = list[tuple[str, ...]]
@@ -87,7 +88,7 @@ def _largest(facts: Mapping[str, DatasheetFact], keys: Sequence[str]) -> float:
 
 
 def _cell(facts: Mapping[str, DatasheetFact], keys: Sequence[str], like: float) -> SheetCell:
-    values, seen = [], ""
+    values, measured = [], ""
     for fact in (facts[key] for key in keys if key in facts):
         text = quantity(_shown(fact, fact.value), fact.unit, _shown(fact, fact.half_width), like).replace(" ", "\u00a0")
         if fact.key.startswith("switch"):
@@ -95,10 +96,10 @@ def _cell(facts: Mapping[str, DatasheetFact], keys: Sequence[str], like: float) 
         values.append(f"{text} ({fact.doubt})" if fact.doubt else text)
         if fact.measured is not None:
             spread = _shown(fact, fact.measured_spread)
-            seen = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
+            measured = f"{quantity(_shown(fact, fact.measured), fact.unit, spread, like)} · {fact.events}×"
             if fact.free_run is not None:
-                seen += f"\nfree run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
-    return SheetCell(", ".join(values) or "–", seen)
+                measured += f"\nfree run {quantity(_shown(fact, fact.free_run), fact.unit, like=like)}"
+    return SheetCell(", ".join(values) or "–", measured)
 
 
 def _shown(fact: DatasheetFact, value: float | None) -> float | None:
@@ -168,7 +169,7 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
     measured_rows: Rows = []
     for fact in document["facts"]:
         factor = 100.0 if fact["unit"] == "%" else 1.0
-        value, low, high, seen, spread, own = (
+        value, low, high, of_logs, spread, own = (
             None if fact.get(key) is None else factor * fact[key]
             for key in ("value", "low", "high", "measured", "measured_spread", "free_run")
         )
@@ -177,7 +178,7 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
             model, limits = interval(value, low, high, fact["unit"], alike[_kind(fact)])
         facts.append((fact["title"], model, limits))
         if fact["events"]:
-            measured = f"{quantity(seen, fact['unit'], spread)} ({fact['events']}×)"
+            measured = f"{quantity(of_logs, fact['unit'], spread)} ({fact['events']}×)"
             measured_rows.append((fact["title"], quantity(own, fact["unit"]), measured))
     verdict = document["verdict"]
     checks: Rows = [
@@ -194,3 +195,109 @@ def show_datasheet(document: dict[str, Any]) -> ShownDatasheet:
 def _kind(fact: dict[str, Any]) -> str:
     """Facts of one kind share their unit: both wells, and the saddle between them."""
     return {"saddle": "well"}.get(fact["key"], str(fact["key"]).partition("_")[0])
+
+
+LONGEST_LIST = 12
+_FITTED = ("deviations",)  # parts whose pairs are a value and its standard deviation
+_ENDS = ("end_stops",)  # pairs that are the ends of a range; other pairs are lists
+_UNIT_AT_END = re.compile(r"^(?P<name>.*?)(?: \[(?P<unit>[^\[\]]+)\]|_(?P<suffix>1_per_s|1_per_m|m|s|kg|V|Hz|N))$")
+
+FactRows = list[tuple[str, str]]
+
+
+@dataclass(frozen=True)
+class Described:
+    """A model: equations as terms between which a line may break, one table of facts, and long tables by title."""
+
+    name: str
+    equations: list[list[str]]
+    rows: FactRows
+    tables: list[tuple[str, FactRows]]
+
+
+def described(
+    name: str, description: Mapping[str, Any], displacement: str = "m", *, mass_known: bool = True
+) -> Described:
+    """The description of a model, as `DynamicModel.describe` returns it.
+
+    A model calls its displacement a length, and its mass 1 kg if it has none: `displacement` is the true unit.
+    """
+    facts = {key: value for key, value in description.items() if mass_known or key != "mass_kg"}
+    stated = facts.pop("equations", ())
+    equations = [terms(equation) for equation in ([stated] if isinstance(stated, str) else stated)]
+    tables: list[tuple[str, FactRows]] = []
+    fitted = [facts.pop(key, ()) for key in ("fitted", "values", "standard_errors")]
+    if fitted[0]:
+        pairs = zip(*fitted, strict=False)
+        tables.append(("fitted", [_quantity_row(key, pair, displacement, fitted=True) for key, *pair in pairs]))
+    rows: FactRows = []
+    for key, value in facts.items():
+        if isinstance(value, Mapping) and len(value) > LONGEST_LIST:
+            fitted_part = key in _FITTED
+            tables.append(
+                (_words(key), [_quantity_row(k, v, displacement, fitted=fitted_part) for k, v in value.items()])
+            )
+        elif isinstance(value, Mapping):
+            fitted_part = key in _FITTED
+            rows += [_quantity_row(f"{key}: {k}", v, displacement, fitted=fitted_part) for k, v in value.items()]
+        else:
+            rows.append(_quantity_row(key, value, displacement))
+    return Described(name, equations, rows, tables)
+
+
+def _words(key: str) -> str:
+    return key.replace("_", " ")
+
+
+def _quantity_row(key: str, value: Any, displacement: str, *, fitted: bool = False) -> tuple[str, str]:
+    match = _UNIT_AT_END.match(key)
+    name, unit = (match["name"], match["unit"] or match["suffix"].replace("_per_", "/")) if match else (key, "1")
+    unit = {"m": displacement, "1/m": f"1/{displacement}"}.get(unit, unit)
+    if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(number, float) for number in value):
+        if fitted:
+            return _words(name), quantity(value[0], unit, value[1])
+        if name.endswith(_ENDS):
+            return _words(name), _list(value, unit, " … ")
+    return _words(name), _text(value, unit)
+
+
+def _text(value: Any, unit: str) -> str:
+    if isinstance(value, bool) or value is None:
+        return {True: "yes", False: "no", None: "–"}[value]
+    if isinstance(value, int):
+        return quantity(float(value), unit) if unit != "1" else str(value).replace("-", "−")
+    if isinstance(value, float):
+        return quantity(value, unit)
+    if isinstance(value, list | tuple):
+        return _list(value, unit)
+    return str(value)
+
+
+def _list(values: Sequence[Any], unit: str, between: str = ", ") -> str:
+    if not values:
+        return "none"
+    if any(isinstance(value, list | tuple) for value in values):
+        if len(values) > 2:
+            return f"{len(values)} × {len(values[0])} numbers, in the model's file"
+        return "; ".join(_list(value, unit) for value in values)
+    if len(values) > LONGEST_LIST:
+        return f"{len(values)} numbers, in the model's file"
+    if any(isinstance(value, str | bool) for value in values):
+        return "; ".join(_text(value, "1") for value in values)
+    shown, factor = scale(unit, max(abs(float(value)) for value in values))
+    whole = all(isinstance(value, int) for value in values)
+    texts = [str(value) if whole else significant(factor * float(value)) for value in values]
+    return between.join(texts).replace("-", "−") + (f" {shown}" if shown != "1" else "")
+
+
+def terms(equation: str) -> list[str]:
+    """The parts of an equation between which a line may break."""
+    raised = re.sub(r"\^(-?\d+)", lambda m: power(int(m[1])), equation)
+    powers = re.sub(r"(\d)e([+-]\d+)", lambda m: f"{m[1]}·10{power(int(m[2]))}", raised)
+    signed = re.split(r" (?=[+-]\d)", powers)
+    parts = [re.sub(r"^([+-])(?=\d)", lambda m: "+ " if m[1] == "+" else "− ", part) for part in signed]
+    if len(parts) == 1:
+        return parts
+    # The first term needs no plus, and stands beside the equals sign.
+    first = parts[1].removeprefix("+ ").replace("− ", "−", 1)
+    return [f"{parts[0]} {first}", *parts[2:]]

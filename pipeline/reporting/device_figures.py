@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device_facts.among_siblings import AmongSiblings, places_among
+from pipeline.device_facts.calibrated import AmongSiblings, places_among
 from pipeline.device_facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
 from pipeline.device_facts.data_quality import centre_visits
 from pipeline.device_facts.datasheet import Datasheet
@@ -21,7 +21,7 @@ from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
 from pipeline.reporting.recipe_figures import study_figure
 from pipeline.si_prefix import power, quantity
-from pipeline.signals.inputs import peaks, voltages
+from pipeline.signals.trajectory import peaks, voltages
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]
@@ -183,8 +183,8 @@ def _curve_panel(
     lines, bands, rows = [], [], slice(None, None, 6)
     for model, q, y, low, high in curves:
         if low is not y:
-            seen = (low[rows] < frame[1]) & (high[rows] > frame[0])
-            limits = np.where(seen, np.clip([low[rows], high[rows]], *frame), np.nan)
+            visible = (low[rows] < frame[1]) & (high[rows] > frame[0])
+            limits = np.where(visible, np.clip([low[rows], high[rows]], *frame), np.nan)
             bands.append(Band(f"{model}, {100 * COVERAGE:.0f} % band", model, q[rows], limits[0], limits[1]))
         inside = np.where((y >= frame[0]) & (y <= frame[1]), y, np.nan)
         lines.append(Line(model, model, q[rows], inside[rows]))
@@ -193,7 +193,7 @@ def _curve_panel(
 
 
 def _outside(curves: Sequence[_Curve], visited: tuple[float, float], frame: tuple[float, float]) -> list[str]:
-    """Models whose curve is seen in less than half of the visited part."""
+    """Models whose curve is visible in less than half of the visited part."""
     inside = {c.model: (c.y >= frame[0]) & (c.y <= frame[1]) for c in curves}
     return [c.model for c in curves if np.mean(inside[c.model][c.inner(visited)]) < 0.5]
 
@@ -205,8 +205,8 @@ def _circles(
     if measured is None or frame is None:
         return ()
     q, y = measured
-    seen = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
-    return (Points("measured", "measured", q[seen], y[seen], "ring"),)
+    visible = (q >= lines[0].x[0]) & (q <= lines[0].x[-1]) & (y >= frame[0]) & (y <= frame[1])
+    return (Points("measured", "measured", q[visible], y[visible], "ring"),)
 
 
 def _energy(data: RunData, sheet: Datasheet) -> Figure:
@@ -264,7 +264,7 @@ def _phase_portrait(data: RunData, sheet: Datasheet) -> Figure | None:
             cells = Cells(OUTCOMES, *basin_map(data, data.models[sheet.model], wells[1].q))
             caption = (
                 f"Measured motion while no {data.input_word} is on, over the basins of {sheet.model} without "
-                f"{data.input_word}: from each cell the model was let go and simulated for {BASIN_TIME:g} s."
+                f"{data.input_word}: from each cell the model was released and simulated for {BASIN_TIME:g} s."
             )
     if cells is None and not moves_unforced(data):
         return None

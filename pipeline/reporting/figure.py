@@ -1,4 +1,4 @@
-"""What a figure shows, apart from how it is drawn: the page, the viewer and the paper figures share these."""
+"""Contents of figures, apart from their drawing: the page, the viewer and the paper figures share these."""
 
 import math
 import re
@@ -14,7 +14,7 @@ from pipeline.si_prefix import power, significant
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
 MARGIN = 0.04  # of the range of y, above and below
 
-# Who a line belongs to: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
+# Origin of a line: "measured", "raw", "reference", or the name of a model; it decides colour and dashes.
 Role = str
 Dash = Literal["role", "solid", "dashed", "dotted"]
 MOST_POWERS = 6  # labels along a logarithmic axis
@@ -22,7 +22,7 @@ MOST_PLAIN = 1e3  # ratio of its ends beyond which they are powers of ten
 
 
 def linear_ticks(low: float, high: float, about: int) -> tuple[FloatArray, int]:
-    """Round numbers from `low` to `high`, about so many, and the decimals that they need."""
+    """About `about` round numbers from `low` to `high`, and the decimals that they need."""
     raw = (high - low) / max(1, about)
     power = math.floor(math.log10(raw))
     step = float(next(m for m in (1.0, 2.0, 5.0, 10.0) if m * 10.0**power >= raw * (1 - 1e-9)) * 10.0**power)
@@ -68,7 +68,7 @@ class Line:
     """y over x, both of shape (n,) in SI; NaN interrupts it.
 
     It has the dashes of its role unless it is given others. `parts` are two series of the same page whose difference is
-    y: the page then stores nothing for it. A `wide` line is seen under others that lie on it.
+    y: the page then stores nothing for it. A `wide` line stays visible under others that lie on it.
     """
 
     label: str
@@ -93,7 +93,7 @@ class Band:
 
 @dataclass(frozen=True)
 class Points:
-    """Marked points; the marker says what they are without its colour."""
+    """Marked points; the marker identifies them without its colour."""
 
     label: str
     role: Role
@@ -230,7 +230,7 @@ def window(figure: Figure, start: float, stop: float) -> Figure:
 
 
 def of_models(figure: Figure, models: Sequence[str], wanted: Sequence[str]) -> Figure:
-    """The figure with what belongs to the `wanted` ones of all `models`, and with all that belongs to none of them."""
+    """The figure with the lines of the `wanted` ones of all `models`, and with all lines of no model."""
 
     def kept(role: Role) -> bool:
         """Whether what has this role stays."""

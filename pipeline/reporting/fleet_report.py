@@ -10,15 +10,7 @@ import numpy as np
 from markupsafe import Markup
 
 from pipeline.numerics.metrics import robust_std
-from pipeline.reporting.fleet_table import (
-    FACTS,
-    FleetColumn,
-    Summary,
-    decimals,
-    fleet_columns,
-    histogram,
-    strip_chart,
-)
+from pipeline.reporting.fleet_table import FACTS, FleetColumn, Summary, decimals, fleet_columns, histogram, strip_chart
 from pipeline.reporting.page import json_for_script, render
 from pipeline.si_prefix import scale, significant
 
@@ -101,7 +93,7 @@ def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
         units = Counter(m.facts[key][1] for m in members if key in m.facts)
         if not units:
             continue
-        unit = min(units, key=lambda each: (-units[each], each == "1", each))
+        unit = min(units, key=lambda symbol: (-units[symbol], symbol == "1", symbol))
         # Devices of another kind (an angle among lengths) have no value in this column.
         values = np.array([m.facts[key][0] if key in m.facts and m.facts[key][1] == unit else np.nan for m in members])
         # A fact and its twin on the other side have one unit.

@@ -22,7 +22,7 @@ FACTS = {column.key: column.fleet for column in FACT_COLUMNS if column.fleet}
 """Facts of the fleet's table and their headings."""
 GRADES = ("", "good", "fair", "poor", "failed")
 _KEPT_BITS = 0xFFFFFC00
-"""Of a 32-bit float: 13 bits of the fraction, a relative step of 1.2e-4, of which tables show three digits."""
+"""Stored bits of a 32-bit float: 13 of the fraction, a relative step of 1.2e-4; tables show three digits."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +123,7 @@ def _headline(scores: Any, judged: str, key: str) -> float:
 class FleetColumn:
     """One column: a fact or a score of every member, in the unit that is shown (NaN: unknown), and what stands out.
 
-    Scores of training logs are said to be such, and have no part in distributions.
+    Scores of training logs are marked, and left out of distributions.
     """
 
     title: str

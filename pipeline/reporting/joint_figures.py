@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 COLOURED = ("first", "second", "both", "fourth", "fifth")
 """Roles that take the colours of the models, in their order."""
 _ROLES = {"off": "measured", "left": "v1", "right": "v2"}
-"""What is off is black; the left and the right membrane have their colours in all figures."""
+"""Without voltage black; the left and the right membrane have their colours in all figures."""
 _STATES = {"off": "no voltage", "left": "left on", "right": "right on", "both": "both on"}
 PATH_REACH, PATH_DEGREE = 0.02, 9
 """Displacement [m] to which figure 6b reaches, and the degree of its polynomials."""

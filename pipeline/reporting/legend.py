@@ -23,7 +23,7 @@ MODEL_DASHES: tuple[tuple[float, ...], ...] = (
     (9, 2, 2, 2, 2, 2),
     (3, 4),
 )
-# Black but for a trace: matplotlib writes no colour for a black inside, which the page then could not replace.
+# Nearly black: matplotlib writes no colour for a black inside, which the page then could not replace.
 FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#56B4E9", "v2": "#E69F00", "reference": "#8C8C8C"}
 
 

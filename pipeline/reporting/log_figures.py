@@ -14,14 +14,10 @@ from pipeline.reporting.figure import Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import grouped, moment, power, quantity, significant
-from pipeline.signals.inputs import UNKNOWN, unknown_rows, voltages
+from pipeline.signals.trajectory import UNKNOWN, unknown_rows, voltages
 from pipeline.units import ALPHA_UNIT, signal_units
 
-METHODS = {
-    "tvregdiff": "TVRegDiff",
-    "savitzky-golay": "Savitzky–Golay filter",
-    "rts": "Rauch–Tung–Striebel smoother",
-}
+METHODS = {"tvregdiff": "TVRegDiff", "savitzky-golay": "Savitzky–Golay filter", "rts": "Rauch–Tung–Striebel smoother"}
 BASELINES_SHOWN = 2
 LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
 
@@ -111,10 +107,7 @@ def _derivatives(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             Panel(
                 HEADINGS[name],
                 unit[name],
-                (
-                    Line("plain differences", "raw", t, raw[name]),
-                    Line("regularised", "measured", t, table[name]),
-                ),
+                (Line("plain differences", "raw", t, raw[name]), Line("regularised", "measured", t, table[name])),
             )
         )
     caption = f"{differentiation(data, log)} Grey: central differences of the same samples, for comparison."
@@ -142,7 +135,7 @@ def differentiation(data: RunData, log: LogData) -> str:
 
 
 def measured_signals(log: LogData) -> dict[str, FloatArray]:
-    """The measured signals that models are compared with, by name; φ is none: it is computed from q."""
+    """The measured signals that models are compared with, by name; without φ, which is computed from q."""
     return {name: log.kinematics[name] for name in ("q", "qdot", "qddot")}
 
 
@@ -165,7 +158,7 @@ FIT = "fit = 100 (1 − ‖error‖/‖q − mean‖) %"
 
 
 def fit_note(measured: FloatArray, free: FloatArray) -> str:
-    """How well a free run fits, or why that cannot be said."""
+    """How well a free run fits, or why there is no score."""
     fit = fit_percent(measured, free)
     if fit is not None:
         return f"fit {fit:.1f} %".replace("-", "−")

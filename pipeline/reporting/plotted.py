@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.choices import Typeface
 from pipeline.machine import import_configured
+from pipeline.names import Typeface
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import (
     Cells,
@@ -177,10 +177,7 @@ def _panel(figure: Figure, panel: Panel, on: Axes, models: Sequence[str], *, lab
         on.axvspan(start * fx, stop * fx, color="#e6e6e6", linewidth=0, zorder=0.1)
     if panel.cells is not None:
         _cells(on, panel.cells, fx, fy)
-    for zero, is_log, (first, last) in (
-        (on.axhline, panel.log, (bottom, top)),
-        (on.axvline, x_log, (low, high)),
-    ):
+    for zero, is_log, (first, last) in ((on.axhline, panel.log, (bottom, top)), (on.axvline, x_log, (low, high))):
         if not is_log and first < 0.0 < last:
             zero(0.0, color="#a9b1bb", linewidth=0.4, zorder=0.5)
     for name, positions in figure.marks.items():
@@ -218,12 +215,12 @@ def _content(on: Axes, panel: Panel, models: Sequence[str], fx: float, fy: float
 def _dashes(where: str, dash: Dash, width: float) -> Any:
     """On and off in widths of the line, as matplotlib counts them; a solid line has none."""
     points = slot_dashes(where) if dash == "role" else _DASHES[dash]
-    return tuple(each / width for each in points) if points else (None, None)
+    return tuple(length / width for length in points) if points else (None, None)
 
 
 @dataclass(frozen=True)
 class _Ticks:
-    """About so many intervals between the ticks of an axis, and whether it is logarithmic or counts things."""
+    """Wanted intervals between the ticks of an axis, and whether it is logarithmic or counts things."""
 
     about: int
     log: bool
@@ -252,7 +249,7 @@ def _cells(on: Axes, cells: Cells, fx: float, fy: float) -> None:
 
     classes = [number for number in range(len(cells.labels)) if (cells.index == number).any()]
     where = [cells.index < 0, *(cells.index == number for number in classes)]
-    share = [gaussian_filter(each.astype(float), SMOOTHING) for each in where]
+    share = [gaussian_filter(area.astype(float), SMOOTHING) for area in where]
     for place, number in enumerate(classes, start=1):
         ahead: FloatArray = np.max(share[place:], axis=0) - np.max(share[:place], axis=0)
         on.contourf(cells.x * fx, cells.y * fy, ahead, levels=[0.0, 2.0], colors=[CELL_COLOURS[number]], zorder=0.2)

@@ -12,23 +12,21 @@ from pipeline.device_facts.run_data import WHY, RunData, judged_log
 from pipeline.names import ROLE_WORDS, log_title, with_true_names
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
-from pipeline.reporting.datasheet_rows import NOT_USED, calibrated_rows, sheet_rows, structure_summary
+from pipeline.reporting.datasheet_rows import (
+    NOT_USED,
+    Described,
+    calibrated_rows,
+    described,
+    sheet_rows,
+    structure_summary,
+)
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
 from pipeline.reporting.legend import MARKS, swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
-from pipeline.reporting.model_facts import Described, described
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.short_tables import headline_table
-from pipeline.reporting.tables import (
-    BEST,
-    HEADINGS,
-    TIED,
-    NrmseTable,
-    TableCell,
-    behaviour_table,
-    nrmse_table,
-)
+from pipeline.reporting.tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, nrmse_table
 from pipeline.scoring.wells import Wells
 from pipeline.si_prefix import short
 
@@ -124,14 +122,14 @@ def _log_checks(data: RunData) -> dict[str, Any]:
 
 
 def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
-    """Limits of the checks; those of wells only where there are two, or a check asks for them."""
+    """Limits of the checks; those of wells only where there are two, or a check needs them."""
     judged = {check.name for check in sheet.checks}
     two = isinstance(sheet.wells, Wells)
     return {name: limit for name, limit in THRESHOLDS.items() if two or name in judged or name not in OF_WELLS}
 
 
 def _marks_explained(figure: Figure) -> str:
-    """What the upright lines of a figure are, as a sentence; empty where there are none."""
+    """A sentence on the upright lines of a figure; empty without any."""
     kinds = [f"dashed: {name}" if MARKS[name].kind == "snap" else name for name in figure.marks]
     return f"Upright lines: {'; '.join(kinds)}." if kinds else ""
 
@@ -151,18 +149,18 @@ def _facts_caption(sheet: Datasheet) -> str:
 
 
 def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
-    """The tables of the scores; without wells, what these say of wells is of rests that are none."""
+    """The tables of the scores; without wells, the columns on wells are left out."""
     none = {} if isinstance(sheet.wells, Wells) else dict.fromkeys(SCORES_OF_WELLS)
     scores = with_true_names(({**row, **none} for row in data.scores), [(log.role, log.source) for log in data.logs])
     tables: list[dict[str, Any]] = []
     for role in ("validation", "train"):
         rows = [row for row in scores if row["role"] == role and row["signal"] != "phi"]  # which is computed from q
         for name, table in (("nrmse", nrmse_table(rows)), ("behaviour", behaviour_table(rows))) if rows else ():
-            made = _score_table(name, table)
+            shown = _score_table(name, table)
             if role == "train" and tables:
                 title = "Errors" if name == "nrmse" else "Horizons and switches"
-                made |= {"name": f"{name}-train", "caption": "", "repeats": f"{title} on the training logs"}
-            tables.append(made)
+                shown |= {"name": f"{name}-train", "caption": "", "repeats": f"{title} on the training logs"}
+            tables.append(shown)
     return {
         "score_tables": tables,
         "worst": headline_table([row for row in scores if row["model"] in data.model_names]),
@@ -204,11 +202,7 @@ def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
 
 
 def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:
-    return {
-        "figure": figure,
-        "drawings": page_chart(figure, models),
-        "legend": swatches(figure, models, marks=True),
-    }
+    return {"figure": figure, "drawings": page_chart(figure, models), "legend": swatches(figure, models, marks=True)}
 
 
 def _model(data: RunData, name: str) -> Described:

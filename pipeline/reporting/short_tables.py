@@ -51,7 +51,7 @@ class Headline:
 def headline_table(scores: Sequence[ScoreRow]) -> Headline:
     """The worst validation log of each model; the worst training log where there is no validation log.
 
-    φ is computed from q, so its error says what that of q says: it is left out, as in the tables of the page.
+    φ is computed from q, so its error repeats that of q: it is left out, as in the tables of the page.
     Shares of wells and pulses, and counts of basis functions, are left out where no model has any.
 
     Parameters

@@ -65,9 +65,9 @@ class TableCell:
     text : str
         As printed, e.g. ``2.31 [1.90, 2.84]``, ``undefined`` or ``diverged at t = 5.49 s``.
     best : bool
-        Lowest of its log and signal, all others told apart from it.
+        Lowest of its log and signal, significantly lower than all others.
     tied : bool
-        Lowest, or not told apart from the lowest, with others.
+        Lowest, or not significantly above the lowest, with others.
     """
 
     text: str
@@ -135,7 +135,7 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
 
 
 def leaders(by_model: Mapping[str, ScoreRow]) -> set[str]:
-    """The model of the lowest NRMSE and those that the log does not tell from it; one alone is the best.
+    """The model of the lowest NRMSE and those not significantly above it; one alone is the best.
 
     Models that diverged are no competitors. Empty where there is nothing to be apart from: fewer than two models, or
     one without a paired interval (`above_lowest_low`), as in a record of less than three blocks.

@@ -56,7 +56,7 @@ def _drive(u: FloatArray, dt: float, lag: float, rate: float, power: float) -> F
     return v
 
 
-def kept(charging: float, dt: float) -> float:
+def charge_left(charging: float, dt: float) -> float:
     """Share of a membrane's missing charge that is still missing after `dt` [s]; none where it charges at once."""
     return float(np.exp(-dt / charging)) if charging > 0.0 else 0.0
 
@@ -192,7 +192,7 @@ class BenchRecord:
 
 
 def random_bench(rng: np.random.Generator, *, rate: float = 30_000.0, charging: float = 0.0) -> Bench:
-    """A bench with its own converters and instrument errors, and the electrodes that are told."""
+    """A bench with its own converters and instrument errors, and the given electrodes."""
 
     def converter() -> Converter:
         """Its lag [s], rate limit [V/s] and power limit [W]."""
@@ -215,7 +215,7 @@ def record(p: RigParameters, bench: Bench, t: FloatArray, u: FloatArray, rng: np
     dt = 1 / bench.rate
     v: FloatArray = np.stack([bench.converters[side].drive(u[:, side], dt) for side in (0, 1)], axis=1)
     motion = simulate(
-        p, _behind_electrodes(v, kept(bench.charging, dt)), dt, stride=max(1, round(TIME_STEP * bench.rate))
+        p, _behind_electrodes(v, charge_left(bench.charging, dt)), dt, stride=max(1, round(TIME_STEP * bench.rate))
     )
     return BenchRecord(
         t=t,

@@ -18,7 +18,7 @@ from pipeline.rig.parameters import RigParameters
 HALVES = 2
 """Time steps of the joint in a period of the controller, and rows of the log."""
 PERIOD = 1e-3
-"""Of the controller [s]."""
+"""Period of the controller [s]."""
 GONE, FROZEN = 1.0, 2.0
 """Marks of a laser that gives no value, and of one that gives its last."""
 GIVE = 0.3e-3
@@ -34,8 +34,8 @@ class Surroundings(NamedTuple):
     ----------
     lag, rate_limit, power_over_capacitance : FloatArray, shape (2,)
         Of the converters: time constant [s], largest slope [V/s], largest v v̇ while charging [V²/s].
-    kept : float
-        Share of a membrane's missing charge that its electrodes leave missing over 1/`FINE` of a row (`bench.kept`).
+    charge_left : float
+        Share of a membrane's missing charge that is still missing after 1/`FINE` of a row (`bench.charge_left`).
     highest : float
         Largest voltage [V] that a converter gives.
     noise : FloatArray, shape (N,)
@@ -53,7 +53,7 @@ class Surroundings(NamedTuple):
     lag: FloatArray
     rate_limit: FloatArray
     power_over_capacitance: FloatArray
-    kept: float
+    charge_left: float
     highest: float
     noise: FloatArray
     linearity: float
@@ -97,7 +97,7 @@ def _charge(
         for _ in range(FINE):
             before = membranes[side]
             v[side] = charged(v[side], command[side], decay, rate, power, dt)
-            now = v[side] + (before - v[side]) * around.kept
+            now = v[side] + (before - v[side]) * around.charge_left
             total += (before * before + before * now + now * now) / 3.0
             membranes[side] = now
         charge[side] = total / FINE
@@ -129,7 +129,7 @@ def close_loop(
     around : Surroundings
         Instruments and disturbances, on the rows of `out`.
     target : FloatArray, shape (N,)
-        What the controller is told [m].
+        Target that the controller gets [m].
     address, memory : int
         Of the controller's step function and of its state.
     out : FloatArray, shape (N, 9)

@@ -16,11 +16,11 @@ from pipeline.runs.outputs import new_outputs, rebased
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
 INTERVAL = 1e-3
-"""Of the recording [s]."""
+"""Interval of the recording [s]."""
 _SET = 'parameters = "nominal"  # the drawing, from which the simulated joint differs by workshop tolerances\n'
 _COMPARED = '\n[compare]\nmodels = ["analytical", "sindy", "narx"]\n'
 STEPS = {"q": 0.3e-6, "v1": 0.2, "v2": 0.2}
-"""Of the recorder [m, V]: a third of the instruments' noise."""
+"""Resolution of the recorder [m, V]: a third of the instruments' noise."""
 
 
 def recorded() -> tuple[dict[str, RawLog], str]:

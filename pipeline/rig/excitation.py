@@ -33,7 +33,7 @@ SHARES: dict[str, tuple[float, float, float, float, float]] = {
 """The last two are those of three prototypes' logs, as are the shares below: 6 logs of 20 to 27 bursts."""
 
 EXCITATIONS = (*SHARES, "alternating")
-"""What a log can be driven by; "alternating" is `switching_pulses`."""
+"""Excitations of a log; "alternating" is `switching_pulses`."""
 
 SHORT_PULSES, SHORT_PAUSES = 0.45, 0.6
 
@@ -46,7 +46,7 @@ class Burst:
     ----------
     shape : Shape
         ``pulse`` holds both sides; the others swing between the sides: what is positive goes left, what is
-        negative goes right, since the electrostatic force knows no sign of the voltage.
+        negative goes right, since the electrostatic force does not depend on the sign of the voltage.
     start, duration : float
         [s].
     left, right : float
@@ -230,7 +230,7 @@ def load_sequence(path: Path) -> Sequence:
 
     recording = read_recording(path, channels=[TIME, *INPUTS])
     t, *inputs = (recording.channel(name).samples for name in (TIME, *INPUTS))
-    if t.size < 2 or not np.all(np.diff(t) > 0.0) or not all(np.isfinite(each).all() for each in inputs):
+    if t.size < 2 or not np.all(np.diff(t) > 0.0) or not all(np.isfinite(column).all() for column in inputs):
         raise InputError(f"{path}: a sequence needs times that advance and voltages that are finite")
     return Sequence(t - t[0], np.column_stack(inputs))
 

@@ -1,4 +1,4 @@
-"""What goes wrong on a test bench, put into a log on request: each fault at places drawn from a generator."""
+"""Faults of a test bench, put into a log on request, each at places drawn from a generator."""
 
 from dataclasses import dataclass
 
@@ -69,7 +69,7 @@ def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator)
     damaged, intact = log.with_q(q), log.t
     for first, last in _places(log, _GAP, rng) if "gaps" in kinds else []:
         faults.append(Fault("gaps", float(intact[first - 1]), float(intact[last])))
-        damaged = damaged.kept((damaged.t < intact[first]) | (damaged.t >= intact[last]))
+        damaged = damaged.rows_where((damaged.t < intact[first]) | (damaged.t >= intact[last]))
     for _ in range(_COUNT if "repeats" in kinds else 0):
         at = int(rng.integers(1, damaged.t.size))
         faults.append(Fault("repeats", float(damaged.t[at]), float(damaged.t[at])))
@@ -80,9 +80,9 @@ def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator)
 def _places(log: RawLog, lengths: tuple[float, float], rng: np.random.Generator) -> list[tuple[int, int]]:
     """Ranges of samples [first, last), one in each third of the log, at least one sample long."""
     dt, third = float(log.t[1] - log.t[0]), log.t.size // _COUNT
-    found = []
+    places = []
     for i in range(_COUNT):
         count = max(1, round(float(rng.uniform(*lengths)) / dt))
         first = i * third + int(rng.integers(1, max(2, third - count - 1)))
-        found.append((first, first + count))
-    return found
+        places.append((first, first + count))
+    return places

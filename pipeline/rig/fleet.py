@@ -9,14 +9,13 @@ from typing import Literal, cast, get_args
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.rig.ageing import aged
 from pipeline.rig.bench import Bench, BenchRecord, random_bench, record
 from pipeline.rig.excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.parameters import RigParameters, as_json, nominal, table1
-from pipeline.rig.random_joint import Family, random_joint
+from pipeline.rig.random_joint import Family, aged, random_joint
 from pipeline.runs.outputs import new_outputs, rebased
 
 Kind = Literal["same", "foreign", "worn", "nominal", "table1"]
@@ -29,7 +28,7 @@ _MAX_TRIES = 20
 _BEAM_SHARE = 0.25  # of the beam's mass that moves with the frame, about
 
 _EXCITATIONS: dict[Role, str] = {"train": "training", "validation": "validation"}
-"""What excites the logs unless told otherwise."""
+"""Default excitation of the logs."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +58,7 @@ class Experiment:
         Days since a prototype was made; its joint and its bench are those of the seed, its logs those of the day.
         None: the logs of the first experiment, and no ageing.
     drift : mapping of str to float
-        What changes, and by how much a day, see :data:`pipeline.rig.ageing.DRIFTS`.
+        What changes, and by how much a day, see :data:`pipeline.rig.random_joint.DRIFTS`.
     """
 
     kind: str = "same"
@@ -137,7 +136,7 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
         "wells_m": wells(joint),
         "joint": as_json(joint),
         "bench": asdict(bench),
-        "faults": {stem: [asdict(fault) for fault in found] for stem, found in faults.items()},
+        "faults": {stem: [asdict(fault) for fault in injected] for stem, injected in faults.items()},
     }
     (folder / "truth" / "truth.json").write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
     prototype = folder / f"{name}.toml"

@@ -123,10 +123,10 @@ def saddle(p: RigParameters) -> FloatArray:
         return np.array([potential(p, x + d, none) - potential(p, x - d, none) for d in moves]) / (2 * step * scale)
 
     for share in (0.5, 0.4, 0.6, 0.3, 0.7):
-        found = root(gradient, (1.0 - share) * left + share * right, tol=1e-12)
-        bends = np.array([gradient(found.x + d) - gradient(found.x - d) for d in 10.0 * step * np.eye(left.size)])
-        if np.abs(found.fun).max() < 1e-3 and np.sum(np.linalg.eigvalsh(0.5 * (bends + bends.T)) < 0.0) == 1:
-            return np.asarray(found.x)
+        solution = root(gradient, (1.0 - share) * left + share * right, tol=1e-12)
+        bends = np.array([gradient(solution.x + d) - gradient(solution.x - d) for d in 10.0 * step * np.eye(left.size)])
+        if np.abs(solution.fun).max() < 1e-3 and np.sum(np.linalg.eigvalsh(0.5 * (bends + bends.T)) < 0.0) == 1:
+            return np.asarray(solution.x)
     raise InputError("the virtual joint has no unstable equilibrium between its wells")
 
 

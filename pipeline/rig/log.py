@@ -123,7 +123,7 @@ class RawLog:
     v1: FloatArray
     v2: FloatArray
 
-    def kept(self, keep: BoolArray) -> "RawLog":
+    def rows_where(self, keep: BoolArray) -> "RawLog":
         """The samples where `keep`, shape (N,), is true."""
         return RawLog(self.t[keep], self.q[keep], self.v1[keep], self.v2[keep])
 

@@ -1,18 +1,79 @@
-"""One closed-loop experiment on a virtual joint: scenario in, log and truth out."""
+"""One closed-loop experiment on a virtual joint: controller and scenario in, log and truth out."""
 
-from dataclasses import dataclass
+import ctypes
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.bench import Bench, Converter, Laser, Probe, kept
+from pipeline.rig.bench import Bench, Converter, Laser, Probe, charge_left
 from pipeline.rig.closed_loop import FINE, FROZEN, GONE, HALVES, PERIOD, Surroundings, close_loop, laser_reading
-from pipeline.rig.controllers import Controller
 from pipeline.rig.excitation import MAX_VOLTAGE
 from pipeline.rig.joint import barrier, rest, tip_displacement, wells
 from pipeline.rig.parameters import RigParameters
+
+_STEP = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
+Step = Callable[[float, float], tuple[float, float]]
+
+
+@dataclass
+class Controller:
+    """A controller in memory.
+
+    Attributes
+    ----------
+    step : int
+        Address of its step function.
+    begin : callable
+        Told the first reading [m] before the first step.
+    failure : list of Exception
+        What its Python raised; the voltages are zero from there on.
+    keep : tuple
+        What must stay alive.
+    """
+
+    step: int
+    begin: Callable[[float], None]
+    failure: list[Exception] = field(default_factory=list)
+    keep: tuple[Any, ...] = ()
+
+
+def python_controller(beginning: Callable[[float], Step]) -> Controller:
+    """A controller from a function that gets the first reading [m] and returns the step function."""
+    failure: list[Exception] = []
+    steps: list[Step] = []
+
+    def begin(q: float) -> None:
+        steps.append(beginning(q))
+
+    def step(_state: Any, q: float, target: float, v: Any) -> None:
+        """Write the voltages [V] for a reading and a target [m] into `v`; zero from the first failure on."""
+        left = right = 0.0
+        try:
+            if not failure:
+                left, right = steps[-1](q, target)
+        except Exception as error:  # it cannot pass through the compiled loop
+            failure.append(error)
+        v[0], v[1] = left, right
+
+    called = _STEP(step)
+    return Controller(ctypes.cast(called, ctypes.c_void_p).value or 0, begin, failure, (called,))
+
+
+def played(t: FloatArray, u: FloatArray) -> Controller:
+    """A controller that looks at nothing and gives `u`, shape (N, 2) [V], each row from its time `t` [s] on."""
+    rows = np.clip(np.searchsorted(t, np.arange(0.0, t[-1] + PERIOD, PERIOD) + 1e-9, side="right") - 1, 0, t.size - 1)
+    commands = iter(u[rows].tolist())
+
+    def step(_q: float, _target: float) -> tuple[float, float]:
+        """The next row, and nothing after the last."""
+        left, right = next(commands, (0.0, 0.0))
+        return left, right
+
+    return python_controller(lambda _q: step)
 
 
 @dataclass(frozen=True)
@@ -22,7 +83,7 @@ class Scenario:
     Attributes
     ----------
     t, target : FloatArray, shape (n,)
-        From each time [s] on the controller is told this target [m], until the next; the first time is 0.
+        From each time [s] on the controller gets this target [m], until the next; the first time is 0.
     duration : float
         Length [s].
     highest : float
@@ -79,7 +140,7 @@ class Scenario:
 class ClosedLoop:
     """A closed-loop run, all of shape (N,) and SI: what a log holds, and what no instrument shows.
 
-    `q`, `v1`, `v2` are readings, `target` what the controller was told, `command1` and `command2` what it answered
+    `q`, `v1`, `v2` are readings, `target` what the controller got, `command1` and `command2` what it returned
     within the converters' range. Counted is how often it answered with no finite number (NaN acts as 0 V, an infinite
     one as the end of the range), and with one beyond the range.
     """
@@ -159,7 +220,7 @@ def _surroundings(
         lag=np.array([c.lag if scenario.lag is None else scenario.lag for c in converters]),
         rate_limit=np.array([c.rate_limit for c in converters]),
         power_over_capacitance=np.array([c.power_limit / c.capacitance for c in converters]),
-        kept=kept(bench.charging, PERIOD / HALVES / FINE),
+        charge_left=charge_left(bench.charging, PERIOD / HALVES / FINE),
         highest=scenario.highest,
         noise=noise,
         linearity=laser.linearity,
@@ -189,8 +250,8 @@ def _pushes(scenario: Scenario, t: FloatArray) -> FloatArray:
 
 def bench_from_json(values: dict[str, Any]) -> Bench:
     """The bench back from `dataclasses.asdict`."""
-    left, right = (Converter(**each) for each in values["converters"])
-    first, second = (Probe(**each) for each in values["probes"])
+    left, right = (Converter(**entry) for entry in values["converters"])
+    first, second = (Probe(**entry) for entry in values["probes"])
     return Bench(
         values["rate"], (left, right), Laser(**values["laser"]), (first, second), float(values.get("charging", 0.0))
     )

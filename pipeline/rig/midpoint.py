@@ -162,11 +162,11 @@ def _newton(
     for iteration in range(_MAX_NEWTON):
         columns = n if (renew and iteration == 0) or iteration % 8 == 7 else 0
         for j in range(columns + 1):  # the last evaluation is the unperturbed one
-            kept = vm[min(j, n - 1)]
+            unperturbed = vm[min(j, n - 1)]
             if j < columns:
                 vm[j] += _NUDGE / h
             _imbalance(vm, h, state, p, work, residual)
-            vm[min(j, n - 1)] = kept
+            vm[min(j, n - 1)] = unperturbed
             if j < columns:
                 for i in range(n):
                     tangent[i, j] = residual[i]

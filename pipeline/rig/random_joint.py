@@ -1,4 +1,4 @@
-"""Random prototypes: joints as a workshop makes them, none like the drawing, in three families of physics.
+"""Random prototypes, new or aged: joints as a workshop makes them, in three families of physics.
 
 ``same``    the analytical model's own theory (Ritz beam, neo-Hookean rubber, one Maxwell branch) with left/right
             asymmetries, creep and Maxwell-slip friction, which that model does not have;
@@ -9,6 +9,8 @@
             decades of time.
 """
 
+from collections.abc import Mapping
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -16,8 +18,10 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig import parameters as law
+from pipeline.rig.bench import Bench
 from pipeline.rig.joint import simulate, wells
 from pipeline.rig.parameters import RigParameters, nominal
+from pipeline.units import parse_quantity
 
 Family = Literal["same", "foreign", "worn"]
 
@@ -188,3 +192,53 @@ def _switches(p: RigParameters) -> bool:
     none = np.zeros_like(slow)
     q = simulate(p, np.column_stack([np.r_[slow, none], np.r_[none, slow]]), _SLOW_STEP, stride=1).q
     return bool(q[slow.size - 1] > 0.0 and q[-1] < 0.0)
+
+
+DRIFTS = {"capacitance": "1", "stiffness": "1", "charging": "s", "laser": "m"}
+"""Quantities that may change, with the unit of the change in a day: C0 of both membranes, the beam's bending stiffness,
+the time constant with which the membranes charge, and the laser's reading at q = 0. Changes are proportional to the
+age."""
+
+USUAL = "capacitance=-0.1%,stiffness=-0.05%,charging=20us,laser=2um"
+"""Default changes in a day."""
+
+
+def parse_drift(text: str) -> dict[str, float]:
+    """Changes in a day by their names, as fractions or in SI units, from ``NAME=CHANGE,…``; ``none`` is no change.
+
+    Raises
+    ------
+    InputError
+        A name or a unit is not in `DRIFTS`.
+    """
+    drift = {}
+    for entry in text.split(",") if text != "none" else ():
+        name, _, change = (part.strip() for part in entry.partition("="))
+        if name not in DRIFTS:
+            raise InputError(f"--drift {entry}: unknown; write NAME=CHANGE with {', '.join(DRIFTS)}, or none")
+        drift[name] = parse_quantity(change, (DRIFTS[name],), "--drift")
+    return drift
+
+
+def aged(joint: RigParameters, bench: Bench, age: float, drift: Mapping[str, float]) -> tuple[RigParameters, Bench]:
+    """Joint and bench at an age [days] with changes a day as `parse_drift` gives them.
+
+    Raises
+    ------
+    InputError
+        Nothing of a capacitance, a stiffness or a charging time is left at that age.
+    """
+    change = {name: age * drift.get(name, 0.0) for name in DRIFTS}
+    charging = bench.charging + change["charging"]
+    if min(change["capacitance"], change["stiffness"]) <= -0.5 or charging < 0.0:
+        raise InputError(
+            f"--age {age:g}: more than half of a capacitance or a stiffness is gone, or a time is negative"
+        )
+    stiffer = 1.0 + change["stiffness"]
+    joint = joint._replace(
+        capacitance=joint.capacitance * (1.0 + change["capacitance"]),
+        bending=joint.bending * stiffer,
+        hinge_stiffness=joint.hinge_stiffness * stiffer,
+    )
+    laser = replace(bench.laser, zero=bench.laser.zero + change["laser"])
+    return joint, replace(bench, charging=charging, laser=laser)

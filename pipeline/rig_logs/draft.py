@@ -13,9 +13,9 @@ from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspectio
 from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
 from pipeline.rig_logs.recording import as_other_logs
 from pipeline.settings import Ingest
-from pipeline.signals.bandwidth import LEAST_PER_PERIOD, advised_interval
 from pipeline.signals.quality_gates import COARSEST_STEP, UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
+from pipeline.signals.spectrum import LEAST_PER_PERIOD, advised_interval
 from pipeline.signals.timebase import seldom
 from pipeline.units import DISPLACEMENT, SECONDS, to_si
 

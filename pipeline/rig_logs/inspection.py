@@ -15,7 +15,7 @@ from pipeline.rig_logs.recording import RecordedChannel, Recording
 from pipeline.rig_logs.remarks import Clock, Context, remarks_on
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
 from pipeline.signals.dropouts import NONE, dropout_remarks, dropouts
-from pipeline.signals.missing_codes import codes_in, masked, said_of
+from pipeline.signals.missing import codes_in, masked, said_of
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 from pipeline.units import SECONDS

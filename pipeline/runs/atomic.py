@@ -165,7 +165,7 @@ def move(source: Path, target: Path, *, within: Path) -> None:
 
 
 def _sync(folder: Path) -> None:
-    """Wait until the names in a folder are on the disk; Windows cannot be asked for it."""
+    """Wait until the names in a folder are on the disk; Windows has no such call."""
     if os.name == "nt":
         return
     descriptor = os.open(folder, os.O_RDONLY)

@@ -50,7 +50,7 @@ class Checkpoints:
             return None
 
     def put(self, name: str, value: Any) -> None:
-        """Keep a finished part; `value` is what JSON knows and arrays of floats, None excepted.
+        """Keep a finished part; `value` is what JSON can hold and arrays of floats, None excepted.
 
         Raises
         ------
@@ -97,6 +97,6 @@ def _array(document: dict[str, Any]) -> Any:
 
 
 def clear_checkpoints(root: Path) -> None:
-    """Remove all parts: those of a task that is committed, and those of recipes that nobody asks for any more."""
+    """Remove all parts: those of a task that is committed, and those of recipes that no task has any more."""
     if not (root / FOLDER).is_symlink():
         shutil.rmtree(root / FOLDER, ignore_errors=True)

@@ -1,6 +1,6 @@
 """The columns of every table, each defined once: for the Parquet files, the terminal, the page, CSV and the docs.
 
-`data/README.md` publishes them. A test compares it with this list, and asks for a new `SCHEMA_VERSION` when columns of
+`data/README.md` publishes them. A test compares it with this list, and requires a new `SCHEMA_VERSION` when columns of
 a file change.
 """
 
@@ -86,7 +86,7 @@ class FactColumn(Column):
     row : str
         The row of the datasheet for people that shows it.
     side : {"", "left", "right"}
-        The well that it belongs to; empty for a fact of the whole device.
+        Well of the fact; empty for a fact of the whole device.
     fleet : str
         Its heading in the table of a fleet; empty where that has no such column.
     """
@@ -109,10 +109,7 @@ RECORD_COLUMNS = (
     Column("velocity", "q̇", "{q}/s", "measured velocity, where there is such a channel"),
     Column("segment", "", "1", "number of the gap-free stretch; -1 where the row is masked", dtype="int32"),
 )
-RATE_COLUMNS = (
-    Column("qdot", "q̇", "{q}/s", "velocity"),
-    Column("qddot", "q̈", "{q}/s²", "acceleration"),
-)
+RATE_COLUMNS = (Column("qdot", "q̇", "{q}/s", "velocity"), Column("qddot", "q̈", "{q}/s²", "acceleration"))
 TUBE_COLUMNS = (
     Column("q_low", "", "{q}", "lower end of the 90 % tube of q, where the model has one"),
     Column("q_high", "", "{q}", "upper end of it"),
@@ -125,7 +122,7 @@ PHI_COLUMN = Column("phi", "φ", "rad", "tip rotation, from q by kinematics: the
 
 
 def _band(of: str, unit: str, how: str) -> tuple[Column, Column]:
-    """The columns of an interval, after the number that it belongs to."""
+    """The columns of a number's interval."""
     end = "_s" if unit == "s" else ""
     return (
         Column(f"{of}_low{end}", "", unit, f"lower end of its 95 % interval: {how}"),
@@ -163,7 +160,7 @@ NOTED_COLUMNS = (
         "int64",
     ),
 )  # fmt: skip
-"""Scores that stand in the notes of a free run under the same key (`pipeline.stages.validate`)."""
+"""Scores that the notes of a free run hold under the same key (`pipeline.stages.validate`)."""
 
 SCORE_COLUMNS = (
     _text("log", "name of the log"),
@@ -264,7 +261,7 @@ STUDY_COLUMNS: dict[StudyName, tuple[Column, ...]] = {
 }  # fmt: skip
 
 STABLE = "stable_"
-"""Start of the keys of stable states of a device that has neither one nor two."""
+"""Start of the keys of stable states of a device with three or more, or none."""
 
 
 def _of_wells(kind: str, title: str, unit: str, row: str, help_: str, fleet: str = "") -> Iterator[FactColumn]:

@@ -1,4 +1,4 @@
-"""What may differ between two runs, and how far apart two artifacts are."""
+"""Differences between two runs, and how far apart two artifacts are."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -29,7 +29,7 @@ class Task:
     Attributes
     ----------
     stage, title : str
-        Name of the stage; the title says which log or model.
+        Name of the stage; the title names the log or model.
     algorithm : str
         Version of the algorithm; raise it when equal inputs give another result.
     settings : mapping
@@ -45,7 +45,7 @@ class Task:
     work : callable
         Writes the outputs into the run that it is given, and returns them by name.
     reports : bool
-        Whether `work` also takes a callable (what is going on, share done) that it calls as it goes on.
+        Whether `work` also takes a callable (current step, share done) that reports its progress.
     """
 
     stage: str
@@ -80,7 +80,7 @@ class Observer(Protocol):
 
 
 class Unheard:
-    """An observer that tells nobody."""
+    """An observer that reports nothing."""
 
     def started(self, task: Task, reasons: list[str]) -> None:
         """Say nothing."""
@@ -95,7 +95,7 @@ class Unheard:
         """Say nothing."""
 
     def warned(self, what: str, warning: str) -> None:
-        """Say nothing: what is warned of stands in the notes of the artifacts."""
+        """Print nothing: the notes of the artifacts hold the warnings."""
 
 
 @runtime_checkable
@@ -159,18 +159,18 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
 def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
     """What a run would redo and why, without doing it; what hangs on a stale input is stale too."""
     stale: set[str] = set()
-    found = []
+    statuses = []
     for task in tasks:
-        made = run.manifest.artifacts
-        waiting = [f"input {n} is {'stale' if n in made else 'not made yet'}" for n in task.inputs if n in stale]
-        missing = [name for name in task.inputs if name not in made]
+        artifacts = run.manifest.artifacts
+        waiting = [f"input {n} is {'stale' if n in artifacts else 'not made yet'}" for n in task.inputs if n in stale]
+        missing = [name for name in task.inputs if name not in artifacts]
         reasons = waiting or (
             [f"input {missing[0]} is missing"] if missing else _reasons(run, task, _recipe(run, task))
         )
         if reasons:
             stale.update(task.outputs)
-        found.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
-    return found
+        statuses.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
+    return statuses
 
 
 def _recipe(run: RunFolder, task: Task) -> Recipe:
@@ -191,26 +191,26 @@ def missing_source(path: Path, task: Task) -> str:
 
 
 def unreadable_source(path: Path, error: OSError) -> str:
-    """That the system does not let a raw log or table be read."""
+    """The error for a raw log or table that the system does not let read."""
     return f"{path}: cannot be read: {error.strerror}; see to disk and permission"
 
 
 @dataclass(frozen=True)
 class _Seen:
-    """What tells whether a file was touched since, and whether it was touched so lately that this cannot tell."""
+    """Size and times that show whether a file changed, and whether they are too recent to show it."""
 
     identity: tuple[int, ...]
     recent: bool
 
 
 def _seen(task: Task) -> dict[Path, _Seen]:
-    found: dict[Path, _Seen] = {}
+    seen: dict[Path, _Seen] = {}
     for path in (task.sources or {}).values():
         with suppress(OSError):  # `_recipe` says what is wrong with it
             stat = path.stat()
             identity = (stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns)
-            found[path] = _Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
-    return found
+            seen[path] = _Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
+    return seen
 
 
 def _check_sources(task: Task, recipe: Recipe, before: Mapping[Path, _Seen]) -> None:
@@ -232,7 +232,7 @@ def _check_sources(task: Task, recipe: Recipe, before: Mapping[Path, _Seen]) -> 
 
 
 def _outputs(run: RunFolder, task: Task) -> list[str]:
-    """The declared outputs, and what was written beside them because the data asked for it."""
+    """The declared outputs, and what was written beside them because of the data."""
     first = run.manifest.artifacts.get(task.outputs[0])
     beside = [name for name, record in run.manifest.artifacts.items() if first and record.recipe == first.recipe]
     return list(dict.fromkeys((*task.outputs, *beside)))

@@ -94,7 +94,7 @@ def tree_hash(tree: Mapping[str, Any]) -> str:
 
 
 def flatten(tree: Mapping[str, Any], prefix: str = "", separator: str = "/") -> Iterable[tuple[str, Any]]:
-    """The leaves of a nested mapping with their paths; a list of mappings counts as one by position."""
+    """The leaves of a nested mapping with their paths; a list of mappings is read as one by position."""
     for key, value in tree.items():
         if isinstance(value, Mapping):
             yield from flatten(value, f"{prefix}{key}{separator}", separator)
@@ -106,7 +106,7 @@ def flatten(tree: Mapping[str, Any], prefix: str = "", separator: str = "/") -> 
 
 
 def rounded_digest(values: np.ndarray[Any, Any], digits: int) -> str:
-    """SHA-256 of one column rounded to so many decimal digits of its largest magnitude.
+    """SHA-256 of one column rounded to `digits` decimal digits of its largest magnitude.
 
     Floating point does not make sums equal across processors and library versions, only close; this hash is equal
     where they are close, unless a value lies within the difference of a rounding edge. Columns without floats, and

@@ -6,7 +6,8 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
 from pipeline.names import log_name
-from pipeline.settings import ROLES, Log, LogPart, Prototype, Role, log_label
+from pipeline.settings import Prototype
+from pipeline.settings_logs import ROLES, Log, LogPart, Role, log_label
 
 CHECK = "check.json"
 MODELS = "model.h5"

@@ -25,12 +25,12 @@ _LONGEST_NOTE, _LONGEST_HOST = 4096, 100
 def run_lock(root: Path) -> Iterator[None]:
     """Hold the run folder `root`, without waiting; missing folders are made.
 
-    A holder that was killed holds nothing; the note beside the lock only says who.
+    A holder that was killed holds nothing; the note beside the lock only names it.
 
     Raises
     ------
     RunLockedError
-        Another process holds it; the text says who and since when.
+        Another process holds it; the text names it and the time.
     InputError
         The folder cannot be written, its file system offers no locks, or the lock is a symbolic link.
     """
@@ -86,12 +86,8 @@ def _not_locked(root: Path, error: OSError) -> InputError:
 
 
 def _leave_note(root: Path) -> None:
-    """Who holds the lock, for whoever comes second; a courtesy, without which the lock holds as well."""
-    note = {
-        "pid": os.getpid(),
-        "host": socket.gethostname(),
-        "since": datetime.now(UTC).isoformat(timespec="seconds"),
-    }
+    """The holder of the lock, for the message to a second process; the lock works without it."""
+    note = {"pid": os.getpid(), "host": socket.gethostname(), "since": datetime.now(UTC).isoformat(timespec="seconds")}
     with suppress(InputError):
         write_text(root / HOLDER, json.dumps(note), within=root)
 

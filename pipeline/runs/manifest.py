@@ -23,7 +23,7 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, not_written, reading, refuse_link, sweep, write_text
 from pipeline.runs.hashing import file_sha256, flatten, json_sha256
-from pipeline.runs.notes import ADVICE, checked_notes, first_mistake
+from pipeline.runs.schemas import ADVICE, checked_notes, first_mistake
 
 MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"
@@ -89,7 +89,7 @@ class ArtifactRecord:
         Of the content, independent of the file format's details.
     bytes : int
     notes : mapping
-        What the stage says of the result: counts, convergence, chosen parameters.
+        Notes of the stage on the result: counts, convergence, chosen parameters.
     environment : str
         Key of the environment that it was made in; empty in runs of before environments were recorded.
     """
@@ -119,7 +119,7 @@ class Manifest:
     environments : dict
         What the artifacts were made in, by key.
     stages : dict of str to dict
-        What stands in the stage manifests: content hash by artifact, by stage.
+        Content of the stage manifests: content hash by artifact, by stage.
     set_aside : list of str
         Damaged files that were moved out of the way, by path in the run.
     """
@@ -142,7 +142,7 @@ _SHAPE = TypeAdapter(Manifest)
 
 
 def _read(root: Path) -> tuple[Path, bytes]:
-    """The manifest that counts, and what stands in it: the next one where a commit was cut short."""
+    """The valid manifest and its text: the next one if a commit was cut short."""
     path = root / NEXT_MANIFEST
     try:
         try:
@@ -151,7 +151,7 @@ def _read(root: Path) -> tuple[Path, bytes]:
             path = root / MANIFEST
             raw = read_plain(path, _LARGEST)
     except FileNotFoundError:
-        within = sorted(each.parent for each in root.glob(f"*/{MANIFEST}"))
+        within = sorted(place.parent for place in root.glob(f"*/{MANIFEST}"))
         hint = f"name one of those in it, such as {within[0]}" if within else ""
         hint = hint or f"`debist run PROTOTYPE.toml -o {root}` makes one"
         raise InputError(f"{root}: no run here (no {MANIFEST}); {hint}") from None
@@ -208,7 +208,7 @@ def _dump(manifest: Manifest) -> str:
 
 
 def to_json(value: Any) -> Any:
-    """The value as JSON knows it: arrays as lists, keys as text, a number that is not finite as null."""
+    """The value for JSON: arrays as lists, keys as text, a number that is not finite as null."""
     if isinstance(value, Mapping):
         return {str(key): to_json(entry) for key, entry in value.items()}
     if hasattr(value, "tolist"):
@@ -263,10 +263,10 @@ def recover(root: Path) -> None:
     with reading(root):
         if (root / NEXT_MANIFEST).exists():
             manifest = load_manifest(root)
-            made = {name: record.sha256 for name, record in manifest.artifacts.items()}
+            written = {name: record.sha256 for name, record in manifest.artifacts.items()}
             texts = {stage_file(stage): stage_text(stage, content) for stage, content in manifest.stages.items()}
-            made |= {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
-            _complete(root, manifest, [name for name, sha256 in made.items() if is_staged(root / name, sha256)])
+            written |= {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
+            _complete(root, manifest, [name for name, sha256 in written.items() if is_staged(root / name, sha256)])
     sweep(root, STAGED_MARK)
 
 

@@ -39,7 +39,7 @@ def new_outputs(
     Parameters
     ----------
     folder : Path
-        Where they shall lie; made if missing.
+        Their folder; made if missing.
     command : str
         Who writes.
     force : bool or None
@@ -84,9 +84,9 @@ def rebased(path: Path, staged: Path, folder: Path) -> Path:
 
 
 def _place(staged: Path, folder: Path, written: list[Path], about: dict[str, Any]) -> None:
-    """Move the files to their places; `about` is what the list says of each.
+    """Move the files to their places; `about` is the entry of each in the list.
 
-    The list is there before them and knows what they replace: whatever interrupts, each file is one that it names.
+    The list is written first and names what they replace: after any interruption each file is in the list.
     """
     listed = written_files(folder)
     coming = {name.as_posix(): about | {"sha256": file_sha256(staged / name)} for name in written}

@@ -76,21 +76,23 @@ class RunFolder:
 
         What a killed process left behind is completed or removed first.
         """
-        made = Manifest(prototype, str(prototype_file.resolve()), recorded_versions(), {})
-        if not made.prototype_file.isprintable() and any(0xD800 <= ord(c) < 0xE000 for c in made.prototype_file):
+        manifest = Manifest(prototype, str(prototype_file.resolve()), recorded_versions(), {})
+        if not manifest.prototype_file.isprintable() and any(
+            0xD800 <= ord(c) < 0xE000 for c in manifest.prototype_file
+        ):
             raise InputError(f"{prototype_file}: its path is not UTF-8, so no manifest can state it; rename the folder")
         if not holds_run(root):
             sweep(root)
-            made.save(root)  # first of all, so that whatever a killed process leaves here is known as a run
-            return cls(root, made)
+            manifest.save(root)  # first of all, so that whatever a killed process leaves here is known as a run
+            return cls(root, manifest)
         recover(root)
         sweep(root)
         stored = load_manifest(root)
-        made.artifacts, made.environments = stored.artifacts, stored.environments
-        made.stages, made.set_aside = stored.stages, stored.set_aside
-        if (stored.prototype, stored.prototype_file) != (made.prototype, made.prototype_file):
-            replace(stored, prototype=made.prototype, prototype_file=made.prototype_file).save(root)
-        return cls(root, made)
+        manifest.artifacts, manifest.environments = stored.artifacts, stored.environments
+        manifest.stages, manifest.set_aside = stored.stages, stored.set_aside
+        if (stored.prototype, stored.prototype_file) != (manifest.prototype, manifest.prototype_file):
+            replace(stored, prototype=manifest.prototype, prototype_file=manifest.prototype_file).save(root)
+        return cls(root, manifest)
 
     @property
     def prototype(self) -> Prototype:
@@ -121,7 +123,7 @@ class RunFolder:
         return target
 
     def record(self, name: str) -> ArtifactRecord:
-        """What the manifest says of an artifact.
+        """The record of an artifact in the manifest.
 
         Raises
         ------
@@ -234,7 +236,7 @@ class RunFolder:
         return staging_place(path)
 
     def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
-        """Make the artifacts that one task has written valid, all at once; a stage manifest of other content goes."""
+        """Make the artifacts of one task valid, all at once; a stage manifest of other content is removed."""
         key, environment = current_environment()
         for name, artifact in written.items():
             staged = staging_place(self.path(name))
@@ -257,12 +259,12 @@ class RunFolder:
 
         What is there already is left alone.
         """
-        made = self.manifest.stages
+        stored = self.manifest.stages
         changed = [
-            stage for stage, content in stages.items() if made.get(stage) != content or self.stage_problem(stage)
+            stage for stage, content in stages.items() if stored.get(stage) != content or self.stage_problem(stage)
         ]
         for stage in changed:
-            made[stage] = dict(stages[stage])
+            stored[stage] = dict(stages[stage])
             write_text(self._staged(stage_file(stage)), stage_text(stage, stages[stage]), within=self.root)
         if changed:
             commit(self.root, self.manifest, map(stage_file, changed))
@@ -303,7 +305,7 @@ class RunFolder:
 def in_snapshot(root: Path, work: Callable[[RunFolder], T]) -> T:
     """Do some reading in one state of a run, though another process may go on writing into it.
 
-    All that is read is checked against one manifest; where that was replaced meanwhile, the work begins anew.
+    All that is read is checked against one manifest; if that was replaced meanwhile, the work starts again.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ def write_tree(
     """Write a tree and return its content hash; `within` as for `atomic_path`.
 
     Every leaf becomes a dataset: arrays chunked with Fletcher-32 checksums, numbers and texts as scalars.
-    What `columns` says of it become its attributes ``unit`` and ``meaning``, which do not count in the hash.
+    Its entry in `columns` gives its attributes ``unit`` and ``meaning``, which do not count in the hash.
 
     The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. What it was
     refused memory for while it closes a dataset it tells nobody, so the bytes are read back first, which takes as long.
@@ -57,13 +57,13 @@ def _laid_out(tree: Mapping[str, Any], columns: Columns | None) -> bytes:
         for path, value in flatten(tree):
             array = np.asarray(value)
             if array.dtype.kind in "US":
-                made = file.create_dataset(path, data=array.astype(object), dtype=h5py.string_dtype())
+                dataset = file.create_dataset(path, data=array.astype(object), dtype=h5py.string_dtype())
             elif array.size and array.ndim:
-                made = file.create_dataset(path, data=array, compression="gzip", shuffle=True, fletcher32=True)
+                dataset = file.create_dataset(path, data=array, compression="gzip", shuffle=True, fletcher32=True)
             else:
-                made = file.create_dataset(path, data=array)
+                dataset = file.create_dataset(path, data=array)
             if columns is not None:
-                made.attrs["unit"], made.attrs["meaning"] = columns(path)
+                dataset.attrs["unit"], dataset.attrs["meaning"] = columns(path)
     return content.getvalue()
 
 

@@ -44,7 +44,7 @@ class Verified:
 
     @property
     def intact(self) -> bool:
-        """Everything is as it was written, and nothing else is there."""
+        """Every file is as it was written, and there are no others."""
         return not (self.problems or self.unknown or self.leftover)
 
 

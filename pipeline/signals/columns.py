@@ -102,8 +102,8 @@ def sparse(signal: Signal) -> tuple[Signal, int]:
     return (select(signal[0], taken), select(signal[1], taken)), usual
 
 
-def equal(one: FloatArray, other: FloatArray) -> bool:
+def equal(first: FloatArray, second: FloatArray) -> bool:
     """Whether two columns hold the same numbers."""
-    return one is other or (
-        one.size == other.size and all(np.array_equal(one[rows], other[rows]) for rows in chunks(one.size))
+    return first is second or (
+        first.size == second.size and all(np.array_equal(first[rows], second[rows]) for rows in chunks(first.size))
     )

@@ -81,15 +81,15 @@ def sharpened(samples: FloatArray, usable: BoolArray) -> FloatArray:
     moments; the inverse is taken to fourth order, in differences of five samples. Where one of them is not `usable` a
     sample stays as it is. Cost: 10 flops each; noise at the Nyquist limit grows by a quarter.
     """
-    found = samples.copy()
+    sharp = samples.copy()
     if len(samples) < 5:
-        return found
+        return sharp
     second = np.diff(samples, 2)
     fourth = np.diff(second, 2)
     by_second, by_fourth = _SHARPENING
     inside = np.lib.stride_tricks.sliding_window_view(usable, 5).all(axis=1)
-    found[2:-2] += np.where(inside, by_second * second[1:-1] + by_fourth * fourth, 0.0)
-    return found
+    sharp[2:-2] += np.where(inside, by_second * second[1:-1] + by_fourth * fourth, 0.0)
+    return sharp
 
 
 def kernel(x: FloatArray) -> FloatArray:

@@ -1,6 +1,6 @@
 """Samples that are no measurement though they lie within the range: bursts at one level, values held, rows lost.
 
-A device with inertia passes through what lies between. What it cannot do is to jump from one sample to the next.
+A device with inertia passes through the values between. It cannot jump from one sample to the next.
 """
 
 from collections.abc import Sequence
@@ -8,17 +8,60 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.signals.answers import answer_inputs
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.columns import Signal, chunks
-from pipeline.signals.signal_quality import SignalQuality
+from pipeline.signals.signal_quality import SignalQuality, span
+
+_OF_INPUT, _ANSWER = 0.05, 0.03
+"""Share of the range of an input that its change exceeds, and time [s] that a device which jumps takes to answer."""
+_TOGETHER, _BY_CHANCE, _PLACES = 0.75, 0.01, 2000
+"""Share of the jumps that answer an input where the device makes them, the probability below which that is no chance,
+and at how many places it is seen how often an input changes."""
+
+
+def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArray, step: float) -> bool:
+    """Whether an input has changed just before most of these times [s], more of them than by chance.
+
+    Parameters
+    ----------
+    times : FloatArray
+        When the signal jumps [s].
+    inputs : sequence of (FloatArray, FloatArray)
+        Time stamps [s] and samples of what drives the device.
+    stamps : FloatArray
+        Those of the signal [s], by which chance is judged.
+    step : float
+        Nominal sampling step of the signal [s].
+    """
+    from scipy.special import bdtrc
+
+    anywhere = stamps[:: max(1, stamps.size // _PLACES)]
+    answers, chance = np.zeros(times.size, dtype=np.bool_), np.zeros(anywhere.size, dtype=np.bool_)
+    for signal in inputs:
+        answers |= _changed(signal, times, step)
+        chance |= _changed(signal, anywhere, step)
+    count = int(np.count_nonzero(answers))
+    likely = count > 0 and count >= _TOGETHER * times.size
+    return likely and bool(bdtrc(count - 1, times.size, float(np.mean(chance))) < _BY_CHANCE)
+
+
+def _changed(signal: Signal, times: FloatArray, step: float) -> BoolArray:
+    """Whether an input differs at these times [s] from what it was shortly before."""
+    smallest, largest = span(signal[1])
+    before = np.searchsorted(signal[0], times - max(5.0 * step, _ANSWER))
+    now = np.searchsorted(signal[0], times + step)
+    last = signal[1].size - 1
+    change = np.abs(signal[1][np.minimum(now, last)] - signal[1][np.minimum(before, last)])
+    changed: BoolArray = change > _OF_INPUT * (largest - smallest)
+    return changed
+
 
 _NOISES, _LEAST = 12.0, 0.01
 """Standard deviations of the noise, and share of the usual range, that a jump exceeds."""
 _LOST = 0.03
 """Share of the usual range that a jump exceeds where rows are missing: encoders and potentiometers slip by 1 to 2 %."""
 _USUAL_STEP = 1.5
-"""Sampling steps between two stamps beyond which time says itself that rows are missing."""
+"""Sampling steps between two stamps beyond which the stamps themselves show that rows are missing."""
 _OF_BESIDE = 4.0
 """Times the steps before and after it that a jump is at least; a motion of eight samples a period has up to 2."""
 _LONGEST = 0.25
@@ -110,15 +153,15 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
 
 def _jumps(samples: FloatArray, least: float) -> IntArray:
     """Rows before a step larger than `least` and several times those beside it."""
-    found = []
+    rows_before = []
     for rows in chunks(samples.size):
         begin = max(rows.start - 1, 0)
         steps = np.abs(np.diff(samples[begin : rows.stop + 2]))
         if steps.size < 3:
             continue
         beside = _OF_BESIDE * np.maximum(steps[:-2], steps[2:])
-        found.append(begin + 1 + np.flatnonzero((steps[1:-1] > least) & (steps[1:-1] >= beside)))
-    return np.concatenate([np.empty(0, dtype=np.int64), *found])
+        rows_before.append(begin + 1 + np.flatnonzero((steps[1:-1] > least) & (steps[1:-1] >= beside)))
+    return np.concatenate([np.empty(0, dtype=np.int64), *rows_before])
 
 
 def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> tuple[IntArray, FloatArray]:
@@ -143,12 +186,12 @@ def _with_code(samples: FloatArray, bursts: IntArray, levels: FloatArray) -> Int
     codes = values[counts >= _HELD]
     if not codes.size:
         return bursts
-    found, previous = [bursts], np.zeros(0, dtype=np.int64)
+    spans, previous = [bursts], np.zeros(0, dtype=np.int64)
     for rows in chunks(samples.size):
         previous = np.concatenate((previous, rows.start + np.flatnonzero(np.isin(samples[rows], codes))))
     runs = np.split(previous, np.flatnonzero(np.diff(previous) > 1) + 1)
-    found.append(np.array([(run[0], run[-1] + 1) for run in runs if run.size >= _HELD], dtype=np.int64).reshape(-1, 2))
-    every = np.unique(np.concatenate(found), axis=0)
+    spans.append(np.array([(run[0], run[-1] + 1) for run in runs if run.size >= _HELD], dtype=np.int64).reshape(-1, 2))
+    every = np.unique(np.concatenate(spans), axis=0)
     keep = np.concatenate(([True], every[1:, 0] >= np.maximum.accumulate(every[:-1, 1])))
     return every[keep]
 
@@ -166,28 +209,29 @@ def _held(samples: FloatArray, jumps: IntArray, longest: int) -> IntArray:
     return np.array(spans, dtype=np.int64).reshape(-1, 2)
 
 
-def dropout_remarks(found: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
-    """What to say of them: what, how many, since when. Levels are told in `unit`, which is `factor` × SI."""
-    said = []
-    if len(found.bursts):
-        levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in found.levels[:2])
-        more = f" and {len(found.levels) - 2} more levels" if len(found.levels) > 2 else ""
-        what = f"{_several(found.bursts, 'burst')} at {levels}{more}, which no motion reaches"
-        said.append(f"{what}, the first at {found.first[0]:.6g} s")
-    if len(found.held):
-        what = f"{_several(found.held, 'stretch', 'stretches')} in which the last value was held"
-        said.append(f"{what}, the first at {found.first[1]:.6g} s")
-    if count := len(found.cuts):
-        said.append(
-            f"{count} jump{'s' * (count > 1)} from one sample to the next, the first at {found.cuts[0, 1]:.6g} s: rows "
+def dropout_remarks(lost: Dropouts, factor: float = 1.0, unit: str = "") -> list[str]:
+    """Remarks on them: what, how many, since when. Levels are printed in `unit`, which is `factor` × SI."""
+    remarks = []
+    if len(lost.bursts):
+        levels = " and ".join(f"{factor * level:.5g}{unit and ' ' + unit}" for level in lost.levels[:2])
+        more = f" and {len(lost.levels) - 2} more levels" if len(lost.levels) > 2 else ""
+        what = f"{_several(lost.bursts, 'burst')} at {levels}{more}, which no motion reaches"
+        remarks.append(f"{what}, the first at {lost.first[0]:.6g} s")
+    if len(lost.held):
+        what = f"{_several(lost.held, 'stretch', 'stretches')} in which the last value was held"
+        remarks.append(f"{what}, the first at {lost.first[1]:.6g} s")
+    if count := len(lost.cuts):
+        remarks.append(
+            f"{count} jump{'s' * (count > 1)} from one sample to the next, the first at {lost.cuts[0, 1]:.6g} s: rows "
             "are missing though time goes on (a buffer was lost?)"
         )
-    return said
+    return remarks
 
 
-def _several(spans: IntArray, one: str, several: str = "") -> str:
+def _several(spans: IntArray, singular: str, plural: str = "") -> str:
     """How many spans and samples."""
-    return f"{len(spans)} {one if len(spans) == 1 else several or one + 's'} of {int(np.diff(spans).sum())} samples"
+    noun = singular if len(spans) == 1 else plural or f"{singular}s"
+    return f"{len(spans)} {noun} of {int(np.diff(spans).sum())} samples"
 
 
 def _longest_run(values: FloatArray) -> int:

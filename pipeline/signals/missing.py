@@ -1,12 +1,13 @@
-"""What a log lacks of a signal beside the displacement: samples that are none, and times at which only q is known."""
+"""Missing parts of a signal: samples that stand for no value, and times at which only q is known."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.signals.columns import Signal, chunks
+from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.signals.columns import Signal, chunks, column
 
 
 @dataclass(frozen=True)
@@ -52,12 +53,12 @@ def missing(q: Signal, beside: Mapping[str, Signal]) -> dict[str, Missing]:
     Cost: one pass over stamps and samples of each, in chunks.
     """
     begin, end, _, _ = _extent("q", q)
-    found = {}
+    absent = {}
     for name, signal in beside.items():
         first, last, count, bad = _extent(name, signal)
         lost = max(0.0, first - begin), max(0.0, end - last)
-        found[name] = Missing(signal[1].size, count, bad, *lost, end - begin)
-    return found
+        absent[name] = Missing(signal[1].size, count, bad, *lost, end - begin)
+    return absent
 
 
 def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
@@ -66,12 +67,89 @@ def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
     low, high, count, bad = np.inf, -np.inf, 0, np.nan
     for rows in chunks(samples.size):
         stamps, finite = time[rows], np.isfinite(samples[rows])
-        known = stamps[finite & np.isfinite(stamps)]
-        if known.size:
-            low, high = min(low, float(known.min())), max(high, float(known.max()))
+        timed = stamps[finite & np.isfinite(stamps)]
+        if timed.size:
+            low, high = min(low, float(timed.min())), max(high, float(timed.max()))
         if not finite.all():
             count += int(np.count_nonzero(~finite))
             bad = bad if np.isfinite(bad) else float(stamps[np.argmin(finite)])
     if not low <= high:
         raise DataRefusedError(f"{name}: no sample is finite where the time is known")
     return low, high, count, bad
+
+
+_NINES = (-999.0, -999.25, -9999.0, -99999.0, -999999.0, 9999.0, 99999.0, 999999.0)
+_ENDS = (-32768.0, 32767.0, 65535.0, -2147483648.0, 2147483647.0, 4294967295.0)
+_CODES = np.array([*_NINES, *_ENDS])
+"""Codes that recorders write, and the ends of whole numbers of 16 and 32 bits."""
+_HUGE = 0.999e20
+"""No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
+_CLOSE = 1e-6
+"""Relative difference between a number of 32 bits and the code that it represents, with room."""
+
+
+def masked(samples: FloatArray, codes: Iterable[float]) -> FloatArray:
+    """A column with NaN in place of codes; the column itself without any."""
+    if not codes:
+        return samples
+    parts = (np.where(_is_any(samples[rows], codes), np.nan, samples[rows]) for rows in chunks(samples.size))
+    return column(samples.size, parts, np.float64)
+
+
+def codes_in(
+    samples: FloatArray, declared: Sequence[float] | None = None, *, of_time: bool = False
+) -> dict[float, int]:
+    """The codes for no value in a column, and how many samples each has.
+
+    Parameters
+    ----------
+    samples : FloatArray, shape (N,)
+        In the numbers of the log.
+    declared : sequence of float, optional
+        Numbers that stand for no value; without them numbers of 1e20 and more, taken as one, and usual codes that lie
+        further from the rest than that is wide.
+    of_time : bool
+        Whether the column is a clock, which may pass by any smaller number.
+
+    Notes
+    -----
+    Cost: one pass, in chunks.
+    """
+    wanted = _CODES if declared is None else np.array(declared, dtype=np.float64)
+    counts = dict.fromkeys(wanted.tolist(), 0)
+    low, high, largest, huge = np.inf, -np.inf, 0.0, 0
+    for rows in chunks(samples.size):
+        part = samples[rows]
+        part = part[np.isfinite(part)]
+        beyond = np.abs(part) >= _HUGE
+        if declared is None and beyond.any():
+            huge += int(np.count_nonzero(beyond))
+            largest = max(largest, part[beyond].max(), key=abs)
+            part = part[~beyond]
+        least, most = part.min(initial=np.inf), part.max(initial=-np.inf)
+        for code in (c for c in counts if least <= c + _CLOSE * abs(c) and c - _CLOSE * abs(c) <= most):
+            at_code = _is_any(part, (code,))
+            if at_code.any():
+                counts[code] += int(np.count_nonzero(at_code))
+                part = part[~at_code]
+        low, high = min(low, part.min(initial=np.inf)), max(high, part.max(initial=-np.inf))
+    span = high - low
+    far = {code: n for code, n in counts.items() if n and (declared is not None or not of_time)}
+    if declared is None:
+        far = {code: n for code, n in far.items() if span > 0.0 and max(low - code, code - high) > span}
+    return far | ({float(largest): huge} if huge else {})
+
+
+def _is_any(part: FloatArray, codes: Iterable[float]) -> BoolArray:
+    is_code = np.zeros(part.size, dtype=np.bool_)
+    for code in codes:
+        is_code |= np.abs(part) >= _HUGE if abs(code) >= _HUGE else np.abs(part - code) <= _CLOSE * abs(code)
+    return is_code
+
+
+def said_of(counts: dict[float, int]) -> list[str]:
+    """What to say of the codes in a column."""
+    return [
+        f"{n} sample{'s' * (n > 1)} of {code:.6g} stand{'s' * (n == 1)} for no value: masked (`missing` in [channels])"
+        for code, n in counts.items()
+    ]

@@ -18,15 +18,15 @@ _BALANCED = 0.25
 _RESOLUTION = 1e-12
 """Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
 _OF_GRID, _OFF_GRID = 100, 0.02
-"""Fewest different values that tell a grid, and the share of a step by which they may be off it."""
+"""Fewest different values that show a grid, and the share of a step by which they may be off it."""
 _ROUNDED = 1e-9
-"""Of the largest difference, or of the range: smaller differences are nothing but the rounding of numbers."""
+"""Share of the largest difference, or of the range, below which a difference is only rounding."""
 
 
 def noise_std(samples: FloatArray) -> float:
     """Standard deviation of the noise on a smooth signal [signal].
 
-    The median modulus of a high difference sees the noise and ignores what is rare, such as the edges of a ring-down.
+    The median modulus of a high difference shows the noise and ignores rare events, such as the edges of a ring-down.
     The smallest of several differences is taken: order 6 lets less of the signal through than order 4, and
     between samples two apart the estimate is made at a quarter of the sampling rate, where an anti-alias
     filter has not yet taken the noise away.  A quantised signal at rest has differences of zero, and then
@@ -74,7 +74,7 @@ def noise_of_differences(difference: FloatArray, order: int) -> float:
 
 
 def is_idle(span: float, noise: float) -> bool:
-    """Whether a signal shows nothing but its noise: its span is that of 10⁶ normal samples, or smaller."""
+    """Whether a signal shows only its noise: its span is that of 10⁶ normal samples, or smaller."""
     return span <= _IDLE * noise
 
 
@@ -170,7 +170,7 @@ def _differences(samples: FloatArray, order: int) -> FloatArray:
 
 
 def high_difference_level(samples: FloatArray) -> float:
-    """As `noise_level` from the median of sixth differences, which let less of a fast signal through; else infinite."""
+    """As `noise_level` from the median of sixth differences, which suppress a fast signal more; else infinite."""
     order = 6
     if samples.size <= 2 * order:
         return np.inf

@@ -1,4 +1,4 @@
-"""What makes a log unfit for identification: each finding with its number and the bound that it breaks.
+"""Findings that make a log unfit for identification, with number and bound, and remarks on units and probes.
 
 The bounds are five times and more what the worst of twelve measured and simulated logs shows (jitter 0.06 steps,
 displacement at its extremes 0.4 % of the samples, masked rows 1 %, no hum above the noise), or where half of a log is
@@ -8,9 +8,12 @@ no measurement.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from pipeline.signals.bandwidth import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
+import numpy as np
+
+from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.missing import Missing
-from pipeline.signals.signal_quality import SignalQuality
+from pipeline.signals.signal_quality import SignalQuality, examine_signal
+from pipeline.signals.spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
 from pipeline.signals.timebase import TimeQuality
 
 MOST_MISSING = 0.1
@@ -37,7 +40,7 @@ COARSEST_STEP = 3.0
 """Steps of a log in sample intervals of the settings: beyond, most uniform samples would be made up."""
 
 UNTOLD_STEP = 1.2
-"""The same, up to which nothing is said of it."""
+"""The same, up to which there is no remark."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +74,7 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequen
     masked : float
         Share of the uniform rows that are masked or cut off at the log's ends, for whatever reason.
     few : sequence of str
-        Inputs that have far fewer samples than their steps let expect, as if recorded on change only.
+        Inputs that have far fewer samples than their step and length give, as if recorded on change only.
 
     Notes
     -----
@@ -101,13 +104,13 @@ def log_findings(time: TimeQuality, q: SignalQuality, masked: float, few: Sequen
 
 def missing_findings(beside: Mapping[str, Missing]) -> list[Finding]:
     """Which signals beside the displacement are missing for too much of it."""
-    found = []
+    findings = []
     for name, lacks in beside.items():
         if lacks.share > MOST_MISSING:
             what = f"{name} is missing for {100.0 * lacks.share:.3g} % of the log (at most {100.0 * MOST_MISSING:g} %)"
             advice = "repair the recorder, or cut the log where the signal ends"
-            found.append(Finding("missing", what, advice + (_ON_CHANGE.format(name) if lacks.not_finite else "")))
-    return found
+            findings.append(Finding("missing", what, advice + (_ON_CHANGE.format(name) if lacks.not_finite else "")))
+    return findings
 
 
 def coarse_inputs(steps: Mapping[str, float], interval: float) -> list[Finding]:
@@ -173,3 +176,72 @@ def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -
             "correct the unit of time in [channels] (ms is not s), or set a sample_interval as long as the log's step",
         )
     ]
+
+
+# Spans (largest minus smallest value) that a joint's signals have, by SI unit, with room on both sides; and those of
+# another device: a cart goes metres, a motor turns many times.
+_PLAUSIBLE_SPANS = {"m": (1e-5, 0.5), "rad": (1e-3, 20.0), "V": (0.5, 5e4)}
+_OTHER_SPANS = {"m": (1e-6, 10.0), "rad": (1e-4, 1e5), "V": (1e-3, 1e6)}
+
+
+def scale_suspicion(span: float, symbol: str, *, joint: bool = True) -> float | None:
+    """By what factor numbers look too large, if a unit prefix seems to be wrong.
+
+    Parameters
+    ----------
+    span : float
+        Largest minus smallest value, in SI.
+    symbol : str
+        SI unit of the values.
+    joint : bool
+        Whether the device is one.
+
+    Returns
+    -------
+    float or None
+        1000.0: looks 1000 times too large; 0.001: 1000 times too small, and so on; None where the span is
+        plausible, zero, or the unit is not one with known spans.
+    """
+    low, high = plausible_span(symbol, joint=joint) or (0.0, np.inf)
+    if not np.isfinite(span) or span <= 0.0 or low <= span <= high:
+        return None
+    factor = 1000.0 if span > high else 0.001
+    while not low <= span / factor <= high and 1e-9 < factor < 1e9:
+        factor *= 1000.0 if span > high else 0.001
+    return factor
+
+
+def plausible_span(symbol: str, *, joint: bool = True) -> tuple[float, float] | None:
+    """Least and largest span [SI] of a signal of this unit that a joint, or another device, shows; None for others."""
+    return (_PLAUSIBLE_SPANS if joint else _OTHER_SPANS).get(symbol)
+
+
+_SHARE = 0.005
+"""Share of the samples that stay at an end."""
+_RAGGED = 0.5
+"""Share of the samples elsewhere that differ from the one before, where a probe has noise or the input moves."""
+
+
+def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
+    """Remarks on an input that stays at its largest or smallest value to the last digit, though it has noise.
+
+    A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests at
+    zero, as the part of a signed monitor does, is not at a rail there.
+    """
+    quality = examine_signal(time, samples, step)
+    if quality.constant or quality.stepped or quality.levels:
+        return []
+    remarks = []
+    for share, rail in ((quality.low_rail, quality.usual[0]), (quality.high_rail, quality.usual[1])):
+        if share < _SHARE or abs(rail) <= 1e-3 * max(abs(quality.smallest), abs(quality.largest)):
+            continue
+        elsewhere = samples[np.isfinite(samples) & (samples != rail)]
+        if np.mean(np.diff(elsewhere) != 0.0) < _RAGGED:
+            continue
+        first = time[np.argmax(samples == rail)]
+        remarks.append(
+            f"{100.0 * share:.2g} % of the samples stay at {rail:.6g} {unit}, the first at {first:.6g} s, elsewhere "
+            "no two are equal: a saturated probe? What was applied there is not known: widen the probe's range, unless "
+            "this is a command that is limited there"
+        )
+    return remarks

@@ -6,17 +6,16 @@ from itertools import chain, islice
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.bandwidth import Bandwidth, bandwidth
 from pipeline.signals.columns import chunks, finite, select
-from pipeline.signals.mains_hum import EXCERPT, MAINS, Hum, hum
 from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
+from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0
 BESIDE_SPIKE = 2
-"""Samples on either side by which a spike is told."""
+"""Samples on either side that a spike is compared with."""
 _BESIDE = 100
-"""Samples beside a run at an extreme at which it is seen whether the signal was clipped there."""
+"""Samples beside a run at an extreme that show whether the signal was clipped there."""
 _FINE = 1e-4
 """Share of the range below which the steps of a signal are those of its digits."""
 _LEAVING = 6.0
@@ -25,7 +24,7 @@ _OVERSHOOT, _PASSED = 0.3, 3
 """Share of the usual span by which a signal may overshoot a rest, and how many values there, in neighbouring samples as
 no spike is, tell that it does."""
 MOST_LEVELS = 8
-"""Different values up to which they are told one by one."""
+"""Different values up to which they are listed one by one."""
 BOTH_SIGNS = 0.1
 """Share of an input's largest magnitude beyond which it takes a sign."""
 
@@ -105,7 +104,7 @@ class SignalQuality:
 
     @property
     def idle(self) -> bool:
-        """Whether nothing but noise happens: the span is that of 10⁶ normal samples or less, and it is no command."""
+        """Whether there is only noise: the span is that of 10⁶ normal samples or less, and it is no command."""
         return is_idle(self.span, self.noise) and not self.stepped
 
 
@@ -172,12 +171,12 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
 
 def _levels(values: FloatArray) -> tuple[float, ...]:
     """The different values, none where there are more than `MOST_LEVELS`."""
-    found: set[float] = set()
+    levels: set[float] = set()
     for rows in chunks(values.size):
-        found.update(np.unique(values[rows])[: MOST_LEVELS + 1].tolist())
-        if len(found) > MOST_LEVELS:
+        levels.update(np.unique(values[rows])[: MOST_LEVELS + 1].tolist())
+        if len(levels) > MOST_LEVELS:
             return ()
-    return tuple(sorted(found))
+    return tuple(sorted(levels))
 
 
 def span(samples: FloatArray) -> tuple[float, float]:
@@ -196,10 +195,10 @@ def usual_span(samples: FloatArray, low: float = -np.inf, high: float = np.inf) 
     for rows in chunks(samples.size, overlap=2):
         part = samples[rows]
         three = np.lib.stride_tricks.sliding_window_view(part, 3) if part.size >= 3 else part[None]
-        kept = np.all((three >= low) & (three <= high), axis=1)
-        if kept.any():
-            lowest = np.fmin(lowest, three[kept].max(axis=1).min())
-            highest = np.fmax(highest, three[kept].min(axis=1).max())
+        inside = np.all((three >= low) & (three <= high), axis=1)
+        if inside.any():
+            lowest = np.fmin(lowest, three[inside].max(axis=1).min())
+            highest = np.fmax(highest, three[inside].min(axis=1).max())
     # A signal that nowhere stays for three samples reaches its highest value less often than its lowest.
     return float(np.fmin(lowest, highest)), float(np.fmax(lowest, highest))
 
@@ -215,11 +214,11 @@ def _spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:
     count, first = 0, np.empty(0, dtype=np.int64)
     for rows in chunks(values.size):
         begin = max(rows.start - BESIDE_SPIKE, 0)
-        found = begin + 1 + np.flatnonzero(spikes_in(values[begin : rows.stop + BESIDE_SPIKE], noise))
-        found = found[(found >= rows.start) & (found < rows.stop)]
-        count += found.size
+        spikes = begin + 1 + np.flatnonzero(spikes_in(values[begin : rows.stop + BESIDE_SPIKE], noise))
+        spikes = spikes[(spikes >= rows.start) & (spikes < rows.stop)]
+        count += spikes.size
         if first.size < LOCATED:
-            first = np.concatenate((first, found))[:LOCATED]
+            first = np.concatenate((first, spikes))[:LOCATED]
     return count, first
 
 
@@ -233,15 +232,15 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
     apart = np.abs(part[2:] - part[:-2])
     bend = np.zeros_like(off)
     bend[1:-1] = 0.5 * np.abs(part[:-4] + part[4:] - part[1:-3] - part[3:-1])
-    found: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * np.maximum(apart, bend)) & (noise > 0.0)
-    return found
+    spikes: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * np.maximum(apart, bend)) & (noise > 0.0)
+    return spikes
 
 
 def three_in_a_row(flags: BoolArray) -> BoolArray:
     """Which rows, without the first and the last two, are one of three neighbours that are all set, shape (N − 4,)."""
     middle = flags[:-2] & flags[1:-1] & flags[2:]
-    found: BoolArray = middle[:-2] | middle[1:-1] | middle[2:]
-    return found
+    in_run: BoolArray = middle[:-2] | middle[1:-1] | middle[2:]
+    return in_run
 
 
 def rail_share(values: FloatArray, usual: tuple[float, float], end: int) -> float:

@@ -12,7 +12,7 @@ expects,
 
     c² Σ w²/(s sqrt(s² + w²)) = gamma.
 
-Where the signal may jump, that prior is too sure of itself: one large increment costs as much as it is high.  The
+Where the signal may jump, that prior is too narrow: one large increment costs as much as it is high.  The
 reweighted variation (`jump_weights`) stands for Student's t with nu degrees of freedom, c² = nu + 1,
 whose EM algorithm it is: each round weights the terms by the increments of the round before, and the weights enter
 the equation above.  nu = 1, Cauchy's density.
@@ -51,7 +51,7 @@ _BACK = 0.5
 _SEARCH_TOLERANCE = 1e-6
 _SEARCH_TOLERANCE_REWEIGHTED = 1e-3
 _LONG, _EXCERPTS, _EXCERPT = 1 << 19, 8, 1 << 14
-"""Samples of a record from which on the search starts at the scale of so many excerpts, each so long."""
+"""Samples of a long record, whose search starts at the scale of excerpts; their number and length."""
 _NOTHING = 0.5
 """Effective parameters below which the record is a polynomial and noise."""
 
@@ -155,8 +155,10 @@ def _first_scale(samples: FloatArray, dt: float, order: int, sigma: float, *, re
     starts = np.linspace(0, samples.size - _EXCERPT, _EXCERPTS).astype(int)
     parts = [samples[start : start + _EXCERPT] for start in starts]
     moving = [smoothing_parameter(part, dt, order, reweighted=reweighted) for part in parts if np.ptp(part) > 0.0]
-    found = [np.sqrt(one.epsilon) * dt**order for one in moving if one.effective_parameters >= _NOTHING]
-    return float(np.log(np.median(found) if found else sigma))
+    scales = [
+        np.sqrt(parameter.epsilon) * dt**order for parameter in moving if parameter.effective_parameters >= _NOTHING
+    ]
+    return float(np.log(np.median(scales) if scales else sigma))
 
 
 def _stretch(log_scale: float, change: float, before: tuple[float, float] | None) -> float:
@@ -215,7 +217,7 @@ def jump_weights(t: FloatArray, delta: float, order: int) -> FloatArray:
     t : FloatArray, shape (N,)
         Differences [signal], zero in the first ``order + 1`` places.
     delta : float
-        Size [signal] from which a difference counts as large.
+        Size [signal] above which a difference is large.
     order : int
         Order m of the difference whose variation is penalised.
 

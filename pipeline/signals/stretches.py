@@ -1,6 +1,6 @@
 """The usable part of a log: advancing rows, finite samples, gap-free stretches, and these on a uniform grid.
 
-What is left out is counted; on the grid the stretches are one stream of values, with straight lines between them.
+Rows that are left out are counted. On the grid the stretches are one stream of values, with lines between them.
 """
 
 from collections.abc import Iterator, Sequence
@@ -12,8 +12,7 @@ import numpy as np
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.columns import chunks, column, select
-from pipeline.signals.interpolation import interpolated
-from pipeline.signals.resampling import decimated
+from pipeline.signals.resampling import decimated, interpolated
 from pipeline.signals.timebase import advancing, default_gap_limit, nominal_step, segments
 
 TimeReversal = Literal["refuse", "split"]
@@ -130,10 +129,7 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArr
 
 
 def finite_stretches(
-    rows: TimeRows,
-    columns: Sequence[FloatArray],
-    smooth: Sequence[bool],
-    names: Sequence[str],
+    rows: TimeRows, columns: Sequence[FloatArray], smooth: Sequence[bool], names: Sequence[str]
 ) -> list[Stretches]:
     """Split columns into gap-free stretches; neighbouring columns with the same valid rows share one result.
 
@@ -166,7 +162,7 @@ def finite_stretches(
             shared[-1][1].append(j)
         else:
             shared.append((valid, [j]))
-    found = []
+    stretches = []
     for valid, members in shared:
         if not valid.any():
             raise DataRefusedError(f"{names[members[0]]} holds no finite sample at all: no sensor, or another channel")
@@ -175,8 +171,8 @@ def finite_stretches(
         edges = stamps[np.stack((bounds[:, 0], bounds[:, 1] - 1), axis=1)]
         picked = tuple(select(columns[j], valid) for j in members)
         kinds, missed = tuple(smooth[j] for j in members), tuple(not_finite[j] for j in members)
-        found.append(Stretches(stamps, picked, kinds, bounds, edges, rows.step, missed))
-    return found
+        stretches.append(Stretches(stamps, picked, kinds, bounds, edges, rows.step, missed))
+    return stretches
 
 
 def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
@@ -185,7 +181,7 @@ def _both(samples: FloatArray, keep: BoolArray) -> BoolArray:
 
 
 def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
-    """Stretches also end where time stepped back or rows are missing, however small the hole is that this leaves."""
+    """Stretches also end where time stepped back or rows are missing, even if the hole is small."""
     if ends.size == 0:
         return bounds
     edges = np.unique(np.concatenate((bounds.ravel(), np.searchsorted(stamps, ends, side="right"))))
@@ -261,11 +257,11 @@ def _stretch(
     if decimate:
         yield from decimated(time, columns, points, interval)
         return
-    each = [
+    streams = [
         interpolated(time, samples, points, smooth=smooth)
         for samples, smooth in zip(columns, group.smooth, strict=True)
     ]
-    for pieces in zip(*each, strict=True):
+    for pieces in zip(*streams, strict=True):
         yield np.stack(pieces)
 
 

@@ -13,7 +13,7 @@ GAP_STEPS = 5.0
 GAP_FLOOR = 1e-3
 """… unless it is shorter than this [s]: 10 mm at 9 Hz bend by less than 5 µm from the chord in 1 ms."""
 LOCATED = 20
-"""At most so many gaps, repetitions or reversals are located; all are counted."""
+"""Most gaps, repetitions or reversals that are located; all are counted."""
 _BLOCKS, _BLOCK = 64, 2048
 _UNIFORM = 1e-3
 
@@ -111,7 +111,7 @@ def default_gap_limit(step: float) -> float:
 
 
 def seldom(count: int, step: float, lasts: float) -> bool:
-    """Whether so many samples of a usual step are less than half of what a record lasts, as if made on change only."""
+    """Whether `count` samples of a usual step cover less than half of a record, as if made on change only."""
     return 2.0 * count * step < lasts
 
 
@@ -132,14 +132,14 @@ def examine(time: FloatArray) -> TimeQuality:
     -----
     Cost: O(N), two passes in chunks; where some are not finite, a copy of the others on disk.
     """
-    kept = select(time, finite(time))
-    step = nominal_step(kept)
+    stamps = select(time, finite(time))
+    step = nominal_step(stamps)
     limit = default_gap_limit(step)
     repeated_at, backward_at, gaps_at = list[float](), list[float](), list[tuple[float, float]]()
     repeated = backward = gaps = dropped = regular = 0
     shortest, longest, square = np.inf, 0.0, 0.0
-    for rows in chunks(kept.size, overlap=1):
-        part = kept[rows]
+    for rows in chunks(stamps.size, overlap=1):
+        part = stamps[rows]
         steps = np.diff(part)
         same, back, gap = np.flatnonzero(steps == 0.0), np.flatnonzero(steps < 0.0), np.flatnonzero(steps > limit)
         repeated, backward, gaps = repeated + same.size, backward + back.size, gaps + gap.size
@@ -155,14 +155,14 @@ def examine(time: FloatArray) -> TimeQuality:
         regular, square = regular + near.size, square + float(((near - step) ** 2).sum())
     return TimeQuality(
         n=time.size,
-        start=float(kept[0]),
-        stop=float(kept[-1]),
+        start=float(stamps[0]),
+        stop=float(stamps[-1]),
         step=step,
         shortest=float(shortest),
         longest=longest,
         jitter=float(np.sqrt(square / max(regular, 1))),
         uniform=bool(max(longest - step, step - shortest) <= _UNIFORM * step) and not repeated and not backward,
-        not_finite=int(time.size - kept.size),
+        not_finite=int(time.size - stamps.size),
         repeated=repeated,
         backward=backward,
         gaps=gaps,

@@ -175,10 +175,10 @@ def survey(
             f"{len(holes)} gap(s) longer than {limit * 1e3:.4g} ms, the first from {holes[0, 0]:.6g} s to "
             f'{holes[0, 1]:.6g} s; set [ingest] gaps = "split" to use the stretches between'
         )
-    found = Survey(rows[0], tuple(groups), q[0].size, limit, holes)
-    if not _span(found)[1] > _span(found)[0]:
+    result = Survey(rows[0], tuple(groups), q[0].size, limit, holes)
+    if not _span(result)[1] > _span(result)[0]:
         raise DataRefusedError("displacement and voltages have no stretch of time in common")
-    return found
+    return result
 
 
 def inputs_unknown(log: Survey, longest: float) -> list[tuple[float, float]]:

@@ -16,7 +16,7 @@ from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import CheckGate, Prototype
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 
 if TYPE_CHECKING:
     from pipeline.checks.declared import Declared

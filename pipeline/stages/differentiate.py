@@ -12,7 +12,8 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.settings import Differentiate, Prototype, Role
+from pipeline.settings import Differentiate, Prototype
+from pipeline.settings_logs import Role
 from pipeline.units import ALPHA_UNIT
 
 ALGORITHM = "7"
@@ -81,7 +82,7 @@ def contradiction(signals: Table) -> str | None:
     factor = float(by_q[both] @ by_velocity[both]) / power
     if abs(factor - 1.0) <= _AGREES:
         return None
-    return f"q goes {factor:.3g} times the way that qdot says; check unit, scale and sign of both in [channels]"
+    return f"q moves {factor:.3g} times as far as qdot; check unit, scale and sign of both in [channels]"
 
 
 def derivatives(

@@ -24,7 +24,7 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import FILM, Prototype, TrainingGate
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
@@ -145,7 +145,7 @@ def identified(
 
 def _put_first(models: "Mapping[str, StoredModel]", whole: "Training", notes: dict[str, Any]) -> None:
     """The headline first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
-    from pipeline.models.headline import headline
+    from pipeline.models.choose import headline
 
     names = notes[IDENTIFIED]
     best, reason = headline({name: models[name] for name in names}, whole)

@@ -19,8 +19,9 @@ from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.settings import Ingest, LogGate, Prototype, Role
-from pipeline.signals.inputs import LONGEST_BRIDGE, UNKNOWN
+from pipeline.settings import Ingest, LogGate, Prototype
+from pipeline.settings_logs import Role
+from pipeline.signals.trajectory import LONGEST_BRIDGE, UNKNOWN
 
 if TYPE_CHECKING:
     from pipeline.signals.quality_gates import Finding
@@ -174,7 +175,7 @@ def _few_samples(signals: SiLog, interval: float) -> tuple[list[str], "list[Find
 
 
 def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
-    """Refuse what cannot become a record of so many rows an interval [s] apart, from samples for `covered` seconds."""
+    """Refuse a log that cannot become `rows` rows an interval [s] apart, with samples for `covered` seconds."""
     if rows < _FEWEST_ROWS:
         raise DataRefusedError(
             f"{where}: lasts {rows} steps of [ingest] sample_interval = {interval:g} s only; "
@@ -288,11 +289,11 @@ def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> 
 def _pieces(
     resampling: "Resampling", names: Sequence[str], on_progress: OnProgress
 ) -> Iterator[Mapping[str, FloatArray]]:
-    rows, made = resampling.report.rows, 0
+    rows, done = resampling.report.rows, 0
     for piece in resampling.pieces():
         yield record_columns(piece, names)
-        made += piece.t.size
-        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", made / rows)
+        done += piece.t.size
+        on_progress(f"resampling to {1e3 * resampling.report.interval:g} ms", done / rows)
 
 
 def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, FloatArray]:
@@ -306,8 +307,7 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
 def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.remarks import remarks_on
-    from pipeline.signals.plausible_spans import scale_suspicion
-    from pipeline.signals.saturation import saturation
+    from pipeline.signals.quality_gates import saturation, scale_suspicion
     from pipeline.signals.signal_quality import span
     from pipeline.signals.timebase import nominal_step
 

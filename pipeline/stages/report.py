@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pipeline.choices import Typeface
 from pipeline.loading.held_models import control_documents
 from pipeline.loading.parameter_sets import parameter_values
+from pipeline.names import Typeface
 from pipeline.runs import layout, schemas
 from pipeline.runs.columns import StudyName
 from pipeline.runs.engine import Task
@@ -143,12 +143,12 @@ def prepare(
     return Prepared(data, sheet, figures_of(data, sheet))
 
 
-def _page(run: RunFolder, made: Prepared) -> Mapping[str, Written]:
+def _page(run: RunFolder, prepared: Prepared) -> Mapping[str, Written]:
     from pipeline.reporting.run_report import run_report
 
-    verdict = made.sheet.grades
-    page = run_report(made.data, made.sheet, made.figures)
-    document = json.dumps(made.sheet.to_json(made.data), indent=1, ensure_ascii=False, allow_nan=False)
+    verdict = prepared.sheet.grades
+    page = run_report(prepared.data, prepared.sheet, prepared.figures)
+    document = json.dumps(prepared.sheet.to_json(prepared.data), indent=1, ensure_ascii=False, allow_nan=False)
     return {
         layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": verdict}),
         layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": verdict}),
@@ -160,9 +160,9 @@ def _drawings(
 ) -> Mapping[str, Written]:
     from pipeline.reporting.canvas import paper_figure
 
-    made, written = prepared(run), {}
-    for name, figure in made.figures.items():
-        drawn = paper_figure(figure, made.data.model_names, *FORMATS, typeface=typeface)
+    contents, written = prepared(run), {}
+    for name, figure in contents.figures.items():
+        drawn = paper_figure(figure, contents.data.model_names, *FORMATS, typeface=typeface)
         for ending, content in zip(FORMATS, drawn, strict=True):
             artifact = layout.figure(name, ending)
             written[artifact] = run.write_bytes(artifact, content, {"title": figure.title})

@@ -5,10 +5,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal
 
-from pipeline.choices import Typeface
 from pipeline.errors import DebistError
 from pipeline.loading.held_models import identified_models, made_control
 from pipeline.loading.parameter_sets import parameter_set
+from pipeline.names import Typeface
 from pipeline.runs import layout
 from pipeline.runs.atomic import sweep
 from pipeline.runs.checkpoints import clear_checkpoints
@@ -17,23 +17,12 @@ from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.settings import Prototype, load_prototype
-from pipeline.stages import (
-    check,
-    compare,
-    differentiate,
-    identify,
-    ingest,
-    measured_curves,
-    report,
-    scores,
-    siblings,
-    validate,
-)
+from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, side_files, validate
 from pipeline.stages.run_place import Place, before_any_work, edited, place_of, run_folder
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 STAGES = ("ingest", "check", "differentiate", "identify", "validate", "compare", "scores", "report")
-"""In the order of the work; those of `StageName` can be asked for alone."""
+"""In the order of the work; those of `StageName` can be run alone."""
 
 
 def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator[Task]:
@@ -65,11 +54,7 @@ def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator
 
 def _reading_tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """The tasks that read raw files."""
-    beside = (measured_curves, siblings)
-    return [
-        *ingest.tasks(prototype, prototype_file),
-        *(t for each in beside for t in each.tasks(prototype, prototype_file)),
-    ]
+    return [*ingest.tasks(prototype, prototype_file), *side_files.tasks(prototype, prototype_file)]
 
 
 def run_prototype(
@@ -126,7 +111,7 @@ def run_prototype(
 def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:
     """Bring one stage of an existing run up to date, by the settings that the run holds.
 
-    `figures` is the typeface of the figures for a paper, which the report makes if asked, or if the run holds some.
+    `figures` is the typeface of the figures for a paper, which the report makes if given, or if the run holds some.
 
     Raises
     ------
@@ -174,9 +159,9 @@ def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
     with run_lock(root):
         run, planned = _open(root)
         _strike_lost(run, observer)
-        made = {record.recipe.stage for record in run.manifest.artifacts.values()}
-        tasks = (task for task in planned if task.stage in made)
-        return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in made), observer)
+        stages = {record.recipe.stage for record in run.manifest.artifacts.values()}
+        tasks = (task for task in planned if task.stage in stages)
+        return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in stages), observer)
 
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
@@ -189,9 +174,9 @@ def _strike_lost(run: RunFolder, observer: Observer) -> None:
 
 def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
     """Nothing is made from an artifact, or called up to date with it, that has not the bytes it was written with."""
-    made = {name for task in tasks for name in task.outputs}
+    outputs = {name for task in tasks for name in task.outputs}
     for name in dict.fromkeys(name for task in tasks for name in task.inputs):
-        if name not in made and name in run.manifest.artifacts:
+        if name not in outputs and name in run.manifest.artifacts:
             run.checked(name)
 
 
@@ -200,10 +185,10 @@ def _bring_up_to_date(
 ) -> list[TaskStatus]:
     """Do what is to be done, and then state the content of these stages and of all that have tasks."""
     done = bring_up_to_date(run, tasks, observer)
-    made = {stage: dict[str, str]() for stage in (*stages, *(task.stage for task in done))}
+    contents = {stage: dict[str, str]() for stage in (*stages, *(task.stage for task in done))}
     for task in done:
-        made[task.stage] |= {name: run.record(name).content_hash for name in task.outputs}
-    run.state(made)
+        contents[task.stage] |= {name: run.record(name).content_hash for name in task.outputs}
+    run.state(contents)
     return done
 
 
@@ -244,7 +229,7 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
-    """Whether `run_prototype` would find nothing to do; false where that cannot be told without doing it."""
+    """Whether `run_prototype` would find nothing to do; false where only doing it would show that."""
     try:
         prototype, run = load_prototype(prototype_file), RunFolder.open(root)
         made_for = (run.manifest.prototype, run.manifest.prototype_file)

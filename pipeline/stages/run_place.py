@@ -15,14 +15,16 @@ from pipeline.runs.engine import Task, missing_source, unreadable_source
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import MANIFEST, Manifest, changes, load_manifest
 from pipeline.runs.run_folder import RunFolder, holds_run
-from pipeline.settings import ROLES, Channels, Prototype, load_prototype, parse_prototype, read_document
+from pipeline.settings import Prototype, load_prototype, parse_prototype
+from pipeline.settings_file import read_document
+from pipeline.settings_logs import ROLES, Channels
 from pipeline.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
 
 _ALLOWED = {"time": TIME, "q": DISPLACEMENT, "qdot": tuple(VELOCITY.values())}
 
 
 def load_settings(prototype_file: Path) -> Prototype:
-    """The settings of a prototype; what is wrong in keys, units and names of logs is told at once.
+    """The settings of a prototype; all mistakes in keys, units and names of logs are reported at once.
 
     Raises
     ------
@@ -49,7 +51,7 @@ def _table(document: Any, key: str) -> dict[str, Any]:
 
 
 def _wrong_units(document: dict[str, Any]) -> Iterator[str]:
-    """Every unit of a channel, and of the mass, that is none or measures something else."""
+    """Every unit of a channel, and of the mass, that does not exist or measures something else."""
     channels = _table(document, "channels")
     stated = [
         (f"channels.{key}", _table(channels, key), _ALLOWED.get(key, INPUT))
@@ -142,7 +144,7 @@ class Place:
 
 
 def place_of(given: Path, output: Path | None = None) -> Place:
-    """What is meant by a settings file or a run folder, of which one is given: each knows the other.
+    """The settings file and the run folder that belong together, of which one is given.
 
     Raises
     ------

@@ -18,8 +18,9 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
-from pipeline.settings import Prototype, Role
-from pipeline.signals.inputs import voltages
+from pipeline.settings import Prototype
+from pipeline.settings_logs import Role
+from pipeline.signals.trajectory import voltages
 from pipeline.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:
@@ -61,9 +62,9 @@ def scored_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
 
 
 def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
-    made = run.manifest.artifacts.get(layout.predictions(role, log, model))
+    record = run.manifest.artifacts.get(layout.predictions(role, log, model))
     source = layout.kinematics(role, log)
-    return made is not None and made.recipe.inputs.get(source) == run.record(source).content_hash
+    return record is not None and record.recipe.inputs.get(source) == run.record(source).content_hash
 
 
 def _score(
@@ -79,8 +80,8 @@ def _score(
             runs[model] = ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
         interval = sample_interval(measured["t"])
         above = {signal: _above_lowest(runs, signal, interval, joint=plant.joint) for signal in SIGNALS}
-        for model, made in runs.items():
-            for row in score_rows(plant, measured, made, wells):
+        for model, compared in runs.items():
+            for row in score_rows(plant, measured, compared, wells):
                 of_model = _band("above_lowest", above[row["signal"]].get(model))
                 head = {"log": log, "role": role, "model": model, "headline": model == models[0]}
                 rows.append(head | row | of_model)
@@ -91,7 +92,7 @@ def _score(
 def _wells(
     run: RunFolder, tables: Sequence[Table], plant: Device, log: tuple[Role, str], models: Sequence[str]
 ) -> "Wells | NoWells":
-    """The wells in the data, unless the first of these models with curves knows of no two; its free run notes that."""
+    """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
     from pipeline.device_facts.characteristics import believed_wells
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
@@ -132,7 +133,7 @@ def _above_lowest(
     return excess_over_lowest(errors, interval, SEED, joint=joint)
 
 
-def score_rows(plant: Device, measured: Table, made: ComparedRun, wells: "Wells | NoWells") -> list[dict[str, Any]]:
+def score_rows(plant: Device, measured: Table, compared: ComparedRun, wells: "Wells | NoWells") -> list[dict[str, Any]]:
     """The scores of a free run over kinematics, one row per signal, by the columns of ``scores.parquet``.
 
     Errors by horizon, outcomes and what else a stage noted of the run are columns where its notes hold them.
@@ -145,19 +146,19 @@ def score_rows(plant: Device, measured: Table, made: ComparedRun, wells: "Wells 
     units = signal_units(plant.displacement.symbol)
     v, interval = voltages(measured), sample_interval(measured["t"])
     rng = np.random.default_rng(SEED)
-    status, diverged_at = made.notes["status"], made.notes["diverged_at_s"]
+    status, diverged_at = compared.notes["status"], compared.notes["diverged_at_s"]
     scores = score_run(
-        made.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
+        compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
     )
-    more: dict[str, Any] = {c.key: made.notes[c.key] for c in NOTED_COLUMNS if c.key in made.notes}
-    outcomes = made.notes.get("outcomes")
+    more: dict[str, Any] = {c.key: compared.notes[c.key] for c in NOTED_COLUMNS if c.key in compared.notes}
+    outcomes = compared.notes.get("outcomes")
     if outcomes:
         more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
-    for name, error in made.notes.get("horizons", {}).items():
+    for name, error in compared.notes.get("horizons", {}).items():
         band = error["interval"] or {"low": None, "high": None}
         more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
     if isinstance(wells, Wells):
-        switches = response_errors(*made.pairs["q"], v, interval, wells, rng, joint=plant.joint)
+        switches = response_errors(*compared.pairs["q"], v, interval, wells, rng, joint=plant.joint)
         more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
         more |= _band("rise_error", switches.rise_interval, "_s")
         more |= _band("settling_error", switches.settling_interval, "_s")
@@ -216,7 +217,9 @@ def _times(run: RunFolder, scores: Sequence[Mapping[str, Any]]) -> dict[str, dic
         model = score["model"]
         fitted = run.manifest.artifacts.get(layout.baseline(model))
         notes = fitted.notes if fitted else run.record(layout.MODELS).notes.get(model, {})
-        made = run.record(layout.predictions(score["role"], score["log"], model)).notes.get(TIMES, {}).get("simulate_s")
-        longest = max(filter(None, (made, times.get(model, {}).get("simulate_s"))), default=None)
+        seconds = (
+            run.record(layout.predictions(score["role"], score["log"], model)).notes.get(TIMES, {}).get("simulate_s")
+        )
+        longest = max(filter(None, (seconds, times.get(model, {}).get("simulate_s"))), default=None)
         times[model] = {"fit_s": notes.get(TIMES, {}).get("fit_s"), "simulate_s": longest}
     return times

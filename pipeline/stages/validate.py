@@ -25,7 +25,7 @@ from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 from pipeline.units import HORIZONS
 
 if TYPE_CHECKING:

@@ -1,1 +1,1 @@
-"""What uses the results of the stages and changes none: studies, folds, plots, exports, inspection, design."""
+"""Uses of the stages' results, which they do not change: studies, folds, plots, exports, inspection, design."""

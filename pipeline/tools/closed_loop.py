@@ -15,11 +15,10 @@ from pipeline.loading.held_models import load_design
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.rig.bench import Bench
-from pipeline.rig.controllers import Controller, played, python_controller
 from pipeline.rig.excitation import load_sequence
 from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS, PER_SI
-from pipeline.rig.loop import ClosedLoop, Scenario, bench_from_json, run_loop
+from pipeline.rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
 from pipeline.rig.parameters import RigParameters, from_json, nominal, table1
 from pipeline.rig.random_joint import Family, random_joint
 from pipeline.runs.outputs import new_outputs, rebased
@@ -194,7 +193,7 @@ def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
 
 @dataclass(frozen=True)
 class ClosedLoopOptions:
-    """What a user asked for, as text with units (see `debist rig closed-loop --help`)."""
+    """Options of the user, as text with units (see `debist rig closed-loop --help`)."""
 
     target: str
     duration: str = "5 s"
@@ -247,7 +246,7 @@ class ClosedLoopOptions:
             raise InputError(
                 f"--barrier {self.barrier:g}: give by how many percent the barrier is higher, -100 to 1000"
             )
-        made = with_side(
+        result = with_side(
             Scenario(
                 t=t,
                 target=target,
@@ -265,7 +264,7 @@ class ClosedLoopOptions:
         )
         if self.start not in (None, "left", "right"):
             raise InputError(f"--from {self.start}: the joint rests in its left or right well")
-        return made if self.start is None else replace(made, side=-1 if self.start == "left" else 1)
+        return result if self.start is None else replace(result, side=-1 if self.start == "left" else 1)
 
 
 def closed_loop_log(

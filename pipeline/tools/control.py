@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.choices import Goal, Well
 from pipeline.errors import InputError
+from pipeline.names import Goal, Well
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs.engine import Observer
 from pipeline.runs.outputs import new_outputs, rebased
@@ -51,22 +51,21 @@ def _one_map(joint_run: ControlRun, converters: "Converters", to: Well, on_progr
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
     from pipeline.control.ensemble import ensemble_of
     from pipeline.control.linear import wells_and_saddle
-    from pipeline.control.lowest_voltage import DURATIONS, lowest_voltage, uncertain
-    from pipeline.control.switching_map import switching_map
+    from pipeline.control.switching_map import PULSES, lowest_voltage, switching_map, uncertain
 
     model = joint_run.model
-    left, saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
+    left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
     places = (left, saddle, right)
     lowest = []
-    for k, duration in enumerate(DURATIONS):
-        on_progress(f"lowest voltage to the {to}, {duration:g} s", _OF_LOWEST * k / len(DURATIONS))
+    for k, duration in enumerate(PULSES):
+        on_progress(f"lowest voltage to the {to}, {duration:g} s", _OF_LOWEST * k / len(PULSES))
         lowest.append(lowest_voltage(model, converters, places, to, duration))
     on_progress(f"map to the {to}", _OF_LOWEST)
     joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)
-    made = switching_map(
+    result = switching_map(
         joint, places, to, lambda what, share: on_progress(what, _OF_LOWEST + (1.0 - _OF_LOWEST) * share)
     )
-    return {**asdict(made), "lowest": [asdict(each) for each in lowest if each is not None]}
+    return {**asdict(result), "lowest": [asdict(pulse) for pulse in lowest if pulse is not None]}
 
 
 def pulse(
@@ -83,12 +82,12 @@ def pulse(
         from pipeline.control.linear import wells_and_saddle
         from pipeline.control.pulses import design_pulse
 
-        left, _saddle, right = (each.q for each in wells_and_saddle(joint_run.plant))
+        left, _saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
         joint = ensemble_of(joint_run.model, DRAWS, converters)
-        made = design_pulse(joint, begin, end, right - left, highest, goal)
-        low, high = np.quantile(made.q[1:], [0.05, 0.95], axis=0)
+        snap = design_pulse(joint, begin, end, right - left, highest, goal)
+        low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
         return {
             "format": "debist-pulse/2",
             "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, to the right one"},
@@ -96,18 +95,18 @@ def pulse(
             "minimised": goal,
             "start_m": begin,
             "target_m": end,
-            "largest_voltage_V": float(made.v.max()),
+            "largest_voltage_V": float(snap.v.max()),
             "lags_s": converters.lags,
             "lags_known": lags_known,
-            "settling_s": _finite(made.settling_s),
-            "settling_90_s": [_finite(made.settling_low_s), _finite(made.settling_high_s)],
-            "overshoot_m": made.overshoot_m,
-            "switching_probability": made.probability,
+            "settling_s": _finite(snap.settling_s),
+            "settling_90_s": [_finite(snap.settling_low_s), _finite(snap.settling_high_s)],
+            "overshoot_m": snap.overshoot_m,
+            "switching_probability": snap.probability,
             "draws": DRAWS,
-            "segments_s_share": made.segments,
-            "t_s": made.t,
-            "v_V": made.v,
-            "predicted": {"t_s": INTERVAL * np.arange(made.q.shape[1]), "q_m": made.q[0], "low_m": low, "high_m": high},
+            "segments_s_share": snap.segments,
+            "t_s": snap.t,
+            "v_V": snap.v,
+            "predicted": {"t_s": INTERVAL * np.arange(snap.q.shape[1]), "q_m": snap.q[0], "low_m": low, "high_m": high},
         }
 
     chosen = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}
@@ -159,7 +158,7 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         plant = joint_run.plant
         converters, lags_known = joint_run.converters(settings)
         law = design_law(plant, Settings(highest, converters.lags))
-        left, saddle, right = (each.q for each in wells_and_saddle(plant))
+        left, saddle, right = (model.q for model in wells_and_saddle(plant))
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
         return {
@@ -192,29 +191,29 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
 
 
 SETTLES, SWINGS = 0.3, 5e-5
-"""What is promised: settling in a well [s], and RMS [m] about the unstable equilibrium."""
+"""Limits of a good controller: settling in a well [s], and RMS [m] about the unstable equilibrium."""
 
 
 def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
     """What the controller misses on the model itself; a joint that differs will not do better."""
     from pipeline.control.step_metrics import BAND
 
-    found = []
+    misses = []
     for place, step in zip(("right well", "left well"), predicted["steps"], strict=False):
         if step["settling_s"] is None or step["settling_s"] > SETTLES:
             taken = "does not settle" if step["settling_s"] is None else f"takes {1e3 * step['settling_s']:.0f} ms"
-            found.append(
+            misses.append(
                 f"the model {taken} to the {place}, {1e3 * SETTLES:.0f} ms are usual; allow a larger --max-voltage, or "
                 "play a pulse (`debist control pulse`)"
             )
         if step["rms_m"] > BAND * distance:
-            found.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
+            misses.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
     if predicted["steps"][-1]["rms_m"] > SWINGS:
-        found.append(
+        misses.append(
             "the unstable equilibrium is hardly held: the model keeps swinging about it, and a joint that differs will "
             "swing on with the largest voltage; allow a larger --max-voltage, or hold wells only"
         )
-    return found
+    return misses
 
 
 def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:

@@ -30,7 +30,7 @@ DATA_SHEET, GIVEN = 0.36, 0.1
 """Standard deviations of a lag's logarithm: of the one assumed, for converters of 2 to 7 ms, and of one that the user
 states."""
 _LEAST_SPREAD = 0.02
-"""The same of a lag from steps, at least: a step of another height takes another time."""
+"""The same for a lag from steps, at least: a step of another height takes another time."""
 _SIZES = 1.5
 """Factor in the distance of the wells within which the distances of estimator and law fit a joint. The logs show that,
 whereas a beam's length trades with its other parameters."""
@@ -121,9 +121,9 @@ class ControlRun:
         return tuple(layout.record(role, log) for role, log, _ in layout.logs(self.prototype) if role == "train")
 
     def converters(self, settings: ControlSettings) -> tuple["Converters", str]:
-        """The converters as given, as the training logs tell or as assumed, and how they are known.
+        """The converters as given, measured in the training logs or assumed, and which of these.
 
-        Where the logs tell the lag of one side only, both sides have it.
+        If the logs show the lag of one side only, both sides have it.
         """
         from pipeline.control.ensemble import Converters
         from pipeline.control.plant import ASSUMED_LAG
@@ -133,14 +133,14 @@ class ControlRun:
             return Converters((settings.lag, settings.lag), GIVEN, highest=self.limit), "given"
         tables = [self.run.read_table(name) for name in self.records]
         left, right = (converter_lag([(table["t"], table[v]) for table in tables]) for v in ("v1", "v2"))
-        given = [each for each in (left, right) if each is not None]
+        given = [side for side in (left, right) if side is not None]
         if not given:
             return Converters((ASSUMED_LAG, ASSUMED_LAG), DATA_SHEET, highest=self.limit), "assumed"
         first, other = left or given[0], right or given[0]
-        spread = max(_LEAST_SPREAD, *(each.scatter for each in given))
-        counts = " and ".join(str(each.steps if each else 0) for each in (left, right))
-        made = Converters((first.lag, other.lag), spread, highest=self.limit)
-        return made, f"from {counts} voltage steps of the training logs"
+        spread = max(_LEAST_SPREAD, *(side.scatter for side in given))
+        counts = " and ".join(str(side.steps if side else 0) for side in (left, right))
+        converters = Converters((first.lag, other.lag), spread, highest=self.limit)
+        return converters, f"from {counts} voltage steps of the training logs"
 
 
 def control_run(root: Path) -> ControlRun:
@@ -211,8 +211,8 @@ def kept_document(
 
         def write(run: RunFolder, on_progress: OnProgress) -> dict[str, Written]:
             """Find out and write the document."""
-            made = work(joint_run, on_progress)
-            document = json.dumps(made, indent=1, allow_nan=False, default=lambda value: value.tolist())
+            findings = work(joint_run, on_progress)
+            document = json.dumps(findings, indent=1, allow_nan=False, default=lambda value: value.tolist())
             return {name: run.write_text(name, document + "\n", {})}
 
         inputs = (joint_run.artifact, *joint_run.records)

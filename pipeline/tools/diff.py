@@ -15,7 +15,7 @@ from pipeline.loading.trajectories import training_tables
 from pipeline.models.base import HasCurves
 from pipeline.names import log_title
 from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.diff_page import CURVES, DiffTable, DrawnRun, diff_page
+from pipeline.reporting.several_runs import CURVES, DiffTable, DrawnRun, diff_page
 from pipeline.runs import layout
 from pipeline.runs.atomic import write_text
 from pipeline.runs.comparison import Comparison, RunDifferences, changes, compared_columns, plain_numbers

@@ -59,7 +59,7 @@ class ExcitationSource:
     seed : int
         Draws the tolerances and the candidates.
     programme : str or None
-        The programme of which the free run of the run's `hybrid` is to become surer; None: that of validation logs.
+        The programme whose free run by the run's `hybrid` is to become more certain; None: that of validation logs.
     """
 
     parameters: str = "nominal"
@@ -219,9 +219,9 @@ def drawn_simulators(parameters: JointParameters, rng: np.random.Generator, coun
     for _ in range(_MOST_DRAWS):
         if len(simulators) == count:
             return simulators
-        made = _simulator(_made(parameters, rng))
-        if made is not None:
-            simulators.append(made)
+        simulator = _simulator(_made(parameters, rng))
+        if simulator is not None:
+            simulators.append(simulator)
     if len(simulators) < count:
         raise InputError(
             f"only {len(simulators)} of {_MOST_DRAWS} joints made after the drawing have two wells; "

@@ -1,4 +1,4 @@
-"""Excitation design (§5.1): a voltage sequence that tells as much as possible about the weights of eq. 40.
+"""Excitation design (§5.1): a voltage sequence that determines the weights of eq. 40 as well as possible.
 
 The sequence is built burst by burst. At each step candidates are drawn (pulses, both sides on, chirps, random steps,
 multisines), played on a simulator from the start, and the one that adds most to the criterion per second is kept: a
@@ -215,12 +215,12 @@ def greedy_bursts(
 def assess(
     simulators: Sequence[Simulator], weights: Weights, wells: Wells, bursts: list[Burst], duration: float
 ) -> Assessment:
-    """Play a sequence on every simulator and say what its motions tell about the weights."""
+    """Play a sequence on every simulator; the information of its motions on the weights."""
     runs = [_play(simulate, bursts, duration) for simulate in simulators]
     information = [weights.information(*run, INTERVAL) for run in runs]
     coverages = [_coverage(weights, run) for run in runs]
-    mean = float(np.mean([log_information(each) for each in information]))
-    covered = float(np.mean([_covered(each) for each in coverages]))
+    mean = float(np.mean([log_information(matrix) for matrix in information]))
+    covered = float(np.mean([_covered(coverage) for coverage in coverages]))
     crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
     judged = conditioning(information[0])
     return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, coverages[0], judged, crossings)

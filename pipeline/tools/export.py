@@ -7,19 +7,19 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from pipeline.choices import Target
 from pipeline.errors import InputError
 from pipeline.loading.held_models import failed_validations, model_artifact
 from pipeline.loading.measured_curves import named_curves
 from pipeline.loading.run_models import subject
-from pipeline.names import log_name
+from pipeline.names import Target, log_name
 from pipeline.runs import layout
 from pipeline.runs.atomic import refuse_link
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import ROLES, Prototype, log_label
+from pipeline.settings import Prototype
+from pipeline.settings_logs import ROLES, log_label
 
 if TYPE_CHECKING:
     from pipeline.export.subject import Exported
@@ -76,8 +76,8 @@ def export_run(
         run_lock(root) if output is None else nullcontext(),
         new_outputs(folder, "export", force=force, made_from=_origin(run, prototype, target, model)) as staged,
     ):
-        made = _write(target, run, prototype, model, staged)
-    return replace(made, written=[rebased(path, staged, folder) for path in made.written])
+        exported = _write(target, run, prototype, model, staged)
+    return replace(exported, written=[rebased(path, staged, folder) for path in exported.written])
 
 
 def stale_exports(root: Path) -> list[str]:
@@ -109,9 +109,9 @@ def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | No
     if target == "controller":
         return _controller(run, prototype, folder)
     write = getattr(import_module(f"pipeline.export.{WRITERS[target]}"), f"write_{target}")
-    made: Exported = write(subject(run, prototype, model), folder)
+    exported: Exported = write(subject(run, prototype, model), folder)
     failed = failed_validations(run, model_artifact(run, prototype, model)[0])
-    return replace(made, notes=[*made.notes, *(f"{problem}: do not trust its free runs" for problem in failed)])
+    return replace(exported, notes=[*exported.notes, *(f"{problem}: do not trust its free runs" for problem in failed)])
 
 
 def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
@@ -153,12 +153,14 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
 
 
 def _notes(run: RunFolder, environments: Mapping[str, str]) -> list[str]:
-    made = {key: [n for n, r in run.manifest.artifacts.items() if r.environment == key] for key in ("", *environments)}
-    unknown = made.pop("")
+    artifacts = {
+        key: [n for n, r in run.manifest.artifacts.items() if r.environment == key] for key in ("", *environments)
+    }
+    unknown = artifacts.pop("")
     notes = [f"the environment of {len(unknown)} artifacts was not recorded; a new run records it"] if unknown else []
-    if len(made) > 1:
-        packages = "; ".join(f"{environments[key]}: {_some(names)}" for key, names in made.items())
-        notes.append(f"the run was made in {len(made)} environments ({packages}); a new run makes it in one")
+    if len(artifacts) > 1:
+        packages = "; ".join(f"{environments[key]}: {_some(names)}" for key, names in artifacts.items())
+        notes.append(f"the run was made in {len(artifacts)} environments ({packages}); a new run makes it in one")
     return notes
 
 
@@ -182,10 +184,10 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
             moved.append(place if isinstance(log, str) else {**stated, "file": place})
         settings["logs"][role] = moved
     for artifact, source in _sources(prototype, home):
-        made = run.record(artifact).recipe.inputs[source.name]
+        recorded = run.record(artifact).recipe.inputs[source.name]
         if not source.is_file():
             raise InputError(f"{source}: is gone; a crate holds the logs and tables of its run, put it back")
-        if file_sha256(source) != made:
+        if file_sha256(source) != recorded:
             raise InputError(f"{source}: changed since the run was made; run it again before it is packed")
     for table, key in (("plant", "parameters"), ("plant", "curves"), ("compare", "curves")):
         name = settings[table][key]

@@ -127,22 +127,14 @@ def _task(prototype: Prototype, parameters: "JointParameters | None", split: Fol
         title=f"{split.count} folds over {split.by}, {model}",
         algorithm=ALGORITHM,
         settings=settings,
-        inputs=(
-            *sources(prototype),
-            *identify.known_inputs(prototype),
-        ),
+        inputs=(*sources(prototype), *identify.known_inputs(prototype)),
         outputs=(layout.folds(model),),
         work=partial(_work, prototype=prototype, parameters=parameters, split=split, model=model, jobs=jobs),
     )
 
 
 def _work(
-    run: RunFolder,
-    prototype: Prototype,
-    parameters: "JointParameters | None",
-    split: Folds,
-    model: str,
-    jobs: int,
+    run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", split: Folds, model: str, jobs: int
 ) -> Mapping[str, Written]:
     from pipeline.scoring.cross_validation import block_folds, log_folds, signal_ranges
 
@@ -163,7 +155,7 @@ def _work(
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
 
     def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
-        """The folds that are not kept from before, in so many processes."""
+        """The folds without a checkpoint, in `jobs` processes."""
         return in_processes(judge, [cuts[int(name)] for name in missing], jobs)
 
     results = run.checkpoints().each(map(str, range(split.count)), judged)

@@ -21,8 +21,8 @@ from pipeline.runs.columns import TUBE_COLUMNS
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.signals.missing_codes import codes_in, masked, said_of
-from pipeline.signals.plausible_spans import scale_suspicion
+from pipeline.signals.missing import codes_in, masked, said_of
+from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.stages.check import declared, log_signals
 from pipeline.stages.differentiate import kinematics
 from pipeline.stages.identify import identified
@@ -59,7 +59,7 @@ class Signals:
     v : FloatArray, shape (N, K)
         Voltages [V], K = 1 or 2.
     unit : {"m", "rad"} or None
-        What q is in, where its column says so.
+        Unit of q, if its column names one.
     """
 
     t: FloatArray
@@ -163,13 +163,13 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
     of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in said_of(counts))
     log = SiLog(q, tuple(inputs), notes=of_codes)
-    seen = examined(log, prototype, where)
+    checked = examined(log, prototype, where)
     fine, coarse = (
-        record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(seen, prototype.ingest)
+        record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)
     )
     moved, _ = kinematics(coarse, fine if prototype.differentiate.rate == "record" else coarse, prototype)
-    notes = {**seen.notes, "raw_step": seen.raw_step}
-    remarks = tuple(f"{where}: {text}" for text in seen.notes["warnings"])
+    notes = {**checked.notes, "raw_step": checked.raw_step}
+    remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
     return Cleaned(motion(moved, fine, prototype, notes), log_signals(where, fine, notes), remarks)
 
 
@@ -186,8 +186,8 @@ def identify_signals(
 
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
     tables = [part.motion for part in parts]
-    seen, stated = [part.signals for part in parts], declared(prototype)
-    rows = [*check_logs(seen, stated), *shared_rows(seen, shared_recordings(seen, stated.sample_interval))]
+    records, stated = [part.signals for part in parts], declared(prototype)
+    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records, stated.sample_interval))]
     contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
     for text in (*contradictions, *remarks(rows)):
         warnings.warn(f"debist: {text}", stacklevel=_CALLER)
@@ -202,11 +202,11 @@ def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[s
     """
     from pipeline.numerics.metrics import fit_percent
 
-    made = free_run(table, model)
-    pairs = {name: (table[name], getattr(made, name)) for name in ("q", "qdot", "qddot")}
+    run = free_run(table, model)
+    pairs = {name: (table[name], getattr(run, name)) for name in ("q", "qdot", "qddot")}
     rests = stable_rests(model, [table["q"]])
     wells = believed_wells(wells_of([table], joint=plant.joint), model.name, rests, joint=plant.joint)
-    compared = ComparedRun(pairs, {"status": made.status, "diverged_at_s": made.diverged_at_s})
+    compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
     return [
         {"signal": row["signal"], "fit_percent": fit_percent(*pairs[row["signal"]]), "unit": row["unit"]} | row
         for row in score_rows(plant, table, compared, wells)

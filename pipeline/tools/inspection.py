@@ -62,7 +62,7 @@ class LogExcitation:
 
 
 def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExcitation | str]:
-    """Describe a log; say what it excites, or why that cannot be said.
+    """Describe a log, with its excitation or the reason why there is none.
 
     Without settings the channels are taken by their names and units where these leave no doubt; nothing but this
     description rests on it.

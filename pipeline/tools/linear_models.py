@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from pipeline.control.linear import LinearModel
 
 MOST_EQUILIBRIA = 9
-"""Of a joint, by far: files of as many are looked for among those of an earlier call."""
+"""Most equilibria of a joint, by far: an earlier call left files of at most this number."""
 
 
 def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> dict[str, Any]:
@@ -29,7 +29,7 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
             "format": "debist-linear/1",
             "model": joint_run.name,
             "v_V": list(voltages),
-            "equilibria": [each.to_json() | {"bode": bode(each)} for each in _linear_models(joint_run, voltages)],
+            "equilibria": [model.to_json() | {"bode": bode(model)} for model in _linear_models(joint_run, voltages)],
             "measured": _measured_ringing(joint_run),
         }
 
@@ -55,7 +55,7 @@ def bode(model: "LinearModel") -> dict[str, list[float]]:
     f = np.geomspace(0.05, 200.0, 200)
     identity = np.eye(len(model.a))
     answers = np.array(
-        [(model.c @ np.linalg.solve(2j * np.pi * each * identity - model.a, model.b_squared))[0] for each in f]
+        [(model.c @ np.linalg.solve(2j * np.pi * hertz * identity - model.a, model.b_squared))[0] for hertz in f]
     )
     answer = {"f_Hz": f.tolist()}
     for side, name in enumerate(("left", "right")):
@@ -68,7 +68,7 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     """Mean frequency [Hz] and damping ratio of the ring-downs in both wells, over all logs, as in the datasheet."""
     from pipeline.device_facts.events import rest_facts
     from pipeline.scoring.wells import wells_of
-    from pipeline.signals.inputs import voltages
+    from pipeline.signals.trajectory import voltages
 
     logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
     tables = [joint_run.run.read_table(layout.kinematics(*log)) for log in logs]
@@ -78,11 +78,11 @@ def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     rings = {"left": facts.rings_left, "right": facts.rings_right}
     return {
         side: {
-            "ring_downs": len(each),
-            "frequency_Hz": float(np.mean([ring.frequency for ring in each])) if each else None,
-            "damping_ratio": float(np.mean([ring.damping for ring in each])) if each else None,
+            "ring_downs": len(decays),
+            "frequency_Hz": float(np.mean([ring.frequency for ring in decays])) if decays else None,
+            "damping_ratio": float(np.mean([ring.damping for ring in decays])) if decays else None,
         }
-        for side, each in rings.items()
+        for side, decays in rings.items()
     }
 
 
@@ -94,22 +94,22 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
     with new_outputs(folder, "control", force=force, made_from=control_run(root).origin) as staged:
         (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
         structs: dict[str, Any] = {}
-        for number, each in enumerate(document["equilibria"], start=1):
-            matrices = {name: np.array(each[name]) for name in ("A", "B", "C", "D", "B_squared")}
+        for number, point in enumerate(document["equilibria"], start=1):
+            matrices = {name: np.array(point[name]) for name in ("A", "B", "C", "D", "B_squared")}
             structs[f"equilibrium_{number}"] = matrices | {
-                "x0": np.array(each["x0"])[:, None], "v0": np.array(each["v_V"])[:, None], "q0": each["q_m"],
-                "stable": float(each["stable"]),
+                "x0": np.array(point["x0"])[:, None], "v0": np.array(point["v_V"])[:, None], "q0": point["q_m"],
+                "stable": float(point["stable"]),
             }  # fmt: skip
-            header = ",".join([*each["states"], "v1 [V]", "v2 [V]", "v1^2 [V^2]", "v2^2 [V^2]"])
+            header = ",".join([*point["states"], "v1 [V]", "v2 [V]", "v1^2 [V^2]", "v2^2 [V^2]"])
             rows = np.hstack([matrices["A"], matrices["B"], matrices["B_squared"]])
             lines = [
                 f"rate of {name}," + ",".join(map(repr, row))
-                for name, row in zip(each["states"], rows.tolist(), strict=True)
+                for name, row in zip(point["states"], rows.tolist(), strict=True)
             ]
             readings = np.hstack([matrices["C"], matrices["D"], np.zeros_like(matrices["D"])])
             lines += [",".join(["reading of q [m]", *map(repr, row)]) for row in readings.tolist()]
             text = (
-                f"# equilibrium at q = {each['q_m']!r} m, v = {each['v_V']}\nrow,{header}\n" + "\n".join(lines) + "\n"
+                f"# equilibrium at q = {point['q_m']!r} m, v = {point['v_V']}\nrow,{header}\n" + "\n".join(lines) + "\n"
             )
             (staged / f"linear-{number}.csv").write_text(text, encoding="utf-8")
         savemat(staged / "linear.mat", structs)

@@ -70,7 +70,7 @@ def design_next_log(
     interval : float
         Sample interval [s] of its logs.
     programme : str
-        A name in `pipeline.rig.excitation.EXCITATIONS`, of which one is drawn, or a file with voltages.
+        A name in `pipeline.rig.excitation.EXCITATIONS`, from which one is drawn, or a file with voltages.
     rng : Generator
         Draws the programme, the candidates and the usual logs.
     wanted : Requirements

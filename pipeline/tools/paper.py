@@ -18,7 +18,8 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.settings import ROLES, Compare, Differentiate, Identify, Prototype, load_prototype
+from pipeline.settings import Compare, Differentiate, Identify, Prototype, load_prototype
+from pipeline.settings_logs import ROLES
 from pipeline.stages import scores
 from pipeline.stages.run import plan
 from pipeline.tools.study import study_task

@@ -7,9 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pipeline.choices import Typeface
 from pipeline.errors import InputError
 from pipeline.loading.held_models import made_control
+from pipeline.names import Typeface
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, in_snapshot
@@ -110,8 +110,8 @@ def run_figures(root: Path) -> RunFigures:
     def read(run: RunFolder) -> RunFigures:
         """All figures of a run as it is now."""
         prototype = run.prototype
-        made = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
-        return RunFigures(root, made.figures, made.data.model_names)
+        prepared = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
+        return RunFigures(root, prepared.figures, prepared.data.model_names)
 
     return in_snapshot(root, read)
 

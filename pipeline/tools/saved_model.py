@@ -23,7 +23,7 @@ from pipeline.runs.hashing import tree_hash
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.trees import read_tree, write_tree
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 from pipeline.tools.export import WRITERS
 
 _CHECK = "check"
@@ -130,5 +130,5 @@ def export_model(subject: Subject, target: str, folder: Path, *, force: bool = F
         raise InputError(f"no export {target!r} of a model alone; there are {', '.join(WRITERS)}")
     write = getattr(import_module(f"pipeline.export.{WRITERS[target]}"), f"write_{target}")
     with new_outputs(folder, "export", force=force, made_from={"model": subject.origin}) as staged:
-        made: Exported = write(subject, staged)
-    return replace(made, written=[rebased(path, staged, folder) for path in made.written])
+        exported: Exported = write(subject, staged)
+    return replace(exported, written=[rebased(path, staged, folder) for path in exported.written])

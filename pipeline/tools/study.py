@@ -55,7 +55,7 @@ class StudyResult:
     figure : Path
         Where it is drawn.
     notes : mapping
-        What the study says of itself.
+        Notes of the study.
     """
 
     columns: Table
@@ -150,22 +150,18 @@ def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     work = partial(_one_basis, data, held_out, _asked(prototype, plant))
 
     def rows(missing: list[str]) -> Iterator[tuple[float, float, float]]:
-        """The points that are not kept from before, in so many processes."""
+        """The points without a checkpoint, in `jobs` processes."""
         return in_processes(work, [points[name] for name in missing], jobs)
 
     mse, condition, nrmse = np.array(run.checkpoints().each(points, rows)).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
-    return {
-        "basis_functions": counts,
-        "smoothing": smoothings,
-        "mse": mse,
-        "condition": condition,
-        "nrmse": nrmse,
-    }, {"model": "rbf-paper"}
+    return {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}, {
+        "model": "rbf-paper"
+    }
 
 
 def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
-    """What `identify_rbf_paper` is asked by the settings."""
+    """Arguments of `identify_rbf_paper` by the settings."""
     settings = prototype.identify
     return {
         "basis_functions": settings.basis_functions,
@@ -177,10 +173,7 @@ def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
 
 
 def _one_basis(
-    data: "list[Trajectory]",
-    held_out: "list[Trajectory]",
-    asked: dict[str, Any],
-    point: tuple[int, float],
+    data: "list[Trajectory]", held_out: "list[Trajectory]", asked: dict[str, Any], point: tuple[int, float]
 ) -> tuple[float, float, float]:
     from pipeline.models.paper.model import identify_rbf_paper
     from pipeline.scoring.data_study import held_out_error

@@ -19,16 +19,16 @@ _DEEPEST = 3
 
 @dataclass(frozen=True)
 class VerifiedRun:
-    """One run of a folder: what a look at it found, or why that could not be told."""
+    """One run of a folder: the result of its check, or why it could not be checked."""
 
     root: Path
-    found: Verified
+    result: Verified
     failure: str = ""
 
     @property
     def intact(self) -> bool:
         """Nothing is wrong with it."""
-        return not self.failure and self.found.intact
+        return not self.failure and self.result.intact
 
 
 def verify_everything(root: Path, chosen: Chosen = every) -> Verified:

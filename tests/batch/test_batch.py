@@ -13,7 +13,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app, debist
-from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
+from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch
 from pipeline.batch.fleet import write_fleet_tables
 from pipeline.batch.worker import Outcome, Worker
 from pipeline.errors import InputError
@@ -74,12 +74,12 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
 ) -> None:
     named = named_prototypes([_prototype(tmp_path, name, gain) for name, gain in (("b", 0.97), ("a", 1.0))])
     told = Told()
-    one = run_batch(named, tmp_path / "one", 1, told, program=debist, report=False)
+    one = run_batch(named, tmp_path / "one", told, debist, Execution(1, report=False))
     assert told.begun == [outcome.name for outcome in told.ended] == ["b", "a"]
     assert [outcome.name for outcome in one] == ["a", "b"]
     assert all(outcome.processor_seconds > 0.1 and 1e7 < outcome.memory_bytes < 1e9 for outcome in one)
 
-    killed = run_batch(named, tmp_path / "two", 2, Told(), program=killed_or_debist, report=False)
+    killed = run_batch(named, tmp_path / "two", Told(), killed_or_debist, Execution(2, report=False))
     assert [(outcome.name, outcome.exit_code, outcome.reason) for outcome in killed] == [
         ("a", 0, ""),
         (
@@ -91,7 +91,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     ]
     before = (tmp_path / "two/a/manifest.json").stat().st_mtime_ns  # a rerun does only what is missing
     assert not any(
-        outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), program=debist, report=False)
+        outcome.failed for outcome in run_batch(named, tmp_path / "two", Told(), debist, Execution(2, report=False))
     )
     assert (tmp_path / "two/a/manifest.json").stat().st_mtime_ns == before
     page = (tmp_path / "two/fleet.html").read_text()  # without reports it has the errors alone
@@ -103,7 +103,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
 
     monkeypatch.setattr("pipeline.batch.batch.Worker", None)  # what is up to date needs no process
     assert not any(
-        outcome.failed for outcome in run_batch(named, tmp_path / "two", 2, Told(), program=debist, report=False)
+        outcome.failed for outcome in run_batch(named, tmp_path / "two", Told(), debist, Execution(2, report=False))
     )
 
     (tmp_path / "one/fleet.csv").unlink()
@@ -129,7 +129,7 @@ def test_an_interrupted_batch_does_not_wait_for_what_it_runs(tmp_path: Path) -> 
 
     told, began = Interrupting(), time.monotonic()
     with pytest.raises(KeyboardInterrupt):
-        run_batch([("a", tmp_path / "a"), ("b", tmp_path / "b")], tmp_path / "runs", 2, told, program=_sleeping)
+        run_batch([("a", tmp_path / "a"), ("b", tmp_path / "b")], tmp_path / "runs", told, _sleeping, Execution(2))
     assert time.monotonic() - began < 60.0
     assert (told.begun, told.ended) == (["a", "b"], [])
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from cli import debist
-from pipeline.batch.batch import named_prototypes, prototype_files, run_batch
+from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch
 from pipeline.batch.fleet import FLEET_CSV, write_fleet_tables
 from pipeline.batch.worker import Outcome, Worker, reason_of
 from pipeline.errors import CorruptArtifactError, InputError
@@ -74,7 +74,7 @@ def test_settings_that_no_parser_survives_fail_alone(tmp_path):
     named = named_prototypes(list(dict.fromkeys(found)))
     assert {name for name, _ in named} >= set(said) - {"zero"}  # a link is resolved
     outcomes = run_batch(
-        [pair for pair in named if pair[0] == "brackets"], tmp_path / "runs", 1, Quiet(), program=debist
+        [pair for pair in named if pair[0] == "brackets"], tmp_path / "runs", Quiet(), debist, Execution(1)
     )
     assert [(o.exit_code, "nested too deeply" in o.reason) for o in outcomes] == [(2, True)]
     assert "nested too deeply" in (tmp_path / "runs/fleet.csv").read_text()

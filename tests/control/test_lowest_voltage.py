@@ -8,9 +8,8 @@ from control_joints import model
 
 from pipeline.control.ensemble import Converters, ensemble_at, ensemble_of
 from pipeline.control.linear import wells_and_saddle
-from pipeline.control.lowest_voltage import LowestVoltage, lowest_voltage, uncertain
 from pipeline.control.plant import plant_of
-from pipeline.control.switching_map import Well, pulses
+from pipeline.control.switching_map import LowestVoltage, Well, lowest_voltage, pulses, uncertain
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray

@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 import debist
 from cli import app
 from pipeline.control.ensemble import ensemble_of
-from pipeline.control.lowest_voltage import lowest_voltage
+from pipeline.control.switching_map import lowest_voltage
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.runs import layout, schemas

@@ -12,7 +12,7 @@ from pipeline.loading.report_data import measured_curves
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.stages.measured_curves import tasks
+from pipeline.stages.side_files import tasks
 from tests.prototypes import Silent
 
 

@@ -175,6 +175,6 @@ def test_a_velocity_that_contradicts_the_displacement_is_warned_of(tmp_path, uni
     result = RUNNER.invoke(app, ["differentiate", str(tmp_path / "run")])
     assert result.exit_code == 0, result.output
     said = " ".join(result.output.split())
-    found = re.search(r"q goes (\S+) times the way that qdot says; check unit, scale and sign", said)
+    found = re.search(r"q moves (\S+) times as far as qdot; check unit, scale and sign", said)
     assert (found is None) == (factor is None)
     assert found is None or float(found[1]) == pytest.approx(factor, rel=0.05)

@@ -18,7 +18,7 @@ from pipeline.loading.trajectories import (
 from pipeline.runs import layout
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.signals.inputs import UNKNOWN
+from pipeline.signals.trajectory import UNKNOWN
 
 ROWS, REFINED = 60, 10
 

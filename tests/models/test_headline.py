@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.models.base import FreeRun
-from pipeline.models.headline import headline
+from pipeline.models.choose import headline
 from pipeline.models.kind import Training
 from pipeline.settings import Compare, Identify
 from pipeline.signals.trajectory import Record

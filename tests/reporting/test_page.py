@@ -21,19 +21,18 @@ from pipeline.device_facts.grades import THRESHOLDS, Threshold
 from pipeline.device_facts.run_data import RunData, Study
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart
-from pipeline.reporting.datasheet_rows import sheet_rows, structure_summary
+from pipeline.reporting.datasheet_rows import described, sheet_rows, structure_summary
 from pipeline.reporting.device_figures import _curves
 from pipeline.reporting.figure import Figure, Line, Panel, extreme_places, thinned, window
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import FleetColumn, failed, fleet_columns, strip_chart, summary
 from pipeline.reporting.log_figures import differentiation, fit_note
-from pipeline.reporting.model_facts import described
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import headline_table
 from pipeline.scoring.wells import NoWells
 from pipeline.si_prefix import axis_scale, grouped, interval, moment, percent, quantity, scale, short, significant
-from pipeline.signals.inputs import voltages
+from pipeline.signals.trajectory import voltages
 from pipeline.units import ALPHA_UNIT
 from tests.reporting.synthetic import HOSTILE, figures_of_one_log, run_data, run_figures, run_sheet, without_models
 

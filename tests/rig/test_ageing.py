@@ -9,8 +9,8 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.rig.ageing import parse_drift
 from pipeline.rig.fleet import Experiment, draw
+from pipeline.rig.random_joint import parse_drift
 
 SHORT = {"kind": "nominal", "rate": 2000.0, "duration": 4.0, "format": "parquet"}
 

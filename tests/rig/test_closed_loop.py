@@ -12,9 +12,8 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.rig.bench import Bench
-from pipeline.rig.controllers import played, python_controller
 from pipeline.rig.joint import potential, rest, saddle, simulate, tip_displacement, wells
-from pipeline.rig.loop import Scenario, bench_from_json, run_loop
+from pipeline.rig.loop import Scenario, bench_from_json, played, python_controller, run_loop
 from pipeline.rig.parameters import as_json, from_json, nominal
 from pipeline.rig.random_joint import random_joint
 from pipeline.rig_logs import read_recording

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.signals.decimation_kernel import REACH, filtered_samples, kernel, sharpened
-from pipeline.signals.interpolation import interpolate
-from pipeline.signals.resampling import LEAST_RATIO, decimate, uniform_grid
+from pipeline.signals.resampling import LEAST_RATIO, decimate, interpolate, uniform_grid
 
 T = 0.01
 

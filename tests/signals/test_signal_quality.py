@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from pipeline.signals.mains_hum import hum
 from pipeline.signals.noise import is_idle, noise_level, resolution
-from pipeline.signals.plausible_spans import scale_suspicion
+from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.signals.signal_quality import examine_signal, usual_span
+from pipeline.signals.spectrum import hum
 from tests.prototypes import motion
 
 RATE = 10_000.0

@@ -110,7 +110,7 @@ def test_dates_are_days_and_without_times_runs_are_in_order(drifting):
 
 def test_of_three_runs_nothing_is_said(drifting):
     shown = " ".join(invoke(*drifting[:3]).stdout.split())
-    assert "3 runs: nothing can be said of drift; 4 are the least" in shown and " a run" not in shown
+    assert "3 runs: too few to show a drift; it takes 4" in shown and " a run" not in shown
 
 
 def test_a_series_that_is_none_is_refused(drifting, planted_run, tmp_path):  # noqa: F811

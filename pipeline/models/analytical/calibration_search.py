@@ -124,11 +124,11 @@ class SimulatedProblem:
 
     def jacobian(self, x: FloatArray) -> FloatArray:
         """Derivatives of the residuals where they were computed, shape (samples + P, P)."""
-        problem, made = self.problem, self._made[x.tobytes()]
-        self._made = {x.tobytes(): made}  # a search never goes back behind a point that it took
+        problem, runs = self.problem, self._made[x.tobytes()]
+        self._made = {x.tobytes(): runs}  # a search never goes back behind a point that it took
         steps = np.where(x + STEP <= problem.upper, STEP, -STEP)
         moved = [problem.parameters(x + step * unit) for step, unit in zip(steps, np.eye(x.size), strict=True)]
-        return np.vstack([error_derivatives(made, moved, steps, problem.pool) / RESOLUTION, np.eye(x.size)])
+        return np.vstack([error_derivatives(runs, moved, steps, problem.pool) / RESOLUTION, np.eye(x.size)])
 
 
 LOSS_SCALE = 3.0
@@ -188,13 +188,13 @@ def search(
     -----
     Cost: a step takes a Jacobian and one simulation if it falls as predicted, three more if it is bent.
     """
-    made = _Search(problem, limit, tolerance)
-    here, converged = made.point(x0), False
-    while not converged and made.left > 0:
-        if made.left <= limit // 2 and here.cost > HOPELESS * rival:
+    descent = _Search(problem, limit, tolerance)
+    here, converged = descent.point(x0), False
+    while not converged and descent.left > 0:
+        if descent.left <= limit // 2 and here.cost > HOPELESS * rival:
             break
         tick()
-        lower, converged = made.step(here)
+        lower, converged = descent.step(here)
         if lower is None:
             break
         here = lower
@@ -217,7 +217,7 @@ class _Search:
         return _Point(inside, residuals, float(LOSS_SCALE**2 * loss))
 
     def step(self, here: _Point) -> tuple[_Point | None, bool]:
-        """A point of lower cost, None if there is none; and whether no fall is left that matters."""
+        """A point of lower cost or None, and whether no relevant fall is left."""
         jacobian, weights = self.problem.jacobian(here.x), loss_weights(here.residuals)
         weighted = weights[:, None] * jacobian
         slope, matrix = weighted.T @ here.residuals, weighted.T @ jacobian
@@ -266,7 +266,7 @@ class _Search:
     def _bent(
         self, here: _Point, step: FloatArray, free: BoolArray, matrix: FloatArray, weighted: FloatArray
     ) -> _Point | None:
-        """The end of the step along the valley's bend; None if it bends too much to tell."""
+        """The end of the step along the valley's bend; None if the bend is too strong."""
         ahead, behind = (self.point(here.x + share * step).residuals for share in (BEND, -BEND))
         second = (ahead + behind - 2.0 * here.residuals) / BEND**2
         second[np.abs(second) > JUMP] = 0.0

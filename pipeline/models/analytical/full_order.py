@@ -198,13 +198,11 @@ def simulate(
     -----
     Cost: about 4 µs a step of the integrator.
     """
-    count = t.size
-    states, rates, steps = np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64)
+    count, solution = t.size, no_solution(t.size)
+    states, rates, steps = solution
     load = np.zeros(count) if force is None else np.ascontiguousarray(force)
-    valid = integrate(
-        np.ascontiguousarray(t), np.ascontiguousarray(v), load, x0, parameters.vector(),
-        tolerance * state_scale(parameters), REACH, states, rates, steps,
-    )  # fmt: skip
+    drive = Drive(np.ascontiguousarray(t), np.ascontiguousarray(v), load)
+    valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
     qm, qm_dot, qm_ddot = states[:, :4], states[:, 4:8], rates[:, 4:8]
     levers, slopes = parameters.levers, parameters.slopes
@@ -220,6 +218,27 @@ _TIME_DERIVATIVE = np.array([0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0
 MOST_TRIES = 20_000
 """Steps between two samples, refused ones too, beyond which a run counts as diverged: a joint takes 2 to 20 in 10 ms;
 one that blows up would never end."""
+
+
+class Drive(NamedTuple):
+    """What drives a joint: sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
+
+    t: FloatArray
+    v: FloatArray
+    force: FloatArray
+
+
+class Solution(NamedTuple):
+    """States and their time derivatives at the samples, (N, 11) each; accepted and rejected steps (2,)."""
+
+    states: FloatArray
+    rates: FloatArray
+    steps: IntArray
+
+
+def no_solution(count: int) -> Solution:
+    """An empty solution at `count` samples: NaN, no steps."""
+    return Solution(np.full((count, STATES), np.nan), np.full((count, STATES), np.nan), np.zeros(2, np.int64))
 
 
 class _Motion(NamedTuple):
@@ -320,28 +339,21 @@ def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
 
 
 @compiled(nogil=True)
-def integrate(
-    t: FloatArray, v: FloatArray, force: FloatArray, x0: FloatArray, p: FloatArray,
-    scale: FloatArray, reach: float, states: FloatArray, rates: FloatArray, counts: IntArray,
-) -> int:  # fmt: skip
+def integrate(drive: Drive, x0: FloatArray, p: FloatArray, scale: FloatArray, reach: float, solution: Solution) -> int:
     """Integrate under voltages and force that are linear between samples.
 
     Parameters
     ----------
-    t : FloatArray, shape (N,)
-        Sample times [s]; every sample is a step's end, so that no step sees a kink of the inputs.
-    v, force : FloatArray, shapes (N, 2) and (N,)
-        Voltages [V] and force along q [N].
+    drive : Drive
+        The inputs; every sample is a step's end, so that no step sees a kink of them.
     x0, p : FloatArray, shapes (11,) and (41,)
         Initial state and parameters.
     scale : FloatArray, shape (11,)
         Tolerated local error of each state: a step is accepted when the RMS of error / scale is below 1.
     reach : float
         |q| [m] beyond which the run counts as diverged.
-    states, rates : FloatArray, shape (N, 11)
-        The solution and its time derivative at the samples (output).
-    counts : IntArray, shape (2,)
-        Accepted and rejected steps (output).
+    solution : Solution
+        The solution at the samples (output).
 
     Returns
     -------
@@ -353,6 +365,8 @@ def integrate(
     -----
     Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
+    t, v, force = drive
+    states, rates, counts = solution
     x, x_new, f0, h_next = x0.copy(), np.empty(STATES), np.empty(STATES), 1e-4
     counts[0], counts[1], s, work = 0, 0, _motion(p, v, force), working(6, 1)
     for sample in range(t.size):
@@ -386,7 +400,7 @@ def integrate(
                     if h_next < 1e-12 * interval:
                         return sample + 1
             counts[0] += 1
-            # A step cut short by the sample's end says nothing against the longer one.
+            # A step cut short by the sample's end is no reason against the longer one.
             h_next = max(factor * h, h_next) if h == remaining else factor * h
             offset = interval if h == remaining else offset + h
             copy_into(x, x_new)

@@ -70,7 +70,7 @@ class AnalyticalModel:
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured motion, by the reduced model (eq. 26), shape (N,).
 
-        A measurement of q tells nothing of the beam's other shapes, so they follow the static path here.
+        q does not determine the beam's other shapes, so they follow the static path here.
         """
         from pipeline.models.analytical.reduced_order import accelerate, reduce_joint
 

@@ -32,7 +32,7 @@ CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
 """Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""
 
 REACH, PLACES = 0.03, 91
-"""Largest q [m] of the curves; places along the beam at which its shape is told."""
+"""Largest q [m] of the curves; places along the beam at which its shape is given."""
 
 
 @dataclass(frozen=True)
@@ -177,7 +177,7 @@ _motion, _dahl_move = kernel(REDUCED_MOTION), formula(DAHL_MOVE)
 
 
 TOLERANCE = 1e-5
-"""Of the full-order model beside which the reduced one is set."""
+"""Tolerance of the full-order model that the reduced one is compared with."""
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ solution of eq. 15 for every q, stable or not, with F as the unknown. It carries
 
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -265,17 +266,26 @@ def _trace(
             qm[i, j], tangent[i, j] = guess[j], slope[j]
 
 
-@compiled
-def _describe(
-    shapes: FloatArray, v_squared: FloatArray, p: FloatArray, tips: FloatArray, tangent: FloatArray,
-    scalars: FloatArray, farads: FloatArray, slopes: FloatArray, hessians: FloatArray,
-) -> None:  # fmt: skip
-    """Fill the columns of a `StaticPath` from shapes (N, 4) at `v_squared` [V²] (2,), parameters `p`.
+class _PathColumns(NamedTuple):
+    """Columns of a `StaticPath` of N shapes.
 
-    Written: `tips` (N, 5), `tangent` (N, 4), `scalars` (N, 3: force, stiffness, energy), capacitances `farads` and
-    their slopes over q along the path (N, 2), `hessians` (N, 4, 4). Scalars and tangent belong to the equilibrium that
-    `hold_tip` finds from the shape at its tip displacement, all else to the shape as it is given.
+    `tips` (N, 5), `tangent` (N, 4), `scalars` (N, 3: force, stiffness, energy), capacitances `farads` and their slopes
+    over q along the path (N, 2), `hessians` (N, 4, 4). Scalars and tangent belong to the equilibrium that `hold_tip`
+    finds from the shape at its tip displacement, all else to the shape as it is given.
     """
+
+    tips: FloatArray
+    tangent: FloatArray
+    scalars: FloatArray
+    farads: FloatArray
+    slopes: FloatArray
+    hessians: FloatArray
+
+
+@compiled
+def _describe(shapes: FloatArray, v_squared: FloatArray, p: FloatArray, columns: _PathColumns) -> None:
+    """Fill the columns from shapes (N, 4) at `v_squared` [V²] (2,) with the parameters `p`."""
+    tips, tangent, scalars, farads, slopes, hessians = columns
     qm, gradient, tip_jacobian, farad_jacobian = np.empty(4), np.empty(4), np.empty((5, 4)), np.empty((2, 4))
     for i in range(len(shapes)):
         for j in range(4):
@@ -331,14 +341,15 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
 
 
 def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) -> StaticPath:
-    """Everything that the kernels tell of static shapes `qm` (N, 4) under voltages `v` (2,), in their order.
+    """The static path of the shapes `qm` (N, 4) under voltages `v` (2,), in their order.
 
     Each shape satisfies eq. 15 for some force, which is found here too.
     """
     count = len(qm)
-    tips, tangent, scalars = np.empty((count, 5)), np.empty((count, 4)), np.empty((count, 3))
-    farads, slopes, hessians = np.empty((count, 2)), np.empty((count, 2)), np.empty((count, 4, 4))
-    _describe(qm, v**2, parameters.vector(), tips, tangent, scalars, farads, slopes, hessians)
+    shapes = ((5,), (4,), (3,), (2,), (2,), (4, 4))
+    columns = _PathColumns(*(np.empty((count, *shape)) for shape in shapes))
+    _describe(qm, v**2, parameters.vector(), columns)
+    tips, tangent, scalars, farads, slopes, hessians = columns
     scale = length_scales(parameters.l)
     finite = np.isfinite(qm).all(axis=1)
     negative = np.full(count, 4)
@@ -359,7 +370,7 @@ def unactuated_path(parameters: JointParameters, reach: float = 0.03, count: int
 
 @lru_cache(maxsize=64)
 def _without_dynamics(parameters: JointParameters) -> JointParameters:
-    """The joint of equal statics whose other parameters are nominal; a horizon asks for the same joint often."""
+    """The joint of equal statics whose other parameters are nominal; horizons need the same joint often."""
     return parameters.with_values(_dynamic_values())
 
 

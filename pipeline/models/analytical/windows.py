@@ -19,13 +19,12 @@ import numpy as np
 
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
-from pipeline.models.analytical.full_order import REACH, integrate, rest_states, state_scale
+from pipeline.models.analytical.full_order import REACH, Drive, integrate, no_solution, rest_states, state_scale
 from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains
 from pipeline.models.analytical.sensitivity import state_sensitivities
 from pipeline.models.analytical.statics import unactuated_path
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.stiff import STATES
 
 BENT = 0.01
 """Deviation from a straight line within a sample interval, relative to the largest voltage, from which it is refined:
@@ -223,27 +222,27 @@ def simulate_windows(
     def run(start: FloatArray, part: Window) -> WindowRun:
         """The motion over one window."""
         t, v, _ = part.drive
-        states, rates = np.full((t.size, STATES), np.nan), np.full((t.size, STATES), np.nan)
-        force, counts = np.zeros(t.size), np.zeros(2, np.int64)
-        return WindowRun(states, rates, integrate(t, v, force, start, p, scale, REACH, states, rates, counts))
+        solution = no_solution(t.size)
+        valid = integrate(Drive(t, v, np.zeros(t.size)), start, p, scale, REACH, solution)
+        return WindowRun(solution.states, solution.rates, valid)
 
-    def errors(made: WindowRun, part: Window) -> FloatArray:
+    def errors(run: WindowRun, part: Window) -> FloatArray:
         """Error of q [m] after the first sample; `UNREACHABLE` after a divergence."""
         later = part.drive.rows[1:]
-        return np.where(later < made.valid, made.states[later, :3] @ levers - part.q[1:], UNREACHABLE)
+        return np.where(later < run.valid, run.states[later, :3] @ levers - part.q[1:], UNREACHABLE)
 
     runs = tuple((pool.map if pool else map)(run, starts, windows.parts))
     return WindowRuns(parameters, windows, runs, np.concatenate([*map(errors, runs, windows.parts)]))
 
 
 def error_derivatives(
-    made: WindowRuns, moved: Sequence[JointParameters], steps: FloatArray, pool: ThreadPoolExecutor | None = None
+    motions: WindowRuns, moved: Sequence[JointParameters], steps: FloatArray, pool: ThreadPoolExecutor | None = None
 ) -> FloatArray:
     """Derivatives of the errors, shape (samples, P), with respect to P unknowns.
 
     Parameters
     ----------
-    made : WindowRuns
+    motions : WindowRuns
         The simulation at which they are taken.
     moved : sequence of JointParameters
         The parameters with one unknown moved by its step.
@@ -257,12 +256,14 @@ def error_derivatives(
     Exact up to 5 % at 10 ms (`pipeline.models.analytical.sensitivity`); zero where the model reaches nothing. Cost:
     0.1 s of processor time for 37.5 s at 10 ms and P = 14, where one-sided differences would take 14 simulations.
     """
-    if not made.runs:
-        return np.zeros((made.windows.samples, steps.size))
-    points = np.array([joint.vector() for joint in (made.parameters, *moved)])
-    base = np.array([run.states[0] for run in made.runs])
-    starts = np.stack([_start_derivatives(joint, made.windows, base, h) for joint, h in zip(moved, steps, strict=True)])
-    levers = made.parameters.levers[:3]
+    if not motions.runs:
+        return np.zeros((motions.windows.samples, steps.size))
+    points = np.array([joint.vector() for joint in (motions.parameters, *moved)])
+    base = np.array([run.states[0] for run in motions.runs])
+    starts = np.stack(
+        [_start_derivatives(joint, motions.windows, base, h) for joint, h in zip(moved, steps, strict=True)]
+    )
+    levers = motions.parameters.levers[:3]
 
     def derivatives(run: WindowRun, part: Window, start: FloatArray) -> FloatArray:
         """Derivatives of one window, zero behind a divergence."""
@@ -277,7 +278,7 @@ def error_derivatives(
         return by_parameter[1:]
 
     by_window = np.ascontiguousarray(starts.transpose(1, 2, 0))
-    return np.concatenate([*(pool.map if pool else map)(derivatives, made.runs, made.windows.parts, by_window)])
+    return np.concatenate([*(pool.map if pool else map)(derivatives, motions.runs, motions.windows.parts, by_window)])
 
 
 def start_states(parameters: JointParameters, windows: Windows) -> FloatArray:

@@ -64,7 +64,7 @@ class NarxEquation:
     scales : FloatArray, shape (1 + L + K·M,)
         Scales of the variables.
     interval : float
-        Sample interval [s] that the equation belongs to.
+        Sample interval [s] of the equation.
     squared : bool
         Whether u = v² or u = v.
     low, high : float
@@ -103,9 +103,20 @@ class NarxEquation:
         return monomials(self.exponents, x / self.scales), delta[n + 1] - delta[n], first
 
 
+class _Polynomial(NamedTuple):
+    """Monomials (P, V), their coefficients (P,), scales of the variables (V,), and the bounds of q."""
+
+    exponents: IntArray
+    coefficients: FloatArray
+    scales: FloatArray
+    low: float
+    high: float
+
+
 @compiled
-def _change(exponents: IntArray, coefficients: FloatArray, x: FloatArray) -> float:
+def _change(polynomial: _Polynomial, x: FloatArray) -> float:
     """δ_{n+1} − δ_n from the scaled variables."""
+    exponents, coefficients, _, _, _ = polynomial
     total: float = 0.0
     for p in range(exponents.shape[0]):
         product = coefficients[p]
@@ -117,18 +128,15 @@ def _change(exponents: IntArray, coefficients: FloatArray, x: FloatArray) -> flo
 
 
 @compiled
-def _run(
-    exponents: IntArray, coefficients: FloatArray, scales: FloatArray, u: FloatArray, q: FloatArray,
-    delta: FloatArray, begin: int, low: float, high: float,
-) -> int:  # fmt: skip
+def _run(polynomial: _Polynomial, u: FloatArray, q: FloatArray, delta: FloatArray, begin: int) -> int:
     """Fill q behind row `begin`, which follows the increments `delta`; return the first row out of bounds, or N."""
     older = len(delta)
     for n in range(begin, len(q)):
-        if not low <= q[n] <= high:
+        if not polynomial.low <= q[n] <= polynomial.high:
             q[n] = np.nan
             return n
-        x = np.concatenate((q[n : n + 1], delta, u[n])) / scales
-        change = delta[0] + _change(exponents, coefficients, x)
+        x = np.concatenate((q[n : n + 1], delta, u[n])) / polynomial.scales
+        change = delta[0] + _change(polynomial, x)
         delta[1:] = delta[: older - 1].copy()
         delta[0] = change
         if n + 1 < len(q):
@@ -164,13 +172,14 @@ def narx_run(
     """
     e, q, first = equation, np.full(len(v), np.nan), float(qdot0) * equation.interval
     begin, u, ages = 0 if seen is None else len(seen) - 1, e.lagged_inputs(v), np.arange(e.structure.increments)
+    polynomial = _Polynomial(e.exponents, e.coefficients, e.scales, e.low, e.high)
     q[begin] = q0
     x = np.concatenate([[q0], np.full(ages.size, first), u[begin]]) / e.scales
-    delta = np.array(first - (ages + 0.5) * _change(e.exponents, e.coefficients, x), dtype=np.float64)
+    delta = np.array(first - (ages + 0.5) * _change(polynomial, x), dtype=np.float64)
     if seen is not None:
         past = np.diff(seen)[::-1][: ages.size]
         delta[: past.size] = past
-    return q, int(_run(e.exponents, e.coefficients, e.scales, u, q, delta, begin, e.low, e.high))
+    return q, int(_run(polynomial, u, q, delta, begin))
 
 
 def fit_narx(

@@ -138,12 +138,7 @@ class _NormalEquations:
         return total / self.samples
 
 
-def search_lag(
-    stretches: Sequence[LagStretch],
-    *,
-    start: float,
-    bounds: tuple[float, float],
-) -> LagSearch:
+def search_lag(stretches: Sequence[LagStretch], *, start: float, bounds: tuple[float, float]) -> LagSearch:
     """Descend along the gradient in ln T_z until the cost no longer falls (after eq. 40).
 
     Barzilai-Borwein steps, halved until the cost falls; the logarithm keeps T_z positive.

@@ -59,7 +59,7 @@ class _File(ModelFile):
     @model_validator(mode="after")
     def _named(self) -> Self:
         if self.basis not in NAMES:
-            raise ValueError(f"basis is none of {', '.join(NAMES)}")
+            raise ValueError(f"basis must be one of {', '.join(NAMES)}")
         if len(self.spread) not in (0, self.weights.size):
             raise ValueError(f"spread has {len(self.spread)} rows for {self.weights.size} weights")
         return self

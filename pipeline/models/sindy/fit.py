@@ -22,7 +22,7 @@ from pipeline.solvers.fixed_step import escape_bounds
 SearchStatus = Literal["completed", "limit"]
 
 MOST_INPUT_LAGS = 2
-"""Of a set whose inputs are lagged, too: more terms than a log of this length decides."""
+"""Most lags of a set with lagged inputs: a log of this length does not determine more terms."""
 DEGREES = ((1, 0, 0), (3, 1, 1), (5, 2, 3), (7, 3, 4))
 """Highest power of q alone, as a factor of velocities and lags, and as a factor of inputs."""
 TURNING = ((1, 0, 0), (1, 1, 1))
@@ -83,7 +83,7 @@ class SindyFit:
 
 
 class _LimitReachedError(Exception):
-    """The search has tried as many candidates as it may."""
+    """The search has reached its limit of candidates."""
 
 
 def fit_sindy(
@@ -189,7 +189,7 @@ def _fitted(problem: Problem, candidate: Treatment, fold: int | None) -> Polynom
 def _scaled(rows: FloatArray, target: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, float]:
     """Triangular factor of the columns and the target, all of length 1, which has the same fits, and their lengths.
 
-    Columns of nothing but zeros stay.
+    Columns of zeros stay.
     """
     norms, length = np.linalg.norm(rows, axis=0), float(np.linalg.norm(target)) or 1.0
     norms[norms == 0.0] = 1.0

@@ -314,10 +314,7 @@ def identify_default_sindy(
     from pipeline.models.sindy.fit import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
-    notes = {
-        "library": "poly2(q, q̇, u), pysindy's default, in the units of the log",
-        "terms_kept": _terms(dynamics),
-    }
+    notes = {"library": "poly2(q, q̇, u), pysindy's default, in the units of the log", "terms_kept": _terms(dynamics)}
     return SindyModel(dynamics, "sindy-default", mass, notes, units)
 
 

@@ -172,7 +172,7 @@ STEPS, MOST_ROWS = 30, 60_000
 SLOW = 0.05
 """Speed w of the smoothed friction tanh(q̇/w), over the largest speed."""
 _SHORTEST_LAG = 0.25
-"""Of a sample interval: a lag that is seen in samples."""
+"""Shortest lag as a share of a sample interval."""
 
 
 @dataclass(frozen=True)
@@ -291,7 +291,7 @@ def _half_width(trajectories: Sequence[Trajectory], blocks: Sequence[HeldOutBloc
     Raises
     ------
     InputError
-        No block holds so many samples.
+        No block is that long.
     """
     length, interval = max(
         ((b.stop - b.start - 1) * trajectories[b.source].interval, trajectories[b.source].interval) for b in blocks

@@ -8,7 +8,16 @@ from scipy.integrate import solve_ivp
 from pipeline.device_parameters import NOMINAL, VECTOR_NAMES
 from pipeline.errors import InputError
 from pipeline.generated import analytical_joint as kernels
-from pipeline.models.analytical.full_order import MOST_TRIES, REACH, integrate, rest_state, simulate, state_scale
+from pipeline.models.analytical.full_order import (
+    MOST_TRIES,
+    REACH,
+    Drive,
+    integrate,
+    no_solution,
+    rest_state,
+    simulate,
+    state_scale,
+)
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.analytical.reduced_order import (
     accelerate,
@@ -194,8 +203,8 @@ def test_a_joint_that_blows_up_ends_its_run() -> None:
     t, v = pulse_sequence(count=1, dt=0.01)
     p = UNEQUAL.vector()
     p[VECTOR_NAMES.index("eta")] *= -1.0
-    states, rates, counts = np.empty((len(t), 11)), np.empty((len(t), 11)), np.zeros(2, dtype=np.int64)
+    solution = no_solution(len(t))
     scale, start = 1e-6 * state_scale(UNEQUAL), rest_state(UNEQUAL, START, 0.0, v[0])
-    valid = integrate(t, v, np.zeros(len(t)), start, p, scale, REACH, states, rates, counts)
+    valid = integrate(Drive(t, v, np.zeros(len(t))), start, p, scale, REACH, solution)
     assert 0 < valid < len(t)
-    assert counts.sum() < MOST_TRIES * (valid + 1)
+    assert solution.steps.sum() < MOST_TRIES * (valid + 1)

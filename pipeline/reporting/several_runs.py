@@ -1,6 +1,7 @@
-"""How facts of one device change over its runs: a table of texts, and a page with one small figure for each fact."""
+"""The pages of several runs: side by side with their curves and free runs, and the facts of one device over time."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,6 +14,78 @@ from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.page import render
 from pipeline.si_prefix import quantity
+
+CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
+"""Curves that are drawn, and their names."""
+
+
+@dataclass(frozen=True)
+class DiffTable:
+    """What differs in one part: its title, the heading of its keys, and a row of texts for each key."""
+
+    title: str
+    head: str
+    rows: Sequence[Sequence[str]]
+
+
+@dataclass(frozen=True)
+class DrawnRun:
+    """What is drawn of a run.
+
+    Attributes
+    ----------
+    name : str
+    displacement : str
+        Unit of q.
+    q : FloatArray, shape (n,)
+        Where the curves are given.
+    curves : mapping of str to FloatArray, shape (n,)
+        F, d, dC1_dq, dC2_dq of the headline, as far as it has them.
+    units : mapping of str to str
+        Of the curves.
+    logs : mapping of (str, str) to (FloatArray, FloatArray, FloatArray)
+        Time, measured displacement and that of the free run for each log; the key has its title and its content hash.
+    """
+
+    name: str
+    displacement: str
+    q: FloatArray
+    curves: Mapping[str, FloatArray]
+    units: Mapping[str, str]
+    logs: Mapping[tuple[str, str], tuple[FloatArray, FloatArray, FloatArray]]
+
+
+def diff_page(names: Sequence[str], tables: Sequence[DiffTable], runs: Sequence[DrawnRun]) -> str:
+    """The page as HTML; the same runs give the same bytes."""
+    figures = [*_curves(runs), *_free_runs(runs)]
+    charts = [
+        {"figure": figure, "drawings": page_chart(figure, names), "legend": swatches(figure, names, marks=True)}
+        for figure in figures
+    ]
+    return render("diff.html.j2", (), {"names": names, "tables": tables, "charts": charts})
+
+
+def _curves(runs: Sequence[DrawnRun]) -> Iterator[Figure]:
+    panels = []
+    for key, title in CURVES.items():
+        having = [run for run in runs if key in run.curves]
+        for unit in dict.fromkeys(run.units[key] for run in having):  # forces per unit mass are no forces
+            lines = (Line(run.name, run.name, run.q, run.curves[key]) for run in having if run.units[key] == unit)
+            panels.append(Panel(title, unit, tuple(lines)))
+    if panels:
+        caption = "Of the headline model of each run, over the range of its training logs."
+        yield Figure("curves", "Characteristic curves", caption, "q", runs[0].displacement, tuple(panels), columns=2)
+
+
+def _free_runs(runs: Sequence[DrawnRun]) -> Iterator[Figure]:
+    for number, key in enumerate(dict.fromkeys(key for run in runs for key in run.logs)):
+        having = [run for run in runs if key in run.logs]
+        t, measured, _ = having[0].logs[key]
+        lines = [Line("measured", "measured", t, measured, wide=True)]
+        lines += [Line(run.name, run.name, run.logs[key][0], run.logs[key][2]) for run in having]
+        panel = Panel("q", having[0].displacement, tuple(lines))
+        yield Figure(f"log-{number}", f"Free runs of the {key[0]}", "Measured and simulated.", "t", "s", (panel,))
+
 
 COLUMNS = ("fact", "first run", "last run", "from all runs", "change")
 
@@ -34,7 +107,7 @@ def change(fact: SeriesFact, unit: str) -> str:
     """What is claimed of a fact, in words; `unit` is that of the time."""
     trend, large = fact.trend, float(np.abs(fact.values).max())
     if trend.kind == "unknown" or trend.slope is None:
-        return f"{len(fact.at)} runs: nothing can be said"
+        return f"{len(fact.at)} runs: too few"
     if trend.kind == "step":
         step = quantity(trend.step, fact.unit, trend.step_error, large)
         return f"step of {step} between {unit}s {trend.after:g} and {trend.before:g}"
@@ -45,7 +118,7 @@ def change(fact: SeriesFact, unit: str) -> str:
 def conclusion(series: Series) -> str:
     """A sentence on the whole series."""
     if len(series.names) < FEWEST:
-        return f"{len(series.names)} runs: nothing can be said of drift; {FEWEST} are the least, six for a step"
+        return f"{len(series.names)} runs: too few to show a drift; it takes {FEWEST}, a step six"
     changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
     return f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
 
@@ -58,8 +131,8 @@ def series_page(series: Series) -> str:
     """The page as HTML; the same series gives the same bytes."""
     figures = [_figure(fact, series.unit) for fact in series.facts]
     charts = [
-        {"figure": each, "drawings": page_chart(each, ("all",)), "legend": swatches(each, ("all",), marks=True)}
-        for each in figures
+        {"figure": figure, "drawings": page_chart(figure, ("all",)), "legend": swatches(figure, ("all",), marks=True)}
+        for figure in figures
     ]
     context = {
         "names": [f"{name} ({series.unit} {at:g})" for name, at in zip(series.names, series.at, strict=True)],

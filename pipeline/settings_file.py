@@ -1,11 +1,24 @@
-"""A mistake in a settings file as one line: the key, what is wrong with it, and what stands there instead."""
+"""A settings file as a document, and its mistakes as one line each: the key, the mistake, and the remedy."""
 
 import difflib
+import errno
 import re
+import tomllib
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, get_args
 
 from pydantic import BaseModel
+
+from pipeline.errors import InputError
+from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
+
+_SLIPS = (
+    (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
+    (re.compile("[“”„‘’]"), 'text stands between plain quotes, as "P1"'),
+    (re.compile(r"(?:^|[{,])\s*[\w.]+\s*=\s*(?!(true|false|inf|nan)\b)[^\W\d]"), 'text stands between quotes, as "P1"'),
+)
+"""Common slips in a line that is no TOML, and the correct form."""
 
 _BRANCH = re.compile(r"int|float|str|LogPart|literal\[.*\]|constrained-.*|tuple\[.*\]", re.DOTALL)
 """Parts of pydantic's locations that name a branch of a union and no key."""
@@ -22,6 +35,49 @@ _STRETCHED = (
 )
 
 
+def read_document(path: Path) -> dict[str, Any]:
+    """The document of a prototype's TOML file, unchecked.
+
+    Raises
+    ------
+    InputError
+        The file is missing, or is no TOML.
+    """
+    try:
+        return read_toml(path)
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: is a folder; name a settings file (*.toml)") from None
+    except OSError as error:
+        if error.errno == errno.EFBIG:
+            raise InputError(f"{path}: {_no_toml(path, error)}") from error
+        raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{path}: {_no_toml(path, error)}") from error
+
+
+def _no_toml(path: Path, error: Exception) -> str:
+    if path.suffix.lower() != ".toml":
+        return f"no settings file; if it is a log, `debist init {path}` writes settings for it"
+    if isinstance(error, UnicodeDecodeError):
+        return "not UTF-8; save it as UTF-8 in your editor"
+    if isinstance(error, OSError):
+        return f"no settings file: it {error.strerror}"
+    return f"not valid TOML: {error}{_advice(path, str(error))}"
+
+
+def _advice(path: Path, error: str) -> str:
+    """What to write instead, where the line that is no TOML shows a common slip; else nothing."""
+    if "Unescaped" in error:
+        return "; write paths with / or between single quotes"
+    place = re.search(r"at line (\d+)", error)
+    if place is None:
+        return ""
+    line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
+    return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")
+
+
 def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
     """Every mistake once: of the branches of a union the first, of a mistyped mandatory key that it is unknown.
 
@@ -33,15 +89,15 @@ def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
         The settings that they are about.
     """
     unknown = [error for error in errors if error["type"] == "extra_forbidden"]
-    # Only a mistyped key is close to a missing one: that it is unknown says what to do.
+    # Only a mistyped key is close to a missing one: the message on the unknown key is enough.
     typed = {(error["loc"][:-1], close) for error in unknown for close in _close(str(error["loc"][-1]), errors, error)}
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     for error in (*unknown, *(error for error in errors if error["type"] != "extra_forbidden")):
         if error["type"] == "missing" and (error["loc"][:-1], error["loc"][-1]) in typed:
             continue
         key = ".".join(_location(error))
-        found.setdefault(key or str(error["msg"]), explain(error, settings))
-    return list(found.values())
+        texts.setdefault(key or str(error["msg"]), explain(error, settings))
+    return list(texts.values())
 
 
 def _close(key: str, errors: Sequence[Any], unknown: Any) -> list[str]:
@@ -83,13 +139,13 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
 
 def _hint(location: list[str], settings: type[BaseModel]) -> str:
     *section, key = location
-    known = _fields_at(section, settings)
-    if close := difflib.get_close_matches(key, known, n=1, cutoff=0.5):
+    keys = _fields_at(section, settings)
+    if close := difflib.get_close_matches(key, keys, n=1, cutoff=0.5):
         return f"did you mean {close[0]!r}?"
     elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings)]
     if elsewhere:
         return f"it belongs into [{elsewhere[0]}]"
-    return f"known here: {', '.join(known)}"
+    return f"known here: {', '.join(keys)}"
 
 
 def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
@@ -97,7 +153,7 @@ def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
     table = _table_at(location, settings)
     if table is None:
         return []
-    return [name for name, known in table.model_fields.items() if known.is_required()] or list(table.model_fields)
+    return [name for name, field in table.model_fields.items() if field.is_required()] or list(table.model_fields)
 
 
 def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
@@ -107,7 +163,7 @@ def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
 
 
 def _table_at(location: list[str], settings: type[BaseModel]) -> type[BaseModel] | None:
-    """The table at a place, if one belongs there."""
+    """The table at a place, if there is one."""
     model = settings
     for part in location:
         if part.isdigit():

@@ -1,4 +1,4 @@
-"""Ingest, beside the logs: characteristic curves from a test stand, brought to SI units."""
+"""Ingest, beside the logs: characteristic curves from a test stand in SI units, and the prior from siblings."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -6,6 +6,7 @@ from pathlib import Path
 
 from pipeline.loading.device import Device, device
 from pipeline.loading.measured_curves import MEANINGS, column_units, named_curves, read_measured_curves
+from pipeline.loading.siblings import read_siblings
 from pipeline.runs import layout
 from pipeline.runs.columns import Column
 from pipeline.runs.engine import Task
@@ -18,12 +19,15 @@ ALGORITHM = "1"
 
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """A task for each file that the settings name."""
-    return [
-        _task(prototype, layout.source(name, prototype_file), artifact) for name, artifact in named_curves(prototype)
+    curves = [
+        _curves_task(prototype, layout.source(name, prototype_file), artifact)
+        for name, artifact in named_curves(prototype)
     ]
+    siblings = prototype.plant.siblings
+    return curves if siblings is None else [*curves, _siblings_task(layout.source(siblings, prototype_file))]
 
 
-def _task(prototype: Prototype, path: Path, artifact: str) -> Task:
+def _curves_task(prototype: Prototype, path: Path, artifact: str) -> Task:
     return Task(
         stage="ingest",
         title="measured curves" if artifact == layout.CURVES else "known curves",
@@ -33,11 +37,11 @@ def _task(prototype: Prototype, path: Path, artifact: str) -> Task:
         sources={path.name: path},
         named_in="compare.curves" if artifact == layout.CURVES else "plant.curves",
         outputs=(artifact,),
-        work=partial(_work, path=path, plant=device(prototype), artifact=artifact),
+        work=partial(_write_curves, path=path, plant=device(prototype), artifact=artifact),
     )
 
 
-def _work(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mapping[str, Written]:
+def _write_curves(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mapping[str, Written]:
     columns = read_measured_curves(path, plant)
     units = column_units(plant)
     schema = Schema(
@@ -45,3 +49,23 @@ def _work(run: RunFolder, *, path: Path, plant: Device, artifact: str) -> Mappin
         tuple(Column(name, "", units[name][0], MEANINGS.get(name, "displacement of the joint")) for name in columns),
     )
     return {artifact: run.write_table(artifact, schema, columns, {"source": path.name})}
+
+
+def _siblings_task(path: Path) -> Task:
+    return Task(
+        stage="ingest",
+        title="siblings",
+        algorithm=ALGORITHM,
+        settings={},
+        inputs=(),
+        sources={path.name: path},
+        named_in="plant.siblings",
+        outputs=(layout.SIBLINGS,),
+        work=partial(_write_siblings, path=path),
+    )
+
+
+def _write_siblings(run: RunFolder, *, path: Path) -> Mapping[str, Written]:
+    from pipeline.models.hybrid.siblings import column
+
+    return {layout.SIBLINGS: run.write_tree(layout.SIBLINGS, read_siblings(path), {"source": path.name}, column)}
