@@ -244,6 +244,9 @@ def _find_encoding(start: bytes) -> str:
     for bom, encoding in _BOMS:
         if start.startswith(bom):
             return encoding
+    for parity, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):  # of numbers, every other byte is zero
+        if b"\0" not in start[1 - parity :: 2] and 2 * start[parity::2].count(0) > len(start[parity::2]):
+            return encoding
     if b"\0" in start:
         raise UnreadableLogError("this is no text and no format that is known here")
     try:

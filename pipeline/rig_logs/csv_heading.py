@@ -4,11 +4,10 @@ import re
 from collections.abc import Sequence
 
 from pipeline.errors import InputError
-from pipeline.rig_logs.csv_cells import NUMBER
+from pipeline.rig_logs.csv_cells import COMMENT, NUMBER
 from pipeline.rig_logs.source import stated_rate
 from pipeline.units import parse_quantity
 
-_COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(](?P<unit>[^\[\]()]*)[\])]$")
 _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
@@ -26,13 +25,13 @@ Row = Sequence[str]
 
 def bare_line(line: str) -> str:
     """A line without the mark of a comment before it, as gnuplot, numpy and MATLAB set before headings."""
-    match = _COMMENT.match(line)
+    match = COMMENT.match(line)
     return line[match.end() :] if match else line
 
 
 def is_comment(line: str) -> bool:
     """Whether a line is marked as a comment."""
-    return bool(_COMMENT.match(line))
+    return bool(COMMENT.match(line))
 
 
 def cells_of_comment(line: str, cells: Row, width: int) -> Row:
