@@ -52,7 +52,7 @@ _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 class CsvSource:
     """A CSV log, parsed in blocks of rows, all wanted columns in one pass."""
 
-    format = "CSV"
+    format, one_pass = "CSV", True
 
     def __init__(self, path: Path, options: CsvOptions) -> None:
         self._path, self.notes = path, list[str]()
