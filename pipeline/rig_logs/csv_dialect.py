@@ -127,7 +127,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         numeric,
         firsts,
         options.decimal is not None or table.has_marks,
-        stated_rates([split_row(bare_line(line), table.delimiter) for line in lines[: table.first]]),
+        stated_rates(lines[: table.first], table.delimiter),
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.ragged or (header_row is not None and len(above[header_row]) == width + 1),

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 
 from pipeline.errors import InputError
-from pipeline.rig_logs.csv_cells import COMMENT, NUMBER
+from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, split_row
 from pipeline.rig_logs.source import stated_rate, unique_names
 from pipeline.units import parse_quantity, time_unit
 
@@ -16,6 +16,7 @@ _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3}}$")
 _PER_SECOND = re.compile(r"(?i)(s|sa|samples)/s(ec)?$|sps$")
+_KEY_END = re.compile(r"[:=;,\t]")
 _SEPARATORS = re.compile(r"[,;|\t]|\s+")
 _KNOWN = (
     "s sec second seconds ms us µs μs ns min h m mm cm um µm μm nm deg degree degrees ° rad mrad v volt volts kv mv a "
@@ -92,8 +93,7 @@ def heading_rows(
         return None, None
     with_time = [i for i in names if any(map(_TIME.match, above[i]))]
     name = (with_time or names)[-1 if comments[block[-1]] or (units is not None and used == 2) else 0]
-    below = [i for i in block if i > name and any(map(_is_unit, above[i]))]
-    return name, units if units is not None or not below else below[0]
+    return name, units
 
 
 def _trimmed(row: Row) -> Row:
@@ -110,24 +110,24 @@ def _labels(row: Row, numeric: Sequence[bool]) -> int:
 
 def _holds_units(row: Row) -> bool:
     cells = [cell for cell in row if cell and not NUMBER.match(cell)]
-    return 2 * sum(map(_is_unit, cells)) > len(cells) > 0
+    known = [bool(_BRACKETED.match(cell)) or cell.strip("[]() ").lower() in _UNITS for cell in cells]
+    return 2 * sum(known) > len(cells) > 0
 
 
-def _is_unit(cell: str) -> bool:
-    return bool(_BRACKETED.match(cell)) or cell.strip("[]() ").lower() in _UNITS
-
-
-def stated_rates(above: Sequence[Row]) -> tuple[tuple[str, float, float], ...]:
-    """Names and numbers, behind or below them, that state a sample rate above the data, and it [Hz]."""
+def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float, float], ...]:
+    """Names and numbers, behind or below them, that state a sample rate in lines above the data, and it [Hz]."""
     rates: dict[str, tuple[str, float, float]] = {}
-    for i, row in enumerate(above):
+    rows = [split_row(bare_line(line), delimiter) for line in lines]
+    for i, row in enumerate(rows):
         for j, cell in enumerate(row):
-            key, _, own = re.sub(r"[:=;,\t]", ":", cell).partition(":")
+            key, _, own = _KEY_END.sub(":", cell).partition(":")
             name, unit = _BRACKETED.sub("", key).strip(" #%"), "".join(_BRACKETED.findall(key)).strip("[]()")
             if stated_rate(name, 1.0) is None or name in rates:
                 continue
-            below = above[i + 1][j : j + 1] if i + 1 < len(above) else ()
-            numbers = [_number(cell, unit) for cell in (own, *row[j + 1 :], *below)]
+            whole = _KEY_END.split(bare_line(lines[i]), maxsplit=1)[-1] if j == 0 else own  # a comma may be decimal
+            below = rows[i + 1][j : j + 1] if i + 1 < len(rows) else []
+            numbers = [_number(text, unit) for text in (whole, own, *row[j + 1 :], *below)]
+            numbers = numbers[:1] if numbers[0] else numbers
             stated = dict.fromkeys((number, rate) for number in numbers if (rate := stated_rate(name, number)))
             for own_name, each in zip(unique_names([name] * len(stated)), stated, strict=True):
                 rates[own_name] = (own_name, *each)
