@@ -11,14 +11,14 @@ ROLE_WORDS = {"train": "training", "validation": "validation"}
 FILL_IN = "FILL IN"
 """Stands in a first settings file where the user has to choose; no channel and no unit is called so."""
 SAFE = re.compile(r"[A-Za-z0-9._-]{1,64}")
-_WRITABLE = re.compile(r"[\w.(\[{-](?:[\w .,()\[\]{}+&#@%°'~!-]*[\w.)\]}+%°'~!-])?")
+_NOT_WRITABLE = frozenset('<>:"|?*\\/`')
 _LONGEST, _LONGEST_LOG = 64, 250
 _RESERVED = frozenset({"con", "prn", "aux", "nul", *(f"{d}{i}" for d in ("com", "lpt") for i in range(1, 10))})
 _SPELT = {"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss", "æ": "ae", "ø": "o", "µ": "u"}
 
 
 def check_name(name: str, longest: int = _LONGEST) -> str:
-    """Return `name` if people and systems can work with it: letters of any script, digits, blanks, brackets and such.
+    """Return `name` if people and systems can work with it: letters of any script, digits, blanks, signs and such.
 
     Raises
     ------
@@ -26,10 +26,11 @@ def check_name(name: str, longest: int = _LONGEST) -> str:
         It is empty or longer than `longest`, holds what leaves a folder, a line, a table or a shell, or is reserved.
     """
     # Windows leaves a dot at the end out
-    if not _WRITABLE.fullmatch(name) or name.endswith(".") or len(name) > longest:
+    writable = name.isprintable() and not _NOT_WRITABLE & {*name}
+    if not writable or not 0 < len(name) <= longest or name[0] in " =+@" or name[-1] in " .":
         raise ValueError(
-            f"{name!r} is no usable name: 1 to {longest} letters, digits, blanks, dots, hyphens, underscores or "
-            "brackets, without blanks at its ends or a dot at its end; rename it"
+            f"{name!r} is no usable name: 1 to {longest} visible characters without {' '.join(sorted(_NOT_WRITABLE))}, "
+            "no blank at its ends, no =, + or @ before it, no dot behind it; rename it"
         )
     if name.split(".")[0].strip().lower() in _RESERVED:
         raise ValueError(f"{name!r} is a reserved device name on some systems; rename it")
@@ -42,7 +43,8 @@ def slug(name: str) -> str:
     What has no spelling (another script) gets a name from its hash, always the same one; a name of more than 64 letters
     keeps its first ones, with a hash that separates it from others that begin alike.
     """
-    if SAFE.fullmatch(name):
+    reserved = name.split(".")[0].strip().lower() in _RESERVED
+    if SAFE.fullmatch(name) and not reserved and not name.endswith("."):
         return name
     spelt = "".join(map(_spelt, unicodedata.normalize("NFC", name)))
     short, digest = re.sub(r"-{2,}", "-", spelt).strip("-."), hashlib.sha256(name.encode()).hexdigest()[:8]

@@ -1,17 +1,23 @@
-"""One log in a compressed file: gzip, bzip2 or zip; a zip may also be a workbook or NumPy's archive of arrays."""
+"""One log in a compressed file: gzip, bzip2, xz or zip; a zip may also be a workbook or NumPy's archive of arrays."""
 
 import bz2
 import gzip
+import lzma
+import re
 import tempfile
 import zipfile
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.source import PART, CsvOptions, Entry, Limits, Source, UnreadableLogError, read_start
+
+_HIDDEN = re.compile(r"/$|^__MACOSX|(^|/)\.")
+"""Folders, and files that file managers leave behind."""
+_OPENERS: dict[bytes, Callable[[Path], Any]] = {b"\x1f\x8b": gzip.open, b"BZ": bz2.open, b"\xfd7": lzma.open}
 
 
 class UnpackedSource:
@@ -28,13 +34,14 @@ class UnpackedSource:
                 if left < 0:
                     raise UnreadableLogError("it unpacks to far more than it holds; refused")
                 self._file.write(part)
-        except (OSError, EOFError, zlib.error, zipfile.BadZipFile, RuntimeError) as error:
+        except (OSError, EOFError, zlib.error, lzma.LZMAError, zipfile.BadZipFile, RuntimeError) as error:
             raise UnreadableLogError(f"truncated or damaged ({error})") from error
         self._file.flush()
         self._log = open_source(Path(self._file.name), csv, limits)
         self.format = f"{self._log.format}, compressed"
         self.notes, self.texts = self._log.notes, self._log.texts
         self.rates: dict[str, float] = getattr(self._log, "rates", {})
+        self.one_pass = getattr(self._log, "one_pass", False)
 
     def entries(self) -> list[Entry]:
         """The channels of the log."""
@@ -47,16 +54,15 @@ class UnpackedSource:
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     """The log as `pipeline.rig_logs.child` opens it."""
-    start = read_start(path, 4)
-    if not start.startswith(b"PK"):
-        with gzip.open(path) if start.startswith(b"\x1f\x8b") else bz2.open(path) as packed:
-            return UnpackedSource(path, packed, csv, limits)  # type: ignore[arg-type]
+    if opener := _OPENERS.get(read_start(path, 2)):
+        with opener(path) as packed:
+            return UnpackedSource(path, packed, csv, limits)
     try:
         archive = zipfile.ZipFile(path)
     except zipfile.BadZipFile as error:
         raise UnreadableLogError(f"truncated or damaged ({error})") from error
     with archive:
-        names = [name for name in archive.namelist() if not name.endswith("/") and not name.startswith("__MACOSX")]
+        names = [name for name in archive.namelist() if not _HIDDEN.search(name)]
         if sum(each.file_size for each in archive.infolist()) > limits.largest(path.stat().st_size):
             raise UnreadableLogError("it unpacks to far more than it holds; refused")
         if "[Content_Types].xml" in names or "mimetype" in names:
@@ -69,5 +75,7 @@ def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
             return numpy_arrays.open_log(path, csv, limits)
         if len(names) != 1:
             raise UnreadableLogError(f"an archive of {len(names)} files, not of one log; unpack it")
+        if archive.getinfo(names[0]).flag_bits & 1:
+            raise UnreadableLogError("an archive with a password; unpack it")
         with archive.open(names[0]) as member:
             return UnpackedSource(path, member, csv, limits)  # type: ignore[arg-type]

@@ -28,7 +28,8 @@ _WORDS: dict[str, re.Pattern[str]] = {
         re.IGNORECASE,
     ),
     "v": re.compile(
-        r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]$|pwm|duty|cmd|command|current|strom|"
+        r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]( \(\d+\))?$|pwm|duty|"
+        r"cmd|command|current|strom|"
         r"torque|throttle|motor|pump|valve|ventil|heater|" + _SIGNAL.format("u") + ")",
         re.IGNORECASE,
     ),
@@ -102,12 +103,13 @@ def suggest(
     sizes = dict.fromkeys((name for name, _ in channels), 0) | dict(counts or {})
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
-    called = [name for name in names if any(map(_WORDS["time"].search, (name, re.split(r"[./]", name)[-1])))]
+    called = [name for name in names if is_called("time", name)]
     times = tuple(name for name in called if units[name] in ("", *SECONDS))
     times = times or tuple(name for name in names if units[name] in SECONDS)
+    times = tuple(name for name in times if name in rising) or times  # T beside t is a temperature
     times = times or (tuple(name for name in rising if not units[name]) if len(rising) == 1 else ())
     times = tuple(name for name in times if sizes[name] == max(map(sizes.__getitem__, times)))
-    rest = [name for name in names if name not in times and not _WANTED.search(name)]
+    rest = [name for name in names if name not in times and name not in rising and not _WANTED.search(name)]
     rest = [name for name in rest if not times or sizes[name] == sizes[times[0]]]
     found = [] if own_time else [Suggestion("time", times)]
     q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
@@ -130,9 +132,14 @@ def _best(names: list[str], units: dict[str, str], wanted: tuple[str, ...], word
     """Channels with a fitting unit and a fitting name; else with either."""
     pint_names = {_PINT_NAMES.get(unit, unit).lower() for unit in wanted}
     by_unit = [name for name in names if units[name].lower() in pint_names]
-    by_name = [name for name in names if _WORDS[word].search(name)]
+    by_name = [name for name in names if is_called(word, name)]
     both = [name for name in by_unit if name in by_name]
     return tuple(both or by_unit or by_name)
+
+
+def is_called(word: str, name: str) -> bool:
+    """Whether a channel, or the last part of its path, is called as "time", "q" or "v" mostly are."""
+    return any(map(_WORDS[word].search, (name, re.split(r"[./]", name)[-1])))
 
 
 def is_record(names: Sequence[str]) -> bool:

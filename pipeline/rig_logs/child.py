@@ -24,13 +24,16 @@ from numpy.typing import NDArray
 from pipeline.errors import disk_failure
 from pipeline.isolation import Send, limit
 from pipeline.rig_logs.recording import for_any_variable, missing_channel
-from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, read_start
+from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, left_out, read_start
 
 _LONGEST_ERROR = 2000
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
     "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS",
 }  # fmt: skip
 """All that a reader knows of the environment."""
+
+
+_OF_LIBRARIES = (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RuntimeError, ImportError)
 
 
 class _RefusedError(Exception):
@@ -58,7 +61,7 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
         reason = f"{path}: the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
     except MemoryError:
         reason = f"{path}: reading it needs more than {limits.memory(size) >> 20} MB of memory"
-    except (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RuntimeError, ImportError) as error:
+    except _OF_LIBRARIES as error:
         system = disk_failure(error)
         damaged = f"damaged or not what it claims to be ({type(error).__name__}: {error})"
         reason = f"{path}: {damaged if system is None else f'cannot be read: {system}'}"
@@ -73,17 +76,26 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
     needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
     declared = sum(entry.count for entry in needed.values()) * 8
+    alone = request["channels"] is None and not getattr(source, "one_pass", False)
+    failed: dict[str, Exception] = {}
     with Path(request["samples"]).open("wb", buffering=0) as file:
         spool = _Spool(path, file, declared, limits)
-        for name, samples in source.parts(list(needed)):
-            spool.write(name, samples)
-            send({"share": min(1.0, file.tell() / max(declared, 1))})
+        for names in [[name] for name in needed] if alone else [list(needed)]:
+            try:
+                for name, samples in source.parts(names):
+                    spool.write(name, samples)
+                    send({"share": min(1.0, file.tell() / max(declared, 1))})
+            except (UnreadableLogError, *_OF_LIBRARIES) as error:
+                failed[names[0]] = error
+                if not alone or len(failed) == len(needed):
+                    raise
     places = {name: spool.places.get(name, []) for name in needed}
+    wanted = [(name, entry) for name, entry in wanted if not {entry.name, entry.time} & failed.keys()]
     return {
         "format": source.format,
-        "notes": source.notes,
+        "notes": [*source.notes, *left_out({name: f"{error}" for name, error in failed.items()})],
         "rates": getattr(source, "rates", {}),
-        "listed": [entry.name for entry in entries],
+        "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [
             {
                 "name": name,
@@ -175,6 +187,15 @@ _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _KNOWN_BUT_NOT_READ = {
     b"{": "JSON; export the log as CSV",
+    **dict.fromkeys((b"CDF\x01", b"CDF\x02", b"CDF\x05"), "classic netCDF; convert it by `nccopy -k nc4`"),
+    **dict.fromkeys((b"ARROW1", b"FEA1"), "Arrow or Feather; write it as Parquet (pyarrow.parquet.write_table)"),
+    **dict.fromkeys((b"\x89MCAP", b"#ROSBAG"), "a bag of ROS; export its topics as CSV or Parquet"),
+    **dict.fromkeys((b"\x80\x03", b"\x80\x04", b"\x80\x05"), "a pickle of Python; save its arrays by numpy.savez"),
+    **dict.fromkeys((b"7z\xbc\xaf", b"Rar!", b"\x28\xb5\x2f\xfd", b"\x1f\x9d"), "an archive; unpack it"),
+    b"RIFF": "a WAVE or AVI file; export its samples as CSV or MAT",
+    b"SQLite format 3": "a database; export its table as CSV",
+    b"LOGG": "a CAN trace (BLF); export its signals as MDF4",
+    **dict.fromkeys((b"<?xml", b"%PDF", b"\x89PNG", b"\xff\xd8\xff"), "no table of numbers; export the log as CSV"),
     b"version https://git-lfs": "a pointer of Git LFS; fetch the log itself by `git lfs pull`",
     **dict.fromkeys((b"<!DOCTYPE html", b"<!doctype html", b"<html"), "a web page; download the log itself"),
 }
@@ -207,7 +228,7 @@ FORMATS = (
     Format("TDMS", "tdms", lambda start: start.startswith(b"TDSm")),
     Format("NPY", "numpy_arrays", lambda start: start.startswith(b"\x93NUMPY")),
     Format("workbook", "workbook", lambda start: start.startswith(b"\xd0\xcf\x11\xe0")),
-    Format("compressed", "archives", lambda start: start.startswith((b"PK\x03\x04", b"\x1f\x8b", b"BZh"))),
+    Format("compressed", "archives", lambda start: start.startswith((b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"\xfd7zXZ"))),
     Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""

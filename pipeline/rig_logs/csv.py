@@ -2,9 +2,9 @@
 
 import mmap
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -13,21 +13,24 @@ from numpy.typing import NDArray
 
 from pipeline.rig_logs.csv_cells import (
     MISSING,
+    NUMBER,
     STAMP,
     SWITCH,
     is_behind,
+    is_remark,
     is_stamp,
     is_value,
+    is_word,
     mark_is_open,
     no_number,
+    plain_number,
     split_row,
 )
 from pipeline.rig_logs.csv_clock import Clock
 from pipeline.rig_logs.csv_dialect import SAMPLE_BYTES, find_dialect
 from pipeline.rig_logs.csv_tail import is_whole, last_rows
-from pipeline.rig_logs.csv_text import as_utf8, text_of
+from pipeline.rig_logs.csv_text import as_utf8, text_of, written
 from pipeline.rig_logs.source import (
-    PART,
     CsvOptions,
     Entry,
     Limits,
@@ -40,7 +43,7 @@ from pipeline.rig_logs.source import (
 )
 
 _BLOCK_BYTES = 1 << 20
-_LARGEST_HEAD, _FEWEST_LINES = 1 << 24, 20
+_LARGEST_HEAD, _FEWEST_LINES, _MOST_NAMED = 1 << 24, 20, 3
 _COUNT = re.compile(r"[+-]?\d{16,19}")
 """Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
 _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
@@ -49,7 +52,7 @@ _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 class CsvSource:
     """A CSV log, parsed in blocks of rows, all wanted columns in one pass."""
 
-    format = "CSV"
+    format, one_pass = "CSV", True
 
     def __init__(self, path: Path, options: CsvOptions) -> None:
         self._path, self.notes = path, list[str]()
@@ -63,10 +66,8 @@ class CsvSource:
         self._columns = unique_names(list(self._dialect.header))
         self._origins: dict[str, float] = {}
         self.rates = {name: rate for name, _, rate in self._dialect.rates}
-        # A blank before a quote, which Arrow takes for a part of the cell.
-        pattern = rf"(^|{re.escape(self._dialect.delimiter)}) +\""
-        blanks = re.compile(pattern.encode(), re.MULTILINE).search(start) is not None
-        self._blank_quotes = re.compile(pattern, re.MULTILINE) if blanks else None
+        self._rewritten = self._dialect.ragged or self._dialect.delimiter == " "
+        self._words, self._remarks = dict[str, list[int]](), list[str]()
         self._firsts = self._look_ahead(options)
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
         local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
@@ -76,7 +77,8 @@ class CsvSource:
         self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
-        self.notes += left_out({name: text for name, text in texts.items() if self._firsts[name]})
+        headed = dict(zip(self._columns, dialect.headings, strict=True))
+        self.notes += left_out({name: text for name, text in texts.items() if self._firsts[name] or headed[name]})
         # The number of rows is not declared anywhere.
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
@@ -136,43 +138,81 @@ class CsvSource:
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Several columns, block of rows by block of rows."""
-        found = False
         for name in self._clocks.keys() & set(names):
             self._note(f"time of {name!r} {self._clocks[name].note}")
-        try:
-            for name, samples in (
-                self._blanks(names) if self._dialect.delimiter == " " else self._delimited(list(names))
-            ):
-                found = found or samples.size > 0
-                if name in self._open and np.any(np.trunc(samples[finite := np.isfinite(samples)]) != samples[finite]):
-                    self._settle(name)
-                yield name, samples
-        except (ValueError, UnicodeDecodeError) as error:  # pyarrow's ArrowInvalid is a ValueError
-            told = self._misfit(set(names)) or f"{str(error).removeprefix('CSV parse error: ')}; repair or delete it"
-            raise UnreadableLogError(f"a row does not fit the table: {told}") from error
-        if not found:
+        rows = Counter[str]()
+        while True:
+            rewritten, read = self._rewritten, Counter[str]()
+            try:
+                for name, samples in self._delimited(list(names)):
+                    new = samples[max(0, rows[name] - read[name]) :]
+                    read[name] += samples.size
+                    rows[name] += new.size
+                    if name in self._open and np.any(np.trunc(new[finite := np.isfinite(new)]) != new[finite]):
+                        self._settle(name)
+                    yield name, new
+                break
+            except (ValueError, UnicodeDecodeError) as error:  # pyarrow's ArrowInvalid is a ValueError
+                if rewritten:
+                    raise UnreadableLogError(f"a row does not fit the table: {error}; repair or delete it") from error
+                self._rewritten = True
+        if not rows.total():
             raise UnreadableLogError("truncated: it holds no complete row of numbers")
+        self._note_what_is_left_out()
 
-    def _misfit(self, names: set[str]) -> str:
-        """The first line, counted from 1, that does not fit the table, and why."""
-        for number, cells in self._cells():
-            width = len(self._columns)
-            if self._dialect.ragged and len(cells) == width + 1 and is_behind(cells[-1], self._dialect.decimal):
-                cells = cells[:width]
+    def _note_what_is_left_out(self) -> None:
+        """Note words in place of numbers, and lines that are no rows of numbers."""
+        words = [f"{what} ({number} times, the first in line {at})" for what, (number, at) in self._words.items()]
+        for told, what in ((words, "words in place of numbers, missing values"), (self._remarks, "lines left out")):
+            more = f" and {len(told) - _MOST_NAMED} more" if len(told) > _MOST_NAMED else ""
+            if told:
+                self._note(f"{what}: {', '.join(told[:_MOST_NAMED])}{more}")
+
+    def _plain_rows(self, names: Sequence[str]) -> Iterator[str]:
+        """The rows of data as Arrow reads them: cells between tabs, numbers with a decimal point, nothing for words.
+
+        Raises
+        ------
+        UnreadableLogError
+            A row that does not fit the table, with its line counted from 1.
+        """
+        width = len(self._columns)
+        wanted = [j for j, name in enumerate(self._columns) if name in names]
+        self._words, self._remarks = {}, []
+        for number, line, cells in self._cells():
+            if is_remark(line, cells, self._dialect.headings):
+                self._remarks.append(f"line {number}: {line.strip()[:40]!r}")
+                continue
+            if len(cells) == width + 1 and is_behind(cells[-1], self._dialect.decimal):
+                del cells[-1]
             if len(cells) != width:
-                return f"row {number} has {len(cells)} cells, not {width}: repair or delete that row"
-            for name, cell in zip(self._columns, cells, strict=True):
-                fits = is_value(cell, self._dialect.decimal) and is_stamp(cell) <= (name in self._stamped)
-                if name in names and not fits:
-                    return f"row {number}: {no_number(cell, name, self._dialect.decimal)}"
+                raise UnreadableLogError(
+                    f"a row does not fit the table: row {number} has {len(cells)} cells, not {width}: repair or delete "
+                    "that row"
+                )
+            for j in wanted:
+                cells[j] = self._plain_cell(cells[j], self._columns[j], number)
+            yield "\t".join(cell.replace("\t", " ") for cell in cells) + "\n"
+
+    def _plain_cell(self, cell: str, column: str, line: int) -> str:
+        """A cell as Arrow reads it."""
+        number, is_time = plain_number(cell, self._dialect.decimal), is_stamp(cell)
+        if NUMBER.match(number):
+            return number
+        if cell.lower() in MISSING or (is_time and column in self._stamped) or cell.lower() in SWITCH:
+            return cell
+        if is_time or not is_word(cell):
+            text = no_number(cell, column, self._dialect.decimal)
+            raise UnreadableLogError(f"a row does not fit the table: row {line}: {text}")
+        self._words.setdefault(f"{cell[:20]!r} in {column!r}", [0, line])[0] += 1
         return ""
 
-    def _cells(self) -> Iterator[tuple[int, list[str]]]:
-        """The rows of data that are not empty, with the numbers of their lines, counted from 1."""
-        with self._path.open(encoding=self._dialect.encoding, newline=None) as lines:
+    def _cells(self) -> Iterator[tuple[int, str, list[str]]]:
+        """The lines of data that are not empty, with their numbers, counted from 1, and their cells."""
+        with text_of(self._path, self._complete_rows(), self._dialect.encoding) as lines:
             for number, line in enumerate(lines, 1):
                 if number > self._dialect.first_data_row and line.strip():
-                    yield number, split_row(line.rstrip("\n"), self._dialect.delimiter)
+                    yield number, line, split_row(line.rstrip("\n"), self._dialect.delimiter)
 
     def _settle(self, name: str) -> None:
         """Look at every cell of a column in which the first marks stand after the rows that were seen at first.
@@ -184,18 +224,19 @@ class CsvSource:
         """
         self._open.remove(name)
         column = self._columns.index(name)
-        mark_is_open((row[column] for _, row in self._cells() if len(row) > column), self._dialect.decimal)
+        mark_is_open((row[column] for _, _, row in self._cells() if len(row) > column), self._dialect.decimal)
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa
 
         from pipeline.arrow_columns import doubles
 
+        clocks = {name: Clock(self._firsts[name]) for name in self._clocks}
         for batch in self._batches(names, {name: self._kind(name) for name in names}):
             for name, column in zip(names, batch.columns, strict=True):
                 samples = pa.chunked_array([column])
-                if name in self._clocks:
-                    yield name, self._clocks[name].seconds(samples)
+                if name in clocks:
+                    yield name, clocks[name].seconds(samples)
                 elif samples.type == pa.float64():
                     yield name, doubles(samples)
                 elif samples.type == pa.bool_():
@@ -207,24 +248,22 @@ class CsvSource:
         """The rows of some columns in these types of Arrow, block by block."""
         from pyarrow import csv
 
+        dialect, plain = self._dialect, self._rewritten
         return csv.open_csv(
-            as_utf8(
-                self._path,
-                self._complete_rows(),
-                self._dialect.encoding,
-                self._plain if self._blank_quotes is not None or self._dialect.ragged else None,
-            ),
+            written(self._plain_rows(names)) if plain else as_utf8(self._path, self._complete_rows(), dialect.encoding),
             read_options=csv.ReadOptions(
                 use_threads=False,
                 block_size=self._block,
-                skip_rows=self._dialect.first_data_row,
+                skip_rows=0 if plain else dialect.first_data_row,
                 column_names=self._columns,
             ),
-            parse_options=csv.ParseOptions(delimiter=self._dialect.delimiter),
+            parse_options=csv.ParseOptions(
+                delimiter="\t" if plain else dialect.delimiter, quote_char=False if plain else '"'
+            ),
             convert_options=csv.ConvertOptions(
                 column_types=kinds,
                 include_columns=names,
-                decimal_point=self._dialect.decimal,
+                decimal_point="." if plain else dialect.decimal,
                 null_values=_NULLS,
                 strings_can_be_null=True,
             ),
@@ -259,17 +298,6 @@ class CsvSource:
         since = doubles(pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64()))
         return since / 1e9 if name in self._stamped else since
 
-    def _plain(self, line: str) -> str:
-        """A line as Arrow reads it: no blank before a quote, no cell beyond the last column."""
-        if self._blank_quotes is not None:
-            line = self._blank_quotes.sub(r'\1"', line)
-        width, delimiter = len(self._columns), self._dialect.delimiter
-        if not self._dialect.ragged or line.count(delimiter) < width:
-            return line
-        cells = split_row(line.rstrip("\r\n"), delimiter)
-        behind = len(cells) == width + 1 and is_behind(cells[-1], self._dialect.decimal)
-        return f"{line[: line.rindex(delimiter)]}\n" if behind else line
-
     def _complete_rows(self) -> int:
         """Bytes of the file without a last row that has no line end, unless that is seen to be whole.
 
@@ -287,6 +315,8 @@ class CsvSource:
         if not length:
             return len(whole)
         *before, last = [split_row(row, self._dialect.delimiter) for row in rows]
+        if is_remark(rows[-1], last, self._dialect.headings):
+            return len(whole)
         if len(last) < len(self._columns):
             raise UnreadableLogError(
                 f"truncated: it ends within a row ({len(last)} of {len(self._columns)} cells); "
@@ -301,19 +331,6 @@ class CsvSource:
 
     def _note(self, note: str) -> None:
         self.notes += [] if note in self.notes else [note]
-
-    def _blanks(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
-        """Columns separated by runs of blanks, which Arrow does not know."""
-        indices = [self._columns.index(name) for name in names]
-        lines = islice(
-            text_of(self._path, self._complete_rows(), self._dialect.encoding),
-            self._dialect.first_data_row,
-            None,
-        )
-        while some := list(islice(lines, PART)):
-            if any(map(str.strip, some)):
-                table = np.loadtxt(some, usecols=indices, ndmin=2, comments=None)
-                yield from ((name, table[:, j]) for j, name in enumerate(names))
 
 
 def _spellings(text: str) -> set[str]:

@@ -2,33 +2,36 @@
 
 import csv
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from pipeline.rig_logs.source import UnreadableLogError
 
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
-_GROUPED = re.compile(r"[-+]?\d{1,3}(?:[.,'’ ]\d{3})+(?:[.,]\d+)?")
+_GROUPED = re.compile(
+    r"[-+\u2212]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
+)
+_POWER = re.compile(r"(?<=[\d.])[dD](?=[+-]?\d)")
+_BEGINS_AS_NUMBER = re.compile(r"[-+\u2212]?(?!1[.]#)[.,]?\d")
+COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _FEW_CELLS = 3
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$")
 MISSING = frozenset(
     {"", "nan", "-nan", "nan(ind)", "-nan(ind)", "na", "n/a", "null", "none", "-", "--", "---", "."}
-    | {"#n/a", "#nv", "#value!", "#wert!", "#div/0!", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind"}
+    | {"#n/a", "#nv", "#value!", "#wert!", "#div/0!", "#ref!", "#num!", "#name?", "#null!"}
+    | {"1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind"}
     | {"inf", "+inf", "-inf", "infinity", "-infinity"}
 )
 SWITCH = frozenset({"true", "false"})
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-]\d\d:?\d\d)?")
 """Date and time of day by ISO 8601."""
-_MONTH = "[A-Za-zäéûÄÉ]{3,9}[.]?"
-_DATE = (
-    rf"\d{{1,4}}[./-]\d{{1,2}}[./-]\d{{1,4}}|\d{{1,2}}[. -]{{1,2}}{_MONTH}[ -]\d{{2,4}}|{_MONTH} \d{{1,2}},? \d{{4}}"
-)
 CLOCK = (
-    rf"^(?:(?:{_DATE})[T ,]+)?"
+    r"^(?:[^:]*[T ,])?"
     r"(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9})?)"
-    r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))(?: ?(?P<half>[AaPp])[Mm])?$"
+    r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))"
+    r"(?: ?(?P<half>[AaPp])[.]?[Mm][.]?)?(?: ?[+-]\d\d:?\d\d| [A-Z]{1,5}| \d{4})*$"
 )
-"""Time of day, whatever date stands before it, or minutes and seconds with a fraction."""
+"""Time of day, whatever date stands before it, or minutes and seconds with a fraction; zones and years behind it."""
 _CLOCK = re.compile(CLOCK)
 
 
@@ -37,11 +40,34 @@ def is_stamp(cell: str) -> bool:
     return bool(STAMP.fullmatch(cell) or _CLOCK.match(cell))
 
 
+def plain_number(cell: str, decimal: str) -> str:
+    """A number with a decimal point, without marks between thousands, e before its power; other cells as they are."""
+    match = _GROUPED.fullmatch(cell)
+    if match and match["mark"] != decimal and (match["mark"] not in ".," or match["fraction"]):
+        cell = re.sub(r"[\s'’]|" + re.escape("," if decimal == "." else "."), "", cell)
+    if decimal != ".":
+        cell = cell.replace(".", "x").replace(decimal, ".")
+    return _POWER.sub("e", cell).replace("\u2212", "-")
+
+
 def is_value(cell: str, decimal: str, delimiter: str = "") -> bool:
     """Whether a cell is a number, a switch, missing, or a time stamp, which columns between blanks cannot be."""
     if cell.lower() in MISSING or cell.lower() in SWITCH or (delimiter != " " and is_stamp(cell)):
         return True
-    return bool(NUMBER.match(cell if decimal == "." else cell.replace(".", "x").replace(",", ".")))
+    return bool(NUMBER.match(plain_number(cell, decimal)))
+
+
+def is_word(cell: str) -> bool:
+    """Whether a cell is a word in place of a number, as ``OVER``, ``----`` and C's ``1.#INF``."""
+    return not _BEGINS_AS_NUMBER.match(cell)
+
+
+def is_remark(line: str, cells: Sequence[str], names: Sequence[str]) -> bool:
+    """Whether a line among rows of numbers is none of them: a comment, an event, the names once more."""
+    if COMMENT.match(line) and cells[0].lower() not in MISSING:
+        return True
+    words = all(is_word(cell) and not is_stamp(cell) for cell in cells)
+    return words and (len(cells) != len(names) or cells == [*names])
 
 
 def is_behind(cell: str, decimal: str) -> bool:

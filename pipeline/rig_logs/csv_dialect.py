@@ -127,7 +127,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         numeric,
         firsts,
         options.decimal is not None or table.has_marks,
-        stated_rates(above),
+        stated_rates(lines[: table.first], table.delimiter),
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.ragged or (header_row is not None and len(above[header_row]) == width + 1),
@@ -138,11 +138,11 @@ _LABVIEW, _END_OF_HEADER = "LabVIEW Measurement", "***End_of_Header***"
 
 
 def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
-    """The options with the row of the names of a LabVIEW measurement file: the one below its last header."""
+    """The options with the row of the names of a LabVIEW measurement file: the one below its second header."""
     ends = [i for i, line in enumerate(lines) if line.startswith(_END_OF_HEADER)]
     if options.header_row is not None or not ends or not lines[0].startswith(_LABVIEW):
         return options
-    return replace(options, header_row=ends[-1] + 1)
+    return replace(options, header_row=ends[:2][-1] + 1)
 
 
 def _headings(
@@ -243,6 +243,9 @@ class _Table:
 def _find_encoding(start: bytes) -> str:
     for bom, encoding in _BOMS:
         if start.startswith(bom):
+            return encoding
+    for parity, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):  # of numbers, every other byte is zero
+        if b"\0" not in start[1 - parity :: 2] and 2 * start[parity::2].count(0) > len(start[parity::2]):
             return encoding
     if b"\0" in start:
         raise UnreadableLogError("this is no text and no format that is known here")

@@ -1,18 +1,22 @@
 """Names and units above a table of numbers: the rows of names and of units among what stands there, units in names."""
 
 import re
+from collections import Counter
 from collections.abc import Sequence
+from contextlib import suppress
 
 from pipeline.errors import InputError
-from pipeline.rig_logs.csv_cells import NUMBER
-from pipeline.rig_logs.source import stated_rate
-from pipeline.units import parse_quantity
+from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, split_row
+from pipeline.rig_logs.source import stated_rate, unique_names
+from pipeline.units import parse_quantity, time_unit
 
-_COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(](?P<unit>[^\[\]()]*)[\])]$")
 _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
+_QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3}}$")
+_PER_SECOND = re.compile(r"(?i)(s|sa|samples)/s(ec)?$|sps$")
+_KEY_END = re.compile(r"[:=;,\t]")
 _SEPARATORS = re.compile(r"[,;|\t]|\s+")
 _KNOWN = (
     "s sec second seconds ms us µs μs ns min h m mm cm um µm μm nm deg degree degrees ° rad mrad v volt volts kv mv a "
@@ -26,13 +30,13 @@ Row = Sequence[str]
 
 def bare_line(line: str) -> str:
     """A line without the mark of a comment before it, as gnuplot, numpy and MATLAB set before headings."""
-    match = _COMMENT.match(line)
+    match = COMMENT.match(line)
     return line[match.end() :] if match else line
 
 
 def is_comment(line: str) -> bool:
     """Whether a line is marked as a comment."""
-    return bool(_COMMENT.match(line))
+    return bool(COMMENT.match(line))
 
 
 def cells_of_comment(line: str, cells: Row, width: int) -> Row:
@@ -89,8 +93,7 @@ def heading_rows(
         return None, None
     with_time = [i for i in names if any(map(_TIME.match, above[i]))]
     name = (with_time or names)[-1 if comments[block[-1]] or (units is not None and used == 2) else 0]
-    below = [i for i in block if i > name and any(above[i])]
-    return name, units if units is not None or not below else below[0]
+    return name, units
 
 
 def _trimmed(row: Row) -> Row:
@@ -101,7 +104,7 @@ def _trimmed(row: Row) -> Row:
 def _labels(row: Row, numeric: Sequence[bool]) -> int:
     """How many columns of numbers a row labels, 0 where more of its cells are numbers."""
     cells = [cell for cell, wanted in zip(row, numeric, strict=False) if wanted and cell]
-    numbers = sum(bool(NUMBER.match(cell.replace(",", "."))) for cell in cells)
+    numbers = sum(bool(_QUANTITY.match(cell.replace(",", "."))) for cell in cells)
     return len(cells) - numbers if 2 * numbers <= len(cells) else 0
 
 
@@ -111,30 +114,33 @@ def _holds_units(row: Row) -> bool:
     return 2 * sum(known) > len(cells) > 0
 
 
-def stated_rates(above: Sequence[Row]) -> tuple[tuple[str, float, float], ...]:
-    """Names and numbers, behind or below them, that state a sample rate above the data, and it [Hz]."""
+def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float, float], ...]:
+    """Names and numbers, behind or below them, that state a sample rate in lines above the data, and it [Hz]."""
     rates: dict[str, tuple[str, float, float]] = {}
-    for i, row in enumerate(above):
+    rows = [split_row(bare_line(line), delimiter) for line in lines]
+    for i, row in enumerate(rows):
         for j, cell in enumerate(row):
-            key, _, own = re.sub(r"[:=]", ":", cell).partition(":")
-            name = _BRACKETED.sub("", key).strip(" #%")
+            key, _, own = _KEY_END.sub(":", cell).partition(":")
+            name, unit = _BRACKETED.sub("", key).strip(" #%"), "".join(_BRACKETED.findall(key)).strip("[]()")
             if stated_rate(name, 1.0) is None or name in rates:
                 continue
-            below = above[i + 1][j : j + 1] if i + 1 < len(above) else ()
-            numbers = map(_number, (own, *row[j + 1 : j + 2], *below))
-            stated = [(name, number, rate) for number in numbers if (rate := stated_rate(name, number))]
-            if stated:
-                rates[name] = stated[0]
+            whole = _KEY_END.split(bare_line(lines[i]), maxsplit=1)[-1] if j == 0 else own  # a comma may be decimal
+            below = rows[i + 1][j : j + 1] if i + 1 < len(rows) else []
+            numbers = [_number(text, unit) for text in (whole, own, *row[j + 1 :], *below)]
+            numbers = numbers[:1] if numbers[0] else numbers
+            stated = dict.fromkeys((number, rate) for number in numbers if (rate := stated_rate(name, number)))
+            for own_name, each in zip(unique_names([name] * len(stated)), stated, strict=True):
+                rates[own_name] = (own_name, *each)
     return tuple(rates.values())
 
 
-def _number(text: str) -> float:
-    """A number, in Hz or s where it has a unit; 0 for anything else."""
-    bare = text.strip().replace(",", ".")
-    try:
-        return float(bare) if NUMBER.match(bare) else parse_quantity(bare, ("Hz", "s"), "")
-    except InputError:
-        return 0.0
+def _number(text: str, unit: str) -> float:
+    """A number, in Hz or s where it has a unit, of its own or of its name; 0 for anything else."""
+    bare = _PER_SECOND.sub("Hz", text.strip().replace(",", "."))
+    for written in (f"{bare} {time_unit(unit) or unit}", bare) if NUMBER.match(bare) else (bare,):
+        with suppress(InputError):
+            return parse_quantity(written, ("Hz", "s"), "")
+    return float(bare) if NUMBER.match(bare) else 0.0
 
 
 def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -142,8 +148,12 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     if not headings:
         return tuple(f"column {j + 1}" for j in range(width)), ("",) * width
     names, units = [], []
-    for j, heading in enumerate(headings[:width]):
-        match = _UNIT_IN_NAME.match(heading)
+    matches = [_UNIT_IN_NAME.match(heading) for heading in headings[:width]]
+    bare = Counter(match["name"] if match else heading for match, heading in zip(matches, headings, strict=False))
+    written = Counter(headings[:width])
+    for j, (heading, match) in enumerate(zip(headings, matches, strict=False)):
+        if match and bare[match["name"]] > written[heading] and match["unit"].lower() not in _UNITS:
+            match = None  # as V(q) and V(v1): what tells channels apart is no unit
         unit = units_row[j].strip("[]() ") if j < len(units_row) else ""
         names.append(match["name"] if match and not unit else heading or f"column {j + 1}")
         units.append(unit or (match["unit"].strip() if match else ""))

@@ -56,7 +56,7 @@ def is_whole(cell: str, before: Sequence[str]) -> bool:
     before : sequence of str
         The cells above it; ten of them at least, all of one form, are needed to tell.
     """
-    forms = [form for text in before if (form := _form(text)) is not None]  # what is no number is a heading
+    forms = [form for text in before if text and (form := _form(text)) is not None]  # what is no number is a heading
     return len(forms) >= _FEWEST and set(forms) == {_form(cell)} and forms[0] != (0, 0)
 
 

@@ -3,14 +3,15 @@
 import codecs
 import io
 import tempfile
-from collections.abc import Callable
+from collections.abc import Iterable
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from pipeline.rig_logs.source import PART
 
 
-def as_utf8(path: Path, length: int, encoding: str, plain: Callable[[str], str] | None) -> Any:
+def as_utf8(path: Path, length: int, encoding: str) -> Any:
     """The first `length` bytes as UTF-8 in a file of Arrow's own; where that is less than all, in a mapped buffer.
 
     Arrow's threads read ahead. Were they to hold memory of Python's, as they would of a Python file or of a codec,
@@ -25,21 +26,28 @@ def as_utf8(path: Path, length: int, encoding: str, plain: Callable[[str], str] 
         Bytes that are whole rows.
     encoding : str
         Its text encoding.
-    plain : callable, optional
-        Makes of each line one that Arrow reads.
     """
     import pyarrow as pa
 
-    if plain is None and _is_ascii_and_more(encoding):  # what is beyond ASCII stands in no number
-        if length == path.stat().st_size:
-            return pa.OSFile(str(path))
-        with pa.memory_map(str(path)) as mapped:
-            return pa.BufferReader(mapped.read_buffer(length))
-    with text_of(path, length, encoding, newline="") as lines, tempfile.NamedTemporaryFile(prefix="debist-") as recoded:
-        while some := lines.readlines(PART):
-            recoded.write("".join(map(plain, some) if plain else some).encode())
-        recoded.flush()
-        return pa.OSFile(recoded.name)
+    if not _is_ascii_and_more(encoding):
+        with text_of(path, length, encoding, newline="") as lines:
+            return written(lines)
+    if length == path.stat().st_size:  # what is beyond ASCII stands in no number
+        return pa.OSFile(str(path))
+    with pa.memory_map(str(path)) as mapped:
+        return pa.BufferReader(mapped.read_buffer(length))
+
+
+def written(lines: Iterable[str]) -> Any:
+    """Lines in a file of Arrow's own, which vanishes with it."""
+    import pyarrow as pa
+
+    with tempfile.NamedTemporaryFile(prefix="debist-") as file:
+        rest = iter(lines)
+        while some := list(islice(rest, PART)):
+            file.write("".join(some).encode())
+        file.flush()
+        return pa.OSFile(file.name)
 
 
 def text_of(path: Path, length: int, encoding: str, newline: str | None = None) -> io.TextIOWrapper:

@@ -248,7 +248,7 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
                 "when it changed?"
             ]
         return [f"{entry}  # suggested; unit {origin}", *_signed_monitor(entry, channel, log)]
-    if role == "time" and all(_own_time(each, log) for each in log.channels if each.name in _suggested(log)):
+    if role == "time" and names and all(_own_time(each, log) for each in log.channels if each.name in _suggested(log)):
         return [f"# time is left out: each channel has its own, of {', '.join(map(quoted, names))}"]
     found = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {found}"]

@@ -5,7 +5,8 @@ datasets, and datasets that claim more than what they store could expand to. Sof
 lead through an external one. Without these checks a file of 1 kB can claim 16 GB, or lead a reader to any file.
 """
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,8 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.hdf5_attributes import Packing, described, packing_of, perhaps_packed, unit_of, why_unread
+from pipeline.rig_logs.attributes import rates_among, scales_among
+from pipeline.rig_logs.hdf5_attributes import NUMBERS, PACKING, Packing, described, packing_of, unit_of, why_unread
 from pipeline.rig_logs.source import (
     MOST_COLUMNS,
     PART,
@@ -27,14 +29,12 @@ from pipeline.rig_logs.source import (
     not_listed,
     note_on_rate,
     ranges,
-    stated_rate,
 )
 
 _MOST_OBJECTS = 100_000
 _DEEPEST = 16
 _LARGEST_RATIO = 2000.0
 _SMALL_BYTES = 1 << 20
-_NUMBERS = "fiub"
 
 
 def open_hdf5(path: Path) -> Any:
@@ -114,10 +114,9 @@ def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple
             yield f"{prefix}{name}", item
 
 
-def flat(dataset: Any, start: int, stop: int) -> NDArray[Any]:
+def flat(dataset: Any, start: int, stop: int, shape: tuple[int, ...]) -> NDArray[Any]:
     """Elements `start` … `stop` − 1 of a vector or matrix in the file's order, read without the others."""
-    shape = dataset.shape
-    if dataset.size == max(shape):
+    if math.prod(shape) == max(shape):
         index: list[int | slice] = [0] * len(shape)
         index[int(np.argmax(shape))] = slice(start, stop)
         return np.asarray(dataset[tuple(index)])
@@ -148,9 +147,14 @@ class Hdf5Source:
         self.rates: dict[str, float] = {}
         self._places: dict[str, tuple[Any, int | str | None, Packing | None]] = {}
         self._entries: list[Entry] = []
-        self._counted = Counted()
         self._file = open_hdf5(path)
-        others = {name: dataset.shape for name, dataset in walk(self._file) if not self._list(name, dataset)}
+        self._filled = "_NCProperties" in self._file.attrs
+        others = {}
+        for name, dataset in walk(self._file):
+            for holder in (self._file, dataset.parent, dataset):
+                self._note_rates(rates_among(holder.attrs, holder.name.strip("/")))
+            if not self._list(name, dataset):
+                others[name] = dataset.shape
         self.notes += [*left_out(self.texts), *not_listed(others)]
 
     def entries(self) -> list[Entry]:
@@ -159,34 +163,35 @@ class Hdf5Source:
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels, in slices along the stored chunks."""
+        counted = Counted()
         for name in names:
             dataset, column, packing = self._places[name]
-            axis = 0 if isinstance(column, str) else int(np.argmax(dataset.shape))
+            axis = int(np.argmax(dataset.shape))
             for first, last in ranges(dataset.shape[axis], rows_at_a_time(dataset, axis)):
                 if column is None:
-                    part = flat(dataset, first, last)
+                    part = flat(dataset, first, last, dataset.shape)
                 elif isinstance(column, str):
-                    part = np.asarray(dataset.fields(column)[first:last])
+                    part = flat(dataset.fields(column), first, last, dataset.shape)
                 else:
                     part = dataset[first:last, column] if axis == 0 else dataset[column, first:last]
-                yield name, self._counted(name, part) if packing is None else packing.unpack(np.asarray(part))
-        self.notes += self._counted.notes()
+                yield name, counted(name, part) if packing is None else packing.unpack(np.asarray(part))
+        self.notes += counted.notes()
 
     def _list(self, name: str, dataset: Any) -> bool:
         """List its channels, or the sample rate that it states; False for numbers that are neither."""
         shape: tuple[int, ...] = dataset.shape or ()
         if dataset.size and dataset.size > 1 and (why := why_unread(dataset)):
             self.texts[name] = why
-        elif dataset.dtype.names and len(shape) == 1:  # a table of named columns
+        elif dataset.dtype.names and dataset.size == max(shape, default=0):  # a table of named columns
             for field in dataset.dtype.names:
                 kind = dataset.dtype[field]
-                if kind.kind in _NUMBERS and not kind.shape:
-                    self._add(f"{name}.{field}", kind, shape[0], dataset, field)
+                if kind.kind in NUMBERS and not kind.shape:
+                    self._add(f"{name}.{field}", kind, dataset.size, dataset, field)
                 else:
                     self.texts[f"{name}.{field}"] = f"{kind}"
-        elif dataset.dtype.kind in _NUMBERS and dataset.size and dataset.size == max(shape, default=0) > 1:
+        elif dataset.dtype.kind in NUMBERS and dataset.size and dataset.size == max(shape, default=0) > 1:
             self._add(name, dataset.dtype, dataset.size, dataset, None)
-        elif dataset.dtype.kind in _NUMBERS and len(shape) == 2 and 1 < min(shape) <= MOST_COLUMNS:
+        elif dataset.dtype.kind in NUMBERS and len(shape) == 2 and 1 < min(shape) <= MOST_COLUMNS:
             for j in range(min(shape)):
                 place = f"[:,{j}]" if shape[1] <= shape[0] else f"[{j},:]"
                 self._add(name + place, dataset.dtype, max(shape), dataset, j)
@@ -199,31 +204,37 @@ class Hdf5Source:
         if dataset.dtype.kind not in "fiu" or not dataset.size:
             return True
         if dataset.size == 1:
-            number = float(np.ravel(dataset[()])[0])
-            if (rate := stated_rate(name, number)) is not None:
-                self.rates[name] = rate
-                self.notes.append(note_on_rate(name, number, rate))
+            number = {name: float(np.ravel(dataset[()])[0])}
+            self._note_rates(rates_among(number, ""))
+            self.notes += scales_among(number)
         return bool(dataset.size == 1)
+
+    def _note_rates(self, stated: Mapping[str, tuple[float, float]]) -> None:
+        for name, (number, rate) in stated.items():
+            self.notes += [] if name in self.rates else [note_on_rate(name, number, rate)]
+            self.rates[name] = rate
 
     def _add(self, name: str, dtype: np.dtype[Any], count: int, dataset: Any, column: int | str | None) -> None:
         """List a channel, unless its attributes cannot be applied; what they say is noted."""
         table = isinstance(column, str)  # its attributes are of all of its columns
         try:
-            packing = None if isinstance(column, str) else packing_of(dataset, column)
+            packing = None if isinstance(column, str) else packing_of(dataset, column, filled=self._filled)
         except UnreadableLogError as error:
             self.texts[name] = f"{error}"
             return
-        unit, since = ("", "") if table else unit_of(dataset)
+        columns: Sequence[Any] = dataset.dtype.names or range(min(dataset.shape))
+        unit, since = unit_of(dataset.attrs, 0 if column is None else columns.index(column), len(columns))
         own = name if table else dataset.name.lstrip("/")
-        perhaps = ", ".join(filter(None, [perhaps_packed(dataset), described(dataset) if table else ""]))
         said = {
             f"time of {own!r} counts from {since}": since,
-            f"{own!r} is unpacked by its attributes: {described(dataset)}": packing,
-            f"{own!r} has {perhaps}, not applied here: see scale and offset in [channels]": perhaps,
+            f"{own!r} is unpacked by its attributes: {described(dataset)}": packing and described(dataset),
+            f"{own!r} has {described(dataset)}, not applied here: export each column": table and described(dataset),
         }
-        self.notes += [note for note, applies in said.items() if applies and note not in self.notes]
+        unapplied = {key: value for key, value in dataset.attrs.items() if key not in PACKING}
+        notes = [note for note, applies in said.items() if applies] + scales_among(unapplied, own)
+        self.notes += [note for note in notes if note not in self.notes]
         self._places[name] = (dataset, column, packing)
-        self._entries.append(Entry(name, unit, dtype.name, int(count)))
+        self._entries.append(Entry(name, "s" if dtype.kind in "mM" else unit, dtype.name, int(count)))
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:

@@ -1,6 +1,6 @@
 """What the attributes, the type and the filters of an HDF5 dataset say of its numbers, by the conventions of netCDF."""
 
-import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,15 +8,13 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.attributes import plain, unit_among
 from pipeline.rig_logs.source import UnreadableLogError
 from pipeline.units import time_unit
 
-_UNIT_ATTRIBUTES = ("unit", "units", "Unit", "Units", "UNIT")
-_PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "valid_min", "valid_max", "valid_range")
-_PERHAPS = re.compile(
-    r"scale|scaling|gain|slope|factor|offset|intercept|multiplier|sensitivity|calib\w*", re.IGNORECASE
-)
-"""Attributes of no convention by which a number might have to be converted."""
+PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "valid_min", "valid_max", "valid_range")
+_FILLED = ("int16", "uint16", "int32", "uint32", "float32", "float64")
+"""Types of which netCDF takes the value that stands where nothing was written for none."""
 _FILTERS = {
     307: "bzip2",
     32001: "blosc",
@@ -26,18 +24,16 @@ _FILTERS = {
     32015: "zstd",
     32026: "blosc2",
 }
+NUMBERS = "fiubmM"
+"""Kinds of types that are read; time stamps and durations as seconds."""
 _KINDS = {"c": "complex: save its real part", "O": "text or lists", "S": "text", "U": "text", "V": "no numbers"}
 
 
-def unit_of(dataset: Any) -> tuple[str, str]:
-    """The unit of a dataset, and the origin of a time such as ``seconds since 2024-01-31``; "" where there is none."""
-    for attribute in _UNIT_ATTRIBUTES:
-        value = dataset.attrs.get(attribute)
-        text = value.decode("utf-8", "replace") if isinstance(value, bytes) else value
-        if isinstance(text, str):
-            _, since, origin = text.partition(" since ")
-            return (time_unit(text), origin) if since and time_unit(text) else (text, "")
-    return "", ""
+def unit_of(attributes: Mapping[str, Any], column: int, columns: int) -> tuple[str, str]:
+    """The unit of a column, and the origin of a time such as ``seconds since 2024-01-31``; "" where there is none."""
+    text = unit_among(attributes, column, columns)
+    _, since, origin = text.partition(" since ")
+    return (time_unit(text), origin) if since and time_unit(text) else (text, "")
 
 
 def why_unread(dataset: Any) -> str:
@@ -47,7 +43,9 @@ def why_unread(dataset: Any) -> str:
     if foreign := [code for code in codes if not h5py.h5z.filter_avail(code)]:
         name = _FILTERS.get(foreign[0], "unknown")
         return f"compressed by a filter that is not read here, {name} ({foreign[0]}): write it with gzip or none"
-    return "" if dataset.dtype.names else _KINDS.get(dataset.dtype.kind, "")
+    if dataset.dtype.names or dataset.dtype.kind in NUMBERS:
+        return ""
+    return _KINDS.get(dataset.dtype.kind, f"{dataset.dtype}")
 
 
 @dataclass(frozen=True)
@@ -83,20 +81,24 @@ def _not_valid(numbers: NDArray[Any], missing: NDArray[Any], low: float, high: f
     return np.isin(numbers, missing) | (numbers < low) | (numbers > high)
 
 
-def packing_of(dataset: Any, column: int | None = None) -> Packing | None:
+def packing_of(dataset: Any, column: int | None = None, *, filled: bool = False) -> Packing | None:
     """How the numbers of a dataset, or of a column of it, are packed; None where they are stored as they are.
+
+    In a file of netCDF they are `filled`: a value that was never written is the fill value of the dataset.
 
     Raises
     ------
     UnreadableLogError
         An attribute of packing is no number.
     """
-    given = {name: _numbers(dataset, name) for name in _PACKING if name in dataset.attrs}
-    unsigned = str(_text(dataset.attrs.get("_Unsigned", ""))).casefold() == "true"
+    given = {name: _numbers(dataset, name) for name in PACKING if name in dataset.attrs}
+    unsigned = str(plain(dataset.attrs.get("_Unsigned", ""))).casefold() == "true"
+    if filled and dataset.dtype.name in _FILLED and "_FillValue" not in given:
+        given["_FillValue"] = np.ravel(dataset.fillvalue)
     if not given and not unsigned:
         return None
     factor, offset = (
-        _scalar(given.get(name, [empty]), name, column) for name, empty in zip(_PACKING[:2], (1.0, 0.0), strict=True)
+        _scalar(given.get(name, [empty]), name, column) for name, empty in zip(PACKING[:2], (1.0, 0.0), strict=True)
     )
     limits: list[tuple[NDArray[Any], float, float]] = []
     for of_values in (False, True):
@@ -115,13 +117,8 @@ def packing_of(dataset: Any, column: int | None = None) -> Packing | None:
 def described(dataset: Any) -> str:
     """The attributes by which a dataset is unpacked."""
     return ", ".join(
-        f"{name} = {_text(dataset.attrs[name])}" for name in (*_PACKING, "_Unsigned") if name in dataset.attrs
+        f"{name} = {plain(dataset.attrs[name])}" for name in (*PACKING, "_Unsigned") if name in dataset.attrs
     )
-
-
-def perhaps_packed(dataset: Any) -> str:
-    """Attributes that may have to be applied by the settings, since no convention says so; "" where there are none."""
-    return ", ".join(f"{name} = {_text(dataset.attrs[name])}" for name in dataset.attrs if _PERHAPS.fullmatch(name))
 
 
 def _numbers(dataset: Any, name: str) -> NDArray[Any]:
@@ -129,7 +126,7 @@ def _numbers(dataset: Any, name: str) -> NDArray[Any]:
     try:
         numbers = value if value.dtype.kind in "iuf" else value.astype(np.float64)
     except (ValueError, TypeError):
-        raise UnreadableLogError(f"{name} = {_text(dataset.attrs[name])} is no number") from None
+        raise UnreadableLogError(f"{name} = {plain(dataset.attrs[name])} is no number") from None
     if not numbers.size:
         raise UnreadableLogError(f"{name} is empty")
     return numbers
@@ -142,7 +139,3 @@ def _scalar(numbers: Any, name: str, column: int | None) -> float:
     if not np.isfinite(number) or (name == "scale_factor" and number == 0.0):
         raise UnreadableLogError(f"{name} = {number:g} cannot be applied")
     return number
-
-
-def _text(value: Any) -> str:
-    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)

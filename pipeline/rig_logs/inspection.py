@@ -8,7 +8,7 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.rig_logs.channel_roles import Suggestion, is_record, suggest, suggested_unit
+from pipeline.rig_logs.channel_roles import Suggestion, is_called, is_record, suggest, suggested_unit
 from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import RecordedChannel, Recording
@@ -189,7 +189,8 @@ def _roles(
     """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
     usual = [channel for channel in channels if channel.time is not None or not own_time]
     counts = {} if own_time else {channel.name: channel.samples.size for channel in channels}
-    left_out = far_shorter(counts).union(rates)
+    untold = [channel for channel in usual if rates and not is_called("time", channel.name)]
+    left_out = far_shorter(counts).union(rates, (each.name for each in untold if _counts_samples(each.samples)))
     further = second_experiments([channel.name for channel in usual if channel.name not in left_out], is_record)
     notes += note_on(further)
     kept = [channel for channel in usual if channel.name not in left_out and channel.name not in further]
@@ -199,6 +200,11 @@ def _roles(
     time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
     others = () if time is None else (channel.name for channel in kept if counts[channel.name] != counts[time])
     return roles, (*sorted(left_out & counts.keys()), *further, *others)
+
+
+def _counts_samples(samples: FloatArray) -> bool:
+    """Whether a column is the number of each sample."""
+    return samples.size > 1 and bool(np.all(np.diff(samples[: 1 << 17]) == 1.0))
 
 
 def _rises_evenly(samples: FloatArray) -> bool:

@@ -6,8 +6,19 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.attributes import is_unit, scales_among
+from pipeline.rig_logs.channel_roles import is_called
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
-from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatObject, MatValue, is_struct, scalar_of
+from pipeline.rig_logs.mat_values import (
+    MatArray,
+    MatChannel,
+    MatObject,
+    MatStruct,
+    MatValue,
+    is_struct,
+    scalar_of,
+    text_of,
+)
 from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
 from pipeline.rig_logs.source import (
     MOST_COLUMNS,
@@ -19,6 +30,7 @@ from pipeline.rig_logs.source import (
     ranges,
     stated_rate,
 )
+from pipeline.units import SECONDS, time_unit
 
 _DEEPEST = 8
 _MOST_ELEMENTS = 1000
@@ -81,7 +93,7 @@ class MatSource:
             )
             self._channels[entry.name] = replace(channel, entry=entry)
 
-    def _plain(self, name: str, value: MatValue, depth: int) -> list[MatChannel]:
+    def _plain(self, name: str, value: MatValue, depth: int, second: float = 1.0) -> list[MatChannel]:
         """Vectors by their name, signals of matrices, fields of structs as name.field or name(k).field."""
         if isinstance(value, MatObject):
             advice = _WAYS_OUT.get(value.kind, "save its vectors as variables of their own").replace("NAME", name)
@@ -89,7 +101,7 @@ class MatSource:
         elif isinstance(value, str) and value:
             self.texts[name] = "text"
         elif isinstance(value, MatArray):
-            self._note_rate(name, value)
+            self._note_scalar(name, value, second)
             if value.is_vector:
                 return [MatChannel(Entry(name, "", value.dtype, value.size), value.read, value.step)]
             if len(value.dims) == 2 and 1 < min(value.dims) <= MOST_COLUMNS:
@@ -98,20 +110,35 @@ class MatSource:
                 self._not_listed[name] = value.dims
         elif is_struct(value) and value.count <= _MOST_ELEMENTS and depth:
             places = [name] if value.count == 1 else [f"{name}({i + 1})" for i in range(value.count)]
-            return [
-                channel
-                for i, place in enumerate(places)
-                for field in value.fields
-                for channel in self._plain(f"{place}.{field}", value.get(i, field), depth - 1)
-            ]
+            return [channel for i, place in enumerate(places) for channel in self._fields(place, value, i, depth - 1)]
         return []
 
-    def _note_rate(self, name: str, value: MatArray) -> None:
-        """Tell of a number that may be the sample rate or interval."""
+    def _fields(self, place: str, value: MatStruct, index: int, depth: int) -> list[MatChannel]:
+        """The channels of one element of a struct, in the units that it states: for all of them, or by their names."""
+        members = {field: value.get(index, field) for field in value.fields}
+        units = next((members[field] for field in members if is_unit(field)), None)
+        second = SECONDS.get(time_unit(text_of(members.get("TimeUnit"))), 1.0)
+        several, channels = sum(isinstance(each, MatArray) for each in members.values()) > 1, []
+        for field, member in members.items():
+            if is_unit(field):
+                continue
+            unit = text_of(
+                units.get(0, field) if is_struct(units) else "" if several and is_called("time", field) else units
+            )
+            for channel in self._plain(f"{place}.{field}", member, depth, second):
+                own = replace(channel.entry, unit=channel.entry.unit or unit.strip())
+                channels.append(replace(channel, entry=own))
+        return channels
+
+    def _note_scalar(self, name: str, value: MatArray, second: float) -> None:
+        """Tell of a number that may be the sample rate, the interval in units of so many seconds, or a scale."""
         number = scalar_of(value)
-        if number is not None and (rate := stated_rate(name, number)) is not None:
-            self.rates[name] = rate
+        if number is None:
+            return
+        if (rate := stated_rate(name, number)) is not None:
+            self.rates[name] = rate = rate if stated_rate(name, 2.0) == 2.0 else rate / second
             self.notes.append(note_on_rate(name, number, rate))
+        self.notes += scales_among({name: number})
 
 
 def _signals_of(name: str, matrix: MatArray) -> list[MatChannel]:

@@ -72,7 +72,10 @@ def _value(item: Any) -> MatValue:
     if item.dtype.kind not in "fiub" or (item.size and why_unread(item)):
         return MatObject(f"{_class_of(item)} {why_unread(item)}".strip())
     return MatArray(
-        tuple(reversed(item.shape)), item.dtype.name, lambda start, stop: flat(item, start, stop), _step(item)
+        tuple(reversed(item.shape)),
+        item.dtype.name,
+        lambda start, stop: flat(item, start, stop, item.shape),
+        _step(item),
     )
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.attributes import rates_among, scales_among
 from pipeline.rig_logs.source import (
     MOST_COLUMNS,
     Counted,
@@ -21,7 +22,6 @@ from pipeline.rig_logs.source import (
     not_listed,
     note_on_rate,
     ranges,
-    stated_rate,
 )
 
 
@@ -41,7 +41,8 @@ class NumpySource:
             for name in ["array"] if single else loaded.files:
                 self._list(name, loaded if single else self._member(loaded, name))
         except (ValueError, EOFError, OSError, KeyError, zlib.error, zipfile.BadZipFile) as error:
-            raise UnreadableLogError(f"NumPy cannot open it: {error}") from error
+            pickled = "; save its arrays by numpy.savez" if "Python objects" in f"{error}" else ""
+            raise UnreadableLogError(f"NumPy cannot open it: {error}{pickled}") from error
         self.notes += [*left_out(self.texts), *not_listed(self._not_listed)]
 
     def _member(self, archive: Any, name: str) -> NDArray[Any]:
@@ -55,10 +56,10 @@ class NumpySource:
             return np.empty(0)
 
     def _list(self, name: str, array: NDArray[Any]) -> None:
-        if array.dtype.names and array.ndim == 1:
+        if array.dtype.names:
             for field in array.dtype.names:
                 self._list(f"{name}.{field}", array[field])
-        elif array.size > 1 and array.dtype.kind not in "fiub":
+        elif array.size > 1 and array.dtype.kind not in "fiubmM":
             self.texts[name] = "complex: save its real part" if array.dtype.kind == "c" else f"{array.dtype}"
         elif array.size > 1 and array.size == max(array.shape):
             self._vectors[name] = array.reshape(-1)
@@ -70,14 +71,18 @@ class NumpySource:
         elif array.size > 1:
             self._not_listed[name] = array.shape
         elif array.size and array.dtype.kind in "fiu":
-            number = float(array.reshape(-1)[0])
-            if (rate := stated_rate(name, number)) is not None:
+            stated = {name: float(array.reshape(-1)[0])}
+            for number, rate in rates_among(stated, "").values():
                 self.rates[name] = rate
                 self.notes.append(note_on_rate(name, number, rate))
+            self.notes += scales_among(stated)
 
     def entries(self) -> list[Entry]:
         """Every vector of real numbers."""
-        return [Entry(name, "", vector.dtype.name, vector.size) for name, vector in self._vectors.items()]
+        return [
+            Entry(name, "s" if vector.dtype.kind in "mM" else "", vector.dtype.name, vector.size)
+            for name, vector in self._vectors.items()
+        ]
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels."""

@@ -1,6 +1,6 @@
 """Parquet logs through pyarrow, page by page; units from the fields' metadata."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +10,7 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from pipeline.arrow_columns import doubles
+from pipeline.rig_logs.attributes import plain, rates_among, scales_among, unit_among
 from pipeline.rig_logs.source import (
     EXACT,
     PART,
@@ -19,6 +20,7 @@ from pipeline.rig_logs.source import (
     Source,
     UnreadableLogError,
     left_out,
+    note_on_rate,
     unique_names,
 )
 
@@ -40,6 +42,11 @@ class ParquetSource:
         self._fields = dict(zip(unique_names(self._file.schema_arrow.names), self._file.schema_arrow, strict=True))
         self.texts = {name: f"{field.type}" for name, field in self._fields.items() if not _is_read(field.type)}
         self.notes = left_out(self.texts)
+        for name, field in self._fields.items():
+            self.notes += scales_among(_texts(field.metadata), name)
+        stated = rates_among(_texts(self._file.schema_arrow.metadata), "")
+        self.rates = {name: rate for name, (_, rate) in stated.items()}
+        self.notes += [note_on_rate(name, *each) for name, each in stated.items()]
 
     def entries(self) -> list[Entry]:
         """Every column of numbers, of time stamps or of durations."""
@@ -83,7 +90,8 @@ class ParquetSource:
                     origin = 0
                 elif stamps or origin:
                     self.notes.append(f"{'time of ' if stamps else ''}{name!r} counts from {known[0]}")
-            numbers = doubles(pc.subtract(ticks, origin or 0).cast(pa.float64(), safe=False))
+            wrapped = ((origin or 0) + (1 << 63)) % (1 << 64) - (1 << 63)  # as the cast does with numbers without sign
+            numbers = doubles(pc.subtract(ticks, wrapped).cast(pa.float64(), safe=False))
             yield name, numbers / _PER_SECOND[kind.unit] if stamps else numbers
 
 
@@ -108,11 +116,11 @@ def _is_number(kind: Any) -> bool:
 def _unit(field: Any) -> str:
     if pa.types.is_timestamp(field.type) or _is_span(field.type):
         return "s"
-    metadata = field.metadata or {}
-    for key in (b"unit", b"units", b"Unit"):
-        if key in metadata:
-            return str(metadata[key].decode("utf-8", "replace"))
-    return ""
+    return unit_among(_texts(field.metadata))
+
+
+def _texts(metadata: Mapping[bytes, bytes] | None) -> dict[str, str]:
+    return {key.decode("utf-8", "replace"): f"{plain(value)}" for key, value in (metadata or {}).items()}
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:

@@ -97,6 +97,7 @@ class Source(Protocol):
     notes: list[str]
     texts: dict[str, str]
     """Names of columns that are no numbers, with a cell that shows it and what to do."""
+    # `one_pass` too where all channels are read in one pass, so that one of them cannot fail alone.
     # `rates` too where a format has single numbers: the sample rates [Hz] that some of them state, by their names.
 
     def entries(self) -> list[Entry]:
@@ -118,13 +119,22 @@ EXACT = 1 << 53
 """Up to which float64 holds every whole number."""
 
 
-class Counted(dict[str, int]):
-    """Origins of channels whose whole numbers are too large for float64, such as nanoseconds since 1970."""
+class Counted(dict[str, Any]):
+    """Origins of channels of time stamps, or of whole numbers that are too large for float64, such as ns since 1970."""
 
     def __call__(self, name: str, samples: NDArray[Any]) -> NDArray[Any]:
-        """A part of a channel, counted from its first sample where that is too large to be held exactly."""
+        """A part of a channel, from its first sample on where that is a time stamp or too large to be held exactly.
+
+        Time stamps and durations become seconds.
+        """
+        if samples.dtype.kind == "M":
+            known = samples[~np.isnat(samples)]
+            samples = samples - (self.setdefault(name, known[0]) if known.size else self.get(name, samples[:1]))
+        if samples.dtype.kind == "m":
+            return samples / np.timedelta64(1, "s")
         if samples.dtype.kind in "iu" and samples.size and (name in self or abs(int(samples[0])) > EXACT):
-            return samples.astype(np.int64) - np.int64(self.setdefault(name, int(samples[0])))
+            origin = np.uint64(self.setdefault(name, int(samples[0])) % (1 << 64))
+            return (samples.astype(np.uint64) - origin).view(np.int64)
         return samples
 
     def notes(self) -> list[str]:
@@ -155,8 +165,12 @@ def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
     return ((first, min(first + step, count)) for first in range(0, count, step))
 
 
-_RATE = re.compile(r"(?i)(.*[./])?(f_?s|sampl(e|ing)[_ ]?(rate|freq(uency)?))")
-_STEP = re.compile(r"(?i)(.*[./])?(t_?s|dt|delta_x|(x[_ ]?)?increment|sampl(e|ing)[_ ]?(time|interval|period))")
+_SAMPLING = "(sampl(e|ing)|scan|acquisition|abtast|measuring)[_ ]?"
+_RATE = re.compile(rf"(?i)(.*[./])?(f_?s|{_SAMPLING}(rate|freq(uency)?|frequenz))")
+_STEP = re.compile(
+    rf"(?i)(.*[./])?(t_?s|dt|delta[_ ][xt]|((x|wf)[_ ]?)?increment|time[_ ]?(step|interval)|"
+    rf"{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
+)
 """Names of single numbers that say how often a log was sampled."""
 
 
@@ -178,7 +192,8 @@ class UnreadableLogError(Exception):
 
 
 def unique_names(names: list[str]) -> list[str]:
-    """Names made unique by " (2)", " (3)", … in the order of the log."""
+    """Names made unique by " (2)", " (3)", … in the order of the log; an empty one is ``column k``."""
+    names = [name or f"column {k}" for k, name in enumerate(names, start=1)]
     taken, numbers, unique = set(names), dict[str, Iterator[int]](), list[str]()
     for name in names:
         given = name

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.rig_logs.attributes import unit_among
 from pipeline.rig_logs.source import (
     Counted,
     CsvOptions,
@@ -18,8 +19,7 @@ from pipeline.rig_logs.source import (
     ranges,
     unique_names,
 )
-
-_UNITS = ("unit_string", "NI_UnitDescription", "Unit", "unit")
+from pipeline.units import SECONDS, time_unit
 
 
 class TdmsSource:
@@ -46,17 +46,24 @@ class TdmsSource:
         self._channels = dict(zip(unique_names(named), channels, strict=True))
         self.texts = {name: _kind(each) for name, each in self._channels.items() if _kind(each) and len(each)}
         self.notes = left_out(self.texts)
+        self._first = min(filter(None, map(_start, channels)), default=None)
         self._times: dict[tuple[float, float, int], str] = {}
         self._entries = [self._entry(name, each) for name, each in self._channels.items() if not _kind(each)]
 
     def _entry(self, name: str, channel: Any) -> Entry:
         """A channel, with the time of its waveform where it has one."""
-        unit = next((str(channel.properties[key]) for key in _UNITS if channel.properties.get(key)), "")
-        kind = "s" if channel.dtype.kind == "M" else unit
-        step = float(channel.properties.get("wf_increment", 0.0))
-        if not step > 0.0:
+        properties = channel.properties
+        kind = "s" if channel.dtype.kind == "M" else unit_among(properties)
+        step, axis = float(properties.get("wf_increment", 0.0)), str(properties.get("wf_xunit_string") or "s")
+        factor = SECONDS.get(time_unit(axis), 0.0)
+        if step > 0.0 and not factor:
+            self.notes.append(
+                f"{name!r} runs over {properties.get('wf_xname', 'an axis')} in {axis}, and not over time"
+            )
+        if not step * factor > 0.0:
             return Entry(name, kind, channel.dtype.name, len(channel))
-        key = step, float(channel.properties.get("wf_start_offset", 0.0)), len(channel)
+        begins = (_start(channel) - self._first) / np.timedelta64(1, "s") if _start(channel) is not None else 0.0
+        key = step * factor, float(properties.get("wf_start_offset", 0.0)) * factor + begins, len(channel)
         time = self._times.setdefault(key, f"time of {name}")
         return Entry(name, kind, channel.dtype.name, len(channel), time)
 
@@ -75,13 +82,15 @@ class TdmsSource:
                 for first, last in ranges(count):
                     yield name, offset + step * np.arange(first, last)
                 continue
-            channel = self._channels[name]
-            origin = channel[0] if len(channel) and channel.dtype.kind == "M" else None
-            for first, last in ranges(len(channel)):
-                part = np.asarray(channel[first:last])
-                stamped = origin is not None
-                yield name, (part - origin) / np.timedelta64(1, "s") if stamped else counted(name, part)
+            for first, last in ranges(len(self._channels[name])):
+                yield name, counted(name, np.asarray(self._channels[name][first:last]))
         self.notes += counted.notes()
+
+
+def _start(channel: Any) -> Any:
+    """When the waveform of a channel begins, None where that is not stated."""
+    start = channel.properties.get("wf_start_time")
+    return start if isinstance(start, np.datetime64) and channel.properties.get("wf_increment") else None
 
 
 def _kind(channel: Any) -> str:

@@ -17,6 +17,8 @@ from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, Unreadab
 class WorkbookSource:
     """A sheet as a table of text in a temporary file, which lasts as long as this exists."""
 
+    one_pass = True
+
     def __init__(self, path: Path, options: CsvOptions) -> None:
         try:
             import python_calamine
@@ -25,20 +27,24 @@ class WorkbookSource:
                 'this is a workbook; `pip install "debist[excel]"` reads it, or export the sheet as CSV'
             ) from None
         try:
-            book = python_calamine.CalamineWorkbook.from_path(str(path))
-            sheets = [book.get_sheet_by_name(name) for name in book.sheet_names]
+            with path.open("rb") as file:  # by its content, whatever its name ends in
+                book = python_calamine.CalamineWorkbook.from_filelike(file)
+            visible = [each.name for each in book.sheets_metadata if f"{each.visible}".endswith(".Visible")]
+            sheets = [book.get_sheet_by_name(name) for name in visible or book.sheet_names]
             sheet = max(sheets, key=lambda each: each.total_height)
             rows = sheet.to_python(skip_empty_area=False)
         except (python_calamine.CalamineError, ValueError, OSError) as error:
             raise UnreadableLogError(f"the workbook cannot be opened: {error}") from error
         self._file = tempfile.NamedTemporaryFile("w", prefix="debist-", newline="", encoding="utf-8")  # noqa: SIM115
-        csv.writer(self._file, lineterminator="\n").writerows([_text(cell) for cell in row] for row in rows)
+        mark = options.decimal or "."
+        csv.writer(self._file, lineterminator="\n").writerows([_text(cell, mark) for cell in row] for row in rows)
         self._file.flush()
-        self._table = CsvSource(Path(self._file.name), replace(options, encoding="utf-8", delimiter=",", decimal="."))
+        self._table = CsvSource(Path(self._file.name), replace(options, encoding="utf-8", delimiter=",", decimal=mark))
         self.format = "workbook"
         self.notes, self.texts, self.rates = self._table.notes, self._table.texts, self._table.rates
-        if len(sheets) > 1:
-            self.notes.insert(0, f"{len(sheets)} sheets; the one of the most rows is read, {sheet.name!r}")
+        if len(book.sheet_names) > 1:
+            which = f"{len(book.sheet_names)} sheets; of those that are visible the one of the most rows is read"
+            self.notes.insert(0, f"{which}, {sheet.name!r}")
 
     def entries(self) -> list[Entry]:
         """The columns of numbers."""
@@ -49,10 +55,10 @@ class WorkbookSource:
         return self._table.parts(names)
 
 
-def _text(cell: Any) -> str:
-    """A cell as CSV has it: numbers with all digits, times by ISO 8601, durations in s."""
-    if isinstance(cell, timedelta):
-        return repr(cell.total_seconds())
+def _text(cell: Any, mark: str) -> str:
+    """A cell as CSV has it: numbers with all digits and this decimal mark, times by ISO 8601, durations in s."""
+    if isinstance(cell, float | timedelta):
+        return repr(cell if isinstance(cell, float) else cell.total_seconds()).replace(".", mark)
     if isinstance(cell, datetime):
         return cell.isoformat(sep=" ")
     return cell.isoformat() if isinstance(cell, time) else f"{cell}"

@@ -8,7 +8,7 @@ from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.csv_dialect import find_dialect
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
-from tests.rig_logs.small_logs import read_here
+from tests.rig_logs.small_logs import load, open_here, read_here
 
 
 def _find(text, encoding="utf-8", **options):
@@ -78,7 +78,7 @@ def test_quoted_cells_protect_the_delimiter(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("row", "complaint"), [("2,x", "'x'"), ("2", "has 1 cells, not 2"), ("2,3,4", "has 3 cells, not 2")]
+    ("row", "complaint"), [("2,4x", "'4x'"), ("2", "has 1 cells, not 2"), ("2,3,4", "has 3 cells, not 2")]
 )
 @pytest.mark.parametrize("position", [0, 1, 30, 20_000])
 def test_a_row_that_does_not_fit_is_an_error_wherever_it_stands(tmp_path, row, complaint, position):
@@ -277,12 +277,71 @@ def test_marks_between_thousands_are_found_wherever_they_begin(tmp_path, rows):
 
 def test_a_cell_that_is_no_number_is_named_with_its_column(tmp_path):
     path = tmp_path / "log.csv"
-    path.write_text("t;q;v\n" + "".join(f"{i};{i},5;1\n" for i in range(50)) + "50;5.607.427,22;1\n51;x;1\n")
-    with pytest.raises(UnreadableLogError, match=r"row 52: '5.607.427,22' in column 'q' has marks between thousands"):
+    path.write_text("t;q;v\n" + "".join(f"{i};{i},5;1\n" for i in range(50)) + "50;5.607;1\n51;5x;1\n")
+    with pytest.raises(UnreadableLogError, match=r"row 52: '5.607' in column 'q' has marks between thousands"):
         read_here(path)
-    path.write_text(path.read_text().replace("5.607.427,22", "0,5"))
-    with pytest.raises(UnreadableLogError, match=r"row 53: 'x' in column 'q' is no number with the decimal mark ','"):
+    path.write_text(path.read_text().replace("5.607", "0,5"))
+    with pytest.raises(UnreadableLogError, match=r"row 53: '5x' in column 'q' is no number with the decimal mark ','"):
         read_here(path)
+
+
+@pytest.mark.parametrize("row", [3, 8_000])
+@pytest.mark.parametrize("word", ["OVER", "OL", "----", "--.--", "1.#INF00", "?", "No Signal", "#REF!", "\u221e"])
+@pytest.mark.parametrize("delimiter", [";", " "])
+def test_words_in_place_of_numbers_are_missing_values_and_named(tmp_path, word, row, delimiter):
+    word = word.replace(" ", "_")
+    rows = [f"{i}{delimiter}{2 * i}.5" for i in range(8_100)]
+    rows[row] = rows[row + 5] = f"{row}{delimiter}{word}"
+    path = tmp_path / "log.csv"
+    path.write_text(f"t{delimiter}q\n" + "\n".join(rows) + "\n")
+    source = open_here(path)
+    q = load(source, "q")
+    assert np.flatnonzero(~np.isfinite(q)).tolist() == [row, row + 5] and q[-1] == 16_198.5
+    assert word.startswith("#") or f"{word!r} in 'q' (2 times, the first in line {row + 2})" in source.notes[-1]
+
+
+@pytest.mark.parametrize(
+    "line", ["# pulse 7", "# pulse 7, early", "Event: the pulse", "t,q", "% a, b", "// x,,,", "End of data"]
+)
+@pytest.mark.parametrize("row", [3, 8_000, 8_100])
+@pytest.mark.parametrize("end", ["\n", "\r\n", ""])
+def test_lines_that_are_no_rows_of_numbers_are_left_out_and_named(tmp_path, line, row, end):
+    rows = [f"{i},{2 * i}.5" for i in range(8_100)]
+    rows.insert(row, line)
+    path = tmp_path / "log.csv"
+    path.write_bytes(((end or "\n").join(["t,q", *rows]) + end).encode())
+    source = open_here(path)
+    np.testing.assert_array_equal(load(source, "q"), 2.0 * np.arange(8_100) + 0.5)
+    assert source.notes[-1] == f"lines left out: line {row + 2}: {line!r}"
+
+
+@pytest.mark.parametrize(
+    ("cell", "number", "delimiter", "decimal"),
+    [
+        ("2.800,25", 2800.25, ";", ","),
+        ('"2,800.25"', 2800.25, ",", "."),
+        ("-1'002'800.5", -1002800.5, ";", "."),
+        ("2\u00a0800,5", 2800.5, ";", ","),
+        ("2 800,5", 2800.5, "\t", ","),
+        ("\u2212280.5", -280.5, ",", "."),
+        ("2.805D+02", 280.5, ",", "."),
+    ],
+)
+@pytest.mark.parametrize("row", [0, 3, 8_000])
+def test_numbers_as_they_are_written_in_other_places(tmp_path, cell, number, delimiter, decimal, row):
+    rows = [f"{i}{delimiter}{i}.5".replace(".", decimal) for i in range(8_100)]
+    rows[row] = f"{row}{delimiter}{cell}"
+    path = tmp_path / "log.csv"
+    path.write_text(f"t{delimiter}q\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    q = read_here(path)["q"]
+    assert q[row] == number and q[-1] == 8_099.5 and q.size == 8_100
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be", "utf-16", "utf-8-sig"])
+def test_text_of_two_bytes_may_lack_its_mark(tmp_path, encoding):
+    path = tmp_path / "log.csv"
+    path.write_text("t [s];Wärme [K]\n" + "".join(f"{i};{i},5\n" for i in range(9)), encoding=encoding)
+    assert read_here(path)["Wärme"].tolist() == [i + 0.5 for i in range(9)]
 
 
 @pytest.mark.parametrize("form", ["{:.2f}", '"{:.2f}"', "{:.0f}"])

@@ -149,12 +149,67 @@ def test_a_decimal_mark_behind_whole_numbers_is_seen(tmp_path, delimiter, decima
         ("Sampling Rate: 2 kHz\n\nq,v", 2000.0),
         ("Sample Interval,0.5 ms\n\nq,v", 2000.0),
         ("X,q,v,Start,Increment\nSequence,mm,V,0,5e-4", 2000.0),
+        ("sampling period (ms): 0.5\n\nq,v", 2000.0),
+        ("Sampling frequency [kHz];2\nq,v", 2000.0),
+        ("Acquisition rate: 2 kSa/s\nq,v", 2000.0),
+        ("Abtastintervall: 0,5 ms\nq,v", 2000.0),
+        ("# sample rate: 2 kHz\nn,q,v", 2000.0),
     ],
 )
 def test_a_rate_above_the_data_is_told(tmp_path, above, rate):
-    columns = (range(N), Q, V) if above.startswith("X") else (Q, V)
+    columns = (range(N), Q, V) if above.splitlines()[-1].count(",") > 1 else (Q, V)
     (tmp_path / "log.csv").write_text(above + "\n" + _rows(",".join(["{}"] * len(columns)), *columns))
     assert list(open_here(tmp_path / "log.csv").rates.values()) == pytest.approx([rate])
+
+
+def test_rates_that_differ_are_all_told(tmp_path):
+    (tmp_path / "log.lvm").write_text(LVM.replace("0.002\t0.002", "0.002\t0.004") + _plain("\t"))
+    assert open_here(tmp_path / "log.lvm").rates == pytest.approx({"Delta_X": 500.0, "Delta_X (2)": 250.0})
+
+
+def test_a_second_header_of_labview_does_not_hide_the_first(tmp_path):
+    rows = _plain("\t").splitlines(True)
+    again = LVM.partition("\n\t\n")[2]
+    (tmp_path / "log.lvm").write_text(LVM + "".join(rows[:300]) + again + "".join(rows[300:]))
+    source = open_here(tmp_path / "log.lvm")
+    np.testing.assert_array_equal(load(source, "q")[np.isfinite(load(source, "X_Value"))], Q)
+    assert "'Channels' in 'X_Value' (1 times, the first in line 309)" in " ".join(source.notes)
+
+
+@pytest.mark.parametrize(
+    ("above", "names", "units"),
+    [
+        ("time,V(q),V(v1)", ("time", "V(q)", "V(v1)"), ("", "", "")),
+        ("t (s),q (mm),q (V)", ("t", "q", "q (2)"), ("s", "mm", "V")),
+        ("t,q,v\ndouble,double,double", ("t", "q", "v"), ("", "", "")),
+        ("time,laser,hv\nt,q,v", ("time", "laser", "hv"), ("", "", "")),
+        (", A, B\nFrequency, 1.0Hz, 1Hz\nIndex, A (mV), B (mV)", ("Index", "A", "B"), ("", "mV", "mV")),
+    ],
+)
+def test_what_stands_above_the_data_is_taken_for_names_and_units_only_where_it_can_be(tmp_path, above, names, units):
+    (tmp_path / "log.csv").write_text(f"{above}\n{_plain()}")
+    entries = open_here(tmp_path / "log.csv").entries()
+    assert (tuple(each.name for each in entries), tuple(each.unit for each in entries)) == (names, units)
+
+
+def test_a_column_without_any_cell_is_named(tmp_path):
+    (tmp_path / "log.csv").write_text("t,q,v,w\n" + _plain(end=","))
+    assert "'w' (empty cells only" in open_here(tmp_path / "log.csv").notes[-1]
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [
+        "12/05/2024 01:02:{:06.3f} p.m.",
+        "Sun May 12 13:02:{:06.3f} 2024",
+        "2024/05/12 13:02:{:06.3f} +0200",
+        "13:02:{:06.3f} CEST",
+    ],
+)
+def test_a_time_of_day_is_read_whatever_stands_around_it(tmp_path, cell):
+    rows = "".join(f"{cell.format(t)},{q}\n" for t, q in zip(TIME, Q, strict=True))
+    (tmp_path / "log.csv").write_text("time,q\n" + rows)
+    np.testing.assert_allclose(load(open_here(tmp_path / "log.csv"), "time"), TIME, atol=1e-9)
 
 
 def test_a_row_of_numbers_is_no_heading(tmp_path):

@@ -7,6 +7,8 @@ import pyarrow.parquet as pq
 import pytest
 from scipy.io import savemat
 
+from pipeline.errors import InputError
+from pipeline.rig_logs import read_recording
 from tests.rig_logs.small_logs import TIME, Q, V, load, open_here, write_matlab73
 
 RAW = np.round((Q - 5.0) / 0.001).astype("i2")
@@ -167,3 +169,89 @@ def test_types_of_parquet(tmp_path):
     np.testing.assert_allclose(load(source, "stamp")[1:], np.arange(399) * 1.000001e-3)
     np.testing.assert_allclose(np.diff(load(source, "clock")), 1.000001e-3, rtol=1e-6)
     assert np.isnan(load(source, "stamp")[0]) and source.texts == {"word": "string"}
+
+
+_TEXTS = (["ms"], np.bytes_("ms"), np.array([b"ms"]), np.array(["ms"], dtype=h5py.string_dtype()))
+
+
+@pytest.mark.parametrize("name", ["units", "Unit", "UNIT", "unit_string", "Einheit"])
+@pytest.mark.parametrize("text", _TEXTS)
+def test_units_in_attributes_however_they_are_written(tmp_path, name, text):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file.create_dataset("t", data=1e3 * TIME).attrs[name] = text
+        table = np.rec.fromarrays([1e3 * TIME, Q], names="t,q")[:, None]
+        file.create_dataset("table", data=table).attrs[name] = ["ms", "mm"]
+    source = open_here(tmp_path / "log.h5")
+    assert {entry.name: entry.unit for entry in source.entries()} == {"t": "ms", "table.t": "ms", "table.q": "mm"}
+    np.testing.assert_array_equal(load(source, "table.q"), Q)
+    field = pa.field("t", pa.float64(), metadata={name: "ms"})
+    pq.write_table(pa.Table.from_arrays([pa.array(TIME)], schema=pa.schema([field])), tmp_path / "log.parquet")
+    assert open_here(tmp_path / "log.parquet").entries()[0].unit == "ms"
+
+
+def test_units_in_structs_of_matlab(tmp_path):
+    log = {"t": {"data": TIME, "unit": "ms"}, "q": {"time": TIME, "Value": Q, "Unit": "mm", "scale": 0.5}}
+    both = {"t": TIME, "q": Q, "units": {"t": "ms", "q": "mm"}}
+    savemat(tmp_path / "log.mat", {**log, "all": both, "id": {"y": Q, "Ts": 2.0, "TimeUnit": "milliseconds"}})
+    source = open_here(tmp_path / "log.mat")
+    units = {entry.name: entry.unit for entry in source.entries()}
+    assert units == {"t.data": "ms", "q.time": "", "q.Value": "mm", "all.t": "ms", "all.q": "mm", "id.y": ""}
+    assert source.rates == {"id.Ts": 500.0} and "q.scale = 0.5, not applied" in source.notes[0]
+
+
+@pytest.mark.parametrize("holder", ["", "rig", "rig/q"])
+def test_a_rate_in_attributes_is_told(tmp_path, holder):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file["rig/q"] = Q
+        file[f"/{holder}"].attrs["sampling_rate"] = np.array([500.0])
+    assert list(open_here(tmp_path / "log.h5").rates.values()) == [500.0]
+    table = pa.table({"q": Q}).replace_schema_metadata({"dt": "0.002"})
+    pq.write_table(table, tmp_path / "log.parquet")
+    assert open_here(tmp_path / "log.parquet").rates == {"dt": 500.0}
+
+
+def test_what_netcdf_never_wrote_is_missing(tmp_path):
+    with h5py.File(tmp_path / "log.nc", "w") as file:
+        file.attrs["_NCProperties"] = "version=2"
+        file.create_dataset("q", (400,), "i2", fillvalue=-32767)[:300] = RAW[:300]
+    q = load(open_here(tmp_path / "log.nc"), "q")
+    np.testing.assert_array_equal(q, np.where(np.arange(400) < 300, RAW, np.nan))
+
+
+STAMPS = np.datetime64("2024-05-12T10:00:00", "us") + (1e6 * TIME).astype("m8[us]")
+
+
+@pytest.mark.parametrize("stamps", [STAMPS, STAMPS - STAMPS[0], STAMPS.astype("M8[ms]")])
+def test_stamps_and_durations_of_numpy_are_seconds(tmp_path, stamps):
+    stamps = stamps.copy()
+    stamps[7] = "NaT"
+    np.savez(tmp_path / "log.npz", t=stamps, q=Q)
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file.create_dataset("t", data=stamps.astype(h5py.opaque_dtype(stamps.dtype)))
+    for log in ("log.npz", "log.h5"):
+        source = open_here(tmp_path / log)
+        assert source.entries()[0].unit == "s"
+        np.testing.assert_allclose(load(source, "t"), np.where(np.arange(400) == 7, np.nan, TIME), atol=1e-9)
+
+
+def test_whole_numbers_beyond_those_with_a_sign(tmp_path):
+    ticks = np.uint64(1 << 63) + np.arange(400, dtype="u8")
+    np.savez(tmp_path / "log.npz", t=ticks)
+    pq.write_table(pa.table({"t": ticks, "": Q}), tmp_path / "log.parquet")
+    for log in ("log.npz", "log.parquet"):
+        np.testing.assert_array_equal(load(open_here(tmp_path / log), "t"), np.arange(400))
+    assert open_here(tmp_path / "log.parquet").entries()[1].name == "column 2"
+
+
+def test_one_channel_that_cannot_be_read_leaves_the_others(tmp_path):
+    from asammdf import MDF, Signal
+
+    arrays = np.rec.fromarrays([np.zeros((400, 3))], dtype=[("arr", "f8", (3,))])
+    with MDF(version="4.10") as mdf:
+        mdf.append([Signal(Q, TIME, name="q"), Signal(arrays, TIME, name="arr")])
+        mdf.save(tmp_path / "log.mf4", overwrite=True)
+    recording = read_recording(tmp_path / "log.mf4")
+    assert "arr" not in recording.listed and "'arr'" in recording.notes[-1]
+    np.testing.assert_allclose(recording.channel("q").samples, Q)
+    with pytest.raises(InputError, match="arr"):
+        read_recording(tmp_path / "log.mf4", channels=["arr"])

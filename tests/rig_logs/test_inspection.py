@@ -459,3 +459,19 @@ def test_the_rate_beside_the_channels_is_suggested(tmp_path):
 def test_a_log_with_time_needs_no_stated_rate(tmp_path):
     draft = _draft(_mat(tmp_path / "log.mat", t=np.arange(900.0), y=WAVE, u=INPUT, fs=200.0))
     assert "ingest" not in draft and draft["channels"]["time"]["channel"] == "t"
+
+
+def test_no_clock_is_taken_for_q_and_no_other_channel_for_a_clock(tmp_path):
+    numbers = np.arange(900)
+    (path := tmp_path / "log.csv").write_text(
+        "# fs: 200\nNo,T,x,u,u\n"
+        + "".join(f"{n},23.5,{q:.5g},{u:.5g},0\n" for n, q, u in zip(numbers, WAVE, INPUT, strict=True))
+    )
+    draft = toml_draft([inspect_log(path)])
+    assert 'q = { channel = "x"' in draft and "sample_rate = 200" in draft and '# one of "u", "u (2)"' in draft
+    both = _mat(tmp_path / "log.mat", T=np.full(900, 23.5), t=numbers / 200.0, x=WAVE, u=INPUT)
+    assert _draft(both)["channels"]["time"]["channel"] == "t"
+    grouped = _draft(_h5(tmp_path / "log.h5", **{"rig/t": numbers / 200.0, "rig/q": WAVE, "rig/v1": INPUT}))
+    assert {key: each["channel"] for key, each in grouped["channels"].items()} == {
+        "time": "rig/t", "q": "rig/q", "v1": "rig/v1",
+    }  # fmt: skip

@@ -2,6 +2,7 @@
 
 import bz2
 import gzip
+import lzma
 import sys
 import zipfile
 
@@ -10,7 +11,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
-from pipeline.rig_logs.source import Limits, UnreadableLogError
+from pipeline.rig_logs.source import CsvOptions, Limits, UnreadableLogError
 from tests.rig_logs.small_logs import TIME, Q, V, load, open_here
 
 
@@ -18,8 +19,8 @@ def _csv():
     return "t [s],q [mm],v [V]\n" + "".join(f"{t:.3f},{q:.9f},{v}\n" for t, q, v in zip(TIME, Q, V, strict=True))
 
 
-def _workbook(path, rows):
-    """A sheet as spreadsheets write it, its texts inline."""
+def _sheet(rows):
+    """The rows of a sheet as spreadsheets write them, its texts inline."""
     cells = (
         "".join(
             f'<c t="inlineStr"><is><t>{cell}</t></is></c>' if isinstance(cell, str) else f"<c><v>{cell!r}</v></c>"
@@ -27,19 +28,25 @@ def _workbook(path, rows):
         )
         for row in rows
     )
+    return "".join(f"<row>{row}</row>" for row in cells)
+
+
+def _workbook(path, rows, hidden=()):
+    """A sheet, and a hidden one behind it."""
     main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
     office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
     package = "http://schemas.openxmlformats.org/package/2006"
-    sheets = "".join(f"<row>{row}</row>" for row in cells)
     files = {
         "[Content_Types].xml": f'<Types xmlns="{package}/content-types"></Types>',
         "_rels/.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="a" Target="xl/workbook.xml" '
         f'Type="{office}/officeDocument"/></Relationships>',
         "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{office}"><sheets><sheet name="Log" sheetId="1" '
-        'r:id="b"/></sheets></workbook>',
+        'r:id="b"/><sheet name="Old" sheetId="2" state="hidden" r:id="c"/></sheets></workbook>',
         "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="b" '
-        f'Target="worksheets/sheet1.xml" Type="{office}/worksheet"/></Relationships>',
-        "xl/worksheets/sheet1.xml": f'<worksheet xmlns="{main}"><sheetData>{sheets}</sheetData></worksheet>',
+        f'Target="worksheets/sheet1.xml" Type="{office}/worksheet"/><Relationship Id="c" '
+        f'Target="worksheets/sheet2.xml" Type="{office}/worksheet"/></Relationships>',
+        "xl/worksheets/sheet1.xml": f'<worksheet xmlns="{main}"><sheetData>{_sheet(rows)}</sheetData></worksheet>',
+        "xl/worksheets/sheet2.xml": f'<worksheet xmlns="{main}"><sheetData>{_sheet(hidden)}</sheetData></worksheet>',
     }
     with zipfile.ZipFile(path, "w") as archive:
         for name, text in files.items():
@@ -51,9 +58,12 @@ def _write(path, kind):
         path.write_bytes(gzip.compress(_csv().encode()))
     elif kind == "bz2":
         path.write_bytes(bz2.compress(_csv().encode()))
+    elif kind == "xz":
+        path.write_bytes(lzma.compress(_csv().encode()))
     elif kind == "zip":
         with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
             archive.writestr("folder/log.csv", _csv())
+            archive.writestr("folder/.DS_Store", b"\0")
     elif kind == "npz":
         with path.open("wb") as file:
             np.savez_compressed(file, t=TIME, q=Q, v=V[:, None], fs=1000.0, objects=np.array([{}]))
@@ -71,7 +81,7 @@ def _write(path, kind):
         _workbook(path, [["Rig 7", "", ""], ["t [s]", "q [mm]", "v"], *np.stack([TIME, Q, V], axis=1).tolist()])
 
 
-KINDS = ["gz", "bz2", "zip", "npz", "npy", "tdms", "xlsx"]
+KINDS = ["gz", "bz2", "xz", "zip", "npz", "npy", "tdms", "xlsx"]
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -129,3 +139,57 @@ def test_a_matrix_and_large_counts_of_numpy(tmp_path):
     np.testing.assert_array_equal(load(source, "m[:,1]"), V)
     np.testing.assert_array_equal(load(source, "ticks"), np.arange(400) * 1_000_001)
     assert "complex" in source.texts["z"]
+
+
+@pytest.mark.parametrize("name", ["log.xlsx", "log.xls", "log", "log.csv"])
+def test_a_workbook_is_known_by_its_content_and_its_hidden_sheets_are_not_read(tmp_path, name):
+    rows = [["t [s]", "q [mm]"], *np.stack([TIME, Q], axis=1).tolist()]
+    _workbook(tmp_path / name, rows, hidden=[*rows, *rows[1:]])
+    source = open_here(tmp_path / name)
+    np.testing.assert_array_equal(load(source, "q"), Q)
+    assert "2 sheets" in source.notes[0] and "'Log'" in source.notes[0]
+
+
+def test_numbers_that_a_workbook_holds_as_text_need_their_decimal_mark(tmp_path):
+    texts = [[t, f"{q:.4f}".replace(".", ",")] for t, q in zip(TIME.tolist(), Q, strict=True)]
+    _workbook(tmp_path / "log.xlsx", [["t [s]", "q [mm]"], *texts])
+    read = open_here(tmp_path / "log.xlsx", CsvOptions(decimal=","))
+    np.testing.assert_allclose(load(read, "q"), Q, atol=1e-4)
+    np.testing.assert_array_equal(load(read, "t"), TIME)
+
+
+@pytest.mark.parametrize(
+    ("properties", "time"),
+    [
+        ({"wf_increment": 1.0, "wf_xunit_string": "ms"}, TIME),
+        ({"wf_increment": 0.001, "wf_start_offset": 0.5}, TIME + 0.5),
+        ({"wf_increment": 0.001, "wf_start_time": np.datetime64("2024-05-12T10:00:00.25")}, TIME + 0.25),
+        ({"wf_increment": 0.001, "wf_xunit_string": "Hz", "wf_xname": "Frequency"}, None),
+    ],
+)
+def test_the_time_of_waveforms_of_tdms(tmp_path, properties, time):
+    nptdms = pytest.importorskip("nptdms")
+    first = {"wf_increment": 0.001, "wf_start_time": np.datetime64("2024-05-12T10:00:00")}
+    with nptdms.TdmsWriter(tmp_path / "log.tdms") as writer:
+        named = (("v", V, first), ("q", Q, properties))
+        writer.write_segment([nptdms.ChannelObject("rig", name, data, of) for name, data, of in named])
+    recording = read_recording(tmp_path / "log.tdms")
+    q = recording.channel("q").time
+    assert (q is None and "over Frequency in Hz" in recording.notes[0]) if time is None else np.allclose(q, time)
+
+
+@pytest.mark.parametrize(
+    ("start", "word"),
+    [
+        (b"CDF\x01", "classic netCDF"),
+        (b"ARROW1", "Parquet"),
+        (b"\x89MCAP", "ROS"),
+        (b"\x80\x04", "pickle"),
+        (b"7z\xbc\xaf", "unpack it"),
+        (b"RIFF", "WAVE"),
+    ],
+)
+def test_a_format_that_is_not_read_is_named(tmp_path, start, word):
+    (tmp_path / "log").write_bytes(start + bytes(range(256)))
+    with pytest.raises(UnreadableLogError, match=word):
+        open_here(tmp_path / "log")

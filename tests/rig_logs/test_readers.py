@@ -247,7 +247,7 @@ def test_a_number_beside_the_channels_that_tells_the_rate_is_named(tmp_path, var
     savemat(tmp_path / "rate.mat", {"q": Q, "gain": 3.0, **variables})
     source = open_here(tmp_path / "rate.mat")
     assert [entry.name for entry in source.entries()] == ["q"]
-    assert len(source.notes) == 1 and "sample_rate = 200" in source.notes[0]
+    assert "sample_rate = 200" in source.notes[-1] and "gain = 3.0, not applied" in source.notes[0]
     assert list(read_recording(tmp_path / "rate.mat").rates.values()) == [200.0]
 
 

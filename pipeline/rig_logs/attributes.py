@@ -1,0 +1,65 @@
+"""What stands beside a channel's samples, whatever the format calls it: its unit, a sample rate, a scale."""
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from pipeline.rig_logs.source import stated_rate
+
+_UNIT = re.compile(r"(?i)units?|unit[ _]?(string|label|text)|ni_unitdescription|einheit(en)?")
+_OFFSET = "offset|intercept"
+_SCALE = re.compile(
+    rf"(?i)(.*[./_])?((scale|scaling|conversion|calibration)([ _]?(factor|coefficient|slope|{_OFFSET}))?|gain|slope|"
+    rf"factor|{_OFFSET}|multiplier|sensitivity|calib\w*|lsb)"
+)
+"""Names by which a number might have to be converted, if no convention says how."""
+
+
+def plain(value: Any) -> Any:
+    """An attribute without the array of one element that may be around it, bytes as text."""
+    single = np.asarray(value).reshape(-1)[0] if np.size(value) == 1 else value
+    return single.decode("utf-8", "replace") if isinstance(single, bytes) else single
+
+
+def unit_among(attributes: Mapping[str, Any], column: int = 0, columns: int = 1) -> str:
+    """The unit that attributes state, of one of several columns where they name as many units; "" where none does."""
+    for name in filter(_UNIT.fullmatch, attributes):
+        value = attributes[name]
+        text = plain(np.asarray(value).reshape(-1)[column] if np.size(value) == columns > 1 else value)
+        if isinstance(text, str):
+            return text
+    return ""
+
+
+def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[float, float]]:
+    """Numbers among attributes that state a sample rate, and that [Hz], by their names; `place` stands before these."""
+    found = {}
+    for name in attributes:
+        number = _number(attributes[name]) if stated_rate(name, 1.0) is not None else None
+        if number is not None and (rate := stated_rate(name, number)) is not None:
+            found[f"{place}.{name}" if place else name] = (number, rate)
+    return found
+
+
+def is_unit(name: str) -> bool:
+    """Whether an attribute of this name states a unit."""
+    return bool(_UNIT.fullmatch(name))
+
+
+def scales_among(attributes: Mapping[str, Any], channel: str = "") -> list[str]:
+    """A note on numbers among attributes by which a channel might have to be converted; none where there are none."""
+    named = []
+    for name in filter(_SCALE.fullmatch, attributes):
+        number, neutral = _number(attributes[name]), 0.0 if re.search(_OFFSET, name, re.IGNORECASE) else 1.0
+        named += [f"{name} = {plain(attributes[name])}"] if number != neutral else []
+    what = f"{', '.join(named)}, not applied here" + (f" to {channel!r}" if channel else "")
+    return [f"{what}: see scale and offset in [channels]"] if named else []
+
+
+def _number(value: Any) -> float | None:
+    try:
+        return float(plain(value))
+    except (ValueError, TypeError):
+        return None
