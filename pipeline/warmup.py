@@ -45,7 +45,7 @@ def _hybrid() -> None:
     from pipeline.device_parameters import NOMINAL
     from pipeline.models.hybrid.driving_voltages import DrivingVoltages
     from pipeline.models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
-    from pipeline.models.hybrid.runs import run_joints
+    from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
     from pipeline.models.hybrid.sensitivity import Driven, sensitivities
     from pipeline.models.hybrid.statics import static_curves, substeps
 
@@ -56,14 +56,15 @@ def _hybrid() -> None:
     undisturbed = instruments(np.zeros(len(nominal_deviations())))
     for shape in ((2, 2), (3, 10, 2)):
         u = DrivingVoltages(np.zeros(shape), dt).squared(1, undisturbed, 1.0)[None]
+    stepping = Stepping(dt, 1, 0.05, 1.0)
     for joints in (1, 2):
         run_joints(
-            np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis, u, np.zeros(joints, dtype=np.int64),
-            np.zeros(joints), np.zeros(3), np.zeros(u.shape[1]),
-            np.zeros((u.shape[1] - 1) // 2 + 1), dt, 1, 0.05, 1.0,
+            Laws(np.tile(k, (joints, 1)), np.tile(weights, (joints, 1, 1)), basis),
+            Driving(u, np.zeros(joints, dtype=np.int64), np.zeros(joints), np.zeros(3)),
+            Followed(np.zeros(u.shape[1]), np.zeros((u.shape[1] - 1) // 2 + 1)), stepping,
         )  # fmt: skip
     driven = Driven(u[0], np.zeros((4, u.shape[1], 2)), np.zeros(0), np.zeros(0), np.zeros(3))
-    sensitivities(k, basis, weights, np.abs(k), np.ones(len(weights)), 0.0, driven, dt, 1, 0.05, 1.0)
+    sensitivities(Laws(k, weights, basis), np.abs(k), np.ones(len(weights)), 0.0, driven, stepping)
     static_curves(np.zeros(2), k, basis, weights)
 
 

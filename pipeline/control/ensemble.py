@@ -8,7 +8,7 @@ from scipy.special import ndtri
 
 from pipeline.control.estimator import PERIOD
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.runs import run_joints
+from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
 from pipeline.numerics.arrays import FloatArray
 
 INTERVAL = 4e-3
@@ -123,9 +123,12 @@ class Ensemble:
         plays, count, half, _ = squares.shape
         samples = (half - 1) // (2 * self.steps) + 1
         runs = run_joints(
-            np.tile(self.constants, (plays, 1)), np.tile(self.weights, (plays, 1, 1)), self.basis,
-            squares.reshape(plays * count, half, 2), np.arange(plays * count), np.tile(self.offsets, plays),
-            np.array([start, 0.0, 0.0]), np.zeros(0), np.zeros(samples), INTERVAL, self.steps, self.wall, self.lead,
+            Laws(np.tile(self.constants, (plays, 1)), np.tile(self.weights, (plays, 1, 1)), self.basis),
+            Driving(
+                squares.reshape(plays * count, half, 2), np.arange(plays * count), np.tile(self.offsets, plays),
+                np.array([start, 0.0, 0.0]),
+            ),
+            Followed(np.zeros(0), np.zeros(samples)), Stepping(INTERVAL, self.steps, self.wall, self.lead),
         )  # fmt: skip
         return np.ascontiguousarray(runs[:, 1:, 0].reshape(plays, count, samples - 1))
 

@@ -125,12 +125,12 @@ from pipeline.generated.condensed_joint import AT_REST, CORRECTIONS, ELEMENT_STA
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN, PREPARE
 from pipeline.models.hybrid import parameters
 from pipeline.models.hybrid.kernels import INDEX
-from pipeline.models.hybrid.runs import run_joints
+from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
 from pipeline.device_parameters import NOMINAL
 
 samples, steps = 51, 4
 u = np.zeros((1, 2 * steps * (samples - 1) + 1, 2))
-common = (np.zeros(0), np.zeros(samples), 0.01, steps, 0.045, 14.0)
+common = (Followed(np.zeros(0), np.zeros(samples)), Stepping(0.01, steps, 0.045, 14.0))
 
 def drawn(name):
     deviations = np.full((9, len(parameters.NAMES)), 0.0)
@@ -141,7 +141,9 @@ def drawn(name):
 
 def run(k):
     offset, which = np.zeros(len(k)), np.zeros(len(k), dtype=np.int64)
-    return run_joints(k, np.zeros((len(k), 9, 0)), np.zeros(3), u, which, offset, np.array([-0.011, 0.3, 0.0]), *common)
+    laws = Laws(k, np.zeros((len(k), 9, 0)), np.zeros(3))
+    driving = Driving(u, which, offset, np.array([-0.011, 0.3, 0.0]))
+    return run_joints(laws, driving, *common)
 
 found = {"states": STATES, "at_rest": AT_REST}
 for name in ("log dry force", "log branch stiffness"):

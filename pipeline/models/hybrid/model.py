@@ -20,7 +20,7 @@ from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
 from pipeline.models.hybrid.kernels import CURVES
 from pipeline.models.hybrid.problem import CondensedJoint, simulate
-from pipeline.models.hybrid.runs import BATCH, follow_path
+from pipeline.models.hybrid.runs import BATCH, Followed, follow_path
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.statics import static_curves, substeps
 from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table
@@ -319,17 +319,16 @@ class HybridModel:
             pole[:last] = 1.0 / dt
             nodes = np.arange(2.0 * steps * (len(t) - 1) + 1.0) / (2 * steps)
             path = CubicSpline(np.arange(last + 1.0), held)(np.minimum(nodes, last))
+        followed, stepping = Followed(path, pole), self.joint.stepping(dt, steps)
         if not driving.refined:
-            return simulate(self.joint, thetas, inputs, start, path, pole, dt, steps, built=built)
+            return simulate(self.joint, thetas, inputs, start, followed, stepping, built=built)
         # Samples of a log that is known between them have been low-pass filtered, so these are too.
         runs = []
         for rows in (
             slice(first, first + BATCH) for first in range(0, len(thetas), BATCH)
         ):  # every step of all is much
             begin, made = start if start.ndim == 1 else start[rows], (built[0][rows], built[1][rows])
-            every = simulate(
-                self.joint, thetas[rows], inputs, begin, path, pole, dt, steps, every_step=True, built=made
-            )
+            every = simulate(self.joint, thetas[rows], inputs, begin, followed, stepping, every_step=True, built=made)
             runs.append(filtered_samples(every, steps))
         return np.concatenate(runs)
 

@@ -16,7 +16,7 @@ from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.columns import INSTRUMENTS
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
 from pipeline.models.hybrid.kernels import CURVES, INDEX
-from pipeline.models.hybrid.runs import run_joints
+from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
 from pipeline.models.hybrid.sensitivity import Driven, sensitivities
 from pipeline.models.hybrid.similarity import SAME, Similarity
 from pipeline.models.hybrid.statics import substeps
@@ -160,6 +160,10 @@ class CondensedJoint:
     def lead(self) -> float:
         """dτ/dq [1/m] of slow motions."""
         return self.slope_ratio / self.length
+
+    def stepping(self, dt: float, steps: int) -> Stepping:
+        """Steps of a run of this joint, so many in a sample interval `dt` [s]."""
+        return Stepping(dt, steps, self.q_stop, self.lead)
 
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
@@ -307,10 +311,8 @@ class _Log:
             thetas,
             lambda seen: self._inputs(seen, steps, joint.largest_voltage),
             self._start,
-            path,
-            pole,
-            self.dt,
-            steps,
+            Followed(path, pole),
+            joint.stepping(self.dt, steps),
         )
         error: FloatArray = (runs[:, :, 0] - self.q) * 1e3
         return error
@@ -331,8 +333,8 @@ class _Log:
         by_inputs = np.array([(self.v.squared(steps, one, largest) - u) / step for step, one in moves])
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
         derivatives = sensitivities(
-            joint.constants(theta), joint.basis, joint.weights(theta), np.abs(by_theta.constants).max(axis=1),
-            by_theta.weights, seen.offset, driven, self.dt, steps, joint.q_stop, joint.lead,
+            Laws(joint.constants(theta), joint.weights(theta), joint.basis), np.abs(by_theta.constants).max(axis=1),
+            by_theta.weights, seen.offset, driven, joint.stepping(self.dt, steps),
         )  # fmt: skip
         at, active = self.compared(gain), np.any(by_theta.constants, axis=1)
         chain = 1e3 * np.concatenate([by_theta.constants[active], by_theta.instruments])
@@ -388,7 +390,7 @@ def _visibility(valid: BoolArray, dt: float) -> tuple[BoolArray, FloatArray]:
 
 def simulate(
     joint: CondensedJoint, thetas: FloatArray, inputs: Callable[[condensed_parameters.Instruments], FloatArray],
-    start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, steps: int, *, every_step: bool = False,
+    start: FloatArray, followed: Followed, stepping: Stepping, *, every_step: bool = False,
     built: tuple[FloatArray, FloatArray] | None = None,
 ) -> FloatArray:  # fmt: skip
     """Runs of several θ through one log, as the laser reads them, shape (B, N, 3); see `run_joints`.
@@ -400,12 +402,10 @@ def simulate(
     keys = [(instrument.delay, instrument.charging, *instrument.probe) for instrument in seen]
     first = {key: i for i, key in reversed(list(enumerate(keys)))}
     order = {key: v for v, key in enumerate(first)}
-    return run_joints(
-        constants,
-        weights,
-        joint.basis,
+    driving = Driving(
         np.array([inputs(seen[i]) for i in first.values()]),
         np.array([order[key] for key in keys]),
         np.array([instrument.offset for instrument in seen]),
-        start, observed, gain, dt, steps, joint.q_stop, joint.lead, every_step,
-    )  # fmt: skip
+        start,
+    )
+    return run_joints(Laws(constants, weights, joint.basis), driving, followed, stepping, every_step=every_step)

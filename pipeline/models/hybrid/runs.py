@@ -160,22 +160,29 @@ def _finish_of(w: int) -> Any:
 _integrate = integrator(Joints, _methods)
 
 
-def run_joints(
-    constants: FloatArray, weights: FloatArray, basis: FloatArray, u: FloatArray, variant: NDArray[np.int64],
-    offset: FloatArray, start: FloatArray, observed: FloatArray, gain: FloatArray, dt: float, substeps: int,
-    q_stop: float, lead: float, every_step: bool = False,
-) -> FloatArray:  # fmt: skip
-    """Simulate joints from rest, freely or held near a measured displacement by an `observer`.
+class Laws(NamedTuple):
+    """Constants and corrections of B joints.
 
-    Parameters
+    Attributes
     ----------
     constants : FloatArray, shape (B, len(CONSTANTS))
-        Constants of each joint.
     weights : FloatArray, shape (B, 9, M)
-        Weights of its corrections.
+        Of the corrections.
     basis : FloatArray, shape (3,)
         See `pipeline.models.hybrid.kernels.corrections_at`.
-    u : FloatArray, shape (V, 2 substeps (N−1) + 1, 2)
+    """
+
+    constants: FloatArray
+    weights: FloatArray
+    basis: FloatArray
+
+
+class Driving(NamedTuple):
+    """Voltages and lasers of B joints, and how their runs start.
+
+    Attributes
+    ----------
+    squares : FloatArray, shape (V, 2 substeps (N−1) + 1, 2)
         Squared voltages [V²] on the half steps, as V different sets of instruments show them.
     variant : NDArray[int64], shape (B,)
         Which of them drives each joint.
@@ -184,16 +191,57 @@ def run_joints(
     start : FloatArray, shape (3,) or (B, 3)
         Reading [m] and its rate [m/s] at the first sample, and the time [s] since the recording began, of all joints or
         of each.
-    observed : FloatArray, shape (2 substeps (N−1) + 1,) or (0,)
-        Reading [m] on the half steps, for the observer.
-    gain : FloatArray, shape (N,)
+    """
+
+    squares: FloatArray
+    variant: NDArray[np.int64]
+    offset: FloatArray
+    start: FloatArray
+
+
+class Followed(NamedTuple):
+    """What an `observer` follows.
+
+    Attributes
+    ----------
+    reading : FloatArray, shape (2 substeps (N−1) + 1,) or (0,)
+        Reading [m] on the half steps.
+    pole : FloatArray, shape (N,)
         Observer pole L [1/s] in each sample interval; 0 is a free run.
+    """
+
+    reading: FloatArray
+    pole: FloatArray
+
+
+class Stepping(NamedTuple):
+    """Steps of a run, and two numbers that every joint of it shares.
+
+    Attributes
+    ----------
     dt, substeps : float, int
         Sample interval [s] and Runge-Kutta steps in it.
-    q_stop : float
+    wall : float
         Displacement [m] of the wall that confines every run.
     lead : float
         dτ/dq [1/m] of slow motions.
+    """
+
+    dt: float
+    substeps: int
+    wall: float
+    lead: float
+
+
+def run_joints(
+    laws: Laws, driving: Driving, followed: Followed, stepping: Stepping, *, every_step: bool = False
+) -> FloatArray:
+    """Simulate joints from rest, freely or held near a measured displacement by an `observer`.
+
+    Parameters
+    ----------
+    laws, driving, followed, stepping
+        The joints, their voltages, the measurement, the steps.
     every_step : bool
         Return every Runge-Kutta step, not the samples alone.
 
@@ -203,32 +251,32 @@ def run_joints(
         q, q̇, q̈ as the laser reads them; NaN from the sample on at which the state is no longer finite.
         Cost: 37.5 s at 5 ms take 3 ms for one joint and 5 ms for eight.
     """
-    count, samples = len(constants), len(gain)
+    constants, weights, basis = laws
+    count, samples, substeps = len(constants), len(followed.pole), stepping.substeps
     shown, parts = (substeps * (samples - 1) + 1, 1) if every_step else (samples, substeps)
     span, prepared = table_span(basis, weights.shape[2]), prepare(constants)
     alike = bool(np.all(weights == weights[:1]))
     tables = tabulate(basis, weights[:1] if alike else weights)
-    poles = np.repeat(gain, 2 * substeps) if np.any(gain > 0.0) else np.zeros(0)
-    starts = np.broadcast_to(start, (count, 3))
+    poles = np.repeat(followed.pole, 2 * substeps) if np.any(followed.pole > 0.0) else np.zeros(0)
     out = np.empty((count, shown, 3))
     width = 1 if count == 1 else BATCH
     for first in range(0, count, width):
         chosen = np.minimum(np.arange(first, first + width), count - 1)
-        x, z = _at_rest(constants, prepared, weights, basis, u, variant, offset, starts, chosen)
+        x, z = _at_rest(laws, prepared, driving, chosen)
         shown_states = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), z,
-            np.zeros(2 * width), np.zeros(2 * width), np.zeros(2), u, variant[chosen],
+            np.zeros(2 * width), np.zeros(2 * width), np.zeros(2), driving.squares, driving.variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
-            offset[chosen], observed, poles,
-            q_stop, lead, np.zeros((0, 2)),
+            driving.offset[chosen], followed.reading, poles,
+            stepping.wall, stepping.lead, np.zeros((0, 2)),
         )  # fmt: skip
-        _integrate(system, x, shown_states, workspace(x), parts, dt / substeps, -np.inf, np.inf)
+        _integrate(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
         filled = min(width, count - first)
         out[first : first + filled] = shown_states.transpose(2, 0, 1)[:filled]
     if not np.isfinite(out.sum()):
         out[np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)] = np.nan
-    out[:, :, 0] += offset[:, None]
+    out[:, :, 0] += driving.offset[:, None]
     return out
 
 
@@ -260,13 +308,16 @@ def _rows(values: FloatArray) -> FloatArray:
 
 
 def _at_rest(
-    constants: FloatArray, prepared: FloatArray, weights: FloatArray, basis: FloatArray, u: FloatArray,
-    variant: NDArray[np.int64], offset: FloatArray, start: FloatArray, chosen: NDArray[np.int64],
-) -> tuple[FloatArray, FloatArray]:  # fmt: skip
+    laws: Laws, prepared: FloatArray, driving: Driving, chosen: NDArray[np.int64]
+) -> tuple[FloatArray, FloatArray]:
     """States and stop operators of the chosen joints at rest at the first sample, in rows."""
     x, z = np.empty((len(chosen), STATES)), np.empty((len(chosen), STOPS))
+    starts = np.broadcast_to(driving.start, (len(prepared), 3))
     for j, i in enumerate(chosen):
-        q, age = start[i, 0] - offset[i], start[i, 2]
-        x[j], z[j] = rest_state(q, u[variant[i], 0], constants[i], prepared[i], basis, weights[i], age)
-        x[j, 1] = start[i, 1]
+        reading, rate, age = starts[i]
+        x[j], z[j] = rest_state(
+            reading - driving.offset[i], driving.squares[driving.variant[i], 0], laws.constants[i], prepared[i],
+            laws.basis, laws.weights[i], age,
+        )  # fmt: skip
+        x[j, 1] = rate
     return _rows(x), _rows(z)

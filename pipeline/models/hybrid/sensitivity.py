@@ -14,7 +14,7 @@ from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid.columns import BATCH, INSTRUMENTS, blocks, columns_of, propagate
 from pipeline.models.hybrid.kernels import CURVES, VALUES, table_span, tabulate
 from pipeline.models.hybrid.kernels import prepare as prepare_rates
-from pipeline.models.hybrid.runs import Joints
+from pipeline.models.hybrid.runs import Joints, Laws, Stepping
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray, SingleArray
 from pipeline.numerics.inner_loops import FAST
@@ -63,17 +63,14 @@ class Sensitivity:
 
 
 def sensitivities(
-    k: FloatArray, basis: FloatArray, weights: FloatArray, scale: FloatArray, widths: FloatArray, offset: float,
-    driven: Driven, dt: float, substeps: int, q_stop: float, lead: float,
-) -> Sensitivity:  # fmt: skip
+    laws: Laws, scale: FloatArray, widths: FloatArray, offset: float, driven: Driven, stepping: Stepping
+) -> Sensitivity:
     """The run of one joint from rest, as in `run_joints`, and its derivatives.
 
     Parameters
     ----------
-    k : FloatArray, shape (len(CONSTANTS),)
-        Constants.
-    basis, weights : FloatArray
-        Of the corrections, see `run_joints`; of one joint.
+    laws : Laws
+        Of one joint: constants (len(CONSTANTS),), weights (9, M).
     scale : FloatArray, shape (len(CONSTANTS),)
         By how much each constant may change; zero for those whose derivatives are not asked.
     widths : FloatArray, shape (9,)
@@ -82,7 +79,7 @@ def sensitivities(
         Of the laser [m]: reading = q + offset.
     driven : Driven
         Voltages and observer.
-    dt, substeps, q_stop, lead
+    stepping : Stepping
         As in `run_joints`.
 
     Returns
@@ -90,22 +87,22 @@ def sensitivities(
     Sensitivity
         Cost: 1.4 µs a stage for 104 constants, 2.3 with corrections; 37.5 s at two steps in 10 ms take 43 and 70 ms.
     """
-    steps = (len(driven.squares) - 1) // 2
-    active = np.flatnonzero(scale)
-    x, z, starts, stops = _starts(k, basis, weights, scale, active, widths, offset, driven.start, driven.squares[0],
-                                  driven.by_instruments[:, 0])  # fmt: skip
+    k, weights, basis = laws
+    dt, substeps, wall, lead = stepping
+    steps, active = (len(driven.squares) - 1) // 2, np.flatnonzero(scale)
+    x, z, starts, stops = _starts(laws, scale, active, widths, offset, driven)
     p, only = prepare_rates(k[None])[0], np.zeros(1, dtype=np.int64)
     system = Joints(
         (0,), p, np.zeros(VALUES), z, np.zeros(2), np.zeros(2), np.zeros(2), driven.squares[None], only, only,
         table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), np.array([offset]), driven.observed,
-        driven.pole, q_stop, lead, np.zeros((0, 2)),
+        driven.pole, wall, lead, np.zeros((0, 2)),
     )  # fmt: skip
     points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
     _run(system, x, dt / substeps, points, slips)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
     propagate(
         points, slips, k, basis, weights, driven.squares, driven.by_instruments, driven.pole,
-        dt / substeps, substeps, q_stop, lead, columns_of(active), starts, stops, displacements,
+        dt / substeps, substeps, wall, lead, columns_of(active), starts, stops, displacements,
     )  # fmt: skip
     first, count = len(active) + INSTRUMENTS, weights.shape[1]
     by_weights = displacements[:, first : first + CURVES * count].reshape(len(displacements), CURVES, count)
@@ -113,10 +110,11 @@ def sensitivities(
 
 
 def _starts(
-    k: FloatArray, basis: FloatArray, weights: FloatArray, scale: FloatArray, active: NDArray[np.int64],
-    widths: FloatArray, offset: float, start: FloatArray, u: FloatArray, by_instruments: FloatArray,
-) -> tuple[FloatArray, FloatArray, SingleArray, SingleArray]:  # fmt: skip
+    laws: Laws, scale: FloatArray, active: NDArray[np.int64], widths: FloatArray, offset: float, driven: Driven
+) -> tuple[FloatArray, FloatArray, SingleArray, SingleArray]:
     """State and stop operators at rest, and the columns' derivatives of them, (blocks, rows, BATCH)."""
+    k, weights, basis = laws
+    start, u, by_instruments = driven.start, driven.squares[0], driven.by_instruments[:, 0]
     q, first, centres = start[0] - offset, len(active) + INSTRUMENTS, weights.shape[1]
     total = blocks(first + weights.size)
     starts, stops = (np.zeros((total, rows, BATCH), dtype=np.float32) for rows in (STATES, STOPS))

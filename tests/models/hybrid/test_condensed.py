@@ -42,7 +42,7 @@ from pipeline.models.hybrid.kernels import (
     tabulate,
 )
 from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
-from pipeline.models.hybrid.runs import BATCH, follow_path, run_joints
+from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, Stepping, follow_path, run_joints
 from pipeline.models.hybrid.statics import rest_state, static_curves, substeps
 from pipeline.numerics.arrays import FloatArray
 
@@ -75,9 +75,11 @@ def run(
     """q, q̇, q̈ of one joint through perfect instruments."""
     lead = RATIO / float(k[INDEX["l"]])
     return run_joints(
-        k[None], weights[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.zeros(1),
-        np.array([q0, 0.0, 0.0]), observed, poles, 0.01, steps, 0.045, lead,
-    )[0]  # fmt: skip
+        Laws(k[None], weights[None], BASIS),
+        Driving(u[None], np.zeros(1, dtype=np.int64), np.zeros(1), np.array([q0, 0.0, 0.0])),
+        Followed(observed, poles),
+        Stepping(0.01, steps, 0.045, lead),
+    )[0]
 
 
 def prepared(k: FloatArray) -> FloatArray:
@@ -295,14 +297,13 @@ def test_joints_side_by_side_move_as_each_alone() -> None:
     weights = np.array([drawn_weights(j) for j in range(len(k))])
     u = np.zeros((1, 2 * steps * (samples - 1) + 1, 2))
     u[0, 100:, 0] = 2500.0**2
-    rest = (np.zeros(0), np.zeros(samples), 0.01, steps, 0.045, 14.0)
+    rest = Followed(np.zeros(0), np.zeros(samples)), Stepping(0.01, steps, 0.045, 14.0)
 
     def moved(chosen: slice) -> FloatArray:
         count = len(k[chosen])
         one = np.zeros(count, dtype=np.int64)
-        return run_joints(
-            k[chosen], weights[chosen], BASIS, u, one, np.zeros(count), np.array([-0.011, 0.0, 0.0]), *rest
-        )
+        driving = Driving(u, one, np.zeros(count), np.array([-0.011, 0.0, 0.0]))
+        return run_joints(Laws(k[chosen], weights[chosen], BASIS), driving, *rest)
 
     together = moved(slice(None))
     for j in range(len(k)):
@@ -319,9 +320,11 @@ def test_a_softening_joint_moves_as_one_with_so_much_less_modulus() -> None:
 
     def q(joint: FloatArray, age: float) -> FloatArray:
         return run_joints(
-            joint[None], NO_WEIGHTS[None], BASIS, u[None], np.zeros(1, dtype=np.int64), np.zeros(1),
-            np.array([-0.011, 0.0, age]), NOTHING, poles, 0.01, 3, 0.045, 14.0,
-        )[0, :, 0]  # fmt: skip
+            Laws(joint[None], NO_WEIGHTS[None], BASIS),
+            Driving(u[None], np.zeros(1, dtype=np.int64), np.zeros(1), np.array([-0.011, 0.0, age])),
+            Followed(NOTHING, poles),
+            Stepping(0.01, 3, 0.045, 14.0),
+        )[0, :, 0]
 
     softer[INDEX["softening"]] = 0.0
     firm = q(k, 0.0)
@@ -499,7 +502,7 @@ SHORT_RUN = """
 import hashlib
 import numpy as np
 from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.runs import run_joints
+from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
 from pipeline.device_parameters import NOMINAL
 
 k = condensed_parameters.constants(NOMINAL, np.zeros(len(condensed_parameters.NAMES)), 1.26)
@@ -507,8 +510,9 @@ u = np.zeros((1, 1201, 2))
 u[0, 60:600, 0] = 2800.0**2
 weights = np.full((1, 9, 5), 0.5) * condensed_parameters.correction_prior_std(NOMINAL)[:, None]
 q = run_joints(
-    k[None], weights, np.array([-0.02, 0.01, 0.008]), u, np.zeros(1, dtype=np.int64), np.zeros(1),
-    np.array([-0.011, 0.0, 0.0]), np.zeros(0), np.zeros(201), 0.01, 3, 0.045, 14.0,
+    Laws(k[None], weights, np.array([-0.02, 0.01, 0.008])),
+    Driving(u, np.zeros(1, dtype=np.int64), np.zeros(1), np.array([-0.011, 0.0, 0.0])),
+    Followed(np.zeros(0), np.zeros(201)), Stepping(0.01, 3, 0.045, 14.0),
 )
 print(hashlib.sha256(q.tobytes()).hexdigest())
 """
