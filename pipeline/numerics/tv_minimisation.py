@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tv_newton import Iterate, Step, advance, newton_step, newton_step_high_order, objective
+from pipeline.numerics.tv_newton import Iterate, NewtonStep, advance, newton_step, newton_step_high_order, objective
 
 Status = Literal["converged", "iteration limit", "limited by rounding"]
 
@@ -101,7 +101,7 @@ class _Iterate:
         y, t, q, p, dy, dt, dp = (np.zeros(n) for _ in range(7))
         self.problem = problem
         self.at = Iterate(problem.b, y, t, q, p, problem.lam_of_terms())
-        self.step = Step(dy, dt, dp, np.empty((n, problem.order + 2)))
+        self.step = NewtonStep(dy, dt, dp, np.empty((n, problem.order + 2)))
 
     def find_step(self, delta: float) -> tuple[float, float]:
         """Solve for the Newton step; return the longest dual step and the objective after a full one."""

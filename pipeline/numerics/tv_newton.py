@@ -58,7 +58,7 @@ class Iterate(NamedTuple):
     lam: FloatArray
 
 
-class Step(NamedTuple):
+class NewtonStep(NamedTuple):
     """A Newton step, which the kernels write, and their work space.
 
     Attributes
@@ -108,7 +108,9 @@ def within_bounds(longest: float, p: float, dp: float) -> float:
 
 
 @compiled
-def newton_step(at: Iterate, step: Step, delta: float, gamma: float, first_variance: float) -> tuple[float, float]:
+def newton_step(
+    at: Iterate, step: NewtonStep, delta: float, gamma: float, first_variance: float
+) -> tuple[float, float]:
     """Write the Newton step; return the longest dual step and the objective after a full step.
 
     The longest dual step is the one that keeps |p| ≤ 1; the objective is that of `objective`.
@@ -117,7 +119,7 @@ def newton_step(at: Iterate, step: Step, delta: float, gamma: float, first_varia
     ----------
     at : Iterate
         Where the step starts.
-    step : Step
+    step : NewtonStep
         The step (output).
     delta : float
         Rounding of the total variation [unit of the data].
@@ -147,7 +149,7 @@ def newton_step(at: Iterate, step: Step, delta: float, gamma: float, first_varia
 
 
 @compiled(inline="always")
-def _filter(at: Iterate, step: Step, delta: float, gamma: float, m0: float, m1: float, p11: float) -> None:
+def _filter(at: Iterate, step: NewtonStep, delta: float, gamma: float, m0: float, m1: float, p11: float) -> None:
     """Kalman filter from value `m0` and increment `m1`, covariance [[1, 1], [1, `p11`]]; mu to `dt`, v to `dy`."""
     b, y, t, q, p, lam = at
     dy, dt, _, gains = step
@@ -175,7 +177,7 @@ def _filter(at: Iterate, step: Step, delta: float, gamma: float, m0: float, m1: 
 
 
 @compiled(inline="always")
-def _smooth(at: Iterate, step: Step, delta: float, gamma: float) -> tuple[float, float, float, float, float]:
+def _smooth(at: Iterate, step: NewtonStep, delta: float, gamma: float) -> tuple[float, float, float, float, float]:
     """Adjoint sweep down to sample 2: the adjoint there, the longest dual step, variation and squared misfit."""
     b, y, t, q, p, lam = at
     dy, dt, dp, gains = step
@@ -199,7 +201,7 @@ def _smooth(at: Iterate, step: Step, delta: float, gamma: float) -> tuple[float,
 
 
 @compiled
-def objective(at: Iterate, step: Step, share: float, delta: float) -> float:
+def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> float:
     """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line."""
     b, y, t, _, _, lam = at
     dy, dt, _, _ = step
@@ -213,7 +215,7 @@ def objective(at: Iterate, step: Step, share: float, delta: float) -> float:
 
 
 @compiled
-def advance(at: Iterate, step: Step, primal: float, dual: float, delta: float) -> float:
+def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: float) -> float:
     """Add `primal` times the step to y and t, and `dual` times the step to q and p, in place; return the duality gap.
 
     The gap, primal less dual objective, is a sum of squares.  With ``t = r sin a``, ``delta = r cos a`` and
@@ -242,7 +244,7 @@ def advance(at: Iterate, step: Step, primal: float, dual: float, delta: float) -
 
 @compiled
 def newton_step_high_order(
-    at: Iterate, step: Step, delta: float, order: int, first_variance: float
+    at: Iterate, step: NewtonStep, delta: float, order: int, first_variance: float
 ) -> tuple[float, float]:
     """The Newton step for a variation of the second or a higher derivative; `newton_step` is its case m = 1.
 
@@ -272,7 +274,7 @@ def newton_step_high_order(
 
 
 @compiled(inline="always")
-def _filter_chain(at: Iterate, step: Step, delta: float, start: FloatArray, cov: FloatArray) -> None:
+def _filter_chain(at: Iterate, step: NewtonStep, delta: float, start: FloatArray, cov: FloatArray) -> None:
     """As `_filter`, from the `start` of `difference_weights` with the covariance `cov`, which is overwritten."""
     b, y, t, q, p, lam = at
     dy, dt, _, gains = step
@@ -296,7 +298,7 @@ def _filter_chain(at: Iterate, step: Step, delta: float, start: FloatArray, cov:
 
 
 @compiled(inline="always")
-def _smooth_chain(at: Iterate, step: Step, delta: float, adjoint: FloatArray) -> tuple[float, float, float]:
+def _smooth_chain(at: Iterate, step: NewtonStep, delta: float, adjoint: FloatArray) -> tuple[float, float, float]:
     """As `_smooth`; `adjoint`, zero before, holds that of the first sample after the start."""
     b, y, t, q, p, lam = at
     dy, dt, dp, gains = step

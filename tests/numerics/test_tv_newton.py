@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tv_newton import Iterate, Step, newton_step, newton_step_high_order, one_minus_product
+from pipeline.numerics.tv_newton import Iterate, NewtonStep, newton_step, newton_step_high_order, one_minus_product
 
 
 def dense_step(
@@ -45,7 +45,7 @@ def test_smoother_is_the_newton_step(order: int, fitted: bool, n: int) -> None:
 
     kernels = [(newton_step_high_order, order)] + ([(newton_step, 1.0)] if order == 1 else [])
     for kernel, shape in kernels:
-        step = Step(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
+        step = NewtonStep(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
         longest, value = kernel(Iterate(b, y, t, q, p, lam), step, delta, shape, float(fitted))
         dy, dt, dp, _ = step
         np.testing.assert_allclose(dy, expected[0], atol=1e-10)
@@ -66,7 +66,7 @@ def test_step_is_accurate_where_the_banded_matrix_is_singular(order: int) -> Non
     rng = np.random.default_rng(0)
     b = np.polyval(np.ones(order + 1), i / n) + rng.standard_normal(n)
     zero = np.zeros(n)
-    step = Step(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
+    step = NewtonStep(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
     newton_step_high_order(Iterate(b, zero, zero, zero, zero, np.ones(n)), step, 1e-20, order, 1.0)
     np.testing.assert_allclose(step.dy, np.polyval(np.polyfit(i, b, order), i), atol=1e-9 if order < 4 else 2e-6)
 

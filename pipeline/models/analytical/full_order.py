@@ -201,7 +201,7 @@ def simulate(
     count, solution = t.size, no_solution(t.size)
     states, rates, steps = solution
     load = np.zeros(count) if force is None else np.ascontiguousarray(force)
-    drive = Drive(np.ascontiguousarray(t), np.ascontiguousarray(v), load)
+    drive = Inputs(np.ascontiguousarray(t), np.ascontiguousarray(v), load)
     valid = integrate(drive, x0, parameters.vector(), tolerance * state_scale(parameters), REACH, solution)
     states[valid:], rates[valid:] = np.nan, np.nan
     qm, qm_dot, qm_ddot = states[:, :4], states[:, 4:8], rates[:, 4:8]
@@ -220,7 +220,7 @@ MOST_TRIES = 20_000
 one that blows up would never end."""
 
 
-class Drive(NamedTuple):
+class Inputs(NamedTuple):
     """What drives a joint: sample times [s] (N,), voltages [V] (N, 2) and force along q [N] (N,), linear in between."""
 
     t: FloatArray
@@ -339,12 +339,12 @@ def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
 
 
 @compiled(nogil=True)
-def integrate(drive: Drive, x0: FloatArray, p: FloatArray, scale: FloatArray, reach: float, solution: Solution) -> int:
+def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, reach: float, solution: Solution) -> int:
     """Integrate under voltages and force that are linear between samples.
 
     Parameters
     ----------
-    drive : Drive
+    drive : Inputs
         The inputs; every sample is a step's end, so that no step sees a kink of them.
     x0, p : FloatArray, shapes (11,) and (41,)
         Initial state and parameters.

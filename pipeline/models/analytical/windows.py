@@ -19,7 +19,7 @@ import numpy as np
 
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
-from pipeline.models.analytical.full_order import REACH, Drive, integrate, no_solution, rest_states, state_scale
+from pipeline.models.analytical.full_order import REACH, Inputs, integrate, no_solution, rest_states, state_scale
 from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains
 from pipeline.models.analytical.sensitivity import state_sensitivities
 from pipeline.models.analytical.statics import unactuated_path
@@ -223,7 +223,7 @@ def simulate_windows(
         """The motion over one window."""
         t, v, _ = part.drive
         solution = no_solution(t.size)
-        valid = integrate(Drive(t, v, np.zeros(t.size)), start, p, scale, REACH, solution)
+        valid = integrate(Inputs(t, v, np.zeros(t.size)), start, p, scale, REACH, solution)
         return WindowRun(solution.states, solution.rates, valid)
 
     def errors(run: WindowRun, part: Window) -> FloatArray:

@@ -11,7 +11,7 @@ from pipeline.generated import analytical_joint as kernels
 from pipeline.models.analytical.full_order import (
     MOST_TRIES,
     REACH,
-    Drive,
+    Inputs,
     integrate,
     no_solution,
     rest_state,
@@ -205,6 +205,6 @@ def test_a_joint_that_blows_up_ends_its_run() -> None:
     p[VECTOR_NAMES.index("eta")] *= -1.0
     solution = no_solution(len(t))
     scale, start = 1e-6 * state_scale(UNEQUAL), rest_state(UNEQUAL, START, 0.0, v[0])
-    valid = integrate(Drive(t, v, np.zeros(len(t))), start, p, scale, REACH, solution)
+    valid = integrate(Inputs(t, v, np.zeros(len(t))), start, p, scale, REACH, solution)
     assert 0 < valid < len(t)
     assert solution.steps.sum() < MOST_TRIES * (valid + 1)
