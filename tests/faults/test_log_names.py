@@ -7,7 +7,9 @@ from pipeline.names import SAFE, check_log_name, check_name, log_name, slug
 LONG = "2024-04-23_12-00-05_rig-B_joint-07_pulses_2800V_laser-range-50mm_run"
 
 
-@pytest.mark.parametrize("name", [f"{LONG}003", f"{LONG} Prüfling", "ü" * 200, "長" * 80, "a=b; 3$", "😀", "-1", "#7^2"])
+@pytest.mark.parametrize(
+    "name", [f"{LONG}003", f"{LONG} Prüfling", "ü" * 200, "長" * 80, "a=b; 3$", "😀", "-1", "#7^2"]
+)
 def test_a_long_name_of_a_log_is_filed_under_a_safe_one(name):
     assert check_log_name(f"logs/{name}.csv") == name
     assert SAFE.fullmatch(log_name(f"{name}.csv"))
