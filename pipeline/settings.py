@@ -82,8 +82,9 @@ class Ingest(SettingsTable):
     """Samples per second [Hz] of a log that has neither a time channel nor a time base of its own."""
     gaps: Literal["split", "refuse"] = "split"
     """What happens at a gap: "split" the record there (rows that would reach across are masked) or "refuse" it."""
-    time_reversal: Literal["refuse", "split"] = "refuse"
-    """What happens where time steps back: "refuse" the log, or "split" there."""
+    time_reversal: Literal["refuse", "split", "unwrap"] = "refuse"
+    """What happens where time steps back: "refuse" the log, "split" there, which leaves out what does not pass the
+    latest stamp, or "unwrap" a counter that begins anew: it goes on by its usual step."""
     rails: Literal["mask", "keep"] = "mask"
     """What happens where q stays at its smallest or largest value for three samples or more, as at the end of a
     sensor's range: "mask" it, which leaves it out of derivatives, fits and scores, or "keep" it, which also lets a log

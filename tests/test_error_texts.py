@@ -82,7 +82,7 @@ MISTAKES = {
     "empty log": (RUN, {"log.csv": ""}, 2, ["log.csv", "the file is empty"]),
     "no log at all": (RUN, {"log.csv": b"\x00\x01\x02" * 500}, 2, ["log.csv", "no text and no format that is known"]),
     "a workbook": (RUN, {"log.csv": b"PK\x03\x04" + b"\0" * 200}, 2, ["log.csv", "truncated or damaged"]),
-    "a spoilt row": (RUN, {"log.csv": CSV + "x;y;z\n"}, 2, ["log.csv", "a row does not fit the table"]),
+    "a spoilt row": (RUN, {"log.csv": CSV + "1x;y;z\n"}, 2, ["log.csv", "a row does not fit the table"]),
     "no such channel": (
         RUN,
         {"P.toml": TOML.replace('"q", unit', '"Q", unit')},
@@ -113,7 +113,7 @@ MISTAKES = {
         RUN,
         {"log.csv": "time;q;u\n" + "".join(f"{9 - i / 100:.2f};{i % 7};{i % 5}\n" for i in range(400))},
         3,
-        ["log.csv: the time base never advances", "is it another channel?"],
+        ["log.csv: the time base never advances", "it runs backwards: reverse the rows"],
     ),
     "time in the wrong unit": (
         RUN,
@@ -201,9 +201,9 @@ MISTAKES = {
     ),
     "thousands": (
         RUN,
-        {"log.csv": "time;q;u\n" + "".join(f"{i / 100:.2f};{i % 7};{1 + i % 3}.000,0\n" for i in range(400))},
+        {"log.csv": "time;q;u\n" + "".join(f"{i // 100},{i % 100:02};{i % 7};{1 + i % 3}.000\n" for i in range(400))},
         2,
-        ["log.csv: channel 'u' holds no plain numbers, but '1.000,0'"],
+        ["log.csv: channel 'u' holds no plain numbers, but '1.000'; marks between thousands"],
     ),
     "dates": (
         RUN,

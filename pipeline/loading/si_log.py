@@ -15,7 +15,7 @@ from pipeline.settings import Prototype
 from pipeline.settings_logs import Channel, LogColumn
 from pipeline.signals.columns import Signal, chunks, column, equal, held, one_sign, scaled, sparse
 from pipeline.signals.missing import codes_in, masked, said_of
-from pipeline.signals.timebase import nominal_step
+from pipeline.signals.timebase import nominal_step, unwrapped
 from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 
 if TYPE_CHECKING:
@@ -121,6 +121,11 @@ def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLo
     notes: list[str] = []
     columns = [_si(recording, channel, unit, name, notes) for (channel, unit), name in zip(signals, names, strict=True)]
     bases = _bases(recording, [channel for channel, _ in signals], prototype, notes)
+    if prototype.ingest.time_reversal == "unwrap":
+        made = {id(base): unwrapped(base) for base in bases}
+        if any(not equal(base, made[id(base)]) for base in bases):
+            notes.append("time steps back, as of a counter that begins anew: it goes on by its usual step there")
+        bases = [made[id(base)] for base in bases]
     if channels.q.average:
         bases[0] = _earlier(bases[0], 0.5 * channels.q.average)
         notes.append(f"q: {1e3 * channels.q.average:.4g} ms averaged by its sensor: half of it is taken off its time")

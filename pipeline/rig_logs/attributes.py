@@ -35,12 +35,12 @@ def unit_among(attributes: Mapping[str, Any], column: int = 0, columns: int = 1)
 
 def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[float, float]]:
     """Numbers among attributes that state a sample rate, and that [Hz], by their names; `place` stands before these."""
-    found = {}
+    rates = {}
     for name in attributes:
         number = _number(attributes[name]) if stated_rate(name, 1.0) is not None else None
         if number is not None and (rate := stated_rate(name, number)) is not None:
-            found[f"{place}.{name}" if place else name] = (number, rate)
-    return found
+            rates[f"{place}.{name}" if place else name] = (number, rate)
+    return rates
 
 
 def is_unit(name: str) -> bool:

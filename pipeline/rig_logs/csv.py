@@ -163,10 +163,10 @@ class CsvSource:
     def _note_what_is_left_out(self) -> None:
         """Note words in place of numbers, and lines that are no rows of numbers."""
         words = [f"{what} ({number} times, the first in line {at})" for what, (number, at) in self._words.items()]
-        for told, what in ((words, "words in place of numbers, missing values"), (self._remarks, "lines left out")):
-            more = f" and {len(told) - _MOST_NAMED} more" if len(told) > _MOST_NAMED else ""
-            if told:
-                self._note(f"{what}: {', '.join(told[:_MOST_NAMED])}{more}")
+        for places, what in ((words, "words in place of numbers, missing values"), (self._remarks, "lines left out")):
+            more = f" and {len(places) - _MOST_NAMED} more" if len(places) > _MOST_NAMED else ""
+            if places:
+                self._note(f"{what}: {', '.join(places[:_MOST_NAMED])}{more}")
 
     def _plain_rows(self, names: Sequence[str]) -> Iterator[str]:
         """The rows of data as Arrow reads them: cells between tabs, numbers with a decimal point, nothing for words.

@@ -128,8 +128,8 @@ class Counted(dict[str, Any]):
         Time stamps and durations become seconds.
         """
         if samples.dtype.kind == "M":
-            known = samples[~np.isnat(samples)]
-            samples = samples - (self.setdefault(name, known[0]) if known.size else self.get(name, samples[:1]))
+            stamps = samples[~np.isnat(samples)]
+            samples = samples - (self.setdefault(name, stamps[0]) if stamps.size else self.get(name, samples[:1]))
         if samples.dtype.kind == "m":
             return samples / np.timedelta64(1, "s")
         if samples.dtype.kind in "iu" and samples.size and (name in self or abs(int(samples[0])) > EXACT):

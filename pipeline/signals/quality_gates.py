@@ -24,7 +24,8 @@ _GATES = (
         "record without gaps and within the sensor's range",
     ),
     ("missing", MOST_MISSING, "of the samples are not finite", "repair the recorder"),
-    ("repeated", 0.05, "of the time stamps repeat the one before", "repair the clock"),
+    ("repeated", 0.05, "of the time stamps repeat the one before",
+     "repair the clock, or where its stamps are too coarse leave `time` out and set [ingest] sample_rate"),
     ("dropped", 0.2, "of the samples are missing one by one", "record slower"),
     ("jitter", 0.3, "of the time step is its jitter (RMS)", "record by a hardware clock"),
     (

@@ -1,12 +1,13 @@
 """The quality of one measured signal: rails, hum, spikes, frozen stretches, noise, and the size of its numbers."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import chain, islice
 
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import chunks, finite, select
+from pipeline.signals.columns import chunks, column, finite, select
 from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
 from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
@@ -165,7 +166,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         spikes=spikes,
         spikes_at=tuple(stamps[first_spikes].tolist()),
         hum=tuple(line for f in MAINS if (line := hum(values[:EXCERPT], step, f)) is not None),
-        band=bandwidth(values, step, noise),
+        band=bandwidth(_bridged(values, roughness) if spikes else values, step, noise),
     )
 
 
@@ -220,6 +221,21 @@ def _spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:
         if first.size < LOCATED:
             first = np.concatenate((first, spikes))[:LOCATED]
     return count, first
+
+
+def _bridged(values: FloatArray, noise: float) -> FloatArray:
+    """The values with each spike on the line between its neighbours, since none is motion."""
+
+    def parts() -> Iterator[FloatArray]:
+        """Chunk by chunk."""
+        for rows in chunks(values.size):
+            begin = max(rows.start - BESIDE_SPIKE, 0)
+            part = values[begin : rows.stop + BESIDE_SPIKE].copy()
+            at = 1 + np.flatnonzero(spikes_in(part, noise))
+            part[at] = 0.5 * (part[at - 1] + part[at + 1])
+            yield part[rows.start - begin : rows.stop - begin]
+
+    return column(values.size, parts(), np.float64)
 
 
 def spikes_in(part: FloatArray, noise: float) -> BoolArray:

@@ -15,7 +15,7 @@ from pipeline.signals.columns import chunks, column, select
 from pipeline.signals.resampling import decimated, interpolated
 from pipeline.signals.timebase import advancing, default_gap_limit, nominal_step, segments
 
-TimeReversal = Literal["refuse", "split"]
+TimeReversal = Literal["refuse", "split", "unwrap"]
 NO_CUTS: FloatArray = np.empty(0)
 
 
@@ -118,13 +118,14 @@ def advancing_rows(time: FloatArray, time_reversal: TimeReversal, cuts: FloatArr
 
     keep = column(time.size, flags(), np.bool_)
     back = np.concatenate([np.empty(0), *turns])
-    if back.size and time_reversal == "refuse":
-        raise DataRefusedError(
-            f"time steps back at {back.size} place(s), first after {back[0]:.6g} s; "
-            'repair the log or set [ingest] time_reversal = "split"'
-        )
     advanced = select(time, keep)
     left = time.size - usable, repeated, usable - advanced.size - repeated
+    if back.size and time_reversal == "refuse":
+        raise DataRefusedError(
+            f"time steps back at {back.size} place(s), first after {back[0]:.6g} s; repair the log or set [ingest] "
+            f'time_reversal = "split", which leaves out {left[2]} of {time.size} rows, or "unwrap" for a counter that '
+            "begins anew"
+        )
     return TimeRows(time, keep, back, np.concatenate((back, cuts)), nominal_step(advanced), *left)
 
 

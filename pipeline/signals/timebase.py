@@ -1,12 +1,13 @@
 """The quality of a time base: gaps, repeated and backward stamps, jitter and dropped samples, counted and located."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import chunks, finite, select
+from pipeline.signals.columns import chunks, column, finite, select
 
 GAP_STEPS = 5.0
 """A hole of more nominal steps than this is a gap …"""
@@ -99,9 +100,10 @@ def nominal_step(time: FloatArray) -> float:
         steps = np.concatenate([np.diff(time[i : i + _BLOCK]) for i in starts])
     positive = steps[(steps > 0.0) & np.isfinite(steps)]
     if positive.size == 0:
-        raise DataRefusedError(
-            "the time base never advances: no stamp is later than the one before; is it another channel?"
+        backwards = (
+            "it runs backwards: reverse the rows of the log" if np.any(steps < 0.0) else "is it another channel?"
         )
+        raise DataRefusedError(f"the time base never advances: no stamp is later than the one before; {backwards}")
     return float(np.median(positive))
 
 
@@ -191,6 +193,25 @@ def advancing(time: FloatArray, reached: float = -np.inf) -> BoolArray:
     before = np.maximum.accumulate(stamps)[:-1]
     later: BoolArray = stamps[1:] > before
     return later
+
+
+def unwrapped(time: FloatArray) -> FloatArray:
+    """Stamps of a counter that began anew: where time [s] steps back it goes on by the nominal step, shape (N,)."""
+    usual = nominal_step(time)
+
+    def parts() -> Iterator[FloatArray]:
+        """Chunk by chunk."""
+        last, added = np.nan, 0.0
+        for rows in chunks(time.size):
+            part = time[rows].copy()
+            usable = np.isfinite(part)
+            steps = np.diff(part[usable], prepend=last)
+            lift = added + np.cumsum(np.where(steps < 0.0, usual - steps, 0.0))
+            last, added = (part[usable][-1], lift[-1]) if lift.size else (last, added)
+            part[usable] += lift
+            yield part
+
+    return column(time.size, parts(), np.float64)
 
 
 def segments(time: FloatArray, gap_limit: float) -> IntArray:

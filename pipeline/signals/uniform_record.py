@@ -118,6 +118,12 @@ class Survey:
     gap_limit: float
     holes: FloatArray
 
+    @property
+    def span(self) -> tuple[float, float]:
+        """First and last time [s] that all signals have in common."""
+        starts, ends = zip(*((group.edges[0, 0], group.edges[-1, 1]) for group in self.groups), strict=True)
+        return float(max(starts)), float(min(ends))
+
 
 def survey(
     q: tuple[FloatArray, FloatArray],
@@ -142,8 +148,9 @@ def survey(
         a time base.
     gaps : {"split", "refuse"}
         Number the stretches, or refuse a log with gaps.
-    time_reversal : {"refuse", "split"}
-        Refuse a log whose time steps back; or leave out what does not advance and treat the place as a gap.
+    time_reversal : {"refuse", "split", "unwrap"}
+        Refuse a log whose time steps back; or leave out what does not advance and treat the place as a gap, as also
+        where stamps that were unwrapped do.
     cuts : FloatArray
         Stamps [s] behind which rows are missing though time goes on: treated as gaps too.
 
@@ -176,7 +183,7 @@ def survey(
             f'{holes[0, 1]:.6g} s; set [ingest] gaps = "split" to use the stretches between'
         )
     result = Survey(rows[0], tuple(groups), q[0].size, limit, holes)
-    if not _span(result)[1] > _span(result)[0]:
+    if not result.span[1] > result.span[0]:
         raise DataRefusedError("displacement and voltages have no stretch of time in common")
     return result
 
@@ -193,12 +200,6 @@ def inputs_unknown(log: Survey, longest: float) -> list[tuple[float, float]]:
     return spans
 
 
-def _span(log: Survey) -> tuple[float, float]:
-    """First and last time that all signals have in common."""
-    starts, ends = zip(*((group.edges[0, 0], group.edges[-1, 1]) for group in log.groups), strict=True)
-    return float(max(starts)), float(min(ends))
-
-
 class Resampling:
     """A surveyed log on a uniform grid, piece by piece.
 
@@ -212,7 +213,7 @@ class Resampling:
 
     def __init__(self, log: Survey, interval: float) -> None:
         self._log = log
-        self._grid = grid = uniform_grid(*_span(log), interval)
+        self._grid = grid = uniform_grid(*log.span, interval)
         reach = max(REACH if _method(group.step, interval) == "decimated" else 0.5 for group in log.groups)
         self._valid = _valid_runs(grid, log.holes, reach * interval)
         missing = [count for group in log.groups for count in group.not_finite]

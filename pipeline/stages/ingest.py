@@ -118,7 +118,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     try:
         raw_step = nominal_step(signals.q[0])
         trusted = _trusted(signals, prototype, raw_step)
-        warnings = [*signals.notes, *_warnings(signals, prototype, trusted.quality)]
+        warnings = [*signals.notes, *_warnings(signals, prototype, trusted)]
         usable = survey(
             (signals.q[0], trusted.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal,
             cuts=trusted.dropouts.cuts[:, 0],
@@ -126,8 +126,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     except DataRefusedError as error:
         raise DataRefusedError(f"{where}: {error}") from error
     quality, left_out = trusted.quality, _left_out(trusted, warnings, prototype)
+    _refuse_no_record(where, usable.span, settings.sample_interval, usable.raw_rows * raw_step)
     masked = Resampling(usable, settings.sample_interval).report
-    _refuse_no_record(where, masked.rows, settings.sample_interval, masked.raw_rows * raw_step)
     clock = examine(signals.q[0])
     lacking, findings = _lacking(signals, settings.sample_interval)
     unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
@@ -174,8 +174,9 @@ def _few_samples(signals: SiLog, interval: float) -> tuple[list[str], "list[Find
     return [name for name in own if seldom(own[name].size, steps[name], lasts[name])], coarse_inputs(steps, interval)
 
 
-def _refuse_no_record(where: str, rows: int, interval: float, covered: float) -> None:
-    """Refuse a log that cannot become `rows` rows an interval [s] apart, with samples for `covered` seconds."""
+def _refuse_no_record(where: str, span: tuple[float, float], interval: float, covered: float) -> None:
+    """Refuse what cannot become a record with rows an interval [s] apart, from samples for `covered` seconds."""
+    rows = int((span[1] - span[0]) / interval + 1e-6) + 1
     if rows < _FEWEST_ROWS:
         raise DataRefusedError(
             f"{where}: lasts {rows} steps of [ingest] sample_interval = {interval:g} s only; "
@@ -304,19 +305,19 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
     return {"t": piece.t, "q": piece.q, **beside, "segment": piece.segment}
 
 
-def _warnings(signals: SiLog, prototype: Prototype, quality: "SignalQuality") -> list[str]:
+def _warnings(signals: SiLog, prototype: Prototype, trusted: "Trusted") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.remarks import remarks_on
     from pipeline.signals.quality_gates import saturation, scale_suspicion
     from pipeline.signals.signal_quality import span
     from pipeline.signals.timebase import nominal_step
 
-    warnings, plant = [f"q: {remark}" for remark in remarks_on(quality)], device(prototype)
+    warnings, plant = [f"q: {remark}" for remark in remarks_on(trusted.quality)], device(prototype)
     for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
         warnings += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for
         return warnings
-    ends = [("q", (quality.smallest, quality.largest), plant.displacement)] + [
+    ends = [("q", span(trusted.samples), plant.displacement)] + [
         (f"v{k}", span(column), unit)
         for k, ((_, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1)
     ]

@@ -81,3 +81,30 @@ def test_rows_that_are_left_out_where_time_steps_back_are_counted(tmp_path):
     warnings, _ = ingested(tmp_path, {"t": restarted, "q": Q, "v": np.abs(V)}, channels, more)
     (told,) = [warning for warning in warnings if "steps back" in warning]
     assert "3000 of 8000 rows (38 %) are left out" in told and "logs of their own" in told
+
+
+@pytest.mark.parametrize("period", [0.65536, 4.0, 7.9])
+def test_a_counter_that_begins_anew_is_unwrapped(tmp_path, period):
+    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    columns = {"t": (T + 0.3) % period, "q": Q, "v": np.abs(V)}
+    assert ' of 8000 rows, or "unwrap" for a counter' in ingested(tmp_path, columns, channels)[0]
+    warnings, record = ingested(tmp_path, columns, channels, '[ingest]\ntime_reversal = "unwrap"\n')
+    assert any("a counter that begins anew" in warning for warning in warnings)
+    assert np.ptp(record["t"]) == pytest.approx(np.ptp(T), abs=0.002)
+    np.testing.assert_allclose(record["q"], np.interp(record["t"] - record["t"][0], T, Q) * 1e-3, atol=1e-4)
+
+
+def test_one_stamp_far_ahead_is_refused_before_a_record_of_that_length_is_made(tmp_path):
+    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    far = np.where(np.arange(T.size) < 4000, T, T + 1e12)
+    told, _ = ingested(tmp_path, {"t": far, "q": Q, "v": np.abs(V)}, channels)
+    assert "holds 8 s of samples within 1e+12 s" in told
+
+
+def test_spikes_have_no_part_in_advice(tmp_path):
+    spoilt = Q.copy()
+    spoilt[50::100] = 999.0
+    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    warnings, _ = ingested(tmp_path, {"t": T, "q": spoilt, "v": np.abs(V)}, channels)
+    assert any("80 single-sample spikes masked" in warning for warning in warnings)
+    assert not any("sample_interval" in warning or "looks" in warning for warning in warnings)
