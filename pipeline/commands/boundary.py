@@ -182,6 +182,8 @@ def _told(error: Exception) -> str | None:
         return "no folder for the compiled kernels; set NUMBA_CACHE_DIR to one that can be written"
     if isinstance(error, OSError) and error.errno in _FULL:
         return f"{os.strerror(error.errno)}; raise the limit (`ulimit -n`), or end other programs"
+    if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT) and not error.filename:
+        return f"{os.strerror(error.errno)}; make room where results, compiled kernels and temporary files (TMPDIR) lie"
     if isinstance(error, FileNotFoundError) and not error.filename:
         return "the current folder was deleted; change into another one"
     if isinstance(error, OSError) and error.filename and error.errno in _PLACES:

@@ -144,6 +144,18 @@ def test_an_output_that_is_a_file_is_a_line(bench, tmp_path, command):
     assert str(place) in lines[0] and place.read_text() == "mine"
 
 
+def test_a_disk_that_is_full_where_nobody_names_a_file_is_a_line(monkeypatch):
+    """Kernels are saved by numba, which names none."""
+
+    def full(_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr("pipeline.warmup.warm_up", full)
+    done = CliRunner().invoke(app, ["warmup"])
+    assert done.exit_code == 2
+    assert "No space left on device; make room" in done.stderr and "Traceback" not in done.stderr
+
+
 def test_logs_that_some_disks_take_for_one_are_refused():
     with pytest.raises(InputError, match="two logs are named"):
         parse_prototype(_document(logs={"train": ["a/Log.csv", "b/log.csv"]}), "P.toml")

@@ -1,0 +1,61 @@
+"""Free-run error of `hybrid` against the length of the training log.
+
+`python benchmarks/log_length.py RUN...`: runs of joints without ``[plant]`` that have a training log of 37.5 s or more,
+such as `tube_coverage.py` leaves. Each joint is fitted to the first seconds of its training log and simulated over its
+validation log. About 20 s of processor time a joint.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import debist
+from pipeline.errors import DataRefusedError
+from pipeline.loading.free_runs import free_run
+from pipeline.loading.trajectories import load_motion, training, training_tables
+from pipeline.models.kind import kind
+from pipeline.runs import layout
+from pipeline.runs.tables import Table
+
+LENGTHS = (5.0, 10.0, 20.0, 37.5)
+"""Of the training log [s]."""
+
+
+def errors(folder: Path) -> list[float]:
+    """NRMSE of q [%] on the validation log, for each of `LENGTHS`; infinite where no joint can be fitted."""
+    opened = debist.open_run(folder)
+    prototype, run = opened._prototype, opened._folder
+    tables = training_tables(run, prototype)
+    log = next(log for role, log, _ in layout.logs(prototype) if role == "validation")
+    validation = load_motion(run, prototype, "validation", log)
+    span = np.nanmax(validation["q"]) - np.nanmin(validation["q"])
+    measured = []
+    for length in LENGTHS:
+        try:
+            model = kind("hybrid").fit(training([_first(table, length) for table in tables], prototype, None))
+        except DataRefusedError:
+            measured.append(np.inf)
+            continue
+        error = free_run(validation, model).q - validation["q"]
+        measured.append(float(100.0 * np.sqrt(np.nanmean(error**2)) / span))
+    return measured
+
+
+def _first(table: Table, length: float) -> Table:
+    rows = table["t"] < table["t"][0] + length
+    return {name: values[rows] for name, values in table.items()}
+
+
+def main(folders: list[Path]) -> None:
+    print("| joint |" + "".join(f" {length:g} s |" for length in LENGTHS))
+    print("|---|" + "---|" * len(LENGTHS))
+    rows = []
+    for folder in folders:
+        rows.append(errors(folder))
+        print(f"| `{folder.parent.name}` |" + "".join(f" {error:.2f} |" for error in rows[-1]), flush=True)
+    print("| median |" + "".join(f" {error:.2f} |" for error in np.median(rows, axis=0)))
+
+
+if __name__ == "__main__":
+    main([Path(argument) for argument in sys.argv[1:]])
