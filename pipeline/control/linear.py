@@ -86,12 +86,12 @@ class LinearModel:
             python-control is not installed.
         """
         try:
-            system = importlib.import_module("control").StateSpace
+            state_space = importlib.import_module("control").StateSpace
         except ImportError as error:
             raise InputError(
                 "StateSpace is of python-control, which is not installed; `pip install control`"
             ) from error
-        return system(self.a, self.b_squared if squared else self.b, self.c, self.d)
+        return state_space(self.a, self.b_squared if squared else self.b, self.c, self.d)
 
     def to_json(self) -> dict[str, Any]:
         """Everything as numbers and lists, SI."""

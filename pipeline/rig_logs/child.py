@@ -8,6 +8,7 @@ Which reader a file needs its first bytes say; the suffix is only a hint in mess
 ``open_log(path, csv, limits) -> Source`` and one line in `FORMATS`.
 """
 
+import errno
 import importlib
 import os
 import struct
@@ -59,12 +60,13 @@ def _answer(send: Send, request: dict[str, Any]) -> dict[str, Any]:
         reason = f"{path}: {error}"
     except _NoSpaceError:
         reason = f"{path}: the temporary folder is full; its samples take 8 bytes each there, set TMPDIR"
-    except MemoryError:
-        reason = f"{path}: reading it needs more than {limits.memory(size) >> 20} MB of memory"
-    except _OF_LIBRARIES as error:
+    except (MemoryError, *_OF_LIBRARIES) as error:
         system = disk_failure(error)
-        damaged = f"damaged or not what it claims to be ({type(error).__name__}: {error})"
-        reason = f"{path}: {damaged if system is None else f'cannot be read: {system}'}"
+        reason = f"{path}: damaged or not what it claims to be ({type(error).__name__}: {error})"
+        if isinstance(error, MemoryError) or getattr(error, "errno", 0) == errno.ENOMEM:
+            reason = f"{path}: reading it needs more than {limits.memory(size) >> 20} MB of memory"
+        elif system is not None:
+            reason = f"{path}: cannot be read: {system}"
     return {"error": " ".join(reason.split())[:_LONGEST_ERROR]}  # libraries write paragraphs; a failure is one line
 
 

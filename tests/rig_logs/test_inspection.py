@@ -119,7 +119,7 @@ def test_what_a_log_excites_is_told_where_the_channels_are_clear(noisy_log, tmp_
 
     shown = CliRunner().invoke(app, ["inspect", str(noisy_log)])
     assert shown.exit_code == 0, shown.output
-    assert "HV2_meas" in shown.stdout and "Not excited" in shown.stdout and "taken by name and unit" in shown.stdout
+    assert "HV2_meas" in shown.stdout and "Not excited" in shown.stdout and "chosen by name and unit" in shown.stdout
     document = json.loads(CliRunner().invoke(app, ["inspect", str(noisy_log), "--json"]).stdout)
     assert sum(document["excitation"]["excitation"]["visits"]["visits"]) == 1000
     settings = tmp_path / "P.toml"
