@@ -118,7 +118,7 @@ def device(prototype: Prototype) -> Device:
 
     displacement = unit("channels.q", channels.q, *DISPLACEMENT)
     inputs = tuple(unit(f"channels.v{i}", channel, *INPUT) for i, channel in enumerate(channels.inputs, start=1))
-    if prototype.plant.inputs == "squared" and any(one.symbol in ACCELERATION for one in inputs):
+    if prototype.plant.inputs == "squared" and any(channel.symbol in ACCELERATION for channel in inputs):
         raise InputError(
             f'{prototype.name}: an acceleration acts by itself, not by its square; set [plant] inputs = "linear"'
         )

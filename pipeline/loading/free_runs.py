@@ -97,18 +97,18 @@ def start_of(piece: Table, model: DynamicModel) -> Start:
     return Start(piece["t"], v, q0, qdot0)
 
 
-def followed_velocity(known: Table, v: FloatArray, model: DynamicModel) -> float:
+def followed_velocity(table: Table, v: FloatArray, model: DynamicModel) -> float:
     """The velocity with which a model follows the first samples best, by two Gauss-Newton steps from the derivative.
 
     The derivative stays where nothing lowers the error.
     """
     part = slice(0, EDGE + 1)
-    q, start = known["q"][part], float(known["qdot"][0])
-    seen, nudge = np.isfinite(q), 1e-3 * float(np.nanstd(known["qdot"]))
+    q, start = table["q"][part], float(table["qdot"][0])
+    seen, nudge = np.isfinite(q), 1e-3 * float(np.nanstd(table["qdot"]))
 
     def error(velocity: float) -> FloatArray:
         """Error of q at the first samples of a run that begins with this velocity."""
-        return (model.simulate(known["t"][part], v[part], float(q[0]), velocity).q - q)[seen]
+        return (model.simulate(table["t"][part], v[part], float(q[0]), velocity).q - q)[seen]
 
     best, least = start, error(start)
     for _ in range(2):
@@ -117,8 +117,8 @@ def followed_velocity(known: Table, v: FloatArray, model: DynamicModel) -> float
         if not steep > 0.0:  # a model whose start does not depend on the velocity, or samples that say nothing of it
             break
         trial = best - float(slope @ least) / steep
-        found = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)
-        if not found @ found < least @ least:
+        moved = error(trial) if np.isfinite(trial) else np.full_like(least, np.inf)
+        if not moved @ moved < least @ least:
             break
-        best, least = trial, found
+        best, least = trial, moved
     return best

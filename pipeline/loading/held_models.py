@@ -88,12 +88,12 @@ def load_design(run: RunFolder) -> dict[str, Any]:
 
 def made_control(run: RunFolder) -> tuple[str, ...]:
     """Titles of what `debist control` made of the present model of a run."""
-    known = run.manifest.artifacts
-    if layout.MODELS not in known:
+    artifacts = run.manifest.artifacts
+    if layout.MODELS not in artifacts:
         return ()
     present = run.record(layout.MODELS).content_hash
     names = ((title, layout.control(title)) for title in TITLES)
-    return tuple(t for t, name in names if name in known and present in known[name].recipe.inputs.values())
+    return tuple(t for t, name in names if name in artifacts and present in artifacts[name].recipe.inputs.values())
 
 
 def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
@@ -107,9 +107,9 @@ def failed_validations(run: RunFolder, name: str) -> list[str]:
         return []
     table = run.read_table(layout.SCORES)
     rows = (table["model"] == name) & (table["role"] == "validation") & (table["signal"] == "q")
-    found = []
+    failures = []
     for log, status, error in zip(table["log"][rows], table["status"][rows], table["nrmse"][rows], strict=True):
         if status != "ok" or not error <= WORST:
-            told = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
-            found.append(f"the model {name} {told} on the validation log {log}")
-    return found
+            failure = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
+            failures.append(f"the model {name} {failure} on the validation log {log}")
+    return failures

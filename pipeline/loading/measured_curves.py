@@ -67,14 +67,14 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
         heading, *rows = list(csv.reader(lines)) or [[]]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
-    known = column_units(plant)
+    units = column_units(plant)
     names, factors = [], []
     for cell in heading:
-        found = _HEADING.fullmatch(cell)
-        if found is None or found["name"] not in known:
-            raise InputError(f"{path}: column {cell!r}; write each of {', '.join(known)} as 'q [mm]', with its unit")
-        names.append(found["name"])
-        factors.append(to_si(found["unit"], known[found["name"]], f"{path}: column {found['name']}").factor)
+        match = _HEADING.fullmatch(cell)
+        if match is None or match["name"] not in units:
+            raise InputError(f"{path}: column {cell!r}; write each of {', '.join(units)} as 'q [mm]', with its unit")
+        names.append(match["name"])
+        factors.append(to_si(match["unit"], units[match["name"]], f"{path}: column {match['name']}").factor)
     if "q" not in names or len(names) < 2 or len(set(names)) < len(names):
         raise InputError(f"{path}: it needs q and at least one of {', '.join(MEANINGS)}, each once")
     if not 2 <= len(rows) <= MOST_ROWS:
@@ -83,7 +83,7 @@ def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
     if not np.all(np.isfinite(values[:, names.index("q")])):
         raise InputError(f"{path}: q is empty in a row; give every row its displacement")
     ordered = values[np.argsort(values[:, names.index("q")], kind="stable")]
-    return {name: np.ascontiguousarray(ordered[:, names.index(name)]) for name in known if name in names}
+    return {name: np.ascontiguousarray(ordered[:, names.index(name)]) for name in units if name in names}
 
 
 def _row(path: Path, number: int, row: list[str], width: int) -> list[float]:

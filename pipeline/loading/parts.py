@@ -32,9 +32,9 @@ def part_rows(table: Table) -> list[slice]:
     Where all are so short, the rows are those of the table from its first valid sample on.
     """
     valid = table["segment"] >= 0
-    known = [rows for rows in runs_of(recorded(table)) if valid[rows].any()]
-    found = [slice(rows.start + int(np.argmax(valid[rows])), rows.stop) for rows in known]
-    long_enough = [rows for rows in found if rows.stop - rows.start >= SHORTEST]
+    with_samples = [rows for rows in runs_of(recorded(table)) if valid[rows].any()]
+    from_valid = [slice(rows.start + int(np.argmax(valid[rows])), rows.stop) for rows in with_samples]
+    long_enough = [rows for rows in from_valid if rows.stop - rows.start >= SHORTEST]
     return long_enough or [slice(int(np.argmax(valid)), len(valid))]
 
 

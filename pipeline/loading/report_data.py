@@ -72,14 +72,14 @@ def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
 
 def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
     """What the quality gates let pass on the settings' word, the logs' first."""
-    told = [
+    accepted = [
         f"{log_title(role, name)}: {text}"
         for role, name, _ in layout.logs(prototype)
         for text in run.record(layout.record(role, name)).notes.get("accepted", ())
     ]
     if layout.CHECK in run.manifest.artifacts:
-        told += run.record(layout.CHECK).notes.get("accepted", ())
-    return (*told, *run.record(layout.MODELS).notes.get("accepted", ()))
+        accepted += run.record(layout.CHECK).notes.get("accepted", ())
+    return (*accepted, *run.record(layout.MODELS).notes.get("accepted", ()))
 
 
 def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
@@ -125,13 +125,13 @@ def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
     """Why "auto" chose the model `name`, for people; empty where it chose another or was not asked."""
     if choice is None or choice["chosen"] != name:
         return {}
-    told: dict[str, Any] = {WHY: choice["reason"]}
+    facts: dict[str, Any] = {WHY: choice["reason"]}
     for model, error in choice["held_out_error"].items():
-        told[f"held-out error of {model} [%]"] = 100.0 * error
+        facts[f"held-out error of {model} [%]"] = 100.0 * error
     if (excess := choice["excess_of_the_other"]) is not None:
         low, high = 100.0 * excess["low"], 100.0 * excess["high"]
-        told["the other's error is higher by, 95 % interval"] = f"{low:.2f} to {high:.2f} % of the range"
-    return told
+        facts["the other's error is higher by, 95 % interval"] = f"{low:.2f} to {high:.2f} % of the range"
+    return facts
 
 
 def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: str) -> LogData:

@@ -30,20 +30,20 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
     InputError
         The run holds no such model.
     """
-    known, artifact = model_artifact(run, prototype, name)
-    return model_from_tree(known, run.read_tree(artifact, known))
+    chosen, artifact = model_artifact(run, prototype, name)
+    return model_from_tree(chosen, run.read_tree(artifact, chosen))
 
 
 def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
     """A model of the run, the headline if none is named, and what travels along with it."""
     from pipeline.export.subject import Subject
 
-    known, artifact = model_artifact(run, prototype, name)
-    model, check = load_run_model(run, prototype, known), _check_log(run, prototype)
+    chosen, artifact = model_artifact(run, prototype, name)
+    model, check = load_run_model(run, prototype, chosen), _check_log(run, prototype)
     start = start_of(check, model)
     return Subject(
         prototype=prototype.name,
-        name=known,
+        name=chosen,
         model=model,
         validity=validity_of(training_tables(run, prototype), prototype),
         origin=run.record(artifact).content_hash,

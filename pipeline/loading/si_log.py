@@ -218,18 +218,18 @@ def _own_bases(recording: "Recording", channels: list[Channel], rate: float | No
     bases: list[FloatArray] = []
     counted: dict[str, int] = {}
     for channel in channels:
-        found = recording.channel(channel.channel)
-        base: FloatArray | None = found.time
+        read = recording.channel(channel.channel)
+        base: FloatArray | None = read.time
         if base is None and rate is not None:
-            counted[channel.channel] = found.samples.size
-            base = next((known for known in bases if known.size == found.samples.size), None)
-            base = _counted(found.samples.size, rate) if base is None else base
+            counted[channel.channel] = read.samples.size
+            base = next((other for other in bases if other.size == read.samples.size), None)
+            base = _counted(read.samples.size, rate) if base is None else base
         if base is None:
             raise InputError(
                 f"{recording.path}: the format carries no time base; name the time channel as [channels] time, "
                 f"or give [ingest] sample_rate (the log has {', '.join(recording.listed)})"
             )
-        bases.append(next((known for known in bases if equal(known, base)), base))
+        bases.append(next((other for other in bases if equal(other, base)), base))
     if len(set(counted.values())) > 1:
         sizes = ", ".join(f"{name!r} {size} samples" for name, size in counted.items())
         raise InputError(

@@ -154,10 +154,10 @@ def trajectories(table: Table, *, fine: bool = False) -> list[Trajectory]:
     return stretches
 
 
-def _long_enough(found: Sequence[Table]) -> list[Table]:
+def _long_enough(tables: Sequence[Table]) -> list[Table]:
     """The parts of logs that hold more than their beginning, or else the longest of them."""
-    kept = [part for part in found if np.count_nonzero(part["segment"] >= 0) > _LEAST_PART]
-    return kept or [max(found, key=lambda part: len(part["t"]))]
+    long_enough = [part for part in tables if np.count_nonzero(part["segment"] >= 0) > _LEAST_PART]
+    return long_enough or [max(tables, key=lambda part: len(part["t"]))]
 
 
 def begins_in_motion(table: Table) -> bool:

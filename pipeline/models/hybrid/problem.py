@@ -330,7 +330,7 @@ class _Log:
             (slower, replace(seen, charging=seen.charging + slower)),
             *((OFFSET, replace(seen, probe=seen.probe + OFFSET * side)) for side in np.eye(2)),
         ]
-        by_inputs = np.array([(self.v.squared(steps, one, largest) - u) / step for step, one in moves])
+        by_inputs = np.array([(self.v.squared(steps, moved, largest) - u) / step for step, moved in moves])
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
         derivatives = sensitivities(
             Laws(joint.constants(theta), joint.weights(theta), joint.basis), np.abs(by_theta.constants).max(axis=1),
