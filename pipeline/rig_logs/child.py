@@ -25,7 +25,16 @@ from numpy.typing import NDArray
 from pipeline.errors import disk_failure
 from pipeline.isolation import Send, limit
 from pipeline.rig_logs.recording import for_any_variable, missing_channel
-from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, left_out, read_start
+from pipeline.rig_logs.source import (
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableChannelError,
+    UnreadableLogError,
+    left_out,
+    read_start,
+)
 
 _LONGEST_ERROR = 2000
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
@@ -35,6 +44,9 @@ _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTE
 
 
 _OF_LIBRARIES = (OSError, ValueError, KeyError, IndexError, TypeError, OverflowError, RuntimeError, ImportError)
+
+_OF_A_CHANNEL = (UnreadableChannelError, KeyError, TypeError, NotImplementedError)
+"""Raised where a library does not know a kind of channel; all else may be damage, for which a log is refused."""
 
 
 class _RefusedError(Exception):
@@ -87,7 +99,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
                 for name, samples in source.parts(names):
                     spool.write(name, samples)
                     send({"share": min(1.0, file.tell() / max(declared, 1))})
-            except (UnreadableLogError, *_OF_LIBRARIES) as error:
+            except _OF_A_CHANNEL as error:
                 failed[names[0]] = error
                 if not alone or len(failed) == len(needed):
                     raise

@@ -19,6 +19,7 @@ from pipeline.rig_logs.source import (
     Entry,
     Limits,
     Source,
+    UnreadableChannelError,
     UnreadableLogError,
     left_out,
     ranges,
@@ -108,7 +109,7 @@ class MdfSource:
         if samples.dtype.kind in "SUO" and _is_partly_text(self._mdf.groups[group].channels[index].conversion):
             samples = np.full(len(samples), np.nan)  # no number among these
         if samples.ndim != 1 or samples.dtype.kind not in "fiub":
-            raise UnreadableLogError(f"channel {name!r} holds no plain numbers ({samples.dtype})")
+            raise UnreadableChannelError(f"channel {name!r} holds no plain numbers ({samples.dtype})")
         if invalid is not None and np.any(invalid):
             samples = np.where(np.asarray(invalid, dtype=np.bool_), np.nan, samples)
         return np.asarray(samples)

@@ -191,6 +191,10 @@ class UnreadableLogError(Exception):
     """The file is damaged, truncated, or not what it claims to be; the text says in what way."""
 
 
+class UnreadableChannelError(UnreadableLogError):
+    """One channel is of a kind that is not read; the others are."""
+
+
 def unique_names(names: list[str]) -> list[str]:
     """Names made unique by " (2)", " (3)", … in the order of the log; an empty one is ``column k``."""
     names = [name or f"column {k}" for k, name in enumerate(names, start=1)]
