@@ -156,7 +156,7 @@ class _Writing:
 
 @contextmanager
 def journal_of(output: Path, shard: Shard, names: Sequence[str], jobs: int, then: BatchObserver) -> Iterator[_Writing]:
-    """An observer that keeps the journal of a shard in the folder `output`, which is there; `then` is told too.
+    """An observer that keeps the journal of a shard in the folder `output`, which is there; `then` gets the same calls.
 
     Raises
     ------

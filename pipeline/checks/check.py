@@ -18,7 +18,7 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
     Cost: 0.3 s of processor time for each log of 40,000 samples.
     """
     facts = [log_facts(log, declared.sample_interval, squared=declared.squared, joint=declared.joint) for log in logs]
-    lags = [fact.lag for fact in facts if fact.lag is not None]  # what one log tells of a device is so in all
+    lags = [fact.lag for fact in facts if fact.lag is not None]  # a lag is the device's, so one log may show it for all
     facts = [replace(fact, lag=lags[0]) if lags and fact.lag is None else fact for fact in facts]
     rows = [row for fact in facts for row in (*motion_rows(fact, declared), *input_rows(fact, declared))]
     rows += start_rows(facts)

@@ -23,7 +23,7 @@ MOST_MISFIT = 1.6
 """Residual of one log under the weights of another over its own. Same joint: up to 1.2, of 80 two at 1.7 and 1.8."""
 
 SURELY_MISFIT = 2.0
-"""From here on it is another joint, of which the least had 2.05; in between one is told to look."""
+"""From here on it is another joint, of which the least had 2.05; in between the check asks to look."""
 
 ALIKE = 1.5
 """Factor between the largest voltages of two logs up to which they can be of one device for sure or not: a joint driven
@@ -37,7 +37,7 @@ WRONG_GAIN = 0.25
 """Deviation from which on a log's voltages are refused: forces go with their square."""
 
 OF_LAG = 2.0
-"""Times a lag that some log of the device tells, up to which an input that acts late is explained by it."""
+"""Times a lag that some log of the device shows, up to which an input that acts late is explained by it."""
 
 ZEROED_ANEW = 0.15
 """Share of what both rests have moved by, together, by which they may differ if it is the sensor's zero that moved."""
@@ -57,7 +57,7 @@ share 0.23 to 0.44. A mass seven times as large leaves 0.8 where the law is that
 
 SURE_LENGTH = 1000.0
 """Sample intervals (10 s) that both logs must last for that. Of twenty pairs of logs of one joint, cut to their first
-6 s, two had 2.4 and 2.7 (fourteen weights are told by sixty bumps there); cut to 10 s the most was 1.7."""
+6 s, two had 2.4 and 2.7 (sixty bumps determine fourteen weights there); cut to 10 s the most was 1.7."""
 
 MOST_RATIO = 30.0
 """Factor to either side of the drawing's ring-down and coupling: half way, in powers of ten, to the 1,000 of a wrong
@@ -100,11 +100,11 @@ DRAWN_COUPLING = 8.5e-9
 """N/V², half the slope of a membrane's capacitance over q, of the joint as drawn."""
 
 UNDRIVEN_SNAPS = 2
-"""Crossings of the barrier without any input from which on one is told: the logs of P1 to P3 have none, and 2 to 7
+"""Crossings of the barrier without any input from which on a row says so: the logs of P1 to P3 have none, and 2 to 7
 where one of their voltages is left out."""
 
 UNDRIVEN_STARTS, MOST_PLACES = 2, 3
-"""Starts from rest without a change of an input, over all logs, from which on they are told, and how many places are.
+"""Starts from rest without a change of an input, over all logs, from which on they are reported, and how many places.
 No log of 16 prototypes has one; P1 to P3 have 2 to 5 in each log where one of their voltages is left out."""
 
 LEAST_PER_PERIOD = 8.0

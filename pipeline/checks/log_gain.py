@@ -1,4 +1,4 @@
-"""By what factor the inputs of one log are too small or too large, by what another log of the device tells."""
+"""Factor by which the inputs of one log are too small or too large, estimated from another log of the device."""
 
 from dataclasses import dataclass
 

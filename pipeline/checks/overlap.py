@@ -31,7 +31,7 @@ _WITHIN = 1.5
 _FLOOR = 2e-3
 """Share of an excerpt's standard deviation that interpolation may cost. Two runs of a real device differ by more."""
 _LEAST = 4
-"""Excerpts that a span must last where only the motion tells it: two logs may begin with the same pulse."""
+"""Excerpts that a span must last where only the motion shows it: two logs may begin with the same pulse."""
 _CLOSE = 0.08
 """Share of an excerpt's standard deviation by which a sixteenth of the grid may be off at the best offset."""
 _SAME_RATE = 0.01

@@ -15,7 +15,7 @@ _LAST = 3
 _SETTLED = 0.035
 """Share of the range of q within which it stays there."""
 _FEWEST = 5
-"""Rests in which a drift is told from creep."""
+"""Rests that distinguish a drift from creep."""
 _SURELY, _REMARKABLE = 4.0, 0.02
 """Standard errors, and share of the range over the whole log, that a drift exceeds."""
 

@@ -28,7 +28,7 @@ COST = {"ingest": 1.0, "check": 0.5, "differentiate": 1.0, "identify": 10.0, "va
 """Processor time [s] of a task of each stage on a log of 37.5 s at 30 kHz, roughly; 1 s for the others. Only what is
 left is estimated from it and from the time so far."""
 _ELSE = 1.0
-_TELLING = 0.15  # share of the cost that must be done before a rest is told
+_TELLING = 0.15  # share of the cost that must be done before a rest is shown
 
 
 class Stopwatch:

@@ -322,7 +322,7 @@ def _idle(samples: FloatArray) -> bool:
 def _moves(u: FloatArray, q: FloatArray, segment: IntArray) -> bool:
     """Whether an input that looks like noise, as one does that is drawn anew for each sample, moves q all the same.
 
-    The second differences of q are regressed on place, way and input; Student's t of the input tells.
+    The second differences of q are regressed on place, way and input; Student's t of the input decides.
     """
     inner = (segment[:-2] == segment[2:]) & (segment[1:-1] >= 0) & np.isfinite(q[:-2] + q[1:-1] + q[2:])
     way, turn = (q[2:] - q[:-2])[inner], (q[2:] - 2.0 * q[1:-1] + q[:-2])[inner]

@@ -13,7 +13,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_95
 
 SIGNIFICANCE = 0.16
-"""Share of equal models that are told apart: one standard error, one-sided."""
+"""Share of equal models that the test separates: one standard error, one-sided."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ ALONE = 0.03
 """Share of the precision in some direction that the other groups must tell there to be compared with one."""
 
 SINGULAR = 1e-10
-"""Smallest share of a precision that is told from rounding."""
+"""Smallest share of a precision that is more than rounding."""
 
 
 def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:

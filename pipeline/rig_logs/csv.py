@@ -118,7 +118,7 @@ class CsvSource:
                         found |= {name: cells[0].as_py().strip()} if len(cells) else {}
                 if found and (pattern == _MARK or len(found) == len(names)):
                     break
-        except (ValueError, UnicodeDecodeError):  # whoever reads the column is told
+        except (ValueError, UnicodeDecodeError):  # the reader of the column reports it
             pass
         return found
 

@@ -201,8 +201,8 @@ def _rate_lines(log: Inspection) -> list[str]:
         return [f"{f'# {rate}' if _left_over(log) else rate:<46}# {where}"]
     stated = _rates_beside(next((each.only for each in log.suggestions if each.role == "q"), None) or "", log.rates)
     if len(set(stated.values())) > 1:
-        told = ", ".join(f"{name} says {rate:.9g}" for name, rate in list(stated.items())[:_MOST_NAMED])
-        return [f"{f'sample_rate = {quoted(FILL_IN)}':<46}# Hz; {_plain(told)}"]
+        rates = ", ".join(f"{name} says {rate:.9g}" for name, rate in list(stated.items())[:_MOST_NAMED])
+        return [f"{f'sample_rate = {quoted(FILL_IN)}':<46}# Hz; {_plain(rates)}"]
     name, hertz = next(iter(stated.items()))
     return [
         f"{f'sample_rate = {hertz:.9g}':<46}# Hz, suggested: what {_plain(name)} in the log says",

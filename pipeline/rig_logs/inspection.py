@@ -217,7 +217,7 @@ def _rises_evenly(samples: FloatArray) -> bool:
 def _time_column(
     channels: Sequence[RecordedChannel], roles: Sequence[Suggestion], notes: list[str]
 ) -> tuple[FloatArray | None, Clock]:
-    """The column that is taken for time in the description, in s, and in what places are told then."""
+    """The column that is taken for time in the description, in s, and the unit of places in the log then."""
     name = next((role.only for role in roles if role.role == "time"), None)
     if name is None:
         if channels:

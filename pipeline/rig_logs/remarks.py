@@ -10,12 +10,12 @@ from pipeline.signals.signal_quality import SignalQuality
 _RAIL_SHARE = 1e-3
 _FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
 _LONG_AGO = 1e5
-"""Seconds of a clock from which on stamps are told to the millisecond: it counts from a day or an epoch long ago."""
+"""Seconds of a clock from which on stamps are written to the millisecond: it counts from a day or an epoch long ago."""
 _MUCH = 10.0
 """Times the range of an idle channel by which another one of its unit moves, if the idle one is not driven."""
 
 Clock = Literal["s", "samples", ""]
-"""In what places in a log are told: seconds, numbers of samples, or a time of which the log states no unit."""
+"""Units of places in a log: seconds, numbers of samples, or a time of which the log states no unit."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Context:
     Attributes
     ----------
     clock : {"s", "samples", ""}
-        In what its places are told.
+        Unit of its places.
     driven : bool
         Whether it may be an input: one that is held, or stays at a limit, was commanded so.
     alike : float
@@ -84,7 +84,7 @@ def counted(number: int, thing: str) -> str:
 
 
 def stamped(stamp: float) -> str:
-    """A time stamp [s] without its unit, told to the millisecond where the clock has run for long."""
+    """A time stamp [s] without its unit, written to the millisecond where the clock has run for long."""
     return f"{stamp:.3f}" if abs(stamp) >= _LONG_AGO else f"{stamp:.6g}"
 
 

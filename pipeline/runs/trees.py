@@ -38,8 +38,8 @@ def write_tree(
     Every leaf becomes a dataset: arrays chunked with Fletcher-32 checksums, numbers and texts as scalars.
     Its entry in `columns` gives its attributes ``unit`` and ``meaning``, which do not count in the hash.
 
-    The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. What it was
-    refused memory for while it closes a dataset it tells nobody, so the bytes are read back first, which takes as long.
+    The file is laid out in memory and written as bytes: HDF5 does not survive a disk that fails under it. Where it
+    gets no memory while it closes a dataset, it reports nothing. So the bytes are read back first, which takes as long.
     """
     digest, content = tree_hash(tree), _laid_out(tree, columns)
     if tree_hash(parse_tree(content, target)) != digest:

@@ -209,7 +209,7 @@ def trusted(
     bounds = lost_bounds(q, inputs, quality, step) if lost and not quality.constant else UNBOUNDED
     fallen = dropouts((q[0], _within(samples, bounds)), inputs, quality, step) if lost and inert else NONE
     spans = fallen.spans
-    if bounds != UNBOUNDED or spans.size:  # what they are tells nothing of the motion
+    if bounds != UNBOUNDED or spans.size:  # their values do not describe the motion
         left = _without(_within(samples, bounds), spans)
         as_measured = {key: getattr(quality, key) for key in ("n", "not_finite", "lost", "not_finite_at")}
         quality = replace(examine_signal(q[0], left, step), **as_measured)

@@ -2,8 +2,8 @@
 
 A deviation is counted in prior standard deviations, so that the ridge of every estimate is the unit matrix. The
 widths are those of a joint of which no drawing is at hand: it is larger, slower or less sensitive by a tenth to a
-fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth. What the laser and the probes show at full
-scale counts as right: another scale would be another length or voltage of the joint, and nothing else.
+fifth, its mounts are elsewhere by half a millimetre, its moduli by a fifth. Laser and probes are
+taken as right at full scale: another scale would be another length or voltage of the joint, and nothing else.
 """
 
 import math
@@ -290,7 +290,7 @@ def correction_prior_std(p: JointParameters) -> FloatArray:
 
 
 def _values(deviations: FloatArray) -> dict[str, Any]:
-    """Every deviation in its unit by its name, and what the set says nothing of as itself, not as a logarithm.
+    """Every deviation in its unit by its name, and what the set does not name as itself, not as a logarithm.
 
     Each is a number, or an array where there are several sets of deviations.
     """

@@ -124,7 +124,7 @@ def starting_joint(
 def is_bistable_pair(records: Sequence[Record], law: InputLaw) -> bool:
     """Whether two squared inputs pull opposite ways at a device with two wells, as the membranes of a joint do.
 
-    The convex fit of the accelerations tells: without inputs its force must cross zero rising, near the middle of the
+    The convex fit of the accelerations shows: without inputs its force must cross zero rising, near the middle of the
     range, between two places where it falls. Other devices with two inputs have one well, or none (two propellers on a
     beam, two muscles on an arm).
 
@@ -339,7 +339,7 @@ def _typical_gain(basis: FloatArray, gain: FloatArray, scales: JointScales) -> f
 def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[float]) -> FloatArray:
     """θ from the convex fit; gains of one sign start at their typical size everywhere.
 
-    Where an input never acted the convex fit says nothing of its gain; a constant is the better guess for there.
+    Where an input never acted the convex fit does not determine its gain; a constant is the better guess there.
     """
     theta, at, s = np.zeros(p.count), p.slices, p.units
     force, damping, gains = fitted[0], fitted[1], fitted[2:]

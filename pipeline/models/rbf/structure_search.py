@@ -125,14 +125,14 @@ class Setting:
     def progress(self, what: str, half: float) -> Callable[[float, float], None]:
         """Tells of a fit: level and present error in millimetres or milliradians."""
 
-        def told(gain: float, rms: float) -> None:
+        def report(gain: float, rms: float) -> None:
             """Tell of a level: observer gain, error in half ranges."""
             level = f"observer {gain:g}" if gain else "free run"
             self.on_progress(
                 f"{what}: {level}, error {1e3 * half * rms:.3g}e-3", min(1.0, self.effort.spent / self.limit)
             )
 
-        return told
+        return report
 
     @property
     def limit(self) -> float:
