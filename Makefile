@@ -19,7 +19,7 @@ demo: $(VENV)/.run-ready
 # The tests of a file share its fixtures, so they stay in one process
 test: $(VENV)/.dev-ready
 	$(BIN)/debist warmup
-	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile
+	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder
 
 # What may differ between versions of Python and of libraries, in a minute or two
 quick: $(VENV)/.dev-ready

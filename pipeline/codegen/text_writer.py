@@ -37,7 +37,7 @@ class Language:
     """Syntax of a language for the parts of graphs.
 
     `element` takes array and entry, `number` a float; `functions` are texts with places for operands, `fetched` one for
-    array, entry and what is added to it.
+    array, entry and what is added to it, `as_number` one for a condition that is calculated with.
     """
 
     element: Callable[[str, int], str]
@@ -45,6 +45,7 @@ class Language:
     functions: dict[str, str]
     assign: str
     fetched: str
+    as_number: str
 
 
 C99 = Language(
@@ -60,6 +61,7 @@ C99 = Language(
     },
     "const {} {} = {};",
     "{}[{} + (int){}]",
+    "(real){}",
 )  # fmt: skip
 
 MATLAB = Language(
@@ -73,6 +75,7 @@ MATLAB = Language(
     },
     "{1} = {2};",
     "{}(1 + {} + {})",
+    "{}",
 )  # fmt: skip
 
 
@@ -134,7 +137,11 @@ def _lines(graph: Graph, language: Language, scalars: frozenset[str]) -> Iterato
         elif operation.name == "fetch":
             expression, keep = language.fetched.format(array, entry, operands[0]), True
         elif operation.name in _OPERATORS:
-            expression, keep = f"({operands[0]} {_OPERATORS[operation.name]} {operands[1]})", uses[i] > 1
+            numbers = [
+                language.as_number.format(text) if operations[j].name in _CONDITIONS else text
+                for j, text in zip(operation.operands, operands, strict=True)
+            ]
+            expression, keep = f"({numbers[0]} {_OPERATORS[operation.name]} {numbers[1]})", uses[i] > 1
         else:
             expression, keep = language.functions[operation.name].format(*operands), uses[i] > 1
         if uses[i] and (keep or len(expression) > _LONGEST):

@@ -55,6 +55,12 @@ def numbers(values: Iterable[float], end: str = "") -> Code:
     return Code(f"{end}\n".join(lines))
 
 
+def reals(values: Iterable[float]) -> Code:
+    """The same in C, in the precision that the file is compiled for."""
+    return Code("\n".join(textwrap.wrap(", ".join(f"R({number(value)})" for value in values), 114,
+                                       initial_indent="    ", subsequent_indent="    ")))  # fmt: skip
+
+
 def render(name: str, fields: dict[str, Any]) -> str:
     """The file that the template `name` makes of `fields`; its ending, as ``.c.j2``, decides the language."""
     text: str = _environment(_LANGUAGES[name.split(".")[-2]]).get_template(name).render(fields)
@@ -95,5 +101,5 @@ def _environment(finalize: Callable[[Any], Any]) -> Environment:
         autoescape=finalize is _in_document,  # noqa: S701 - markup is escaped so, the other languages by `finalize`
         finalize=finalize,
     )
-    environment.filters["numbers"] = numbers
+    environment.filters["numbers"], environment.filters["reals"] = numbers, reals
     return environment

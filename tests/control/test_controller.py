@@ -116,6 +116,44 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
     assert all(f"[{i}] {one.name} [{one.unit}]" in header.read_text("utf-8") for i, one in enumerate(ESTIMATES))
 
 
+@needs_gcc
+def test_single_precision_controls_as_double_does(tmp_path: Path) -> None:
+    """Snaps both ways and the unstable equilibrium, on the joint of the model; limits kept whatever is read."""
+    plant, law = designed()
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
+    subject = ControllerSubject("P1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (left, saddle, right))
+    source, library = write_controller(subject, tmp_path).written[1], tmp_path / "single.so"
+    flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wdouble-promotion", "-Werror", "-O2"]
+    flags += ["-DDEBIST_CONTROLLER_SINGLE", "-shared", "-fPIC"]
+    subprocess.run(["gcc", *flags, str(source), "-o", str(library), "-lm"], check=True)
+    loaded, highest = ctypes.CDLL(str(library)), law.number("highest")
+    loaded.debist_controller_size.restype = ctypes.c_size_t
+    assert loaded.debist_controller_size() == 4 * CONTROLLER_STATE
+    state, volts = np.zeros(CONTROLLER_STATE, dtype=np.float32), np.zeros(2, dtype=np.float32)
+    loaded.debist_controller_init(ctypes.c_void_p(state.ctypes.data), ctypes.c_float(left))
+
+    def step(reading: float, wanted: float) -> FloatArray:
+        loaded.debist_controller_step(
+            ctypes.c_void_p(state.ctypes.data), ctypes.c_float(reading), ctypes.c_float(wanted),
+            ctypes.c_void_p(volts.ctypes.data),
+        )  # fmt: skip
+        assert np.all((volts >= 0.0) & (volts <= np.float32(highest)))
+        return volts.astype(np.float64)
+
+    target = np.repeat([right, left, saddle, right], 1200)
+    expected, _ = closed_on_model(law, law, left, target)
+    truth, q = np.zeros(CONTROLLER_STATE), np.empty(target.size)
+    begin_control(left, law, truth)
+    for i, wanted in enumerate(target):
+        q[i] = truth[0] + law.number("offset")
+        move(truth, step(q[i], wanted), law)
+    ends = np.arange(1, 5) * 1200 - 1
+    assert np.abs(q[ends] - expected[ends]).max() < 5e-6
+    assert np.sqrt(np.mean((q - expected) ** 2)) < 1e-3 * np.ptp(expected)
+    for reading in (np.nan, 1e30, -np.inf, left):
+        step(reading, right)
+
+
 def nm(library: Path) -> list[str]:
     return subprocess.run(["nm", str(library)], check=True, capture_output=True, text=True).stdout.splitlines()
 
