@@ -66,3 +66,10 @@ def test_benchmarks_import_what_there_is() -> None:
             names = {alias.name for node in tree.body if isinstance(node, ast.Import) for alias in node.names}
             names |= {node.module or "" for node in tree.body if isinstance(node, ast.ImportFrom)}
             assert names & beside, f"{path.name} finds nothing in tests/{folder}"
+
+
+def test_no_temporary_file_is_opened_by_its_name_while_it_is_open() -> None:
+    """Windows refuses that, and every reader of an unpacked or rewritten log opens it by name."""
+    texts = {path: path.read_text(encoding="utf-8") for path in (ROOT / "pipeline").rglob("*.py")}
+    assert len(texts) > 100
+    assert not [path for path, text in texts.items() if "NamedTemporaryFile" in text]

@@ -14,7 +14,7 @@ from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Channel, LogColumn
 from pipeline.signals.columns import Signal, chunks, column, equal, held, one_sign, scaled, sparse
-from pipeline.signals.missing import codes_in, masked, said_of
+from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.timebase import nominal_step, unwrapped
 from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
 
@@ -189,7 +189,7 @@ def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, 
     if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
         _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
     codes = codes_in(read.samples, log_column.missing, of_time=unit.symbol == "s")
-    notes += [f"{name}: {text}" for text in said_of(codes)]
+    notes += [f"{name}: {text}" for text in code_remarks(codes)]
     samples = scaled(masked(read.samples, codes), factor, offset)
     part = log_column.part if isinstance(log_column, Channel) else "all"
     return samples if part == "all" else one_sign(samples, 1.0 if part == "positive" else -1.0)

@@ -4,7 +4,6 @@ import bz2
 import gzip
 import lzma
 import re
-import tempfile
 import zipfile
 import zlib
 from collections.abc import Callable, Iterator, Sequence
@@ -13,7 +12,16 @@ from typing import Any, BinaryIO
 
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.source import PART, CsvOptions, Entry, Limits, Source, UnreadableLogError, read_start
+from pipeline.rig_logs.source import (
+    PART,
+    CsvOptions,
+    Entry,
+    Limits,
+    Source,
+    UnreadableLogError,
+    read_start,
+    temporary_path,
+)
 
 _HIDDEN = re.compile(r"/$|^__MACOSX|(^|/)\.")
 """Folders, and files that file managers leave behind."""
@@ -26,18 +34,19 @@ class UnpackedSource:
     def __init__(self, path: Path, packed: BinaryIO, csv: CsvOptions, limits: Limits) -> None:
         from pipeline.rig_logs.child import open_source
 
-        self._file = tempfile.NamedTemporaryFile(prefix="debist-")  # noqa: SIM115
-        left = limits.largest(path.stat().st_size)
+        unpacked, left = temporary_path(self), limits.largest(path.stat().st_size)
         try:
-            while part := packed.read(PART):
-                left -= len(part)
-                if left < 0:
-                    raise UnreadableLogError("it unpacks to far more than it holds; refused")
-                self._file.write(part)
+            with unpacked.open("wb") as file:
+                while part := packed.read(PART):
+                    left -= len(part)
+                    if left < 0:
+                        raise UnreadableLogError("it unpacks to far more than it holds; refused")
+                    file.write(part)
         except (OSError, EOFError, zlib.error, lzma.LZMAError, zipfile.BadZipFile, RuntimeError) as error:
+            if getattr(error, "errno", None):  # of the disk, as when it is full
+                raise
             raise UnreadableLogError(f"truncated or damaged ({error})") from error
-        self._file.flush()
-        self._log = open_source(Path(self._file.name), csv, limits)
+        self._log = open_source(unpacked, csv, limits)
         self.format = f"{self._log.format}, compressed"
         self.notes, self.texts = self._log.notes, self._log.texts
         self.rates: dict[str, float] = getattr(self._log, "rates", {})

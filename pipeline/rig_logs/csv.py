@@ -250,7 +250,9 @@ class CsvSource:
 
         dialect, plain = self._dialect, self._rewritten
         return csv.open_csv(
-            written(self._plain_rows(names)) if plain else as_utf8(self._path, self._complete_rows(), dialect.encoding),
+            written(self._plain_rows(names), self)
+            if plain
+            else as_utf8(self._path, self._complete_rows(), dialect.encoding, self),
             read_options=csv.ReadOptions(
                 use_threads=False,
                 block_size=self._block,

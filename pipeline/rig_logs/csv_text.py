@@ -2,16 +2,16 @@
 
 import codecs
 import io
-import tempfile
 from collections.abc import Iterable
+from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from pipeline.rig_logs.source import PART
+from pipeline.rig_logs.source import PART, temporary_path
 
 
-def as_utf8(path: Path, length: int, encoding: str) -> Any:
+def as_utf8(path: Path, length: int, encoding: str, owner: object) -> Any:
     """The first `length` bytes as UTF-8 in a file of Arrow's own; where that is less than all, in a mapped buffer.
 
     Arrow's threads read ahead. Were they to hold memory of Python's, as they would of a Python file or of a codec,
@@ -26,28 +26,32 @@ def as_utf8(path: Path, length: int, encoding: str) -> Any:
         Bytes that are whole rows.
     encoding : str
         Its text encoding.
+    owner : object
+        What reads it; see `written`.
     """
     import pyarrow as pa
 
     if not _is_ascii_and_more(encoding):
         with text_of(path, length, encoding, newline="") as lines:
-            return written(lines)
+            return written(lines, owner)
     if length == path.stat().st_size:  # what is beyond ASCII stands in no number
         return pa.OSFile(str(path))
     with pa.memory_map(str(path)) as mapped:
         return pa.BufferReader(mapped.read_buffer(length))
 
 
-def written(lines: Iterable[str]) -> Any:
-    """Lines in a file of Arrow's own, which vanishes with it."""
+def written(lines: Iterable[str], owner: object) -> Any:
+    """Lines in a file of Arrow's own, which vanishes with it, on Windows with the `owner`."""
     import pyarrow as pa
 
-    with tempfile.NamedTemporaryFile(prefix="debist-") as file:
-        rest = iter(lines)
+    path, rest = temporary_path(owner), iter(lines)
+    with path.open("wb") as file:
         while some := list(islice(rest, PART)):
             file.write("".join(some).encode())
-        file.flush()
-        return pa.OSFile(file.name)
+    opened = pa.OSFile(str(path))
+    with suppress(PermissionError):  # as on Windows, where an open file stays
+        path.unlink()
+    return opened
 
 
 def text_of(path: Path, length: int, encoding: str, newline: str | None = None) -> io.TextIOWrapper:

@@ -15,7 +15,7 @@ from pipeline.rig_logs.recording import RecordedChannel, Recording
 from pipeline.rig_logs.remarks import Clock, Context, remarks_on
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
 from pipeline.signals.dropouts import NONE, dropout_remarks, dropouts
-from pipeline.signals.missing import codes_in, masked, said_of
+from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 from pipeline.units import SECONDS
@@ -132,7 +132,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
         context = Context(own_clock, channel.name in inputs, max(alike, default=np.nan))
         own = codes.get(channel.name, {})
-        remarks = () if channel.name in bare else (*said_of(own), *remarks_on(quality, context))
+        remarks = () if channel.name in bare else (*code_remarks(own), *remarks_on(quality, context))
         if position is not None and channel.name not in inputs:
             time = column if channel.time is None else channel.time
             remarks += _dropouts(time, channel.samples, quality, bases[position].step, channel.unit)
@@ -189,8 +189,8 @@ def _roles(
     """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
     usual = [channel for channel in channels if channel.time is not None or not own_time]
     counts = {} if own_time else {channel.name: channel.samples.size for channel in channels}
-    untold = [channel for channel in usual if rates and not is_called("time", channel.name)]
-    left_out = far_shorter(counts).union(rates, (each.name for each in untold if _counts_samples(each.samples)))
+    unnamed = [channel for channel in usual if rates and not is_called("time", channel.name)]
+    left_out = far_shorter(counts).union(rates, (each.name for each in unnamed if _counts_samples(each.samples)))
     further = second_experiments([channel.name for channel in usual if channel.name not in left_out], is_record)
     notes += note_on(further)
     kept = [channel for channel in usual if channel.name not in left_out and channel.name not in further]

@@ -3,6 +3,9 @@
 import itertools
 import math
 import re
+import shutil
+import tempfile
+import weakref
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -193,6 +196,16 @@ class UnreadableLogError(Exception):
 
 class UnreadableChannelError(UnreadableLogError):
     """One channel is of a kind that is not read; the others are."""
+
+
+def temporary_path(owner: object) -> Path:
+    """Where a file may be written that vanishes with its `owner`.
+
+    Unlike Python's own temporary file it is not open, so that Windows too lets a library open it by its name.
+    """
+    folder = tempfile.mkdtemp(prefix="debist-")
+    weakref.finalize(owner, shutil.rmtree, folder, ignore_errors=True)
+    return Path(folder) / "log"
 
 
 def unique_names(names: list[str]) -> list[str]:

@@ -1,7 +1,6 @@
 """Workbooks of Excel and LibreOffice through calamine: the sheet of the most rows, read as the CSV that it would be."""
 
 import csv
-import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from datetime import datetime, time, timedelta
@@ -11,7 +10,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.csv import CsvSource
-from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError
+from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, temporary_path
 
 
 class WorkbookSource:
@@ -35,11 +34,10 @@ class WorkbookSource:
             rows = sheet.to_python(skip_empty_area=False)
         except (python_calamine.CalamineError, ValueError, OSError) as error:
             raise UnreadableLogError(f"the workbook cannot be opened: {error}") from error
-        self._file = tempfile.NamedTemporaryFile("w", prefix="debist-", newline="", encoding="utf-8")  # noqa: SIM115
-        mark = options.decimal or "."
-        csv.writer(self._file, lineterminator="\n").writerows([_text(cell, mark) for cell in row] for row in rows)
-        self._file.flush()
-        self._table = CsvSource(Path(self._file.name), replace(options, encoding="utf-8", delimiter=",", decimal=mark))
+        written, mark = temporary_path(self), options.decimal or "."
+        with written.open("w", newline="", encoding="utf-8") as file:
+            csv.writer(file, lineterminator="\n").writerows([_text(cell, mark) for cell in row] for row in rows)
+        self._table = CsvSource(written, replace(options, encoding="utf-8", delimiter=",", decimal=mark))
         self.format = "workbook"
         self.notes, self.texts, self.rates = self._table.notes, self._table.texts, self._table.rates
         if len(book.sheet_names) > 1:

@@ -147,7 +147,7 @@ def _is_any(part: FloatArray, codes: Iterable[float]) -> BoolArray:
     return is_code
 
 
-def said_of(counts: dict[float, int]) -> list[str]:
+def code_remarks(counts: dict[float, int]) -> list[str]:
     """What to say of the codes in a column."""
     return [
         f"{n} sample{'s' * (n > 1)} of {code:.6g} stand{'s' * (n == 1)} for no value: masked (`missing` in [channels])"

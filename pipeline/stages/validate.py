@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.tubes import Tubes
     from pipeline.scoring.wells import NoWells
 
-ALGORITHM = "24"
+ALGORITHM = "25"
 
 _RESTARTS = 60
 

@@ -21,7 +21,7 @@ from pipeline.runs.columns import TUBE_COLUMNS
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.signals.missing import codes_in, masked, said_of
+from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.stages.check import declared, log_signals
 from pipeline.stages.differentiate import kinematics
@@ -161,7 +161,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
-    of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in said_of(counts))
+    of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts))
     log = SiLog(q, tuple(inputs), notes=of_codes)
     checked = examined(log, prototype, where)
     fine, coarse = (

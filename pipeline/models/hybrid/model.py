@@ -19,7 +19,7 @@ from pipeline.models.base import FreeRun, checked
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
 from pipeline.models.hybrid.kernels import CURVES
-from pipeline.models.hybrid.problem import CondensedJoint, simulate
+from pipeline.models.hybrid.problem import CondensedJoint, age_at, simulate
 from pipeline.models.hybrid.runs import BATCH, Followed, follow_path
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.statics import static_curves, substeps
@@ -186,7 +186,7 @@ class HybridModel:
         joint, seen = self.joint, self.joint.instruments(self.theta)
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
         path = CubicSpline(t - t[0], np.column_stack([q - seen.offset, qdot]))(fine)
-        return follow_path(u, path, dt, steps, k, joint.basis, weights, max(float(t[0]), 0.0))
+        return follow_path(u, path, dt, steps, k, joint.basis, weights, age_at(t))
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
@@ -299,7 +299,7 @@ class HybridModel:
 
         Shape (B, N, 3); free but where an observer has `held` them near a q.
         """
-        dt, age = sample_interval(t), np.full((*start.shape[:-1], 1), max(float(t[0]), 0.0))
+        dt, age = sample_interval(t), np.full((*start.shape[:-1], 1), age_at(t))
         start = np.concatenate([start, age], axis=-1)
         driving, largest = DrivingVoltages(v, dt), self.joint.largest_voltage
         built = self._best if thetas is None else self._built(thetas)

@@ -51,6 +51,9 @@ USED = 60.0
 PASSES = 12
 """Largest number of runs of a log in the search for places where runs lose it."""
 
+LONGEST_RECORDING = 3600.0
+"""Largest time stamp [s] that is taken as the time since a recording began; a larger one counts from an epoch."""
+
 BRIDGED = 0.03
 """Gap [s] in a log over which a spline is as good as a measurement."""
 
@@ -281,7 +284,7 @@ class _Log:
         if self.v.refined:  # then the samples have been low-pass filtered, and runs are not
             self.q = sharpened(self.q, record.valid)
         self._path = CubicSpline(self.t[record.valid], self.q[record.valid])
-        self._start = np.array([self.q[0], 0.0, max(float(record.t[0]), 0.0)])
+        self._start = np.array([self.q[0], 0.0, age_at(record.t)])
         self._seen, self._seen_for = _visibility(record.valid, self.dt)
         self.held = self.settling.copy()
         self._followed: dict[int, FloatArray] = {}
@@ -364,6 +367,12 @@ class _Log:
                 self._squares.clear()
             self._squares[key] = self.v.squared(steps, seen, largest)
         return self._squares[key]
+
+
+def age_at(t: FloatArray) -> float:
+    """Time [s] for which a joint has been recorded at the first of these time stamps; 0 where they do not show it."""
+    first = float(t[0])
+    return first if 0.0 < first <= LONGEST_RECORDING else 0.0
 
 
 def _settling(record: Record) -> int:

@@ -247,6 +247,18 @@ def test_no_voltage_drives_it_out_of_bounds(volts: float) -> None:
     assert model.joint.q_stop <= 1.5 * -model.joint.basis[0]
 
 
+def test_a_joint_softens_from_the_beginning_of_a_recording_whatever_its_clock_counts_from() -> None:
+    model = joint({"softening": 3.0})
+    t, v = pulses(5, 5.0)
+    fresh, epoch, later = (model.simulate(t + begun, v, -0.0105, 0.0).q for begun in (0.0, 1e6, 600.0))
+    assert epoch == pytest.approx(fresh, abs=1e-7)  # the clock's own rounding
+    assert np.abs(later - fresh).max() > 1e-4
+    moved = log(model, 1, 5.0)
+    errors = [CondensedProblem(model.joint, [replace(moved, t=moved.t + t)]) for t in (0.0, 1e6)]
+    one, other = (problem.residual(model.theta, 0.0) for problem in errors)
+    assert one is not None and other == pytest.approx(one, abs=1e-4)  # mm
+
+
 def test_corrections_act_on_the_force() -> None:
     corrected, plain = joint({}, centres=5), joint({})
     corrected.theta[DEVIATIONS : DEVIATIONS + 5] = 1.0
