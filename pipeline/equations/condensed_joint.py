@@ -17,7 +17,7 @@ corrections (eq. 38): of restoring force, damping and both electrostatic forces 
 deviation s = τ − ratio Q from the quasi-static slope, because while it snaps the beam is
 not where a function of q alone would put it: the potential −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s
 and the loss c(q) ṡ². They are gradients and dampers, so the joint stays passive; c never takes more than half of the
-beam's own loss, in whatever direction.
+beam's own loss, in whatever direction. Softening takes energy; with the other sign of its constant it gives some, once.
 
 States and constants: `pipeline.equations.condensed_parts`.
 """

@@ -11,6 +11,7 @@ shape mode. The motion follows from the energies of section 3:
     ė_ik = λ̇_3,i − r_k e_ik                        Maxwell elements of each membrane (eq. 19)
     z_j ← clip(z_j + Δq/δ_j, −1, 1)                 stop operators: generalised Maxwell slip
     ċ_k = r_k (q − c_k)                             creep
+    Ḋ = r_s (1 − D)                                 softening: the modulus of both membranes times 1 − s D
 
 Corrections are sums of Gaussians (eq. 38): force, damping and both electrostatic forces in q, and to second order in
 the deviation s = τ − ratio Q from the quasi-static slope. They are gradients and dampers, so the joint stays passive.
