@@ -158,5 +158,5 @@ def _control() -> None:
     closed_on_model(law, condensed_joint_law(plant, (0.003, 0.003)), -0.01, np.zeros(2))
 
 
-GROUPS = ((_hybrid, _control), (_analytical, _without_parameter_set, _network, _measured, _rig))
+GROUPS = ((_hybrid, _control, _rig), (_analytical, _network, _without_parameter_set, _measured))
 """Groups of kernels, one process each, of about the same time; kernels that share others stand together."""
