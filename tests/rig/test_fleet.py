@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+import pipeline.rig.random_joint
 from pipeline.commands.rig import app
 from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
@@ -152,3 +153,11 @@ def test_commands_write_and_say_where(tmp_path: Path) -> None:
     assert len(many.stderr.splitlines()) == 2
     quiet = CliRunner().invoke(app, ["fleet", "2", "-o", str(tmp_path / "more"), "--quiet", *options])
     assert (quiet.exit_code, quiet.stderr) == (0, "")
+
+
+def test_a_joint_that_switches_is_found_behind_many_that_do_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    answers = iter([*[False] * 120, True])
+    monkeypatch.setattr(pipeline.rig.random_joint, "_tuned", lambda p, target: p)
+    monkeypatch.setattr(pipeline.rig.random_joint, "_switches", lambda p: next(answers))
+    assert pipeline.rig.random_joint.random_joint(np.random.default_rng(1), "same").mass > 0.0
+    assert next(answers, None) is None
