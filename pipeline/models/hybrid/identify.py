@@ -142,7 +142,7 @@ def identify_hybrid(
         raise DataRefusedError(_FOLLOWS_NOT)
     spread = posterior_factor(final, search.prior(len(final.theta)))
     report = _report((*levels, *final.levels), final, similarity)
-    return HybridModel(
+    model = HybridModel(
         _of_device(joint, similarity),
         final.theta,
         spread,
@@ -152,26 +152,18 @@ def identify_hybrid(
         | {"held_share": search.held_share(joint, final.theta)}
         | {"ablation": {name: free for name, (_, free) in held.items()}}
         | decision,
-        _tube_scale(early, spread, records, report["training_rms_m"]),
-        early,
+        early=early,
     )
+    return replace(model, tube=_tube_scale(model, records, report["training_rms_m"]))
 
 
-def _tube_scale(early: HybridModel, spread: FloatArray, records: Sequence[Record], floor: float) -> TubeScale:
-    """Scale of the tubes, from the model of the first parts of the logs and the rest of them.
-
-    `spread` is the posterior's factor of the final model. Cost: 33 runs of each log.
-    """
-    shared = np.zeros((len(early.theta), spread.shape[1]))
-    count = min(len(shared), len(spread))
-    shared[:count] = spread[:count]
-    drawn, parts = replace(early, spread=shared), []
+def _tube_scale(model: HybridModel, records: Sequence[Record], floor: float) -> TubeScale:
+    """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log."""
+    parts = []
     for record in within(records, MOST_SAMPLES):
         given = record.t, record.drive, float(record.q[0]), float(record.qdot[0])
-        behind = slice(fitted_samples(len(record.t)), None)
-        ensemble, _ = drawn.simulate_draws(*given)
-        measured = np.where(record.valid, record.q, np.nan)
-        parts.append((drawn.simulate(*given).q[behind], ensemble[:, behind], measured[behind]))
+        ensemble, _ = model.simulate_draws(*given)
+        parts.append((model.simulate(*given).q, ensemble, np.where(record.valid, record.q, np.nan)))
     free, drawn_q, q = (np.concatenate(each, axis=-1) for each in zip(*parts, strict=True))
     shown = _displacements(records)
     return tube_scale(free, drawn_q, q, floor, float(shown.max() - shown.min()))
