@@ -13,7 +13,7 @@ from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import ASSUMED_LAG, ControlledJoint
 from pipeline.errors import InputError
-from pipeline.generated.condensed_joint import STOPS
+from pipeline.generated.condensed_joint import STOP_ELEMENTS
 from pipeline.generated.condensed_joint_jacobian import PREPARE
 from pipeline.models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
 from pipeline.models.hybrid.statics import rest_state
@@ -129,7 +129,8 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
         **{f"calm_{name}": value**2 for name, value in zip(("shake", "twist", "walk"), CALM, strict=True)},
         **{f"certain_{i}": value for i, value in enumerate(CERTAIN)},
         **{f"bound_{i}": value for i, value in enumerate((plant.wall, *BOUNDS))},
-        "arm": k[INDEX["friction_arm"]], **{f"travel_{i}": k[INDEX[f"stop_travel_{i}"]] for i in range(STOPS)},
+        "arm": k[INDEX["friction_arm"]], "length": k[INDEX["l"]],
+        **{f"travel_{i}": k[INDEX[f"stop_travel_{i}"]] for i in set(STOP_ELEMENTS)},
         "curve_first": first, "curve_per_metre": per_metre, "curve_last": len(curves) - 1.0,
         "rest_per_metre": 1.0 / (grid[1] - grid[0]),
     }  # fmt: skip

@@ -17,7 +17,17 @@ from typing import Any
 
 from pipeline.codegen.graph import Value, apply, choose, clip, fetch, function, inline
 from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, SIDES, TARGETS
-from pipeline.generated.condensed_joint import AT_REST, FIRST_ELEMENT, INERTIA, RATES, STATES, STOPS
+from pipeline.generated.condensed_joint import (
+    AT_REST,
+    FIRST_ELEMENT,
+    INERTIA,
+    RATES,
+    SLIPS,
+    STATES,
+    STOP_DIRECTIONS,
+    STOP_ELEMENTS,
+    STOPS,
+)
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN
 from pipeline.generated.terms import STOP_OPERATOR
 from pipeline.models.hybrid.kernels import CURVED, CURVES
@@ -78,7 +88,7 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
     )
     state = {name: [0.0] * (place.stop - place.start) for name, place in PLACES.items()}
     state["x"] = [q, 0.0, tau, 0.0, beta, *[0.0] * (FIRST_ELEMENT - 5), *(x * q for x in AT_REST)]
-    state["z"] = [stuck] * STOPS
+    state["z"] = [stuck] * SLIPS + [0.0] * (STOPS - SLIPS)
     state["target"], state["phase"] = [q], [1.0]
     for i in range(FILTER):
         state["spread"][_packed(i, i)] = n[f"certain_{i}"]
@@ -166,8 +176,19 @@ def _packed(i: int, j: int) -> int:
 
 def _stops(z: Values, before: Values, after: Values, n: dict[str, Any]) -> Values:
     """Stop operators after a move."""
-    play = after[0] - before[0] + n["arm"] * (after[2] - before[2])
-    return [apply(STOP_OPERATOR, z[i], play, n[f"travel_{i}"])[0] for i in range(STOPS)]
+    moved = [after[i] - before[i] for i in SHAPE]
+    plays = [sum(by * play for by, play in zip(_direction(i, n), moved, strict=True)) for i in range(STOPS)]
+    return [apply(STOP_OPERATOR, z[i], plays[i], _travel(i, n))[0] for i in range(STOPS)]
+
+
+def _direction(stop: int, n: dict[str, Any]) -> tuple[Any, Any, Any]:
+    """Slopes of the coordinate of a stop operator along (q, τ, β) [1, m, m]."""
+    q, by_arm, tau, beta = STOP_DIRECTIONS[stop]
+    return q, by_arm * n["arm"] + tau * n["length"], beta * n["length"]
+
+
+def _travel(stop: int, n: dict[str, Any]) -> Any:
+    return n[f"travel_{STOP_ELEMENTS[stop]}"]
 
 
 def lag(s: Values, v: Values, e: Values) -> Outputs:
@@ -292,8 +313,9 @@ def _jacobian(
             a[i][j] = PERIOD * full[width * i + j]
         for stop in range(STOPS):  # a stop operator that slips does not resist
             held = function("lt", function("abs", z[stop]), 1.0)
-            by = choose(held, PERIOD * full[width * i + STATES + stop] / n[f"travel_{stop}"], 0.0)
-            a[i][0], a[i][2] = a[i][0] + by, a[i][2] + n["arm"] * by
+            by = choose(held, PERIOD * full[width * i + STATES + stop] / _travel(stop, n), 0.0)
+            for j, along in zip(SHAPE, _direction(stop, n), strict=True):
+                a[i][j] = a[i][j] + along * by
     twist, push = _pushed(x, prepared)
     for i, on in twist.items():
         a[i][CORRECTED] = PERIOD * on
@@ -329,6 +351,8 @@ def known_state(s: Values, e: Values) -> Outputs:
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}
 
 
+SHAPE = (0, 2, 4)
+"""Places of q, τ and β in the state."""
 ESTIMATED = STATES + STOPS + 4
 """Numbers of an estimate."""
 SIZES = {"s": CONTROLLER_STATE, "signals": 2, "v": 2, "e": len(NUMBERS), "u": 2, "um": 2, "y": STATES, "dx": STATES}

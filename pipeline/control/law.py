@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pipeline.errors import CorruptArtifactError
-from pipeline.generated.condensed_joint import FIRST_STRAIN, PREPARE, STATES, STOPS
+from pipeline.generated.condensed_joint import FIRST_STRAIN, PREPARE, STATES, STOP_ELEMENTS, STOPS
 from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
 from pipeline.models.hybrid.kernels import CURVES
 from pipeline.numerics.arrays import FloatArray
@@ -40,14 +40,15 @@ NUMBERS = (
     "reading_variance", "shake", "twist", "walk", "calm_shake", "calm_twist", "calm_walk",
     *(f"certain_{i}" for i in range(FILTER)),
     *(f"bound_{i}" for i in range(FILTER)),
-    "arm", *(f"travel_{i}" for i in range(STOPS)),
+    "arm", "length", *(f"travel_{i}" for i in sorted(set(STOP_ELEMENTS))),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of each converter's voltage that is left after a period and its mean over it;
 variance of a reading; densities of what shakes the joint, for motions and near a target; variances after a long rest,
-magnitudes that no estimate passes; arm and travels of friction; grids of the tables; those of the feedback law
+magnitudes that no estimate passes; friction's arm, the beam's length, travels of stop operators; grids of the tables;
+those of the feedback law
 (`pipeline.control.feedback`)."""
 
 TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1),

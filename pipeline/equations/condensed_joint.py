@@ -11,8 +11,9 @@ stiff and a least value stands in), and β lifts and lowers the whole frame, as 
 least value. The axial strain u0 (10 µm) is a constant. What stays is passive by construction without voltage: every
 force comes from a potential, a damper, a Maxwell element or a stop operator.
 
-What a real joint has and the paper's analytical model lacks is added: two sides of their own, generalised
-Maxwell slip on q as stop operators, linear creep elements on q, membranes that soften while a log lasts, and RBF
+What a real joint has and the paper's analytical model lacks is added: two sides of their own, generalised Maxwell slip
+as stop operators, layers of the beam that yield (stop operators on its curvature), linear creep elements on q,
+membranes that soften while a log lasts, and RBF
 corrections (eq. 38): of restoring force, damping and both electrostatic forces in q, and to second order in the
 deviation s = τ − ratio Q from the quasi-static slope, because while it snaps the beam is
 not where a function of q alone would put it: the potential −m(q) s + ½ b(q) s² − (h_left(q) u_1 + h_right(q) u_2) s
@@ -39,6 +40,9 @@ from pipeline.equations.condensed_parts import (
     FIRST_STRAIN,
     SOFTENING,
     STATES,
+    STOP_DIRECTIONS,
+    STOP_ELEMENTS,
+    STOP_SHARES,
     STOPS,
     CondensedSymbols,
     FrameAngle,
@@ -125,7 +129,7 @@ def _corrections(s: CondensedSymbols) -> tuple[Expression, Expression]:
 
 
 def forces(s: CondensedSymbols, friction: Expression) -> Forces:
-    """All forces but inertia; `friction` [N] acts on q + friction_arm τ."""
+    """All forces but inertia; `friction` are those of the stop operators, (3,)."""
     k, x = s.constant, s.x
     q, p, turning = x[0], x[1], x[3]
     l, loss = k("l"), k("bending_loss")
@@ -142,11 +146,12 @@ def forces(s: CondensedSymbols, friction: Expression) -> Forces:
         g_t + axial * along_u[1] + k("slope_by_tau") * end_loss + sum(tension * along[1] for tension, along, _ in sides)
     )
     moment += k("weight") * k("offset") * phi.sin * phi.turn
-    force += k("side_force") - friction - sum(element.resistance(*_tip(s, element)) for element in tip_elements())
-    moment -= k("friction_arm") * friction
+    force += k("side_force") - friction[0] - sum(element.resistance(*_tip(s, element)) for element in tip_elements())
+    moment -= friction[1]
     force -= sum(k(f"creep_stiffness_{i}") * (q - x[FIRST_ELEMENT + i]) for i in range(CREEPS))
     interior_loss = loss * STIFFNESS_BB * x[5] + k("slope_by_beta") * end_loss
-    return Forces(force, moment, -(g_b + axial * along_u[2] + interior_loss), [thinning for _, _, thinning in sides])
+    interior = -(g_b + axial * along_u[2] + interior_loss) - friction[2]
+    return Forces(force, moment, interior, [thinning for _, _, thinning in sides])
 
 
 def _axial(s: CondensedSymbols, sides: list[_Side]) -> Expression:
@@ -190,21 +195,36 @@ def _tip(
     return s.x[0], s.x[1], states, {c.name: s.constant(c.name) for c in element.constants}
 
 
-def friction_of(s: CondensedSymbols, states: list[Expression]) -> Expression:
-    """Friction [N] of stop operators in these states."""
-    return sum(s.constant(f"stop_force_{i}") * states[i] for i in range(STOPS))
+def stop_forces(s: CondensedSymbols, states: list[Expression]) -> Expression:
+    """Forces of stop operators in these states on q [N], τ [N·m] and β [J], (3,)."""
+    total = ca.SX.zeros(3)
+    for i, along in enumerate(_directions(s)):
+        total += (s.constant(f"stop_force_{STOP_ELEMENTS[i]}") * STOP_SHARES[i] * states[i]) * along
+    return total
+
+
+def _directions(s: CondensedSymbols) -> list[Expression]:
+    """Slopes of the coordinate of each stop operator along (q, τ, β) [1, m, m], each (3,)."""
+    arm, l = s.constant("friction_arm"), s.constant("l")
+    return [ca.vertcat(q, by_arm * arm + tau * l, beta * l) for q, by_arm, tau, beta in STOP_DIRECTIONS]
 
 
 def moved_stops(s: CondensedSymbols) -> list[Expression]:
     """Stop operators at x, by the play since the start of the step: they need no differential equation."""
-    play = s.x[0] - s.start[0] + s.constant("friction_arm") * (s.x[2] - s.start[1])
-    return [elements.stop_operator(s.z[i], play, s.constant(f"stop_travel_{i}")) for i in range(STOPS)]
+    moved, travels = s.shape - s.start, _travels(s)
+    plays = [ca.dot(along, moved) for along in _directions(s)]
+    return [elements.stop_operator(s.z[i], plays[i], travels[i]) for i in range(STOPS)]
+
+
+def _travels(s: CondensedSymbols) -> list[Expression]:
+    """Travel [m] of each stop operator."""
+    return [s.constant(f"stop_travel_{element}") for element in STOP_ELEMENTS]
 
 
 def stop_rates(s: CondensedSymbols) -> list[Expression]:
     """Rates [1/s] of the stop operators where they are states."""
-    speed = s.x[1] + s.constant("friction_arm") * s.x[3]
-    return [elements.stop_rate(s.z[i], speed, s.constant(f"stop_travel_{i}")) for i in range(STOPS)]
+    speeds, travels = [ca.dot(along, s.speeds) for along in _directions(s)], _travels(s)
+    return [elements.stop_rate(s.z[i], speeds[i], travels[i]) for i in range(STOPS)]
 
 
 def linearised(s: CondensedSymbols) -> dict[str, Expression]:
@@ -215,7 +235,7 @@ def linearised(s: CondensedSymbols) -> dict[str, Expression]:
     turns or sticks, that of the side on which the motion goes on.
     """
     slopes = ca.SX.sym("c_q", len(CORRECTIONS))
-    f = ca.vertcat(rates(s, friction_of(s, [s.z[i] for i in range(STOPS)])), *stop_rates(s))
+    f = ca.vertcat(rates(s, stop_forces(s, [s.z[i] for i in range(STOPS)])), *stop_rates(s))
     by_c = ca.jacobian(f, s.c)
     a = ca.jacobian(f, ca.vertcat(s.x, s.z))
     a[:, 0] = a[:, 0] + ca.mtimes(by_c, slopes)
@@ -227,7 +247,7 @@ def rest_forces(s: CondensedSymbols) -> Expression:
 
     The membranes are as soft as the state says.
     """
-    acting = forces(s, ca.SX(0))
+    acting = forces(s, ca.SX.zeros(3))
     still = {i: ca.SX(0) for i in range(STATES)} | {i: s.x[i] for i in (0, 2, 4)}
     still |= {FIRST_ELEMENT + i: at_rest * s.x[0] for i, at_rest in enumerate(AT_REST)}
     still[SOFTENING] = s.x[SOFTENING]

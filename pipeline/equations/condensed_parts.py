@@ -9,6 +9,7 @@ has: a printed beam is uneven, its clamps give way, and a chain of links is no b
 the inertia of frame and beam.
 """
 
+import math
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
 
@@ -18,8 +19,27 @@ from pipeline.equations import beam
 from pipeline.equations.beam import Expression
 from pipeline.equations.tip_elements import tip_elements
 
-STOPS, CREEPS, BRANCHES = 6, 2, 3
-"""Stop operators; creep elements on q; Maxwell elements of each membrane: the paper's, a slow one and a fast one."""
+SLIPS, LAYERS, CREEPS, BRANCHES = 4, 2, 2, 3
+"""Elements of friction; layers of the beam that yield; creep elements on q; Maxwell elements of each membrane: the
+paper's, a slow one and a fast one."""
+_GAUSS = ((0.5 - math.sqrt(0.15), 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.5 + math.sqrt(0.15), 5.0 / 18.0))
+"""Places ξ along the beam and their weights, by Gauss's rule with three points."""
+STOP_ELEMENTS = (*range(SLIPS), *(SLIPS + layer for _ in _GAUSS for layer in range(LAYERS)))
+"""For each stop operator the element of which it is: the slips of friction, then the layers at each place."""
+STOP_SHARES = (*(1.0 for _ in range(SLIPS)), *(weight for _, weight in _GAUSS for _ in range(LAYERS)))
+"""Share of its element's force."""
+STOP_DIRECTIONS = (
+    *((1.0, 1.0, 0.0, 0.0) for _ in range(SLIPS)),
+    *(
+        (1.0 - 2.0 * xi, 0.0, xi - 1.0 / 3.0, 1.0 / 3.0 - 2.0 * xi * (1.0 - xi))
+        for xi, _ in _GAUSS
+        for _ in range(LAYERS)
+    ),
+)
+"""Its coordinate [m] is a q + (b friction_arm + c l) τ + d l β with these numbers. Friction acts on q and a part of the
+frame's turn. A layer follows the curvature of the beam where it is: its coordinate is l² w''(ξ)/6."""
+STOPS = len(STOP_ELEMENTS)
+"""Stop operators."""
 ELEMENT_STATES = (
     *((f"creep_{i}", "m") for i in range(CREEPS)),
     ("softening", "1"),
@@ -62,8 +82,8 @@ CONSTANTS = (
     "viscosity", *(name for name, *_ in TIP_CONSTANTS), "friction_arm",
     *(f"left_{name}" for name in _SIDE),
     *(f"right_{name}" for name in _SIDE),
-    *(f"stop_force_{i}" for i in range(STOPS)),
-    *(f"stop_travel_{i}" for i in range(STOPS)),
+    *(f"stop_force_{i}" for i in range(SLIPS + LAYERS)),
+    *(f"stop_travel_{i}" for i in range(SLIPS + LAYERS)),
     *(f"creep_stiffness_{i}" for i in range(CREEPS)),
     *(f"creep_rate_{i}" for i in range(CREEPS)),
     "softening", "softening_rate",
@@ -81,7 +101,7 @@ of four of them [per m]."""
 
 @dataclass(frozen=True)
 class CondensedSymbols:
-    """Independent variables: state, stop operators at the start of a step, (q, τ) there, squared voltages [V²],
+    """Independent variables: state, stop operators at the start of a step, (q, τ, β) there, squared voltages [V²],
     constants, corrections.
     """
 
@@ -113,7 +133,7 @@ class CondensedSymbols:
 
 def symbols() -> CondensedSymbols:
     """Fresh symbols."""
-    sizes = {"x": STATES, "z": STOPS, "start": 2, "u": 2, "k": len(CONSTANTS), "c": len(CORRECTIONS)}
+    sizes = {"x": STATES, "z": STOPS, "start": 3, "u": 2, "k": len(CONSTANTS), "c": len(CORRECTIONS)}
     return CondensedSymbols(**{name: ca.SX.sym(name, size) for name, size in sizes.items()})
 
 

@@ -70,7 +70,7 @@ def _condensed() -> str:
     forces, mass = j.rest_forces(s), condensed_parts.frame_inertia(s).mass
     upper = ca.vertcat(*(mass[i, k] for k in range(3) for i in range(k + 1)))
     kernels = {
-        "RATES": (moving, {"rates": j.rates(s, j.friction_of(s, j.moved_stops(s)))}),
+        "RATES": (moving, {"rates": j.rates(s, j.stop_forces(s, j.moved_stops(s)))}),
         "REST_FORCES": (still, {"forces": forces, "by_shape": ca.jacobian(forces, s.x[[2, 4]])}),
         "INERTIA": ({"x": s.x, "k": s.k}, {"mass": upper}),
         "STOP_MOVE": ({"x": s.x, "z": s.z, "start": s.start, "k": s.k}, {"moved": ca.vertcat(*j.moved_stops(s))}),
@@ -85,6 +85,11 @@ def _condensed() -> str:
         "DRY_LEVELS",
         "AT_REST",
         "STOPS",
+        "STOP_ELEMENTS",
+        "STOP_SHARES",
+        "STOP_DIRECTIONS",
+        "SLIPS",
+        "LAYERS",
         "CREEPS",
         "BRANCHES",
     ]

@@ -12,6 +12,7 @@ from pipeline.generated.condensed_joint import (
     FIRST_ELEMENT,
     RATES,
     REST_FORCES,
+    SLIPS,
     STATES,
     STOP_MOVE,
     STOPS,
@@ -59,11 +60,11 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
             "start": trace(joint.start, q0=1, qdot0=1, u=2),
             "shape": trace(joint.shape, x=ALL_STATES, u=2),
             "stick": trace(joint.stick, x=ALL_STATES, u=2),
-            "begin": trace(lambda x, z, h: {"base": [x[0], x[2]]}, x=ALL_STATES, z=STOPS, h=1),
+            "begin": trace(lambda x, z, h: {"base": [x[0], x[2], x[4]]}, x=ALL_STATES, z=STOPS, h=1),
             "lag": trace(joint.lag, before=2, within=2, after=2, h=1, x=ALL_STATES),
-            "rates": trace(joint.rates, x=ALL_STATES, z=STOPS, base=2, u=2),
-            "finish": trace(joint.finish, base=2, x=ALL_STATES, z=STOPS),
-            "flow": trace(joint.flow, x=ALL_STATES, z=STOPS, base=2, u=2),
+            "rates": trace(joint.rates, x=ALL_STATES, z=STOPS, base=3, u=2),
+            "finish": trace(joint.finish, base=3, x=ALL_STATES, z=STOPS),
+            "flow": trace(joint.flow, x=ALL_STATES, z=STOPS, base=3, u=2),
             "read": trace(joint.read, x=ALL_STATES, dx=ALL_STATES),
             # The wall confines every run, so only a number that is not finite lies outside.
             "within": trace(lambda x: {"ok": [function("finite", x[0])]}, x=ALL_STATES),
@@ -81,7 +82,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
         inputs=2,
         states=(*states(), *_MEMBRANES),
         hysteresis_states=stop_operators(),
-        base=2,
+        base=3,
         step=interval / condensed.substeps(model.theta, interval),
         delay=float(joint.seen.delay),
         between="cubic",
@@ -91,7 +92,7 @@ def realise(model: HybridModel, interval: float, unit: str = "m") -> Realisation
 
 
 class _Joint:
-    """How the joint moves between its instruments; `base` is (q, τ) where a step started."""
+    """How the joint moves between its instruments; `base` is (q, τ, β) where a step started."""
 
     def __init__(self, model: HybridModel) -> None:
         self.basis, self.seen = model.joint.basis, model.joint.instruments(model.theta)
@@ -129,9 +130,9 @@ class _Joint:
 
     def stick(self, x: Values, u: Values) -> Outputs:
         """Stop operators that hold what force is left at rest, as far as they can."""
-        capacity = sum(self.constant[f"stop_force_{i}"] for i in range(STOPS))
+        capacity = sum(self.constant[f"stop_force_{i}"] for i in range(SLIPS))
         share = clip(self._forces(x, u)["forces"][0] / capacity, -1.0, 1.0) if capacity > 0.0 else 0.0
-        return {"z": [share] * STOPS}
+        return {"z": [share] * SLIPS + [0.0] * (STOPS - SLIPS)}
 
     def rates(self, x: Values, z: Values, base: Values, u: Values) -> Outputs:
         """The law, with the corrections at q, under voltages of the membranes that `lag` has moved."""

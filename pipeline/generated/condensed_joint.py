@@ -53,7 +53,22 @@ DRY_LEVELS = ('sliding_force',)
 
 AT_REST = (1.0, 1.0, 0.0)
 
-STOPS = 6
+STOPS = 10
+
+STOP_ELEMENTS = (0, 1, 2, 3, 4, 5, 4, 5, 4, 5)
+
+STOP_SHARES = (1.0, 1.0, 1.0, 1.0, 0.2777777777777778, 0.2777777777777778, 0.4444444444444444, 0.4444444444444444,
+    0.2777777777777778, 0.2777777777777778)
+
+STOP_DIRECTIONS = ((1.0, 1.0, 0.0, 0.0), (1.0, 1.0, 0.0, 0.0), (1.0, 1.0, 0.0, 0.0), (1.0, 1.0, 0.0, 0.0), (0.7745966692414834,
+    0.0, -0.22063166795407502, 0.13333333333333333), (0.7745966692414834, 0.0, -0.22063166795407502,
+    0.13333333333333333), (0.0, 0.0, 0.16666666666666669, -0.16666666666666669), (0.0, 0.0, 0.16666666666666669,
+    -0.16666666666666669), (-0.7745966692414834, 0.0, 0.5539650012874084, 0.13333333333333333),
+    (-0.7745966692414834, 0.0, 0.5539650012874084, 0.13333333333333333))
+
+SLIPS = 4
+
+LAYERS = 2
 
 CREEPS = 2
 
@@ -70,7 +85,7 @@ BENDS = ((12.0, -6.0, 0.0), (-6.0, 4.0, 0.0), (0.0, 0.0, 0.8))
 
 PREPARE = Graph(
     {'k': 114},
-    {'p': 189},
+    {'p': 196},
     """
 input k 46; input k 47; constant 1.0; input k 9; sub 3 2; input k 44; input k 56; input k 50; input k 51; input k
 53; input k 48; input k 52; input k 54; input k 49; input k 45; input k 113; input k 0; div 2 16; mul 15 17;
@@ -109,50 +124,54 @@ mul 19 242; constant 0.7142857142857143; sub 242 244; mul 243 245; input k 77; i
 mul 19 250; sub 250 244; mul 251 252; input k 80; input k 86; input k 82; input k 81; input k 83; input k 84; sub
 259 16; input k 85; div 2 261; input k 87; input k 88; input k 89; input k 90; mul 19 266; sub 266 244; mul 267 268;
 input k 91; input k 92; input k 93; input k 94; input k 57; input k 95; input k 66; input k 101; div 2 277; input k
-96; input k 102; div 2 280; input k 97; input k 103; div 2 283; input k 98; input k 104; div 2 286; input k 99;
-input k 105; div 2 289; input k 100; input k 106; div 2 292; input k 63; input k 64; input k 65; mul 296 296; input
-k 107; input k 108; mul 3 188; mul 188 192; input k 31; mul 184 302; input k 32; mul 188 304; input k 33; mul 184
-207; mul 188 208; input k 20; mul 26 309; input k 21; mul 184 311; input k 22; mul 188 313; input k 23; mul 6 211;
-constant 2.4; mul 54 317; add 41 318; constant 0.019047619047619053; mul 59 320; add 319 321; constant
--1.3714285714285719; mul 63 323; constant 1.371428571428571; mul 53 325; constant 0.007256235827664402; mul 58 327;
-add 326 328; constant -4.799999999999996; mul 63 330; constant 1.3714285714285672; mul 53 332; constant
--0.05714285714285713; mul 58 334; add 333 335; constant -7.200000000000003; mul 63 337; constant 7.199999999999999;
-mul 53 339; constant 0.2190476190476187; mul 58 341; add 340 342; constant -45.25714285714285; mul 53 344; constant
--0.1142857142857146; mul 58 346; add 345 347; constant -28.80000000000001; mul 63 349; mul 188 194; mul 188 306;
-input k 34; mul 184 353; mul 188 209; mul 184 210; mul 184 315; input k 24; mul 26 358; mul 21 41; input k 58; input
-k 59; input k 60; input k 109; input k 110; input k 112; mul 23 61; mul 23 138; mul 23 125; mul 39 61; mul 39 138;
-mul 39 125; store p 0 0; store p 1 3; store p 2 4; store p 3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8;
-store p 8 9; store p 9 10; store p 10 11; store p 11 12; store p 12 13; store p 13 14; store p 14 18; store p 15 46;
-store p 16 47; store p 17 17; store p 18 48; store p 19 61; store p 20 27; store p 21 23; store p 22 39; store p 23
-64; store p 24 69; store p 25 71; store p 26 76; store p 27 81; store p 28 88; store p 29 90; store p 30 95; store p
-31 97; store p 32 102; store p 33 107; store p 34 112; store p 35 117; store p 36 123; store p 37 125; store p 38
-127; store p 39 132; store p 40 138; store p 41 140; store p 42 145; store p 43 149; store p 44 154; store p 45 159;
-store p 46 161; store p 47 166; store p 48 171; store p 49 173; store p 50 178; store p 51 183; store p 52 186;
-store p 53 189; store p 54 191; store p 55 192; store p 56 193; store p 57 194; store p 58 196; store p 59 198;
-store p 60 200; store p 61 202; store p 62 204; store p 63 206; store p 64 207; store p 65 208; store p 66 209;
-store p 67 210; store p 68 21; store p 69 219; store p 70 221; store p 71 223; store p 72 225; store p 73 227; store
-p 74 228; store p 75 229; store p 76 211; store p 77 217; store p 78 16; store p 79 220; store p 80 226; store p 81
-230; store p 82 231; store p 83 233; store p 84 235; store p 85 222; store p 86 234; store p 87 215; store p 88 213;
-store p 89 237; store p 90 214; store p 91 212; store p 92 238; store p 93 239; store p 94 240; store p 95 241;
-store p 96 242; store p 97 246; store p 98 247; store p 99 248; store p 100 249; store p 101 250; store p 102 253;
-store p 103 254; store p 104 260; store p 105 256; store p 106 257; store p 107 262; store p 108 258; store p 109
-255; store p 110 263; store p 111 264; store p 112 265; store p 113 266; store p 114 269; store p 115 270; store p
-116 271; store p 117 272; store p 118 273; store p 119 274; store p 120 275; store p 121 276; store p 122 278; store
-p 123 279; store p 124 281; store p 125 282; store p 126 284; store p 127 285; store p 128 287; store p 129 288;
-store p 130 290; store p 131 291; store p 132 293; store p 133 294; store p 134 295; store p 135 297; store p 136
-298; store p 137 299; store p 138 300; store p 139 187; store p 140 301; store p 141 303; store p 142 305; store p
-143 306; store p 144 197; store p 145 203; store p 146 307; store p 147 308; store p 148 310; store p 149 312; store
-p 150 314; store p 151 315; store p 152 316; store p 153 322; store p 154 324; store p 155 329; store p 156 331;
-store p 157 336; store p 158 338; store p 159 343; store p 160 348; store p 161 350; store p 162 190; store p 163
-351; store p 164 304; store p 165 352; store p 166 354; store p 167 199; store p 168 355; store p 169 356; store p
-170 311; store p 171 357; store p 172 359; store p 173 185; store p 174 302; store p 175 353; store p 176 360; store
-p 177 361; store p 178 362; store p 179 363; store p 180 364; store p 181 365; store p 182 366; store p 183 367;
-store p 184 368; store p 185 369; store p 186 370; store p 187 371; store p 188 372
+96; input k 102; div 2 280; input k 97; input k 103; div 2 283; input k 98; input k 104; div 2 286; constant
+0.2777777777777778; input k 99; mul 288 289; constant -0.22063166795407502; mul 16 291; mul 16 136; input k 105; div
+2 294; input k 100; mul 288 296; input k 106; div 2 298; constant 0.5539650012874084; mul 16 300; input k 63; input
+k 64; input k 65; mul 304 304; input k 107; input k 108; mul 3 188; mul 188 192; input k 31; mul 184 310; input k
+32; mul 188 312; input k 33; mul 184 207; mul 188 208; input k 20; mul 26 317; input k 21; mul 184 319; input k 22;
+mul 188 321; input k 23; mul 6 211; constant 0.4444444444444444; mul 289 325; constant 0.16666666666666669; mul 16
+327; constant -0.16666666666666669; mul 16 329; mul 296 325; constant 2.4; mul 54 332; add 41 333; constant
+0.019047619047619053; mul 59 335; add 334 336; constant -1.3714285714285719; mul 63 338; constant 1.371428571428571;
+mul 53 340; constant 0.007256235827664402; mul 58 342; add 341 343; constant -4.799999999999996; mul 63 345;
+constant 1.3714285714285672; mul 53 347; constant -0.05714285714285713; mul 58 349; add 348 350; constant
+-7.200000000000003; mul 63 352; constant 7.199999999999999; mul 53 354; constant 0.2190476190476187; mul 58 356; add
+355 357; constant -45.25714285714285; mul 53 359; constant -0.1142857142857146; mul 58 361; add 360 362; constant
+-28.80000000000001; mul 63 364; mul 188 194; mul 188 314; input k 34; mul 184 368; mul 188 209; mul 184 210; mul 184
+323; input k 24; mul 26 373; mul 21 41; input k 58; input k 59; input k 60; input k 109; input k 110; input k 112;
+mul 23 61; mul 23 138; mul 23 125; mul 39 61; mul 39 138; mul 39 125; store p 0 0; store p 1 3; store p 2 4; store p
+3 1; store p 4 5; store p 5 6; store p 6 7; store p 7 8; store p 8 9; store p 9 10; store p 10 11; store p 11 12;
+store p 12 13; store p 13 14; store p 14 18; store p 15 46; store p 16 47; store p 17 17; store p 18 48; store p 19
+61; store p 20 27; store p 21 23; store p 22 39; store p 23 64; store p 24 69; store p 25 71; store p 26 76; store p
+27 81; store p 28 88; store p 29 90; store p 30 95; store p 31 97; store p 32 102; store p 33 107; store p 34 112;
+store p 35 117; store p 36 123; store p 37 125; store p 38 127; store p 39 132; store p 40 138; store p 41 140;
+store p 42 145; store p 43 149; store p 44 154; store p 45 159; store p 46 161; store p 47 166; store p 48 171;
+store p 49 173; store p 50 178; store p 51 183; store p 52 186; store p 53 189; store p 54 191; store p 55 192;
+store p 56 193; store p 57 194; store p 58 196; store p 59 198; store p 60 200; store p 61 202; store p 62 204;
+store p 63 206; store p 64 207; store p 65 208; store p 66 209; store p 67 210; store p 68 21; store p 69 219; store
+p 70 221; store p 71 223; store p 72 225; store p 73 227; store p 74 228; store p 75 229; store p 76 211; store p 77
+217; store p 78 16; store p 79 220; store p 80 226; store p 81 230; store p 82 231; store p 83 233; store p 84 235;
+store p 85 222; store p 86 234; store p 87 215; store p 88 213; store p 89 237; store p 90 214; store p 91 212;
+store p 92 238; store p 93 239; store p 94 240; store p 95 241; store p 96 242; store p 97 246; store p 98 247;
+store p 99 248; store p 100 249; store p 101 250; store p 102 253; store p 103 254; store p 104 260; store p 105
+256; store p 106 257; store p 107 262; store p 108 258; store p 109 255; store p 110 263; store p 111 264; store p
+112 265; store p 113 266; store p 114 269; store p 115 270; store p 116 271; store p 117 272; store p 118 273; store
+p 119 274; store p 120 275; store p 121 276; store p 122 278; store p 123 279; store p 124 281; store p 125 282;
+store p 126 284; store p 127 285; store p 128 287; store p 129 290; store p 130 292; store p 131 293; store p 132
+295; store p 133 297; store p 134 299; store p 135 301; store p 136 302; store p 137 303; store p 138 305; store p
+139 306; store p 140 307; store p 141 308; store p 142 187; store p 143 309; store p 144 311; store p 145 313; store
+p 146 314; store p 147 197; store p 148 203; store p 149 315; store p 150 316; store p 151 318; store p 152 320;
+store p 153 322; store p 154 323; store p 155 324; store p 156 328; store p 157 326; store p 158 330; store p 159
+331; store p 160 337; store p 161 339; store p 162 344; store p 163 346; store p 164 351; store p 165 353; store p
+166 358; store p 167 363; store p 168 365; store p 169 190; store p 170 366; store p 171 312; store p 172 367; store
+p 173 369; store p 174 199; store p 175 370; store p 176 371; store p 177 319; store p 178 372; store p 179 374;
+store p 180 185; store p 181 310; store p 182 368; store p 183 375; store p 184 376; store p 185 377; store p 186
+378; store p 187 379; store p 188 380; store p 189 381; store p 190 382; store p 191 383; store p 192 384; store p
+193 385; store p 194 386; store p 195 387
     """,
 )
 
 RATES = Graph(
-    {'x': 15, 'u': 2, 'c': 13, 'z': 6, 'start': 2, 'p': 189},
+    {'x': 15, 'u': 2, 'c': 13, 'z': 10, 'start': 3, 'p': 196},
     {'rates': 15},
     """
 input x 1; input p 0; constant 1.0; input x 2; input p 1; mul 3 4; mul 3 5; add 2 6; sqrt 7; div 2 8; input p 2; mul
@@ -237,52 +256,62 @@ p 121; input start 1; sub 3 711; mul 710 712; add 709 713; input p 122; mul 714 
 718; mul 705 719; input p 123; input z 1; input p 124; mul 714 723; add 722 724; max 706 725; min 2 726; mul 721
 727; add 720 728; input p 125; input z 2; input p 126; mul 714 732; add 731 733; max 706 734; min 2 735; mul 730
 736; add 729 737; input p 127; input z 3; input p 128; mul 714 741; add 740 742; max 706 743; min 2 744; mul 739
-745; add 738 746; input p 129; input z 4; input p 130; mul 714 750; add 749 751; max 706 752; min 2 753; mul 748
-754; add 747 755; input p 131; input z 5; input p 132; mul 714 759; add 758 760; max 706 761; min 2 762; mul 757
-763; add 756 764; sub 704 765; input p 133; abs 0; mul 767 768; mul 0 769; input p 134; mul 0 771; mul 0 0; input p
-135; add 773 774; sqrt 775; div 2 776; mul 772 777; add 770 778; sub 766 779; add 703 780; input p 136; input x 12;
-sub 29 783; mul 782 784; input p 137; input x 13; sub 29 787; mul 786 788; add 785 789; sub 781 790; mul 0 62; mul
-28 130; add 792 793; mul 47 395; add 794 795; mul 0 796; mul 0 28; mul 31 130; add 798 799; mul 34 395; add 800 801;
-mul 130 802; add 797 803; mul 0 47; mul 34 130; add 805 806; mul 51 395; add 807 808; mul 395 809; add 804 810; mul
-17 130; mul 130 812; mul 23 813; input p 138; mul 9 815; mul 9 816; mul 8 16; mul 10 818; mul 818 819; add 817 820;
-mul 3 821; mul 38 822; sub 25 823; mul 814 824; add 811 825; mul 67 826; mul 24 822; add 39 828; mul 814 829; sub
-827 830; mul 22 831; sub 791 832; mul 90 833; mul 81 89; mul 150 265; input p 139; mul 285 837; input p 140; mul 304
-839; add 838 840; mul 324 331; add 841 842; input p 141; mul 328 844; add 843 845; input p 142; mul 332 847; add 846
-848; input p 143; mul 336 850; add 849 851; mul 339 852; input p 144; mul 342 854; mul 345 352; add 855 856; input p
-145; mul 349 858; add 857 859; input p 146; mul 353 861; add 860 862; input p 147; mul 357 864; add 863 865; mul 361
-372; add 866 867; input p 148; mul 365 869; add 868 870; input p 149; mul 369 872; add 871 873; input p 150; mul 373
-875; add 874 876; input p 151; mul 339 878; add 877 879; add 853 880; mul 581 881; add 836 882; mul 145 883; mul 584
-696; sub 884 885; mul 150 405; add 886 887; mul 572 599; mul 685 693; add 889 890; add 888 891; sub 134 892; input p
-152; mul 38 894; mul 17 895; add 893 896; mul 710 765; sub 897 898; mul 41 826; mul 26 830; sub 900 901; mul 22 902;
-mul 19 822; mul 813 904; sub 903 905; sub 899 906; mul 835 907; sub 834 908; mul 86 89; input p 153; mul 35 911;
-input p 154; mul 214 913; add 912 914; input p 155; mul 218 916; add 915 917; mul 155 210; add 918 919; input p 156;
-mul 158 921; add 920 922; input p 157; mul 162 924; add 923 925; input p 158; mul 166 927; add 926 928; mul 170 227;
-add 929 930; input p 159; mul 174 932; add 931 933; mul 157 189; add 934 935; input p 160; mul 193 937; add 936 938;
-mul 169 197; add 939 940; input p 161; mul 201 942; add 941 943; mul 184 258; add 944 945; mul 202 257; add 946 947;
-mul 153 265; add 948 949; input p 162; mul 285 951; mul 304 331; add 952 953; input p 163; mul 324 955; add 954 956;
-input p 164; mul 328 958; add 957 959; input p 165; mul 332 961; add 960 962; input p 166; mul 336 964; add 963 965;
-mul 339 966; input p 167; mul 342 968; mul 345 858; add 969 970; mul 349 360; add 971 972; mul 353 368; add 973 974;
-input p 168; mul 357 976; add 975 977; input p 169; mul 361 979; add 978 980; input p 170; mul 365 982; add 981 983;
-mul 369 875; add 984 985; input p 171; mul 373 987; add 986 988; input p 172; mul 339 990; add 989 991; add 967 992;
-constant 3.0; mul 336 994; input p 173; mul 342 996; mul 345 837; add 997 998; mul 349 951; add 999 1000; mul 327
-353; add 1001 1002; mul 331 357; add 1003 1004; mul 335 361; add 1005 1006; input p 174; mul 365 1008; add 1007
-1009; mul 369 958; add 1010 1011; mul 373 850; add 1012 1013; input p 175; mul 339 1015; add 1014 1016; mul 995
-1017; add 993 1018; mul 590 1019; add 950 1020; mul 145 1021; mul 593 696; sub 1022 1023; input p 176; mul 395 1025;
-mul 153 405; add 1026 1027; add 1024 1028; mul 53 826; mul 22 1030; add 1029 1031; mul 910 1032; sub 909 1033; mul
-56 70; mul 79 79; sub 1035 1036; mul 89 1037; mul 907 1038; mul 833 835; sub 1039 1040; mul 59 70; mul 76 79; sub
-1042 1043; mul 89 1044; mul 1032 1045; add 1041 1046; mul 833 910; mul 907 1045; sub 1048 1049; mul 45 70; mul 76
-76; sub 1051 1052; mul 89 1053; mul 1032 1054; sub 1050 1055; mul 560 597; input p 177; mul 539 1058; sub 1057 1059;
-mul 673 691; mul 655 1058; sub 1061 1062; input p 178; mul 542 1064; sub 1057 1065; mul 658 1064; sub 1061 1067;
-input p 179; mul 546 1069; sub 1057 1070; mul 662 1069; sub 1061 1072; input p 180; mul 784 1074; input p 181; mul
-788 1076; input p 182; sub 2 523; mul 1078 1079; store rates 0 0; store rates 1 1034; store rates 2 130; store rates
-3 1047; store rates 4 395; store rates 5 1056; store rates 6 1060; store rates 7 1063; store rates 8 1066; store
-rates 9 1068; store rates 10 1071; store rates 11 1073; store rates 12 1075; store rates 13 1077; store rates 14
-1080
+745; add 738 746; constant 0.7745966692414834; input p 129; input z 4; mul 709 748; input p 130; mul 712 752; add
+751 753; input p 131; input start 2; sub 35 756; mul 755 757; add 754 758; input p 132; mul 759 760; add 750 761;
+max 706 762; min 2 763; mul 749 764; mul 748 765; add 747 766; input p 133; input z 5; input p 134; mul 759 770; add
+769 771; max 706 772; min 2 773; mul 768 774; mul 748 775; add 767 776; constant -0.7745966692414834; input z 8; mul
+709 778; input p 135; mul 712 781; add 780 782; add 758 783; mul 760 784; add 779 785; max 706 786; min 2 787; mul
+749 788; mul 778 789; add 777 790; input z 9; mul 770 784; add 792 793; max 706 794; min 2 795; mul 768 796; mul 778
+797; add 791 798; sub 704 799; input p 136; abs 0; mul 801 802; mul 0 803; input p 137; mul 0 805; mul 0 0; input p
+138; add 807 808; sqrt 809; div 2 810; mul 806 811; add 804 812; sub 800 813; add 703 814; input p 139; input x 12;
+sub 29 817; mul 816 818; input p 140; input x 13; sub 29 821; mul 820 822; add 819 823; sub 815 824; mul 0 62; mul
+28 130; add 826 827; mul 47 395; add 828 829; mul 0 830; mul 0 28; mul 31 130; add 832 833; mul 34 395; add 834 835;
+mul 130 836; add 831 837; mul 0 47; mul 34 130; add 839 840; mul 51 395; add 841 842; mul 395 843; add 838 844; mul
+17 130; mul 130 846; mul 23 847; input p 141; mul 9 849; mul 9 850; mul 8 16; mul 10 852; mul 852 853; add 851 854;
+mul 3 855; mul 38 856; sub 25 857; mul 848 858; add 845 859; mul 67 860; mul 24 856; add 39 862; mul 848 863; sub
+861 864; mul 22 865; sub 825 866; mul 90 867; mul 81 89; mul 150 265; input p 142; mul 285 871; input p 143; mul 304
+873; add 872 874; mul 324 331; add 875 876; input p 144; mul 328 878; add 877 879; input p 145; mul 332 881; add 880
+882; input p 146; mul 336 884; add 883 885; mul 339 886; input p 147; mul 342 888; mul 345 352; add 889 890; input p
+148; mul 349 892; add 891 893; input p 149; mul 353 895; add 894 896; input p 150; mul 357 898; add 897 899; mul 361
+372; add 900 901; input p 151; mul 365 903; add 902 904; input p 152; mul 369 906; add 905 907; input p 153; mul 373
+909; add 908 910; input p 154; mul 339 912; add 911 913; add 887 914; mul 581 915; add 870 916; mul 145 917; mul 584
+696; sub 918 919; mul 150 405; add 920 921; mul 572 599; mul 685 693; add 923 924; add 922 925; sub 134 926; input p
+155; mul 38 928; mul 17 929; add 927 930; mul 710 720; mul 710 728; add 932 933; mul 710 737; add 934 935; mul 710
+746; add 936 937; mul 752 765; add 938 939; mul 752 775; add 940 941; input p 156; input p 157; input z 6; mul 712
+943; input p 158; mul 757 947; add 946 948; mul 760 949; add 945 950; max 706 951; min 2 952; mul 944 953; mul 943
+954; add 942 955; input p 159; input z 7; mul 770 949; add 958 959; max 706 960; min 2 961; mul 957 962; mul 943
+963; add 956 964; mul 781 789; add 965 966; mul 781 797; add 967 968; sub 931 969; mul 41 860; mul 26 864; sub 971
+972; mul 22 973; mul 19 856; mul 847 975; sub 974 976; sub 970 977; mul 869 978; sub 868 979; mul 86 89; input p
+160; mul 35 982; input p 161; mul 214 984; add 983 985; input p 162; mul 218 987; add 986 988; mul 155 210; add 989
+990; input p 163; mul 158 992; add 991 993; input p 164; mul 162 995; add 994 996; input p 165; mul 166 998; add 997
+999; mul 170 227; add 1000 1001; input p 166; mul 174 1003; add 1002 1004; mul 157 189; add 1005 1006; input p 167;
+mul 193 1008; add 1007 1009; mul 169 197; add 1010 1011; input p 168; mul 201 1013; add 1012 1014; mul 184 258; add
+1015 1016; mul 202 257; add 1017 1018; mul 153 265; add 1019 1020; input p 169; mul 285 1022; mul 304 331; add 1023
+1024; input p 170; mul 324 1026; add 1025 1027; input p 171; mul 328 1029; add 1028 1030; input p 172; mul 332 1032;
+add 1031 1033; input p 173; mul 336 1035; add 1034 1036; mul 339 1037; input p 174; mul 342 1039; mul 345 892; add
+1040 1041; mul 349 360; add 1042 1043; mul 353 368; add 1044 1045; input p 175; mul 357 1047; add 1046 1048; input p
+176; mul 361 1050; add 1049 1051; input p 177; mul 365 1053; add 1052 1054; mul 369 909; add 1055 1056; input p 178;
+mul 373 1058; add 1057 1059; input p 179; mul 339 1061; add 1060 1062; add 1038 1063; constant 3.0; mul 336 1065;
+input p 180; mul 342 1067; mul 345 871; add 1068 1069; mul 349 1022; add 1070 1071; mul 327 353; add 1072 1073; mul
+331 357; add 1074 1075; mul 335 361; add 1076 1077; input p 181; mul 365 1079; add 1078 1080; mul 369 1029; add 1081
+1082; mul 373 884; add 1083 1084; input p 182; mul 339 1086; add 1085 1087; mul 1066 1088; add 1064 1089; mul 590
+1090; add 1021 1091; mul 145 1092; mul 593 696; sub 1093 1094; input p 183; mul 395 1096; mul 153 405; add 1097
+1098; add 1095 1099; mul 755 765; mul 755 775; add 1101 1102; mul 947 954; add 1103 1104; mul 947 963; add 1105
+1106; mul 755 789; add 1107 1108; mul 755 797; add 1109 1110; add 1100 1111; mul 53 860; mul 22 1113; add 1112 1114;
+mul 981 1115; sub 980 1116; mul 56 70; mul 79 79; sub 1118 1119; mul 89 1120; mul 978 1121; mul 867 869; sub 1122
+1123; mul 59 70; mul 76 79; sub 1125 1126; mul 89 1127; mul 1115 1128; add 1124 1129; mul 867 981; mul 978 1128; sub
+1131 1132; mul 45 70; mul 76 76; sub 1134 1135; mul 89 1136; mul 1115 1137; sub 1133 1138; mul 560 597; input p 184;
+mul 539 1141; sub 1140 1142; mul 673 691; mul 655 1141; sub 1144 1145; input p 185; mul 542 1147; sub 1140 1148; mul
+658 1147; sub 1144 1150; input p 186; mul 546 1152; sub 1140 1153; mul 662 1152; sub 1144 1155; input p 187; mul 818
+1157; input p 188; mul 822 1159; input p 189; sub 2 523; mul 1161 1162; store rates 0 0; store rates 1 1117; store
+rates 2 130; store rates 3 1130; store rates 4 395; store rates 5 1139; store rates 6 1143; store rates 7 1146;
+store rates 8 1149; store rates 9 1151; store rates 10 1154; store rates 11 1156; store rates 12 1158; store rates
+13 1160; store rates 14 1163
     """,
 )
 
 REST_FORCES = Graph(
-    {'x': 15, 'u': 2, 'c': 13, 'p': 189},
+    {'x': 15, 'u': 2, 'c': 13, 'p': 196},
     {'forces': 3, 'by_shape': 6},
     """
 input p 119; input c 0; input c 2; input u 0; mul 2 3; add 1 4; input c 3; input u 1; mul 6 7; add 5 8; input x 2;
@@ -341,34 +370,34 @@ add 465 466; mul 467 467; add 461 468; sqrt 469; mul 451 470; mul 321 471; sqrt 
 482 484; add 483 485; mul 482 486; add 181 487; mul 479 488; mul 435 489; input p 112; mul 7 491; input p 113; input
 p 114; mul 480 494; add 493 495; mul 480 496; add 181 497; mul 492 498; sub 490 499; mul 451 500; mul 451 475; mul
 467 502; mul 501 503; add 450 504; sub 318 505; mul 317 506; sub 287 507; mul 342 448; mul 447 509; mul 460 502; mul
-501 511; add 510 512; sub 508 513; sub 40 514; add 0 515; mul 326 332; div 181 517; mul 327 518; input p 152; mul
-338 520; mul 519 521; mul 47 163; constant 3.3333333333333335; add 194 198; mul 524 525; sub 181 526; input p 139;
-mul 185 528; input p 140; mul 204 530; add 529 531; mul 224 231; add 532 533; input p 141; mul 228 535; add 534 536;
-input p 142; mul 232 538; add 537 539; input p 143; mul 236 541; add 540 542; mul 239 543; input p 144; mul 242 545;
-mul 245 252; add 546 547; input p 145; mul 249 549; add 548 550; input p 146; mul 253 552; add 551 553; input p 147;
-mul 257 555; add 554 556; mul 261 272; add 557 558; input p 148; mul 265 560; add 559 561; input p 149; mul 269 563;
-add 562 564; input p 150; mul 273 566; add 565 567; input p 151; mul 239 569; add 568 570; add 544 571; mul 527 572;
+501 511; add 510 512; sub 508 513; sub 40 514; add 0 515; mul 326 332; div 181 517; mul 327 518; input p 155; mul
+338 520; mul 519 521; mul 47 163; constant 3.3333333333333335; add 194 198; mul 524 525; sub 181 526; input p 142;
+mul 185 528; input p 143; mul 204 530; add 529 531; mul 224 231; add 532 533; input p 144; mul 228 535; add 534 536;
+input p 145; mul 232 538; add 537 539; input p 146; mul 236 541; add 540 542; mul 239 543; input p 147; mul 242 545;
+mul 245 252; add 546 547; input p 148; mul 249 549; add 548 550; input p 149; mul 253 552; add 551 553; input p 150;
+mul 257 555; add 554 556; mul 261 272; add 557 558; input p 151; mul 265 560; add 559 561; input p 152; mul 269 563;
+add 562 564; input p 153; mul 273 566; add 565 567; input p 154; mul 239 569; add 568 570; add 544 571; mul 527 572;
 add 523 573; mul 42 574; mul 385 527; mul 364 576; add 352 577; mul 506 578; sub 575 579; sub 403 405; mul 342 581;
 add 335 340; mul 406 583; sub 582 584; mul 448 585; mul 519 586; mul 447 587; add 464 466; mul 460 589; sub 456 454;
 mul 467 591; add 590 592; mul 502 593; mul 519 594; mul 501 595; add 588 596; add 580 597; sub 38 598; add 522 599;
-input p 153; mul 50 601; input p 154; mul 112 603; add 602 604; input p 155; mul 116 606; add 605 607; mul 53 108;
-add 608 609; input p 156; mul 56 611; add 610 612; input p 157; mul 60 614; add 613 615; input p 158; mul 64 617;
-add 616 618; mul 68 125; add 619 620; input p 159; mul 72 622; add 621 623; mul 55 87; add 624 625; input p 160; mul
-91 627; add 626 628; mul 67 95; add 629 630; input p 161; mul 99 632; add 631 633; mul 82 156; add 634 635; mul 100
-155; add 636 637; mul 51 163; add 638 639; constant 1.25; add 214 218; mul 641 642; sub 181 643; input p 162; mul
-185 645; mul 204 231; add 646 647; input p 163; mul 224 649; add 648 650; input p 164; mul 228 652; add 651 653;
-input p 165; mul 232 655; add 654 656; input p 166; mul 236 658; add 657 659; mul 239 660; input p 167; mul 242 662;
-mul 245 549; add 663 664; mul 249 260; add 665 666; mul 253 268; add 667 668; input p 168; mul 257 670; add 669 671;
-input p 169; mul 261 673; add 672 674; input p 170; mul 265 676; add 675 677; mul 269 566; add 678 679; input p 171;
-mul 273 681; add 680 682; input p 172; mul 239 684; add 683 685; add 661 686; constant 3.0; mul 236 688; input p
-173; mul 242 690; mul 245 528; add 691 692; mul 249 645; add 693 694; mul 227 253; add 695 696; mul 231 257; add 697
-698; mul 235 261; add 699 700; input p 174; mul 265 702; add 701 703; mul 269 652; add 704 705; mul 273 541; add 706
-707; input p 175; mul 239 709; add 708 710; mul 689 711; add 687 712; mul 644 713; add 640 714; mul 42 715; mul 396
-644; mul 364 717; add 360 718; mul 506 719; sub 716 720; neg 721; sub 26 19; mul 12 30; add 723 724; input p 183;
+input p 160; mul 50 601; input p 161; mul 112 603; add 602 604; input p 162; mul 116 606; add 605 607; mul 53 108;
+add 608 609; input p 163; mul 56 611; add 610 612; input p 164; mul 60 614; add 613 615; input p 165; mul 64 617;
+add 616 618; mul 68 125; add 619 620; input p 166; mul 72 622; add 621 623; mul 55 87; add 624 625; input p 167; mul
+91 627; add 626 628; mul 67 95; add 629 630; input p 168; mul 99 632; add 631 633; mul 82 156; add 634 635; mul 100
+155; add 636 637; mul 51 163; add 638 639; constant 1.25; add 214 218; mul 641 642; sub 181 643; input p 169; mul
+185 645; mul 204 231; add 646 647; input p 170; mul 224 649; add 648 650; input p 171; mul 228 652; add 651 653;
+input p 172; mul 232 655; add 654 656; input p 173; mul 236 658; add 657 659; mul 239 660; input p 174; mul 242 662;
+mul 245 549; add 663 664; mul 249 260; add 665 666; mul 253 268; add 667 668; input p 175; mul 257 670; add 669 671;
+input p 176; mul 261 673; add 672 674; input p 177; mul 265 676; add 675 677; mul 269 566; add 678 679; input p 178;
+mul 273 681; add 680 682; input p 179; mul 239 684; add 683 685; add 661 686; constant 3.0; mul 236 688; input p
+180; mul 242 690; mul 245 528; add 691 692; mul 249 645; add 693 694; mul 227 253; add 695 696; mul 231 257; add 697
+698; mul 235 261; add 699 700; input p 181; mul 265 702; add 701 703; mul 269 652; add 704 705; mul 273 541; add 706
+707; input p 182; mul 239 709; add 708 710; mul 689 711; add 687 712; mul 644 713; add 640 714; mul 42 715; mul 396
+644; mul 364 717; add 360 718; mul 506 719; sub 716 720; neg 721; sub 26 19; mul 12 30; add 723 724; input p 190;
 mul 47 50; mul 55 727; add 726 728; mul 50 727; mul 59 730; add 729 731; mul 53 321; mul 47 733; mul 63 734; add 732
 735; mul 50 734; mul 67 737; add 736 738; mul 53 734; mul 47 64; add 740 741; mul 71 742; add 739 743; mul 45 47;
 mul 86 745; add 744 746; mul 50 745; mul 90 748; add 747 749; mul 53 745; mul 47 87; add 751 752; mul 94 753; add
-750 754; mul 47 99; mul 98 756; add 755 757; input p 184; mul 122 727; add 759 760; mul 125 730; add 761 762; mul
+750 754; mul 47 99; mul 98 756; add 755 757; input p 191; mul 122 727; add 759 760; mul 125 730; add 761 762; mul
 128 734; add 763 764; mul 131 737; add 765 766; mul 134 742; add 767 768; mul 143 745; add 769 770; mul 146 748; add
 771 772; mul 149 753; add 773 774; mul 94 756; add 775 776; mul 44 777; add 758 778; le 190 188; le 188 190; add 780
 781; div 181 782; mul 780 783; le 189 10; le 10 189; add 785 786; div 181 787; mul 785 788; mul 784 789; constant
@@ -411,7 +440,7 @@ mul 252 821; mul 552 825; add 1064 1065; mul 555 828; add 1066 1067; mul 560 833
 1103; mul 586 1054; sub 1104 1105; mul 447 1106; add 1092 1107; mul 595 1017; mul 589 964; add 967 969; mul 460
 1111; add 1110 1112; mul 591 970; sub 963 962; mul 467 1115; add 1114 1116; add 1113 1117; mul 502 1118; mul 593
 1020; sub 1119 1120; mul 519 1121; mul 594 1054; sub 1122 1123; mul 501 1124; add 1109 1125; add 1108 1126; add 1091
-1127; add 30 1128; sub 1056 1129; input p 185; mul 611 727; add 1131 1132; mul 614 730; add 1133 1134; mul 617 734;
+1127; add 30 1128; sub 1056 1129; input p 192; mul 611 727; add 1131 1132; mul 614 730; add 1133 1134; mul 617 734;
 add 1135 1136; mul 125 737; add 1137 1138; mul 622 742; add 1139 1140; mul 55 745; add 1141 1142; mul 627 748; add
 1143 1144; mul 67 753; add 1145 1146; mul 155 756; add 1147 1148; mul 51 777; add 1149 1150; mul 231 811; mul 652
 814; add 1152 1153; mul 655 817; add 1154 1155; mul 239 1156; mul 549 821; mul 268 825; add 1158 1159; mul 670 828;
@@ -419,12 +448,12 @@ add 1160 1161; mul 676 833; add 1162 1163; mul 566 836; add 1164 1165; mul 681 8
 mul 528 821; mul 227 825; add 1170 1171; mul 231 828; add 1172 1173; mul 702 833; add 1174 1175; mul 652 836; add
 1176 1177; mul 541 839; add 1178 1179; mul 689 1180; add 1169 1181; mul 644 1182; add 1151 1183; mul 42 1184; mul
 644 897; mul 364 1186; add 350 1187; mul 506 1188; mul 719 1025; sub 1189 1190; sub 1185 1191; neg 1192; input p
-186; add 52 53; mul 55 1195; add 1194 1196; mul 50 1195; add 56 1198; mul 59 1199; add 1197 1200; mul 51 733; mul 63
+193; add 52 53; mul 55 1195; add 1194 1196; mul 50 1195; add 56 1198; mul 59 1199; add 1197 1200; mul 51 733; mul 63
 1202; add 1201 1203; mul 50 1202; add 64 1205; mul 67 1206; add 1204 1207; mul 53 1202; mul 51 64; add 1209 1210;
 mul 71 1211; add 1208 1212; mul 45 78; add 1213 1214; mul 79 321; mul 82 1216; add 1215 1217; mul 45 51; mul 86
 1219; add 1218 1220; mul 50 1219; add 87 1222; mul 90 1223; add 1221 1224; mul 53 1219; mul 51 87; add 1226 1227;
 mul 94 1228; add 1225 1229; mul 51 99; mul 98 1231; add 1230 1232; mul 50 321; mul 111 1234; add 108 1235; mul 50
-1234; add 112 1237; mul 115 1238; add 1236 1239; input p 187; add 1240 1241; mul 122 1195; add 1242 1243; mul 125
+1234; add 112 1237; mul 115 1238; add 1236 1239; input p 194; add 1240 1241; mul 122 1195; add 1242 1243; mul 125
 1199; add 1244 1245; mul 128 1202; add 1246 1247; mul 131 1206; add 1248 1249; mul 134 1211; add 1250 1251; mul 45
 55; add 1252 1253; mul 59 1216; add 1254 1255; mul 143 1219; add 1256 1257; mul 146 1223; add 1258 1259; mul 149
 1228; add 1260 1261; mul 99 155; add 1262 1263; mul 94 1231; add 1264 1265; mul 44 1266; add 1233 1267; le 210 208;
@@ -457,7 +486,7 @@ mul 460 1435; mul 501 1449; sub 1448 1450; add 1447 1451; sub 1443 1452; neg 145
 350 1480; mul 506 1481; mul 578 1440; sub 1482 1483; sub 1478 1484; mul 587 1394; mul 583 1363; mul 448 1487; mul
 585 1397; add 1488 1489; mul 519 1490; mul 447 1491; sub 1486 1492; mul 595 1432; mul 591 1363; mul 502 1495; mul
 593 1435; sub 1496 1497; mul 519 1498; mul 501 1499; add 1494 1500; add 1493 1501; add 1485 1502; neg 1503; mul 603
-1234; add 601 1505; mul 606 1238; add 1506 1507; input p 188; add 1508 1509; mul 611 1195; add 1510 1511; mul 614
+1234; add 601 1505; mul 606 1238; add 1506 1507; input p 195; add 1508 1509; mul 611 1195; add 1510 1511; mul 614
 1199; add 1512 1513; mul 617 1202; add 1514 1515; mul 125 1206; add 1516 1517; mul 622 1211; add 1518 1519; mul 55
 1219; add 1520 1521; mul 627 1223; add 1522 1523; mul 67 1228; add 1524 1525; mul 82 99; add 1526 1527; mul 155
 1231; add 1528 1529; mul 51 1266; add 1530 1531; mul 649 1300; mul 655 1302; add 1533 1534; mul 658 1306; add 1535
@@ -473,7 +502,7 @@ by_shape 1 1454; store by_shape 3 1504; store by_shape 5 1583
 )
 
 INERTIA = Graph(
-    {'x': 15, 'p': 189},
+    {'x': 15, 'p': 196},
     {'mass': 6},
     """
 input p 4; constant 1.0; input x 0; input p 12; mul 2 3; input x 2; input p 6; mul 5 6; add 4 7; input x 4; input p
@@ -488,15 +517,20 @@ mass 1 49; store mass 2 59; store mass 3 67; store mass 4 69; store mass 5 73
 )
 
 STOP_MOVE = Graph(
-    {'x': 15, 'z': 6, 'start': 2, 'p': 189},
-    {'moved': 6},
+    {'x': 15, 'z': 10, 'start': 3, 'p': 196},
+    {'moved': 10},
     """
 constant 1.0; constant -1.0; input z 0; input x 0; input start 0; sub 3 4; input p 121; input x 2; input start 1;
 sub 7 8; mul 6 9; add 5 10; input p 122; mul 11 12; add 2 13; max 1 14; min 0 15; input z 1; input p 124; mul 11 18;
 add 17 19; max 1 20; min 0 21; input z 2; input p 126; mul 11 24; add 23 25; max 1 26; min 0 27; input z 3; input p
-128; mul 11 30; add 29 31; max 1 32; min 0 33; input z 4; input p 130; mul 11 36; add 35 37; max 1 38; min 0 39;
-input z 5; input p 132; mul 11 42; add 41 43; max 1 44; min 0 45; store moved 0 16; store moved 1 22; store moved 2
-28; store moved 3 34; store moved 4 40; store moved 5 46
+128; mul 11 30; add 29 31; max 1 32; min 0 33; input z 4; constant 0.7745966692414834; mul 5 36; input p 130; mul 9
+38; add 37 39; input p 131; input x 4; input start 2; sub 42 43; mul 41 44; add 40 45; input p 132; mul 46 47; add
+35 48; max 1 49; min 0 50; input z 5; input p 134; mul 46 53; add 52 54; max 1 55; min 0 56; input z 6; input p 156;
+mul 9 59; input p 158; mul 44 61; add 60 62; mul 47 63; add 58 64; max 1 65; min 0 66; input z 7; mul 53 63; add 68
+69; max 1 70; min 0 71; input z 8; constant -0.7745966692414834; mul 5 74; input p 135; mul 9 76; add 75 77; add 45
+78; mul 47 79; add 73 80; max 1 81; min 0 82; input z 9; mul 53 79; add 84 85; max 1 86; min 0 87; store moved 0 16;
+store moved 1 22; store moved 2 28; store moved 3 34; store moved 4 51; store moved 5 57; store moved 6 67; store
+moved 7 72; store moved 8 83; store moved 9 88
     """,
 )
 

@@ -2,6 +2,7 @@
 
 import ctypes
 import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -23,7 +24,7 @@ from pipeline.control.plant import plant_of
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
-from pipeline.generated.condensed_joint import STOPS
+from pipeline.models.hybrid.parameters import NAMES
 from pipeline.numerics.arrays import FloatArray
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
@@ -248,7 +249,7 @@ class Moved:
         return STATUS[round(estimate(self.state, self.law)[-1])]
 
 
-SLIPPERY = {name: -20.0 for name in (*(f"log stop force {i}" for i in range(STOPS)), "log sliding force")}
+SLIPPERY = {name: -20.0 for name in (name for name in NAMES if re.match("log (stop|layer|sliding) force", name))}
 
 
 @pytest.mark.parametrize("lag", [1e-3, 3e-3, 8e-3])

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
 from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOPS
+from pipeline.generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOP_DIRECTIONS, STOP_ELEMENTS, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
 from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
 from pipeline.models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES
@@ -34,13 +34,15 @@ STAGES = 8
 """Stages side by side: those of two steps."""
 INSTRUMENTS = 5
 """Columns of laser offset, delay, charging time and the two probes."""
-_ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 2 + 2 * STOPS * 5
+_ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 3 + 2 * STOPS * 5
 _SLOTS = STAGES + 2
 """The four stages and the end of a step, and of the next one."""
 _ROW = _SLOTS * BATCH
 _BLOCK = _ALL * _ROW
 """Numbers that act on a block of columns: row by row, in each slot, on each column."""
-_TRAVEL, _ARM = INDEX["stop_travel_0"], INDEX["friction_arm"]
+_ELEMENTS = max(STOP_ELEMENTS) + 1
+_ELEMENT, _DIRECTION = np.array(STOP_ELEMENTS), np.array(STOP_DIRECTIONS)
+_TRAVEL, _ARM, _LENGTH = INDEX["stop_travel_0"], INDEX["friction_arm"], INDEX["l"]
 _PLACE = 2**31 - 1
 """Mask of a place in an array, from which the compiler sees that it is not negative."""
 
@@ -50,7 +52,7 @@ def _step() -> Graph:
 
     `a` are ∂f/∂(x, z) of all entries in `STAGES` stages, of which the first four count; `b` what acts on the column
     itself, row by row in `_SLOTS` slots, of which the first four and the end count. `w` are the friction's arm, the
-    step [s], and for each of these five which stop operators follow the play, and by how much.
+    step [s], the beam's length, and for each of these five which stop operators follow the play, and by how much.
     """
     build = Builder()
     add, given = build.add, partial(_given, build)
@@ -86,12 +88,19 @@ def _step() -> Graph:
 def _slipped(build: Builder, x: list[int], y: list[int], slot: int) -> list[int]:
     """The stop operators at y: those that follow have moved with the play since x."""
     given, add = partial(_given, build), build.add
-    play = add("add", add("sub", y[0], x[0]), add("mul", given("w", 0), add("sub", y[2], x[2])))
-    slipped = []
-    for i in range(STOPS):
-        at = 2 + 2 * STOPS * slot + i
+    moved, turned, bowed = (add("sub", y[i], x[i]) for i in (0, 2, 4))
+    slipped, plays = [], dict[tuple[float, ...], int]()
+    for i, direction in enumerate(STOP_DIRECTIONS):
+        if direction not in plays:
+            q, _, tau, beta = map(build.constant, direction)
+            arm, length = given("w", 0), given("w", 2)
+            lever = arm if direction[1] else add("mul", length, tau)
+            play = add("add", add("mul", q, moved), add("mul", lever, turned))
+            plays[direction] = add("add", play, add("mul", add("mul", length, beta), bowed)) if direction[3] else play
+        at = 3 + 2 * STOPS * slot + i
         unmoved = add("add", given("z", i), given("b", _SLOTS * (STATES + i) + slot))
-        slipped.append(add("add", add("mul", given("w", at), unmoved), add("mul", given("w", at + STOPS), play)))
+        follows = add("mul", given("w", at + STOPS), plays[direction])
+        slipped.append(add("add", add("mul", given("w", at), unmoved), follows))
     return slipped
 
 
@@ -116,9 +125,9 @@ _BY_CONSTANTS = np.array(
 class Columns(NamedTuple):
     """Places of the numbers that act on columns.
 
-    `sources`, `targets`: entries of ∂f/∂k in the kernel's output, and their places; `stops` (STOPS + 1,): places where
-    their travels and the friction's arm act on stop operators, −1 for constants without a column; `instruments`
-    (INSTRUMENTS,): their places; `corrected`: the first column of the weights.
+    `sources`, `targets`: entries of ∂f/∂k in the kernel's output, and their places; `stops` (elements + 2,): places
+    where travels, the friction's arm and the beam's length act on stop operators, −1 for constants without a column;
+    `instruments` (INSTRUMENTS,): their places; `corrected`: the first column of the weights.
     """
 
     sources: NDArray[np.int64]
@@ -135,7 +144,7 @@ def columns_of(active: NDArray[np.int64]) -> Columns:
     of_constant = np.full(_CONSTANTS, -1)
     of_constant[active] = places[: len(active)]
     row, constant = _BY_CONSTANTS[of_constant[_BY_CONSTANTS[:, 1]] >= 0].T
-    stops = of_constant[[*range(_TRAVEL, _TRAVEL + STOPS), _ARM]]
+    stops = of_constant[[*range(_TRAVEL, _TRAVEL + _ELEMENTS), _ARM, _LENGTH]]
     return Columns(
         (row * _CONSTANTS + constant) * STAGES,
         of_constant[constant] + row * _ROW,
@@ -225,23 +234,28 @@ def _follow(
     points: FloatArray, slips: FloatArray, first: int, slot: int, k: FloatArray, h: float, z: SingleArray,
     w: SingleArray, drive: SingleArray, own: NDArray[np.int64],
 ) -> None:  # fmt: skip
-    """Weights of a slot, its stop operators, and how their travels and the friction's arm act on these themselves."""
+    """Weights of a slot, its stop operators, and how travels, arm and length act on these themselves."""
     half, stage = slot // 5, slot % 5
     step = min(first + half, len(points) - 2)
     at = (step, stage) if stage < 4 else (step + 1, 0)
-    turned = points[at[0], at[1], 2] - points[step, 0, 2]
-    play = points[at[0], at[1], 0] - points[step, 0, 0] + k[_ARM] * turned
-    w[half, 0], w[half, 1] = k[_ARM], h
+    moved = points[at[0], at[1], 0] - points[step, 0, 0]
+    turned, bowed = points[at[0], at[1], 2] - points[step, 0, 2], points[at[0], at[1], 4] - points[step, 0, 4]
+    w[half, 0], w[half, 1], w[half, 2] = k[_ARM], h, k[_LENGTH]
     for i in range(STOPS):
-        place = 2 + 2 * STOPS * stage + i
-        share, follows, by_play, by_travel = _stop((slips[step, i], play, k[_TRAVEL + i]))
+        place, element = 3 + 2 * STOPS * stage + i, _ELEMENT[i]
+        by_arm, by_length = _DIRECTION[i, 1] * turned, _DIRECTION[i, 2] * turned + _DIRECTION[i, 3] * bowed
+        play = _DIRECTION[i, 0] * moved + k[_ARM] * by_arm + k[_LENGTH] * by_length
+        share, follows, by_play, by_travel = _stop((slips[step, i], play, k[_TRAVEL + element]))
         if stage < 4:
             z[i * STAGES + 4 * half + stage] = share
         w[half, place], w[half, place + STOPS] = follows, by_play
-        if own[STOPS] >= 0:
-            drive[own[STOPS] + i * _ROW + slot * BATCH] = turned * by_play
-        if own[i] >= 0:
-            drive[own[i] + i * _ROW + slot * BATCH] = by_travel
+        at_stop = i * _ROW + slot * BATCH
+        if own[_ELEMENTS] >= 0:
+            drive[own[_ELEMENTS] + at_stop] = by_arm * by_play
+        if own[_ELEMENTS + 1] >= 0:
+            drive[own[_ELEMENTS + 1] + at_stop] = by_length * by_play
+        if own[element] >= 0:
+            drive[own[element] + at_stop] = by_travel
 
 
 @compiled(inline="always")

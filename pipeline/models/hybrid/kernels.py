@@ -55,8 +55,8 @@ def joint_rates(
         Squares of the voltages [V²].
     c : FloatArray, shape (VALUES,)
         Corrections at q (`corrections_at`).
-    z, start : FloatArray, shapes (STOPS,) and (2,)
-        Stop operators, as a share of their capacity in [−1, 1], where (q, τ) was `start`; what they are at x follows
+    z, start : FloatArray, shapes (STOPS,) and (3,)
+        Stop operators, as a share of their capacity in [−1, 1], where (q, τ, β) was `start`; what they are at x follows
         from the play since, so that they need no differential equation.
     p : FloatArray, shape (PREPARED,)
         Prepared constants.

@@ -19,12 +19,13 @@ from pipeline.generated.condensed_joint import (
     BENDS,
     CONSTANTS,
     CREEPS,
+    LAYERS,
     QUARTICS,
     SEXTICS,
     SHAPES,
     SHORTENINGS,
+    SLIPS,
     SLOPES,
-    STOPS,
     TIP_CONSTANTS,
     UPRIGHT,
 )  # fmt: skip
@@ -76,9 +77,10 @@ def _unknown(name: str, typical: float, unit: str, prior_std: float = 1.2) -> De
     return Deviation(f"log {name}", prior_std, unit, typical)
 
 
-_FORCES = (0.5e-3, 0.5e-3, 0.5e-3, 0.5e-3, 0.15e-3, 0.15e-3)
-"""Typical forces [N] of the slip elements: four of friction, and two with travels as long as the motion is wide, for
-layers of the beam that yield."""
+_ELEMENTS = (*(f"stop {{}} {i}" for i in range(SLIPS)), *(f"layer {{}} {i}" for i in range(LAYERS)))
+"""Names of the slips of friction and of the layers of the beam that yield, for their forces and travels."""
+_FORCES = (*SLIPS * (0.5e-3,), *LAYERS * (0.15e-3,))
+"""Their typical forces [N]."""
 
 CHARGING_TIME = 1e-3
 """Typical time constant [s] of a membrane behind its electrodes: some 10 nF behind some 100 kΩ."""
@@ -129,8 +131,8 @@ DEVIATIONS: tuple[Deviation, ...] = (
     _unknown("viscosity", 5e-3, "N·s/m"),
     *(_unknown(name.replace("_", " "), typical, unit, prior_std) for name, typical, prior_std, unit in TIP_CONSTANTS),
     Deviation("friction arm", 5e-3, "m"),
-    *(_unknown(f"stop force {i}", force, "N") for i, force in enumerate(_FORCES)),
-    *(Deviation(f"log stop travel {i}", 0.5, "m") for i in range(STOPS)),
+    *(_unknown(name.format("force"), force, "N") for name, force in zip(_ELEMENTS, _FORCES, strict=True)),
+    *(Deviation(f"log {name.format('travel')}", 0.5, "m") for name in _ELEMENTS),
     *(_unknown(f"creep stiffness {i}", 0.04, "N/m") for i in range(CREEPS)),
     Deviation("softening", 0.02, "1"),
     _unknown("softening rate", 0.02, "1/s", 1.0),
@@ -152,7 +154,7 @@ _LOGARITHMS = np.array([entry.typical is not None for entry in DEVIATIONS])
 _TYPICAL = np.array([entry.typical or 0.0 for entry in DEVIATIONS])
 _KEYS = tuple(e.name if e.typical is None else e.name.removeprefix("log ") for e in DEVIATIONS)
 OF_INSTRUMENTS = [NAMES.index(name) for name in ("laser offset", "delay", "log charging time", "probe 1", "probe 2")]
-_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3, 6e-3, 16e-3])
+_TRAVELS = np.array([0.06e-3, 0.2e-3, 0.7e-3, 2.2e-3, 2e-3, 8e-3])
 _CREEP_TIMES = np.array([0.06, 1.0])
 _SLOW_TIME, _FAST_TIME = 8.0, 0.05  # s
 _LEAST_INERTIA = 2e-7  # kg·m²
@@ -222,9 +224,9 @@ def constants(p: JointParameters, deviations: FloatArray, ratio: float) -> Float
     values |= {f"shortening_{powers}": d[f"shortening {powers}"] for powers in SHORTENINGS}
     for side, membrane in (("left", p.left), ("right", p.right)):
         values |= {f"{side}_{name}": value for name, value in _side(membrane, side, d).items()}
-    for i in range(STOPS):
-        values |= {f"stop_force_{i}": d[f"stop force {i}"]}
-        values |= {f"stop_travel_{i}": _TRAVELS[i] * np.exp(d[f"log stop travel {i}"])}
+    for i, name in enumerate(_ELEMENTS):
+        values |= {f"stop_force_{i}": d[name.format("force")]}
+        values |= {f"stop_travel_{i}": _TRAVELS[i] * np.exp(d[f"log {name.format('travel')}"])}
     for i in range(CREEPS):
         values |= {f"creep_stiffness_{i}": d[f"creep stiffness {i}"], f"creep_rate_{i}": 1.0 / _CREEP_TIMES[i]}
     k = np.empty((*np.shape(deviations)[:-1], len(CONSTANTS)))

@@ -33,9 +33,9 @@ class Joints(NamedTuple):
         Its length makes W known to the compiler.
     p : FloatArray, shape (PREPARED · W,)
         Prepared constants.
-    c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (2 W,), (2 W,), (2,)
-        Filled in a run: corrections, stop operators, (q, τ) at the start of the step, squared voltages [V²]; half step
-        and observer pole of the step.
+    c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (3 W,), (2 W,), (2,)
+        Filled in a run: corrections, stop operators, (q, τ, β) at the start of the step, squared voltages [V²]; half
+        step and observer pole of the step.
     squares : FloatArray, shape (V, H, 2)
         Squared voltages [V²] on the H half steps, as V different sets of instruments show them.
     variant, table : NDArray[int64], shape (W,)
@@ -102,7 +102,7 @@ def _begin_of(w: int) -> Any:
         if len(system.path) > 0:
             x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
-            system.start[j], system.start[w + j] = x[j], x[2 * w + j]
+            system.start[j], system.start[w + j], system.start[2 * w + j] = x[j], x[2 * w + j], x[4 * w + j]
         system.now[0] = node
         system.now[1] = system.pole[node] if len(system.pole) > 0 else 0.0
 
@@ -266,7 +266,7 @@ def run_joints(
         shown_states = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), z,
-            np.zeros(2 * width), np.zeros(2 * width), np.zeros(2), driving.squares, driving.variant[chosen],
+            np.zeros(3 * width), np.zeros(2 * width), np.zeros(2), driving.squares, driving.variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
             driving.offset[chosen], followed.reading, poles,
             stepping.wall, stepping.lead, np.zeros((0, 2)),
@@ -295,7 +295,7 @@ def follow_path(
     only, out = np.zeros(1, dtype=np.int64), np.empty((samples, 3, 1))
     system = Joints(
         (0,), p, np.zeros(VALUES), z,
-        np.zeros(2), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
+        np.zeros(3), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
         tabulate(basis, weights[None]), np.zeros(1), none, none, np.inf, 0.0, path,
     )  # fmt: skip
     _integrate(system, x, out, workspace(x), substeps, dt / substeps, -np.inf, np.inf)

@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOPS, TIP_CONSTANTS
+from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOP_ELEMENTS, TIP_CONSTANTS
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Record
 from pipeline.units import POWERS
@@ -25,8 +25,8 @@ _UNITS = {
     **{f"{side}_electric": "F" for side in ("left", "right")},
     **{f"{side}_maxwell_{i}": "J" for side in ("left", "right") for i in range(BRANCHES)},
     **{f"{side}_viscous": "N·m·s" for side in ("left", "right")},
-    **{f"stop_force_{i}": "N" for i in range(STOPS)},
-    **{f"stop_travel_{i}": "m" for i in range(STOPS)},
+    **{f"stop_force_{i}": "N" for i in set(STOP_ELEMENTS)},
+    **{f"stop_travel_{i}": "m" for i in set(STOP_ELEMENTS)},
     **{f"creep_stiffness_{i}": "N/m" for i in range(CREEPS)},
     **{f"creep_rate_{i}": "1/s" for i in range(CREEPS)},
     "softening_rate": "1/s",

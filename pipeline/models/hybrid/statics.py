@@ -6,7 +6,16 @@ Characteristic curves are taken along the path on which the shape is at rest.
 import numpy as np
 
 from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import AT_REST, BENDS, DRY_LEVELS, FIRST_ELEMENT, SOFTENING, STATES, STOPS
+from pipeline.generated.condensed_joint import (
+    AT_REST,
+    BENDS,
+    DRY_LEVELS,
+    FIRST_ELEMENT,
+    SLIPS,
+    SOFTENING,
+    STATES,
+    STOPS,
+)
 from pipeline.models.hybrid.kernels import (
     INDEX,
     VALUES,
@@ -93,9 +102,9 @@ def rest_state(
 ) -> tuple[FloatArray, FloatArray]:
     """State (STATES,) and stop operators (STOPS,) as after a long rest at q [m] under constant squared voltages u [V²].
 
-    The shape has relaxed, Maxwell strains have decayed, creep has caught up, and friction balances what is left,
-    as far as its capacity goes. The membranes have softened for the time `age` [s]. `k` and `p` are the
-    constants and the prepared constants.
+    The shape has relaxed, Maxwell strains have decayed, creep has caught up, friction balances what is left as far as
+    its capacity goes, and the layers of the beam are free of stress. The membranes have softened for the time `age`
+    [s]. `k` and `p` are the constants and the prepared constants.
     """
     z, c = np.zeros(STOPS), np.zeros(VALUES)
     corrections_at(q, basis, weights, c)
@@ -104,10 +113,10 @@ def rest_state(
     x = still(q, tau, beta)
     x[SOFTENING] = softened
     capacity = 0.0
-    for i in range(STOPS):
+    for i in range(SLIPS):
         capacity += k[_STOP + i]
     if capacity > 0.0:
-        for i in range(STOPS):
+        for i in range(SLIPS):
             z[i] = min(1.0, max(-1.0, force / capacity))
     return x, z
 
@@ -116,11 +125,11 @@ def rest_state(
 def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """∂ẋ/∂x at rest without voltage at `_SHARES`, by differences, shape (5, STATES, STATES)."""
     jacobians = np.empty((len(_SHARES), STATES, STATES))
-    u, c, start = np.zeros(2), np.zeros(VALUES), np.zeros(2)
+    u, c, start = np.zeros(2), np.zeros(VALUES), np.zeros(3)
     at_rest, rates = np.empty(STATES), np.empty(STATES)
     for i in range(len(_SHARES)):
         x, z = rest_state(_SHARES[i] * k[_L], u, k, p, basis, weights, 0.0)
-        start[0], start[1] = x[0], x[2]
+        start[0], start[1], start[2] = x[0], x[2], x[4]
         corrections_at(x[0], basis, weights, c)
         joint_rates(x, u, c, z, start, p, at_rest)
         for j in range(STATES - 1, -1, -1):  # q last, as it changes the corrections
@@ -185,9 +194,9 @@ def _shape_slopes(
 @compiled
 def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c: FloatArray, p: FloatArray) -> float:
     """Generalised force [N] on q, τ and β along the path at a speed [m/s], without voltage, friction and creep."""
-    u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(2), np.empty(STATES), np.empty(6)
+    u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(3), np.empty(STATES), np.empty(6)
     x[1], x[3], x[5] = speed, slope * speed, interior * speed
-    start[0], start[1] = x[0], x[2]
+    start[0], start[1], start[2] = x[0], x[2], x[4]
     joint_rates(x, u, c, z, start, p, rates)
     mass_matrix(x, p, mass)
     along_q = mass[0] + slope * mass[1] + interior * mass[3]

@@ -22,6 +22,7 @@ from pipeline.generated.condensed_joint import (
     ELEMENT_STATES,
     FIRST_ELEMENT,
     STATES,
+    STOP_ELEMENTS,
     STOPS,
 )
 from pipeline.generated.terms import BELL
@@ -98,7 +99,7 @@ def body_rates(
 ) -> None:  # fmt: skip
     """Rates of the state x whose stop operators were z at the state `start`."""
     c = corrections(x[0], basis, weights)
-    joint_rates(x, np.array([u1, u2]), c, z, start[[0, 2]], prepared(k), rates)
+    joint_rates(x, np.array([u1, u2]), c, z, start[[0, 2, 4]], prepared(k), rates)
 
 
 def inertia_at(k: FloatArray, q: float, tau: float, beta: float = 0.0) -> FloatArray:
@@ -187,7 +188,7 @@ def test_without_voltage_every_motion_ends_at_rest(seed: int, corrected: bool) -
 def test_no_motion_in_any_direction_gains_energy_however_low_its_losses_are_corrected(seed: int) -> None:
     """Against the speeds the forces take power, also of joints whose slope and clamp are far off the drawing's."""
     random, k = np.random.default_rng(seed), deviating(seed, 1.0)
-    k[[INDEX["sliding_force"], *(INDEX[f"stop_force_{i}"] for i in range(STOPS))]] = 0.0
+    k[[INDEX["sliding_force"], *(INDEX[f"stop_force_{i}"] for i in set(STOP_ELEMENTS))]] = 0.0
     p, c, x, mass = prepare(k[None])[0], np.zeros(VALUES), np.zeros(STATES), np.empty(6)
     c[generated.CORRECTIONS.index("loss")] = -1e9
     x[[0, 2, 4]] = 0.01, 0.15, 0.3
@@ -197,7 +198,7 @@ def test_no_motion_in_any_direction_gains_energy_however_low_its_losses_are_corr
         speeds, rates = random.standard_normal(3) * np.array([1e-3, 1e-2, 1e-2]), np.empty((2, STATES))
         for sign, found in zip((1.0, -1.0), rates, strict=True):
             x[[1, 3, 5]] = sign * speeds
-            joint_rates(x, np.zeros(2), c, np.zeros(STOPS), x[[0, 2]], p, found)
+            joint_rates(x, np.zeros(2), c, np.zeros(STOPS), x[[0, 2, 4]], p, found)
         odd = matrix @ (rates[0] - rates[1])[[1, 3, 5]]
         assert speeds @ odd < 0.0
 
@@ -278,7 +279,7 @@ def test_kernels_are_the_graph_of_the_equations(width: int, *, single: bool) -> 
             "u": random.uniform(0.0, 9e6, (width, 2)),
             "c": np.array([corrections(q, BASIS, w) for q, w in zip(x[:, 0], weights, strict=True)]),
             "z": random.uniform(-1.0, 1.0, (width, STOPS)),
-            "start": moved[:, [0, 2]],
+            "start": moved[:, [0, 2, 4]],
             "p": generated.PREPARE.evaluate(k=np.array([deviating(int(i)) for i in random.integers(0, 50, width)]))[
                 "p"
             ],

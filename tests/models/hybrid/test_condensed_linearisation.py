@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.device_parameters import NOMINAL
-from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.generated.condensed_joint import SLIPS, STATES, STOP_ELEMENTS, STOPS
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
 from pipeline.models.hybrid.kernels import INDEX, VALUES, corrections_at, joint_rates, prepare
@@ -22,9 +22,22 @@ def rates(y: FloatArray, u: FloatArray, k: FloatArray, weights: FloatArray) -> F
     """Rates of state and stop operators that do not stick."""
     x, c, found = y[:STATES].copy(), np.empty(VALUES), np.empty(STATES)
     corrections_at(x[0], BASIS, weights, c)
-    joint_rates(x, u, c, y[STATES:].copy(), x[[0, 2]], prepare(k[None])[0], found)
-    first = INDEX["stop_travel_0"]
-    return np.concatenate([found, (y[1] + k[INDEX["friction_arm"]] * y[3]) / k[first : first + STOPS]])
+    joint_rates(x, u, c, y[STATES:].copy(), x[[0, 2, 4]], prepare(k[None])[0], found)
+    return np.concatenate([found, coordinates(y[[1, 3, 5]], k) / travels_of(k)])
+
+
+def travels_of(k: FloatArray) -> FloatArray:
+    return k[INDEX["stop_travel_0"] + np.array(STOP_ELEMENTS)]
+
+
+def coordinates(shape: FloatArray, k: FloatArray) -> FloatArray:
+    """Coordinates of the stop operators at (q, τ, β): friction's, then l²/6 times the curvature at Gauss's places."""
+    q, tau, beta = shape
+    l, polynomial = k[INDEX["l"]], np.polynomial.Polynomial
+    xi = polynomial([0.0, 1.0])
+    w = l * (q / l * (3 * xi**2 - 2 * xi**3) + tau * (xi**3 - xi**2) + beta * xi**2 * (1 - xi) ** 2)
+    bent = w.deriv(2)(0.5 * (1.0 + np.polynomial.legendre.leggauss(3)[0])) / 6.0
+    return np.concatenate([np.full(SLIPS, q + k[INDEX["friction_arm"]] * tau), np.repeat(bent, 2)])
 
 
 def differences(function: Callable[[FloatArray], FloatArray], at: FloatArray, size: FloatArray) -> FloatArray:
@@ -71,7 +84,7 @@ def test_a_stop_operator_at_its_end_stays_there_until_the_motion_turns() -> None
     x, z, u = np.zeros(STATES), np.array([1.0, -1.0, *[0.5] * (STOPS - 2)]), np.zeros(2)
     x[1] = 0.1
     ahead = Linearised(k, BASIS, np.zeros((CORRECTIONS, 0)), x, z, u)
-    travels = k[INDEX["stop_travel_0"] : INDEX["stop_travel_0"] + STOPS]
-    np.testing.assert_allclose(ahead.f[STATES:], [0.0, *(0.1 / travels[1:])])
+    travels = travels_of(k)
+    np.testing.assert_allclose(ahead.f[STATES:], [0.0, *(coordinates(x[[1, 3, 5]], k) / travels)[1:]], atol=1e-9)
     assert ahead.a[STATES, 1] == 0.0
     assert ahead.a[STATES + 1, 1] == pytest.approx(1.0 / travels[1])
