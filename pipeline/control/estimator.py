@@ -235,7 +235,7 @@ def rates(s: Values, y: Values, u: Values, prepared: Values, e: Values, curves: 
     """Rates of the state y under squared voltages and the unknown moment; s is the state where the step began."""
     n, now = named(e), parts(s)
     c, _ = corrections(y[0], n)
-    start = [now["x"][0], now["x"][2]]
+    start = [now["x"][i] for i in SHAPE]
     derivatives = inline(RATES, x=y, u=u, c=c, z=now["z"], start=start, p=prepared)["rates"]
     twist, _ = _pushed(y, prepared)
     for i, on in twist.items():

@@ -9,7 +9,7 @@ shape mode. The motion follows from the energies of section 3:
 
     M(y) ÿ = −∂U/∂y − ∂R/∂ẏ + ½ Σ_k ∂C_k/∂y u_k − friction(q) + corrections,   y = (q, τ, β)
     ė_ik = λ̇_3,i − r_k e_ik                        Maxwell elements of each membrane (eq. 19)
-    z_j ← clip(z_j + Δq/δ_j, −1, 1)                 stop operators: generalised Maxwell slip
+    z_j ← clip(z_j + Δs_j/δ_j, −1, 1)               stop operators: slip of friction; layers of the beam that yield
     ċ_k = r_k (q − c_k)                             creep
     Ḋ = r_s (1 − D)                                 softening: the modulus of both membranes times 1 − s D
 
