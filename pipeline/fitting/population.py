@@ -160,18 +160,18 @@ def log_evidence(member: Information, population: NormalPopulation) -> float:
     return 0.5 * float(quadratic + np.linalg.slogdet(inverse)[1] - np.linalg.slogdet(whole)[1])
 
 
-def oddity(member: Information, others: NormalPopulation, count: int) -> Oddity:
-    """What of a member is odd beside `count` others.
+def oddity(member: Information, others: NormalPopulation, count: int, entries: Sequence[int]) -> Oddity:
+    """What of a member is odd beside `count` others, among these `entries` of θ.
 
     The score of one entry of θ, moved alone, over its standard deviation, which Student's t with count − 1 degrees of
-    freedom bounds for all entries together (Bonferroni). With Λ and h of the member and the population N(μ, P⁻¹) the
-    score is u = P (Λ + P)⁻¹ (h − Λ μ), and its covariance is G = P − P (Λ + P)⁻¹ P.
+    freedom bounds for all these entries together (Bonferroni). With Λ and h of the member and the population
+    N(μ, P⁻¹) the score is u = P (Λ + P)⁻¹ (h − Λ μ), and its covariance is G = P − P (Λ + P)⁻¹ P.
     """
     inverse = np.linalg.inv(others.covariance)
     turned = np.linalg.solve(member.precision + inverse, inverse).T  # P (Λ + P)⁻¹
     score = turned @ (member.vector - member.precision @ others.mean)
     shown = np.maximum(np.diag(inverse - turned @ inverse), np.finfo(float).tiny)
-    farthest = int(np.argmax(np.abs(score) / np.sqrt(shown)))
-    bound = float(stdtrit(max(count - 1, 1), 1.0 - 0.5 * FALSE_ALARMS / len(score)))
+    farthest = max(entries, key=lambda entry: abs(score[entry]) / np.sqrt(shown[entry]))
+    bound = float(stdtrit(max(count - 1, 1), 1.0 - 0.5 * FALSE_ALARMS / len(entries)))
     size, error = score[farthest] / shown[farthest], 1.0 / np.sqrt(shown[farthest])
     return Oddity(farthest, float(size), float(error), bool(abs(size) > bound * error))

@@ -64,7 +64,7 @@ def test_an_odd_member_is_named_with_its_size_and_moves_the_others_little() -> N
         assert abs(whole.mean[4] - usual.mean[4]) < 0.15
         assert np.sqrt(whole.covariance[4, 4]) < 2.0 * np.sqrt(usual.covariance[4, 4])
         for i, (member, rest) in enumerate(zip(members, without_each(members, PRIOR, whole), strict=True)):
-            found = oddity(member, rest, len(members) - 1)
+            found = oddity(member, rest, len(members) - 1, range(len(member.vector)))
             if i == 3:
                 named += found.odd and found.entry == 4 and abs(found.size - 3.0) < 3.0 * found.error
             else:
