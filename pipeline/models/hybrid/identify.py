@@ -51,7 +51,7 @@ well."""
 NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
-UNCORRECTED_ERROR = 5e-4
+UNCORRECTED_ERROR = 2e-4
 """Share of the operating range: equations that leave a smaller free-run error need no correction."""
 
 LOST_ERROR = 0.02
