@@ -237,7 +237,7 @@ class Format:
 FORMATS = (
     Format("MDF", "mdf", lambda start: start.startswith((b"MDF ", b"UnFinMF "))),
     Format("Parquet", "parquet", lambda start: start.startswith(b"PAR1")),
-    Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB 7.3")),
+    Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB ")),
     Format("HDF5", "hdf5", lambda start: _is_hdf5(start)),
     Format("TDMS", "tdms", lambda start: start.startswith(b"TDSm")),
     Format("NPY", "numpy_arrays", lambda start: start.startswith(b"\x93NUMPY")),

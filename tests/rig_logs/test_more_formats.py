@@ -4,9 +4,11 @@ import bz2
 import gzip
 import lzma
 import sys
+import warnings
 import zipfile
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pipeline.errors import InputError
@@ -120,6 +122,38 @@ def test_an_archive_of_several_files_is_no_log(tmp_path):
         archive.writestr("b.csv", _csv())
     with pytest.raises(UnreadableLogError, match="an archive of 2 files"):
         open_here(tmp_path / "logs.zip")
+
+
+def _tables(path, version):
+    """A table and two timetables of 30 kHz, as mat-io writes them: rows by a duration, and by dates."""
+    matio = pytest.importorskip("matio")
+    columns = {"q": Q, "HV 1": V, "armed": V > 0.0, "note": ["a"] * len(Q), "pair": Q}
+    step = pd.to_timedelta(np.round(np.arange(len(Q)) * 1e9 / 30_000.0), unit="ns")
+    by_date = pd.DataFrame({"q": Q}, index=pd.Timestamp("2026-03-29 01:59:59.9") + step)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        frames = {"T": pd.DataFrame(columns), "TT": pd.DataFrame({"q": Q, "v": V}, index=step), "D": by_date, "x": Q}
+        frames["TT"].index.name = frames["D"].index.name = "Time"
+        matio.save_to_mat(str(path), frames, version=version)
+
+
+@pytest.mark.parametrize("version", ["v7", "v7.3"])
+def test_tables_of_matlab_are_read_with_the_times_of_their_rows(tmp_path, version, monkeypatch):
+    _tables(tmp_path / "log.mat", version)
+    recording = read_recording(tmp_path / "log.mat")
+    channels = {channel.name: channel for channel in recording.channels}
+    np.testing.assert_array_equal(channels["T.q"].samples, Q)
+    np.testing.assert_array_equal(channels["T.HV 1"].samples, V)
+    np.testing.assert_array_equal(channels["T.armed"].samples, V > 0.0)
+    for name, rounding in (("TT", 1e-9), ("D", 5e-7)):  # mat-io writes dates as doubles, in ms since 1970
+        np.testing.assert_array_equal(channels[f"{name}.q"].samples, Q)
+        np.testing.assert_allclose(channels[f"{name}.q"].time, np.arange(len(Q)) / 30_000.0, atol=rounding)
+    assert channels["T.q"].time is None and channels["TT.Time"].unit == "s" and "x" in channels
+    assert "T.note" not in channels and "'T.note' (text)" in " ".join(recording.notes)
+    monkeypatch.setitem(sys.modules, "matio", None)
+    source = open_here(tmp_path / "log.mat")
+    assert [entry.name for entry in source.entries()] == ["x"]
+    assert "debist[matlab]" in " ".join(source.notes)
 
 
 @pytest.mark.parametrize(
