@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
 from pipeline.isolation import Send, limit
+from pipeline.rig_logs.clock_pairs import with_clocks
 from pipeline.rig_logs.recording import for_any_variable, missing_channel
 from pipeline.rig_logs.source import (
     CsvOptions,
@@ -295,4 +296,4 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
             "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
         )
     source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)
-    return source
+    return with_clocks(source)

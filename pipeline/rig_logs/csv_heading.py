@@ -118,7 +118,10 @@ def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float
     """Names and numbers, behind or below them, that state a sample rate in lines above the data, and it [Hz]."""
     rates: dict[str, tuple[str, float, float]] = {}
     rows = [split_row(bare_line(line), delimiter) for line in lines]
+    over = {cell for row in rows if row and row[0] == "X_Dimension" for cell in row[1:] if cell}
     for i, row in enumerate(rows):
+        if row and row[0] == "Delta_X" and over and "Time" not in over:  # LabVIEW's step of a frequency or a place
+            continue
         for j, cell in enumerate(row):
             key, _, own = _KEY_END.sub(":", cell).partition(":")
             name, unit = _BRACKETED.sub("", key).strip(" #%"), "".join(_BRACKETED.findall(key)).strip("[]()")
