@@ -130,9 +130,7 @@ class ErrorBoundary(WholeLines):
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command; exit codes are those of `pipeline.errors`."""
-        for stream in (sys.stdout, sys.stderr):
-            if isinstance(stream, io.TextIOWrapper):  # a name that is not UTF-8 is shown with its bytes written out
-                stream.reconfigure(errors="backslashreplace")
+        _show_every_name()
         try:
             done = super().invoke(ctx)
             sys.stdout.flush()
@@ -177,6 +175,13 @@ class ErrorBoundary(WholeLines):
         if self._as_json and not printed:
             with suppress(OSError):  # the exit code says the same
                 emit_json({"error": {"message": message, "exit_code": exit_code}})
+
+
+def _show_every_name() -> None:
+    """Show a name that is not UTF-8 with its bytes written out."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
 
 
 def _unread() -> typer.Exit:
