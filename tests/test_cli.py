@@ -130,7 +130,7 @@ def test_inspect_prints_one_json_document(tmp_path: Path) -> None:
     result = RUNNER.invoke(app, ["inspect", str(tmp_path / "log.csv"), "--json"])
     document = json.loads(result.stdout)
     assert [channel["name"] for channel in document["channels"]] == ["time", "q", "u"]
-    assert document["time_bases"][0]["step"] == pytest.approx(0.01)
+    assert document["time_bases"][0]["step_s"] == pytest.approx(0.01)
 
 
 def test_version() -> None:

@@ -22,6 +22,6 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
     facts = [replace(fact, lag=lags[0]) if lags and fact.lag is None else fact for fact in facts]
     rows = [row for fact in facts for row in (*motion_rows(fact, declared), *input_rows(fact, declared))]
     rows += start_rows(facts)
-    for other in facts[1:]:
-        rows += device_rows(facts[0], other, declared)
-    return rows
+    beside = [row for other in facts[1:] for row in device_rows(facts[0], other, declared)]
+    told = {(log, row.what) for row in beside for log in (facts[0].signals.name, row.log)}
+    return [*(row for row in rows if (row.log, row.what) not in told), *beside]

@@ -5,6 +5,7 @@ import numpy as np
 from pipeline.checks import limits
 from pipeline.checks.declared import Declared
 from pipeline.checks.log_facts import InputFacts, LogFacts
+from pipeline.checks.rest_level import rest_level
 from pipeline.checks.rows import CheckRow, State, in_si, short_quantity, times_text
 from pipeline.scoring.wells import Wells
 from pipeline.si_prefix import quantity, significant
@@ -215,18 +216,15 @@ def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     for i, (peak, unit) in enumerate(zip(fact.peaks.tolist(), declared.inputs, strict=True)):
         if takes_both_signs(float(np.min(fact.signals.v[:, i])), float(np.max(fact.signals.v[:, i]))):
             continue
-        size = np.abs(fact.signals.v[:, i])
-        level = float(np.quantile(size, limits.OFF_SHARE))
-        rests = float(np.mean(size <= level + limits.REST_LEVEL * peak)) >= limits.REST_SHARE
-        if level > limits.REST_LEVEL * peak and rests:
-            signed = float(np.copysign(level, np.median(fact.signals.v[size <= level + limits.REST_LEVEL * peak, i])))
-            measured, against = quantity(signed, unit), quantity(-signed, unit)
+        level = rest_level(fact.signals.v[:, i])
+        if level is not None and abs(level) > limits.REST_LEVEL * peak:
+            measured, against = quantity(level, unit), quantity(-level, unit)
             advice = (
                 f"v{i + 1} never returns to zero: if its drive was off at some time, that is the probe's error; add "
                 f"{against} to its `offset` in [channels]"
             )
             limit = f"≤ {short_quantity(limits.REST_LEVEL * peak, unit)}"
-            values, what = in_si("level", unit, signed), f"lowest level of v{i + 1}"
+            values, what = in_si("level", unit, level), f"rest level of v{i + 1}"
             rows.append(CheckRow(fact.signals.name, what, measured, limit, "note", None, advice, values=values))
     return rows
 

@@ -8,6 +8,7 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from functools import wraps
 from pathlib import Path
@@ -120,11 +121,16 @@ class ErrorBoundary(WholeLines):
         typer.echo(_NO_MEMORY, err=True)  # here, where what the command held is free again
         sys.exit(InputError.exit_code)
 
+    def make_context(self, *arguments: Any, **options: Any) -> Any:
+        """Read the options; help, too, may have a reader that goes."""
+        try:
+            return super().make_context(*arguments, **options)
+        except BrokenPipeError as error:
+            raise _unread() from error
+
     def invoke(self, ctx: Any) -> Any:
         """Run the command; exit codes are those of `pipeline.errors`."""
-        for stream in (sys.stdout, sys.stderr):
-            if isinstance(stream, io.TextIOWrapper):  # a name that is not UTF-8 is shown with its bytes written out
-                stream.reconfigure(errors="backslashreplace")
+        _show_every_name()
         try:
             done = super().invoke(ctx)
             sys.stdout.flush()
@@ -142,10 +148,12 @@ class ErrorBoundary(WholeLines):
             raise typer.Exit(error.exit_code) from error
         except KeyboardInterrupt as stopped:
             raise _interruption(str(stopped)) from stopped
-        except (typer.Exit, typer.Abort, BrokenPipeError):
+        except (typer.Exit, typer.Abort):
             raise
         except Exception as error:
             if isinstance(error, OSError) and _stdout_fails():
+                if isinstance(error, BrokenPipeError):
+                    raise _unread() from error
                 raise
             if type(error).__module__.startswith(("typer", "click")):
                 self._emit_error(getattr(error, "message", str(error)), InputError.exit_code)
@@ -165,7 +173,24 @@ class ErrorBoundary(WholeLines):
     def _emit_error(self, message: str, exit_code: int) -> None:
         """Print a failure as the JSON document of a command with --json, unless it has printed its own before."""
         if self._as_json and not printed:
-            emit_json({"error": {"message": message, "exit_code": exit_code}})
+            with suppress(OSError):  # the exit code says the same
+                emit_json({"error": {"message": message, "exit_code": exit_code}})
+
+
+def _show_every_name() -> None:
+    """Show a name that is not UTF-8 with its bytes written out."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+
+
+def _unread() -> typer.Exit:
+    """How a command ends whose reader has gone, as in `debist show RUN | head -1`: as SIGPIPE ends other programs."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for what is held back
+    return typer.Exit(128 + _SIGPIPE)
+
+
+_SIGPIPE = 13  # which Windows lacks
 
 
 def _interruption(goes_on: str = "") -> typer.Exit:

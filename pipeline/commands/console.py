@@ -3,6 +3,7 @@
 With the options and arguments that commands share.
 """
 
+import errno
 import json
 import os
 import shutil
@@ -148,12 +149,16 @@ def _print_table(title: str, columns: Sequence[tuple[str, bool, bool]], rows: It
     from rich.table import Table
     from rich.text import Text
 
+    class Printer(Console):
+        def on_broken_pipe(self) -> None:
+            raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))  # for `pipeline.commands.boundary`
+
     table = Table(title=Text(title) if title else None, title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
     for name, numbers, whole in columns:
         table.add_column(Text(name), justify="right" if numbers else "left", no_wrap=whole, overflow="fold")
     for row in rows:
         table.add_row(*map(Text, row))
-    Console(width=_width(), highlight=False).print(table)
+    Printer(width=_width(), highlight=False).print(table)
 
 
 def brief(reasons: Sequence[str]) -> str:

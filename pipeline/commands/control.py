@@ -116,7 +116,7 @@ def pulse(
     snap: Snap,
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
+        typer.Option("--file", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
     ] = None,
     max_voltage: Most = None,
     lag: Lag = None,
@@ -127,7 +127,7 @@ def pulse(
     """A feedforward snap from well to well: push, brake, catch, optimised on the model and robust over its posterior.
 
     Voltages in V at 1 kHz, for `debist rig closed-loop --play` and test benches.
-    Example: debist control pulse runs/P1 --to right -o snap.csv
+    Example: debist control pulse runs/P1 --to right --file snap.csv
     """
     from pipeline.runs import layout
     from pipeline.tools import control

@@ -30,14 +30,14 @@ def learn(
         list[Path], typer.Argument(metavar="RUN...", help="Runs with the model hybrid, or folders of a batch.")
     ],
     output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="FILE", help="File of the siblings (.h5), for plant.siblings.")
+        Path, typer.Option("--file", metavar="FILE", help="File of the siblings (.h5), for plant.siblings.")
     ],
     as_json: Json = False,
 ) -> None:
     """Mean, spread and correlations of the deviations of identified siblings, as a prior of the next joint; odd ones.
 
     From five siblings on; all need the parameter set that the next joint has. Lengths in m, all other units SI, odd
-    quantities in percent where they are positive. Example: debist fleet learn runs -o siblings.h5
+    quantities in percent where they are positive. Example: debist fleet learn runs --file siblings.h5
     """
     from pipeline.tools.fleet import learn_siblings
 
@@ -90,7 +90,7 @@ def series(
         typer.Option("--at", metavar="TIME,…", help="Date (2026-03-01) or day of each run [default: in this order]."),
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a page with a figure of each fact.")
+        Path | None, typer.Option("--page", metavar="FILE", help="Write a page with a figure of each fact.")
     ] = None,
     form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
     as_json: Json = False,
@@ -100,7 +100,7 @@ def series(
     Rests, barriers, switching voltages, stiffness, capacitance gains, charging time, creep and the laser's zero. A
     change is claimed where chance explains it in one of twenty series at most; four runs are the least.
 
-    Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 -o series.html
+    Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 --page series.html
     """
     from pipeline.reporting.several_runs import COLUMNS, conclusion, series_page, series_rows
     from pipeline.runs.atomic import write_text

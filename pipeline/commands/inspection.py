@@ -87,6 +87,12 @@ def _counts(crossings: Sequence[int]) -> str:
     return " / ".join(map(str, crossings))
 
 
+_SECONDS = frozenset(
+    ("start", "stop", "step", "shortest", "longest", "jitter", "gap_limit", "repeated_at", "backward_at", "gaps_at")
+)
+"""Times and durations of a time base, which get their unit in JSON."""
+
+
 def inspection_document(inspection: "Inspection", excitation: "LogExcitation | str") -> Any:
     """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
     from pipeline.runs.manifest import to_json
@@ -95,8 +101,13 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
         coverage: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
     else:
         shown = {name: value for name, value in asdict(excitation).items() if name not in ("factor", "unit", "joint")}
-        coverage = {"excitation": shown}
-    return to_json(asdict(inspection) | coverage)
+        coverage = {"excitation": {"interval_s": shown.pop("interval"), **shown}}
+    document = asdict(inspection)
+    document["time_bases"] = [
+        {f"{key}_s" if key in _SECONDS else key: value for key, value in base.items()}
+        for base in document["time_bases"]
+    ]
+    return to_json(document | coverage)
 
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:

@@ -259,7 +259,7 @@ def calibrate(
     parameters: JointSet,
     search: Search,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the calibrated set as TOML.")
+        Path | None, typer.Option("--file", metavar="FILE", help="Write the calibrated set as TOML.")
     ] = None,
     figure: Figure = None,
     force: Force = False,
@@ -268,7 +268,7 @@ def calibrate(
 ) -> None:
     """Fit parameters to logs (§ 3.3): values and standard errors in SI units, error of q in mm.
 
-    Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
+    Example: debist physics calibrate runs/P1/train/train/kinematics.parquet --file P1-joint.toml
     """
     from pipeline.device_parameters import QUANTITIES
     from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES

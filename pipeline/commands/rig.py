@@ -254,9 +254,9 @@ def excite(
     joint: SimulatedWith,
     limits: SequenceLimits,
     form: SequenceForm,
-    output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="FILE", help="Sequence to write: .csv or .mat.")
-    ] = Path("excitation.csv"),
+    output: Annotated[Path, typer.Option("--file", metavar="FILE", help="Sequence to write: .csv or .mat.")] = Path(
+        "excitation.csv"
+    ),
     force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -266,7 +266,7 @@ def excite(
     With `--run` and its model `hybrid`, the one after which its free run in a programme is expected to be surest.
 
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
-    Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
+    Example: debist rig excite --file excitation.csv --duration 60s --max-voltage 2.8kV
     """
     from pipeline.commands.inspection import emit_design
     from pipeline.tools.excitation import description, excite
@@ -335,7 +335,7 @@ def closed_loop(
         Path | None, typer.Option("--play", metavar="FILE", help="Play voltages instead (CSV or MAT, in V).")
     ] = None,
     output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="FILE", help="Raw log to write; its ending follows the format.")
+        Path, typer.Option("--file", metavar="FILE", help="Raw log to write; its ending follows the format.")
     ] = Path("closed-loop"),
     force: Force = False,
     as_json: Json = False,

@@ -46,16 +46,16 @@ def plot(
     figure: Annotated[
         str | None, typer.Option("-f", "--figure", help="Name of the figure [default: list them].")
     ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("-o", "--output", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."),
+    file: Annotated[
+        Path | None, typer.Option("--file", metavar="FILE", help="File for the figure of one run: .svg, .pdf, .png.")
     ] = None,
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder of the figures.")] = Path(),
     force: Force = False,
     as_json: Json = False,
 ) -> None:
     """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
 
-    Times in s. Example: debist plot runs/P1 -f validation-validation-models -o models.pdf --from 18 --to 24
+    Times in s. Example: debist plot runs/P1 -f validation-validation-models --file models.pdf --from 18 --to 24
     """
     from pipeline.tools.plot import Excerpt, plot_runs, run_figures
 
@@ -67,7 +67,7 @@ def plot(
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
     written = plot_runs(
-        runs, figure, output, Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface), force=force
+        runs, figure, file, output, Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface), force=force
     )
     if as_json:
         emit_json({"written": written})

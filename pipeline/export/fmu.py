@@ -20,8 +20,24 @@ from pipeline.runs.atomic import write_bytes
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
-FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-fvisibility=hidden")
-"""Flags of the compiler; without contraction the digits are those of debist on any processor."""
+FLAGS = ("-std=c99", "-O2", "-ffp-contract=off")
+"""Flags of every compiler; without contraction the digits are those of debist on any processor."""
+
+
+@dataclass(frozen=True)
+class Compiler:
+    """A compiler of a system's binaries, the ending of its libraries, and its own flags."""
+
+    name: str
+    ending: str
+    flags: tuple[str, ...]
+
+
+COMPILERS = {
+    "linux64": Compiler("gcc", ".so", ("-fPIC", "-fvisibility=hidden")),
+    "win64": Compiler("x86_64-w64-mingw32-gcc", ".dll", ("-static-libgcc", "-Wl,--no-insert-timestamp")),
+}
+"""By the folder of FMI 2.0."""
 
 
 def write_fmu(subject: Subject, folder: Path) -> Exported:
@@ -29,7 +45,8 @@ def write_fmu(subject: Subject, folder: Path) -> Exported:
 
     Notes
     -----
-    Without `gcc` on Linux, x86-64, the FMU holds its source only, and the notes say so.
+    Binaries are those of the compilers that are here: `gcc` on Linux, x86-64, and MinGW's for Windows. The notes say
+    what the FMU lacks.
     """
     realisation = subject.realisation()
     sources = fmu_sources(subject, realisation)
@@ -40,15 +57,14 @@ def packed(sources: dict[str, str], description: str, identifier: str, folder: P
     """Write ``IDENTIFIER.fmu`` of C sources, which ``fmu.c`` includes, and the model description."""
     files = {f"sources/{name}": text.encode() for name, text in sources.items()}
     files["modelDescription.xml"] = description.encode()
-    binary = _compiled(sources, identifier)
-    notes = []
-    if binary is None:
-        notes.append(
-            "the FMU holds C source only: no working gcc for Linux on x86-64 here; import it where sources are "
-            "compiled, or export it on a machine with gcc"
-        )
-    else:
-        files[f"binaries/linux64/{identifier}.so"] = binary
+    binaries = _compiled(sources, identifier)
+    notes = [
+        f"the FMU holds C source only for {system}: no working {compiler.name} here; import it where sources are "
+        f"compiled, or export it where there is one"
+        for system, compiler in COMPILERS.items()
+        if system not in binaries
+    ]
+    files |= {f"binaries/{system}/{identifier}{COMPILERS[system].ending}": code for system, code in binaries.items()}
     target = folder / f"{identifier}.fmu"
     write_bytes(target, _zipped(files))
     return Exported([target], notes)
@@ -80,20 +96,31 @@ def identity(*content: str) -> str:
     return f"{{{uuid.uuid5(_NAMESPACE, '/'.join((__version__, *content)))}}}"
 
 
-def _compiled(sources: dict[str, str], identifier: str) -> bytes | None:
-    compiler = shutil.which("gcc")
-    if compiler is None or (platform.system(), platform.machine()) != ("Linux", "x86_64"):
-        return None
+def _compiled(sources: dict[str, str], identifier: str) -> dict[str, bytes]:
+    """The binary for each system that a compiler here makes code for."""
+    here = (platform.system(), platform.machine()) == ("Linux", "x86_64")
     with tempfile.TemporaryDirectory() as place:
         for name, text in sources.items():
             (Path(place) / name).write_text(text, encoding="utf-8")
-        library = f"{identifier}.so"
-        words = [compiler, *FLAGS, "-shared", "fmu.c", "-o", library, "-lm"]
-        try:
-            subprocess.run(words, cwd=place, capture_output=True, check=True, timeout=_COMPILING)
-        except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
-            return None
-        return (Path(place) / library).read_bytes()
+        made = {
+            system: _library(Path(place), identifier, compiler)
+            for system, compiler in COMPILERS.items()
+            if here or system == "win64"
+        }
+    return {system: code for system, code in made.items() if code is not None}
+
+
+def _library(place: Path, identifier: str, compiler: "Compiler") -> bytes | None:
+    """``fmu.c`` of a folder as a library; None without a compiler, or where it fails."""
+    program, library = shutil.which(compiler.name), place / f"{identifier}{compiler.ending}"
+    if program is None:
+        return None
+    words = [program, *FLAGS, *compiler.flags, "-shared", "fmu.c", "-o", library.name, "-lm"]
+    try:
+        subprocess.run(words, cwd=place, capture_output=True, check=True, timeout=_COMPILING)
+    except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
+        return None
+    return library.read_bytes()
 
 
 _COMPILING = 120.0

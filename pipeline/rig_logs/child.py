@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
 from pipeline.isolation import Send, limit
+from pipeline.rig_logs.clock_pairs import with_clocks
 from pipeline.rig_logs.recording import for_any_variable, missing_channel
 from pipeline.rig_logs.source import (
     CsvOptions,
@@ -237,7 +238,7 @@ class Format:
 FORMATS = (
     Format("MDF", "mdf", lambda start: start.startswith((b"MDF ", b"UnFinMF "))),
     Format("Parquet", "parquet", lambda start: start.startswith(b"PAR1")),
-    Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB 7.3")),
+    Format("MAT v7.3", "matlab73", lambda start: _is_hdf5(start) and start.startswith(b"MATLAB ")),
     Format("HDF5", "hdf5", lambda start: _is_hdf5(start)),
     Format("TDMS", "tdms", lambda start: start.startswith(b"TDSm")),
     Format("NPY", "numpy_arrays", lambda start: start.startswith(b"\x93NUMPY")),
@@ -295,4 +296,4 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
             "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
         )
     source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)
-    return source
+    return with_clocks(source)

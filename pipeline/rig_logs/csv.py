@@ -17,6 +17,7 @@ from pipeline.rig_logs.csv_cells import (
     STAMP,
     SWITCH,
     is_behind,
+    is_other_heading,
     is_remark,
     is_stamp,
     is_value,
@@ -189,6 +190,10 @@ class CsvSource:
                 raise UnreadableLogError(
                     f"a row does not fit the table: row {number} has {len(cells)} cells, not {width}: repair or delete "
                     "that row"
+                )
+            if is_other_heading(cells, self._dialect.headings):
+                raise UnreadableLogError(
+                    f"row {number} begins another table, of {', '.join(cells)}: save each table in a file of its own"
                 )
             for j in wanted:
                 cells[j] = self._plain_cell(cells[j], self._columns[j], number)

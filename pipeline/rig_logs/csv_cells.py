@@ -11,7 +11,8 @@ _GROUPED = re.compile(
     r"[-+\u2212]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
 )
 _POWER = re.compile(r"(?<=[\d.])[dD](?=[+-]?\d)")
-_BEGINS_AS_NUMBER = re.compile(r"[-+\u2212]?(?!1[.]#)[.,]?\d")
+_SIGN_APART = re.compile(r"(?<=^[-+\u2212])\s+(?=[\d.,])")
+_BEGINS_AS_NUMBER = re.compile(r"[-+\u2212]?\s*(?!1[.]#)[.,]?\d")
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _FEW_CELLS = 3
@@ -42,6 +43,7 @@ def is_stamp(cell: str) -> bool:
 
 def plain_number(cell: str, decimal: str) -> str:
     """A number with a decimal point, without marks between thousands, e before its power; other cells as they are."""
+    cell = _SIGN_APART.sub("", cell)
     match = _GROUPED.fullmatch(cell)
     if match and match["mark"] != decimal and (match["mark"] not in ".," or match["fraction"]):
         cell = re.sub(r"[\s'’]|" + re.escape("," if decimal == "." else "."), "", cell)
@@ -68,6 +70,12 @@ def is_remark(line: str, cells: Sequence[str], names: Sequence[str]) -> bool:
         return True
     words = all(is_word(cell) and not is_stamp(cell) for cell in cells)
     return words and (len(cells) != len(names) or cells == [*names])
+
+
+def is_other_heading(cells: Sequence[str], names: Sequence[str]) -> bool:
+    """Whether a row of words, in place of numbers, is the heading of another table: some names, but not those."""
+    named = {name for name in names if name}
+    return cells != [*names] and all(is_word(cell) for cell in cells) and any(cell in named for cell in cells)
 
 
 def is_behind(cell: str, decimal: str) -> bool:

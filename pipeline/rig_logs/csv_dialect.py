@@ -20,8 +20,10 @@ from pipeline.rig_logs.csv_cells import (
 from pipeline.rig_logs.csv_heading import (
     bare_line,
     cells_of_comment,
+    check_long_table,
     heading_rows,
     is_comment,
+    is_counted,
     names_and_units,
     names_beside,
     stated_rates,
@@ -97,7 +99,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     encoding = options.encoding or _find_encoding(start)
     lines = _lines(start, encoding, whole=whole)
     options = _as_labview(lines, options)
-    table = _find_table(lines, options)
+    options, table = _with_counted_names(options, _find_table(lines, options))
     width, header_row = len(table.numeric), options.header_row
     _check_decimal_commas(table)
     open_marks = (False,) * width if options.decimal is not None else _open_marks(table)
@@ -111,6 +113,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     units_row = units_by_key(above) if units_row is None else units_row
     _check_rows_below_header(table, above, header_row)
     header, units, headings = _headings(table, above, header_row, units_row)
+    check_long_table(header, table.numeric, table.rows[table.first :])
     firsts = tuple(_firsts(table))
     numeric = tuple(
         is_numeric or (not cell and bool(heading))
@@ -132,6 +135,13 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.ragged or (header_row is not None and len(above[header_row]) == width + 1),
     )
+
+
+def _with_counted_names(options: CsvOptions, table: "_Table") -> tuple[CsvOptions, "_Table"]:
+    """The numbers of the columns that pandas writes in place of names are no row of data."""
+    if options.header_row is not None or not is_counted(table.rows[table.first]):
+        return options, table
+    return replace(options, header_row=table.first), replace(table, first=table.first + 1)
 
 
 _LABVIEW, _END_OF_HEADER = "LabVIEW Measurement", "***End_of_Header***"

@@ -7,7 +7,7 @@ from contextlib import suppress
 
 from pipeline.errors import InputError
 from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, split_row
-from pipeline.rig_logs.source import stated_rate, unique_names
+from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_names
 from pipeline.units import parse_quantity, time_unit
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(](?P<unit>[^\[\]()]*)[\])]$")
@@ -118,7 +118,10 @@ def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float
     """Names and numbers, behind or below them, that state a sample rate in lines above the data, and it [Hz]."""
     rates: dict[str, tuple[str, float, float]] = {}
     rows = [split_row(bare_line(line), delimiter) for line in lines]
+    over = {cell for row in rows if row and row[0] == "X_Dimension" for cell in row[1:] if cell}
     for i, row in enumerate(rows):
+        if row and row[0] == "Delta_X" and over and "Time" not in over:  # LabVIEW's step of a frequency or a place
+            continue
         for j, cell in enumerate(row):
             key, _, own = _KEY_END.sub(":", cell).partition(":")
             name, unit = _BRACKETED.sub("", key).strip(" #%"), "".join(_BRACKETED.findall(key)).strip("[]()")
@@ -185,3 +188,33 @@ def names_beside(rows: Sequence[Row], numeric: Sequence[bool]) -> tuple[tuple[st
     beside = dict(zip(columns, (("TIME", _HORIZONTAL), (keys["Source"], _VERTICAL)), strict=True))
     names = tuple(beside[j][0] if j in beside else f"column {j + 1}" for j in range(len(numeric)))
     return names, tuple(keys.get(beside[j][1], "") if j in beside else "" for j in range(len(numeric)))
+
+
+def is_counted(row: Row) -> bool:
+    """Whether a row numbers the columns from 0 on beside an index, as pandas writes those without names."""
+    return len(row) > 2 and list(row) == ["", *map(str, range(len(row) - 1))]
+
+
+_OF_CHANNELS = re.compile(
+    r"(?i)name|((var(iable)?|signal|tag|channel|sensor|parameter|point|kanal|messstelle)[_ ]?(name|id)?)|topic"
+)
+_OF_VALUES = re.compile(r"(?i)((var|variable|tag|signal|point)[_ ]?)?(value|wert|messwert|reading)s?")
+
+
+def check_long_table(header: Row, numeric: Sequence[bool], rows: Sequence[Row]) -> None:
+    """Refuse a table of a row for each value, in which a column of texts names the channel.
+
+    Raises
+    ------
+    UnreadableLogError
+        It names several, so the column of values is no channel.
+    """
+    values = next((name for name in header if _OF_VALUES.fullmatch(name)), None)
+    for j, name in enumerate(header):
+        if values is not None and not numeric[j] and _OF_CHANNELS.fullmatch(name):
+            channels = sorted({row[j] for row in rows if len(row) == len(header) and row[j]})
+            if len(channels) > 1:
+                raise UnreadableLogError(
+                    f"column {name!r} names the channel of each row ({', '.join(channels[:3])}), so {values!r} holds "
+                    "several: write one column for each (pandas.DataFrame.pivot, MATLAB's unstack)"
+                )

@@ -7,6 +7,7 @@ lead through an external one. Without these checks a file of 1 kB can claim 16 G
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.attributes import rates_among, scales_among
-from pipeline.rig_logs.hdf5_attributes import NUMBERS, PACKING, Packing, described, packing_of, unit_of, why_unread
+from pipeline.rig_logs.channel_roles import is_called
+from pipeline.rig_logs.hdf5_attributes import (
+    NUMBERS,
+    PACKING,
+    Packing,
+    described,
+    packing_of,
+    scales_of_axis,
+    unit_of,
+    why_unread,
+)
 from pipeline.rig_logs.source import (
     MOST_COLUMNS,
     PART,
@@ -30,6 +41,7 @@ from pipeline.rig_logs.source import (
     note_on_rate,
     ranges,
 )
+from pipeline.units import SECONDS, time_unit
 
 _MOST_OBJECTS = 100_000
 _DEEPEST = 16
@@ -137,7 +149,7 @@ def _first_sentence(error: OSError) -> str:
 
 
 class Hdf5Source:
-    """A plain HDF5 file; it declares no time base, the settings name the time channel."""
+    """A plain HDF5 file; a dimension scale in s is the time base of a channel, else the settings name one."""
 
     format = "HDF5"
 
@@ -155,6 +167,8 @@ class Hdf5Source:
                 self._note_rates(rates_among(holder.attrs, holder.name.strip("/")))
             if not self._list(name, dataset):
                 others[name] = dataset.shape
+        units = {entry.name: entry for entry in self._entries}
+        self._entries = [replace(entry, time=self._clock(entry, units)) for entry in self._entries]
         self.notes += [*left_out(self.texts), *not_listed(others)]
 
     def entries(self) -> list[Entry]:
@@ -198,6 +212,20 @@ class Hdf5Source:
         else:
             return self._note_rate(name, dataset)
         return True
+
+    def _clock(self, entry: Entry, entries: Mapping[str, Entry]) -> str | None:
+        """The dimension scale over which a channel runs, if that is its time in s; another unit of time is noted."""
+        dataset = self._places[entry.name][0]
+        for name in scales_of_axis(dataset, int(np.argmax(dataset.shape))):
+            scale = entries.get(name)
+            if scale is None or scale is entry or scale.count != entry.count:
+                continue
+            factor = SECONDS.get(time_unit(scale.unit)) if scale.unit else 1.0 if is_called("time", name) else None
+            if factor == 1.0:
+                return name
+            if factor is not None:
+                self.notes.append(f"{entry.name!r} runs over {name!r} in {scale.unit}: name that as its time")
+        return None
 
     def _note_rate(self, name: str, dataset: Any) -> bool:
         """Tell of a number that may be the sample rate or interval; whether there are not several numbers."""

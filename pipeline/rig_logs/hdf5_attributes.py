@@ -139,3 +139,18 @@ def _scalar(numbers: Any, name: str, column: int | None) -> float:
     if not np.isfinite(number) or (name == "scale_factor" and number == 0.0):
         raise UnreadableLogError(f"{name} = {number:g} cannot be applied")
     return number
+
+
+_NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
+
+
+def scales_of_axis(dataset: Any, axis: int) -> list[str]:
+    """Names of the dimension scales of an axis that hold numbers; a bare dimension of netCDF does not."""
+    try:
+        scales = list(dataset.dims[axis].values())
+    except (RuntimeError, ValueError, KeyError, TypeError, OSError):  # references to what is not there
+        return []
+    named = [
+        scale for scale in scales if scale.name and not bytes(scale.attrs.get("NAME", b"")).startswith(_NO_VARIABLE)
+    ]
+    return [scale.name.lstrip("/") for scale in named]

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from numpy.typing import NDArray
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from pipeline.rig_logs.attributes import is_unit, scales_among
 from pipeline.rig_logs.channel_roles import is_called
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
+from pipeline.rig_logs.mat_tables import TABLES, table_channels
 from pipeline.rig_logs.mat_values import (
     MatArray,
     MatChannel,
@@ -24,6 +26,7 @@ from pipeline.rig_logs.source import (
     MOST_COLUMNS,
     Counted,
     Entry,
+    UnreadableLogError,
     left_out,
     not_listed,
     note_on_rate,
@@ -35,10 +38,7 @@ from pipeline.units import SECONDS, time_unit
 _DEEPEST = 8
 _MOST_ELEMENTS = 1000
 
-_TABLE = "save its columns as arrays, or write it with writetable or writetimetable"
 _WAYS_OUT = {
-    "table": _TABLE,
-    "timetable": _TABLE,
     "iddata": "save its vectors (NAME.u, NAME.y) and its sample time (NAME.Ts)",
     "timeseries": "save its vectors (NAME.Time, NAME.Data)",
     "complex array": "save its real part, real(NAME)",
@@ -51,7 +51,7 @@ _WAYS_OUT = {
 class MatSource:
     """The numeric channels among the variables of a MAT file."""
 
-    def __init__(self, version: str, variables: dict[str, MatValue]) -> None:
+    def __init__(self, version: str, variables: dict[str, MatValue], path: Path) -> None:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
         self.rates: dict[str, float] = {}
@@ -68,6 +68,8 @@ class MatSource:
                 self._add(recorder_channels(value, self.notes), prefix)
             elif is_struct(value) and is_simulink_log(value):
                 self._add(simulink_channels(name, value, self.notes), prefix)
+            elif isinstance(value, MatObject) and value.kind in TABLES:
+                self._add_table(path, name, value.kind)
             else:
                 self._add(self._plain(name, value, _DEEPEST))
         self.notes += [*left_out(self.texts), *not_listed(self._not_listed)]
@@ -92,6 +94,15 @@ class MatSource:
                 channel.entry, name=prefix + channel.entry.name, time=None if time is None else prefix + time
             )
             self._channels[entry.name] = replace(channel, entry=entry)
+
+    def _add_table(self, path: Path, name: str, kind: str) -> None:
+        try:
+            channels, texts = table_channels(path, name, kind)
+        except UnreadableLogError as error:
+            self.texts[name] = f"{error}"
+            return
+        self._add(channels)
+        self.texts |= dict.fromkeys(texts, "text")
 
     def _plain(self, name: str, value: MatValue, depth: int, second: float = 1.0) -> list[MatChannel]:
         """Vectors by their name, signals of matrices, fields of structs as name.field or name(k).field."""

@@ -110,7 +110,7 @@ def open_matlab5(path: Path, expansion_limit: int) -> MatSource:
             if name and not name.startswith("__"):  # without a name: the workspace in which objects keep their data
                 variables[name] = value
         position = element.next
-    return MatSource("v5", variables)
+    return MatSource("v5", variables, path)
 
 
 def _element(buffer: memoryview, position: int, end: int, order: str) -> _Element:

@@ -51,7 +51,7 @@ def open_matlab73(path: Path) -> MatSource:
     """
     file = open_hdf5(path)
     names = [name for name in file if not name.startswith("#")]
-    return MatSource("v7.3", {name: _value(child_of(file, name)) for name in names})
+    return MatSource("v7.3", {name: _value(child_of(file, name)) for name in names}, path)
 
 
 def _value(item: Any) -> MatValue:

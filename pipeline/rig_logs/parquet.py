@@ -39,7 +39,12 @@ class ParquetSource:
             )
         except (pa.ArrowInvalid, OSError) as error:
             raise UnreadableLogError(f"Parquet cannot open it: {error}") from error
-        self._fields = dict(zip(unique_names(self._file.schema_arrow.names), self._file.schema_arrow, strict=True))
+        columns = zip(unique_names(self._file.schema_arrow.names), self._file.schema_arrow, strict=True)
+        self._columns = dict(columns)
+        leaves = [leaf for name, field in self._columns.items() for leaf in _leaves(name, field, ())]
+        unique = unique_names([".".join((name, *path)) for name, path, _ in leaves])
+        self._places = {label: (name, path) for label, (name, path, _) in zip(unique, leaves, strict=True)}
+        self._fields = {label: field for label, (_, _, field) in zip(unique, leaves, strict=True)}
         self.texts = {name: f"{field.type}" for name, field in self._fields.items() if not _is_read(field.type)}
         self.notes = left_out(self.texts)
         for name, field in self._fields.items():
@@ -65,24 +70,28 @@ class ParquetSource:
                 if pa.types.is_timestamp(kind) or pa.types.is_integer(kind):
                     yield from self._since_first(name, kind)
                     continue
-                for column in self._columns(name):
+                for column in self._chunks(name):
                     ticks = column.cast(pa.int32()) if pa.types.is_time32(kind) else column
                     numbers = ticks.cast(pa.int64()) if _is_span(kind) else ticks
                     yield name, doubles(numbers.cast(pa.float64())) / (_PER_SECOND[kind.unit] if _is_span(kind) else 1)
             except (pa.ArrowInvalid, OSError) as error:
                 raise UnreadableLogError(f"column {name!r}: {error}") from error
 
-    def _columns(self, name: str) -> Iterator[Any]:
+    def _chunks(self, label: str) -> Iterator[Any]:
         """A column in chunked arrays; a row group may be as large as the log, so it is not read at once."""
-        field = self._fields[name]
-        equal = [other for other, each in self._fields.items() if each.name == field.name]
+        name, path = self._places[label]
+        field = self._columns[name]
+        equal = [other for other, each in self._columns.items() if each.name == field.name]
         for batch in self._file.iter_batches(PART, columns=[field.name], use_threads=False):
-            yield pa.chunked_array([batch.column(equal.index(name))])
+            column = batch.column(equal.index(name))
+            for key in path:
+                column = pc.struct_field(column, [key])
+            yield pa.chunked_array([column])
 
     def _since_first(self, name: str, kind: Any) -> Iterator[tuple[str, NDArray[Any]]]:
         """Time stamps, and whole numbers too large for float64, as differences from the first one."""
         stamps, origin = pa.types.is_timestamp(kind), None
-        for column in self._columns(name):
+        for column in self._chunks(name):
             ticks = column.cast(pa.int64(), safe=False)
             if origin is None and len(known := column.drop_null()):
                 origin = known[0].value if stamps else known[0].as_py()
@@ -95,6 +104,18 @@ class ParquetSource:
             yield name, numbers / _PER_SECOND[kind.unit] if stamps else numbers
 
 
+def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str, tuple[str, ...], Any]]:
+    """The columns below a field: itself, or those of a struct, each with its path, unless two have one name."""
+    kind = field.type
+    names = [kind.field(i).name for i in range(kind.num_fields)] if pa.types.is_struct(kind) else []
+    if not names or len(path) == _DEEPEST or len(set(names)) < len(names):
+        yield name, path, field
+        return
+    for i, key in enumerate(names):
+        yield from _leaves(name, kind.field(i), (*path, key))
+
+
+_DEEPEST = 8
 _PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}
 
 

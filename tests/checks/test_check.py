@@ -1,6 +1,5 @@
 """Logs against settings: honest logs pass, and every mistake of a first hour is caught, by its own name."""
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +8,7 @@ import pytest
 from pipeline.checks.check import check_logs
 from pipeline.checks.declared import Declared
 from pipeline.checks.log_facts import log_facts
+from pipeline.checks.rest_level import rest_level
 from pipeline.checks.rows import CheckRow, findings
 from pipeline.checks.weak_form import LogSignals
 from pipeline.numerics.linear_filters import first_order_lag
@@ -164,7 +164,9 @@ def test_two_inputs_that_are_one_are_told(pair: list[LogSignals]) -> None:
 
 def test_a_probe_with_a_zero_error_is_told(pair: list[LogSignals]) -> None:
     rows = check_logs([replace(pair[0], v=pair[0].v + np.array([0.0, 150.0]))], JOINT)
-    assert [(row.what, row.state) for row in rows if row.what.startswith("lowest")] == [("lowest level of v2", "note")]
+    assert [(row.what, row.state) for row in rows if row.what.startswith("rest level")] == [
+        ("rest level of v2", "note")
+    ]
 
 
 @pytest.mark.parametrize("zero", [-0.04, 0.04])
@@ -287,18 +289,76 @@ def test_other_membranes_look_like_other_probes_and_are_told_as_such(pair: list[
     assert not _wrong(rows)
     told = {row.what: row.advice for row in rows if row.state == "note" and row.log == "validation/other"}
     assert any(what.startswith("gain of") for what in told)
-    assert "but for the gain of this log's inputs" in told["same device"]
+    assert "but for the gain of its inputs" in told["same device"]
 
 
-def test_a_sensor_that_was_zeroed_anew_is_told_from_another_device(pair: list[LogSignals]) -> None:
-    moved = replace(pair[1], q=pair[1].q + 2e-3)
-    (row,) = (row for row in check_logs([pair[0], moved], JOINT) if row.what == "same device")
-    assert row.state != "ok"
-    told = re.search(r"both rests have moved by (\S+) mm: if the sensor was zeroed anew", row.advice)
-    assert told and float(told[1]) == pytest.approx(2.0, abs=0.4)  # where rests still ring
-    wider = replace(pair[1], q=1.2 * pair[1].q)
-    (row,) = (row for row in check_logs([pair[0], wider], JOINT) if row.what == "same device")
-    assert row.state != "ok" and "zeroed anew" not in row.advice
+@pytest.mark.parametrize(("shift", "state"), [(0.4e-3, "note"), (-2e-3, "wrong")])
+def test_a_sensor_that_was_zeroed_anew_is_told_from_another_device(
+    pair: list[LogSignals], shift: float, state: str
+) -> None:
+    rows = check_logs([pair[0], replace(pair[1], q=pair[1].q + shift)], JOINT)
+    (row,) = (row for row in rows if row.what == "zero of q")
+    assert (row.log, row.state, row.gate) == (pair[1].name, state, "device" if state == "wrong" else None)
+    assert row.values["zero_m"] == pytest.approx(shift, abs=0.1e-3)
+    assert ("take that off" if shift > 0.0 else "add that to") in row.advice
+    told = {row.what: row for row in rows if row.log == pair[1].name}
+    assert told["same device"].state != "wrong" and not [what for what in told if what.startswith("gain")]
+    wider = check_logs([pair[0], replace(pair[1], q=1.2 * pair[1].q)], JOINT)
+    assert not [row for row in wider if row.what == "zero of q"]
+    assert [row.state for row in wider if row.what == "same device"] == ["wrong"]
+
+
+def _probe(log: LogSignals, *, gain: float = 1.0, offset: float = 0.0) -> LogSignals:
+    """What a probe shows that multiplies, and adds an error [V]."""
+    return replace(log, v=log.v * gain + offset)
+
+
+@pytest.mark.parametrize(
+    ("gain", "offset", "samples"),
+    [(1.0, 25.0, 0), (1.0, -150.0, 0), (0.95, 60.0, 0), (1.05, 0.0, 40), (0.9, -60.0, -25), (1.0, 300.0, 15)],
+)
+def test_gain_offset_and_delay_of_a_log_are_told_apart(
+    pair: list[LogSignals], gain: float, offset: float, samples: int
+) -> None:
+    """Each with its sign and size, whatever else is off, and without a word on what is not."""
+    spoilt = _probe(pair[1], gain=gain, offset=offset)
+    moved = _later(spoilt, samples) if samples > 0 else _earlier(spoilt, -samples) if samples else spoilt
+    rows = {row.what: row for row in check_logs([pair[0], moved], JOINT) if row.log == moved.name}
+    assert ("gain of voltages" in rows) == (gain != 1.0)
+    if gain != 1.0:
+        assert rows["gain of voltages"].values["gain"] * gain == pytest.approx(1.0, abs=0.03)
+    for k in (1, 2):
+        level = rows.get(f"rest level of v{k}")
+        assert (level is not None) == (offset != 0.0)
+        if level is not None:
+            assert level.values["level_V"] - level.values["level_of_first_V"] == pytest.approx(offset, abs=1.0)
+            assert f"rests at {offset:.0f}".replace("-", "−") in level.advice
+    assert ("answer of q" in rows) == (samples != 0)
+    if samples:
+        assert rows["answer of q"].values["later_s"] == pytest.approx(1e-3 * samples, abs=4e-3)
+    assert rows["same device"].state in ("ok", "note")
+
+
+@pytest.mark.parametrize("bias", [150.0, 600.0])
+def test_a_drive_that_was_biased_in_one_log_is_no_error_of_its_probe(pair: list[LogSignals], bias: float) -> None:
+    t, _, v = motion(DURATION, RATE, 36, excitation="validation")
+    v = np.maximum(v, bias)
+    log = LogSignals("validation/b", t, DoubleWell().simulate(v, 1.0 / RATE), v, 1.0 / RATE)
+    rows = [row for row in check_logs([pair[0], log], JOINT) if row.log == log.name]
+    assert not [row for row in rows if row.what.startswith("gain")]
+    assert all("if its drive was off" in row.advice for row in rows if row.what.startswith("rest level"))
+
+
+def test_the_level_of_rest_is_that_of_the_drive_switched_off() -> None:
+    pulses = np.repeat(np.random.default_rng(0).choice([0.0, 0.0, 3e3], 100), 50)
+    ramps = np.abs(3e3 * np.sin(np.linspace(0.0, 60.0, 2_000)))
+    noise = np.random.default_rng(1).normal(0.0, 7.0, pulses.size + ramps.size)
+    for offset in (-150.0, -3.0, 0.0, 84.0):
+        v = np.concatenate([pulses, ramps]) + noise + offset
+        assert rest_level(v) == pytest.approx(offset, abs=1.0)
+        assert rest_level(-v) == pytest.approx(-offset, abs=1.0)
+    assert rest_level(np.linspace(-1.0, 1.0, 1_000)) is None
+    assert rest_level(np.zeros(10)) == 0.0
 
 
 def test_a_log_that_visits_one_well_only_is_no_other_device(pair: list[LogSignals]) -> None:
@@ -347,13 +407,13 @@ def test_only_a_voltage_of_a_joint_that_has_one_sign_need_return_to_zero() -> No
         both = np.column_stack([v, np.maximum(u, 0.0)])[:, : len(declared.inputs)]
         return check_logs([LogSignals("train/a", t, q, both, 0.01)], declared)
 
-    assert not _numbers(rows(u), "lowest level of v1")
-    assert _numbers(rows(u + 5e3), "lowest level of v1") == ["2.00 kV"]
+    assert not _numbers(rows(u), "rest level of v1")
+    assert _numbers(rows(u + 5e3), "rest level of v1") == ["2.00 kV"]
     for unit, displacement in (("%", "rad"), ("V", "rad"), ("%", "m")):  # a fan that was never off
         fan = Declared(squared=True, displacement=displacement, inputs=(unit,), mass=None, sample_interval=0.01)
-        assert not _numbers(rows(u + 5e3, fan), "lowest level of v1")
+        assert not _numbers(rows(u + 5e3, fan), "rest level of v1")
     steps = np.repeat(np.random.default_rng(1).uniform(0.5e3, 10e3, 50), 40)  # commanded so, and never at rest
-    assert not _numbers(rows(steps), "lowest level of v1")
+    assert not _numbers(rows(steps), "rest level of v1")
 
 
 def test_noise_that_an_encoders_steps_hide_is_told_so() -> None:

@@ -30,6 +30,19 @@ def debist(*arguments: object, **options):
     )
 
 
+@pytest.mark.parametrize("arguments", [("--help",), ("status", "{run}"), ("status", "{run}", "--json")])
+def test_a_reader_that_has_gone_ends_a_command_as_other_programs(bench, arguments):
+    """`debist show RUN | head -1`: no message, and the exit code of SIGPIPE."""
+    bench.start("intact")
+    read, write = os.pipe()
+    os.close(read)
+    with os.fdopen(write, "wb") as pipe:
+        done = debist(*(part.format(run=bench.run) for part in arguments), stdout=pipe)
+        failed = debist("status", bench.run / "none", "--json", stdout=pipe)
+    assert (done.returncode, done.stderr) == (141, b""), done.stderr
+    assert failed.returncode == 2 and b"no run here" in failed.stderr
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
 @pytest.mark.parametrize("arguments", [("--help",), ("verify", "{run}")])
 def test_an_output_that_takes_nothing_is_a_line(bench, arguments):
@@ -136,7 +149,7 @@ def test_an_output_that_is_a_file_is_a_line(bench, tmp_path, command):
         "demo": ("demo", "-o", place / "x"),
         "rig simulate": ("rig", "simulate", "-o", place, "--duration", "2", "--rate", "2000"),
         "export": ("export", bench.run, "--to", "json", "-o", place),
-        "plot": ("plot", bench.run, "-f", "curves", "-o", place / "x.svg"),
+        "plot": ("plot", bench.run, "-f", "curves", "--file", place / "x.svg"),
     }[command]
     done = CliRunner().invoke(app, [str(argument) for argument in arguments])
     lines = done.stderr.splitlines()

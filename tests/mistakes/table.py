@@ -214,7 +214,7 @@ MISTAKES = (
     ),
     Mistake(
         "a probe gain of one half in the second log",
-        "but for the gain of this log's inputs",
+        "but for the gain of its inputs",
         CHECK,
         _signal(_same, _v(lambda v: 0.5 * v)),
     ),

@@ -7,6 +7,7 @@ import pytest
 
 from pipeline.rig_logs.inspection import inspect_log
 from tests.mistakes.table import HEAD, MISTAKES, PAGE, Log, Mistake, bursts, log, lose_rows, rows, sentence, told
+from tests.rig_logs.small_logs import workbook
 
 
 def test_there_are_fifty():
@@ -56,6 +57,17 @@ def _write(path: Path, one: Log) -> None:
         import pandas as pd
 
         pd.DataFrame(columns).to_parquet(path)
+    elif path.suffix == ".xlsx":
+        pytest.importorskip("python_calamine")
+        workbook(path, [list(columns), *np.stack(list(columns.values()), axis=1).tolist()])
+    elif path.suffix == ".tdms":
+        nptdms = pytest.importorskip("nptdms")
+        with nptdms.TdmsWriter(path) as writer:
+            writer.write_segment([nptdms.ChannelObject("rig", *column) for column in columns.items()])
+    elif path.suffix == ".lvm":
+        head = "LabVIEW Measurement\t\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\t\n"
+        table = np.stack(list(columns.values()), axis=1)
+        np.savetxt(path, table, "%.9g", "\t", header=head + "\t".join(columns), comments="")
     else:
         from asammdf import MDF, Signal
 
@@ -65,7 +77,7 @@ def _write(path: Path, one: Log) -> None:
             file.save(path, overwrite=True)
 
 
-@pytest.mark.parametrize("ending", ["csv", "mat", "h5", "npz", "parquet", "mf4"])
+@pytest.mark.parametrize("ending", ["csv", "mat", "h5", "npz", "parquet", "mf4", "xlsx", "tdms", "lvm"])
 def test_the_silent_faults_of_a_log_are_told_in_every_format(ending, tmp_path):
     """By `inspect` and by ingest, with what stands in the file."""
     from pipeline.loading.device import device

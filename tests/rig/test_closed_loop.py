@@ -197,7 +197,7 @@ def test_a_mistyped_joint_and_values_without_meaning_are_refused(
     (tmp_path / "truth").mkdir()
     (tmp_path / "truth" / "truth.json").write_text("{}", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    asked = ["rig", "closed-loop", joint, "--play", str(still), option, "-o", str(tmp_path / "out")]
+    asked = ["rig", "closed-loop", joint, "--play", str(still), option, "--file", str(tmp_path / "out")]
     ended = CliRunner().invoke(app, asked)
     assert ended.exit_code == 2
     assert said in ended.stderr
@@ -208,7 +208,17 @@ def test_a_mistyped_joint_and_values_without_meaning_are_refused(
 )
 def test_an_event_after_the_end_is_told(tmp_path: Path, still: Path, options: list[str]) -> None:
     target = [] if "--target" in options else ["--target", "left"]
-    arguments = ["rig", "closed-loop", "nominal", "--play", str(still), "-o", str(tmp_path / "log"), *target, *options]
+    arguments = [
+        "rig",
+        "closed-loop",
+        "nominal",
+        "--play",
+        str(still),
+        "--file",
+        str(tmp_path / "log"),
+        *target,
+        *options,
+    ]
     result = CliRunner().invoke(app, arguments)
     assert result.exit_code == 2
     assert "the run is over; raise --duration" in result.stderr

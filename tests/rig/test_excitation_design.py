@@ -181,7 +181,7 @@ def test_the_virtual_rig_plays_a_sequence(tmp_path: Path) -> None:
 
 def test_the_command_designs_writes_and_says_what_it_gains(tmp_path: Path) -> None:
     options = ["--duration", "8s", "--candidates", "8", "--joints", "1", "--max-field", "50 V/um", "--rate", "500 Hz"]
-    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options, "--json"])
+    result = CliRunner().invoke(app, ["rig", "excite", "--file", str(tmp_path / "e.csv"), *options, "--json"])
     assert result.exit_code == 0, result.output
     document = json.loads(result.stdout)
     assert document["largest_voltage_v"] == pytest.approx(2500.0) and document["relative_d_efficiency"] > 1.0
@@ -205,7 +205,7 @@ def test_the_command_designs_writes_and_says_what_it_gains(tmp_path: Path) -> No
     ],
 )
 def test_what_cannot_be_designed_is_one_line(options: list[str], words: str, tmp_path: Path) -> None:
-    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options])
+    result = CliRunner().invoke(app, ["rig", "excite", "--file", str(tmp_path / "e.csv"), *options])
     assert result.exit_code == 2
     import re
 

@@ -1,6 +1,7 @@
 """Small logs as test benches write them, and a reader without the child's cost."""
 
 import struct
+import zipfile
 from pathlib import Path
 
 import h5py
@@ -136,3 +137,37 @@ def save_plain_mat(path: Path, *, compressed: bool = True) -> None:
         },
         do_compression=compressed,
     )
+
+
+def _sheet(rows):
+    """The rows of a sheet as spreadsheets write them, its texts inline."""
+    cells = (
+        "".join(
+            f'<c t="inlineStr"><is><t>{cell}</t></is></c>' if isinstance(cell, str) else f"<c><v>{cell!r}</v></c>"
+            for cell in row
+        )
+        for row in rows
+    )
+    return "".join(f"<row>{row}</row>" for row in cells)
+
+
+def workbook(path, rows, hidden=()):
+    """A sheet, and a hidden one behind it."""
+    main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+    office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    package = "http://schemas.openxmlformats.org/package/2006"
+    files = {
+        "[Content_Types].xml": f'<Types xmlns="{package}/content-types"></Types>',
+        "_rels/.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="a" Target="xl/workbook.xml" '
+        f'Type="{office}/officeDocument"/></Relationships>',
+        "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{office}"><sheets><sheet name="Log" sheetId="1" '
+        'r:id="b"/><sheet name="Old" sheetId="2" state="hidden" r:id="c"/></sheets></workbook>',
+        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="b" '
+        f'Target="worksheets/sheet1.xml" Type="{office}/worksheet"/><Relationship Id="c" '
+        f'Target="worksheets/sheet2.xml" Type="{office}/worksheet"/></Relationships>',
+        "xl/worksheets/sheet1.xml": f'<worksheet xmlns="{main}"><sheetData>{_sheet(rows)}</sheetData></worksheet>',
+        "xl/worksheets/sheet2.xml": f'<worksheet xmlns="{main}"><sheetData>{_sheet(hidden)}</sheetData></worksheet>',
+    }
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, text in files.items():
+            archive.writestr(name, text)

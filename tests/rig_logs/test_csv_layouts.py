@@ -1,10 +1,11 @@
 """CSV layouts of oscilloscopes, LabVIEW and spreadsheets: names, units and samples are those that were written."""
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pipeline.rig_logs.source import UnreadableLogError
-from tests.rig_logs.small_logs import load, open_here
+from tests.rig_logs.small_logs import load, open_here, read_here
 
 N = 700
 TIME = 0.002 * np.arange(N)
@@ -231,3 +232,43 @@ def test_a_heading_longer_than_what_is_read_at_first(tmp_path):
     names = ["t", "q", *(f"Model_Root_subsystem_{k:05d}_a_signal_name" for k in range(1600))]
     (tmp_path / "log.csv").write_text(",".join(names) + "\n" + _rows("{:.3f},{:.4f}" + ",0" * 1600, TIME[:50], Q[:50]))
     np.testing.assert_allclose(load(open_here(tmp_path / "log.csv"), "q"), Q[:50])
+
+
+def _table(row, head=""):
+    return head + "".join(row(t, q, v) for t, q, v in zip(TIME, Q, V, strict=True))
+
+
+def test_a_sign_apart_from_its_number_belongs_to_it(tmp_path):
+    """As Graphtec's loggers write it."""
+    signed = _table(lambda t, q, v: f"{t:.3f},{'-' if q < 0 else '+'}  {abs(q):.6f},+{v:8.1f}\n", "Time,q,v\n")
+    (tmp_path / "log.csv").write_text(signed)
+    read = read_here(tmp_path / "log.csv")
+    np.testing.assert_allclose(read["q"], Q, atol=1e-6)
+    np.testing.assert_array_equal(read["v"], V)
+
+
+def test_names_that_pandas_counted_are_no_samples(tmp_path):
+    pd.DataFrame(np.stack([TIME, Q, V], axis=1)).to_csv(tmp_path / "log.csv")
+    read = read_here(tmp_path / "log.csv")
+    assert list(read) == ["column 1", "0", "1", "2"]
+    np.testing.assert_allclose(read["1"], Q, atol=1e-12)
+
+
+def test_a_second_table_below_the_first_is_refused(tmp_path):
+    """Its second column would be taken for that of the first."""
+    first, second = (_table(lambda t, q, v: f"{t:.3f},{q:.6f}\n", f"t,{name}\n") for name in ("q", "v"))
+    (tmp_path / "log.csv").write_text(first + "\n" + second)
+    with pytest.raises(UnreadableLogError, match="row 703 begins another table, of t, v"):
+        read_here(tmp_path / "log.csv")
+    (tmp_path / "log.csv").write_text(first + "\n" + first)  # the same columns go on
+    assert read_here(tmp_path / "log.csv")["q"].size == 2 * Q.size
+
+
+@pytest.mark.parametrize(("name", "value"), [("VarName", "VarValue"), ("signal", "value"), ("topic", "Value")])
+def test_a_row_for_each_value_is_refused_with_the_way_out(tmp_path, name, value):
+    long = _table(lambda t, q, v: f"pos;{t:.3f};{q:.4f}\nhv;{t:.3f};{v:.1f}\n", f"{name};time;{value}\n")
+    (tmp_path / "log.csv").write_text(long)
+    with pytest.raises(UnreadableLogError, match=rf"'{name}' names the channel of each row \(hv, pos\).*pivot"):
+        read_here(tmp_path / "log.csv")
+    (tmp_path / "log.csv").write_text(long.replace("hv;", "pos;"))  # of one channel alone it can be read
+    assert value in read_here(tmp_path / "log.csv")

@@ -4,53 +4,21 @@ import bz2
 import gzip
 import lzma
 import sys
+import warnings
 import zipfile
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.source import CsvOptions, Limits, UnreadableLogError
-from tests.rig_logs.small_logs import TIME, Q, V, load, open_here
+from tests.rig_logs.small_logs import TIME, Q, V, load, open_here, workbook
 
 
 def _csv():
     return "t [s],q [mm],v [V]\n" + "".join(f"{t:.3f},{q:.9f},{v}\n" for t, q, v in zip(TIME, Q, V, strict=True))
-
-
-def _sheet(rows):
-    """The rows of a sheet as spreadsheets write them, its texts inline."""
-    cells = (
-        "".join(
-            f'<c t="inlineStr"><is><t>{cell}</t></is></c>' if isinstance(cell, str) else f"<c><v>{cell!r}</v></c>"
-            for cell in row
-        )
-        for row in rows
-    )
-    return "".join(f"<row>{row}</row>" for row in cells)
-
-
-def _workbook(path, rows, hidden=()):
-    """A sheet, and a hidden one behind it."""
-    main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
-    office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
-    package = "http://schemas.openxmlformats.org/package/2006"
-    files = {
-        "[Content_Types].xml": f'<Types xmlns="{package}/content-types"></Types>',
-        "_rels/.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="a" Target="xl/workbook.xml" '
-        f'Type="{office}/officeDocument"/></Relationships>',
-        "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{office}"><sheets><sheet name="Log" sheetId="1" '
-        'r:id="b"/><sheet name="Old" sheetId="2" state="hidden" r:id="c"/></sheets></workbook>',
-        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="b" '
-        f'Target="worksheets/sheet1.xml" Type="{office}/worksheet"/><Relationship Id="c" '
-        f'Target="worksheets/sheet2.xml" Type="{office}/worksheet"/></Relationships>',
-        "xl/worksheets/sheet1.xml": f'<worksheet xmlns="{main}"><sheetData>{_sheet(rows)}</sheetData></worksheet>',
-        "xl/worksheets/sheet2.xml": f'<worksheet xmlns="{main}"><sheetData>{_sheet(hidden)}</sheetData></worksheet>',
-    }
-    with zipfile.ZipFile(path, "w") as archive:
-        for name, text in files.items():
-            archive.writestr(name, text)
 
 
 def _write(path, kind):
@@ -78,7 +46,7 @@ def _write(path, kind):
             )
     else:
         pytest.importorskip("python_calamine")
-        _workbook(path, [["Rig 7", "", ""], ["t [s]", "q [mm]", "v"], *np.stack([TIME, Q, V], axis=1).tolist()])
+        workbook(path, [["Rig 7", "", ""], ["t [s]", "q [mm]", "v"], *np.stack([TIME, Q, V], axis=1).tolist()])
 
 
 KINDS = ["gz", "bz2", "xz", "zip", "npz", "npy", "tdms", "xlsx"]
@@ -122,6 +90,38 @@ def test_an_archive_of_several_files_is_no_log(tmp_path):
         open_here(tmp_path / "logs.zip")
 
 
+def _tables(path, version):
+    """A table and two timetables of 30 kHz, as mat-io writes them: rows by a duration, and by dates."""
+    matio = pytest.importorskip("matio")
+    columns = {"q": Q, "HV 1": V, "armed": V > 0.0, "note": ["a"] * len(Q), "pair": Q}
+    step = pd.to_timedelta(np.round(np.arange(len(Q)) * 1e9 / 30_000.0), unit="ns")
+    by_date = pd.DataFrame({"q": Q}, index=pd.Timestamp("2026-03-29 01:59:59.9") + step)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        frames = {"T": pd.DataFrame(columns), "TT": pd.DataFrame({"q": Q, "v": V}, index=step), "D": by_date, "x": Q}
+        frames["TT"].index.name = frames["D"].index.name = "Time"
+        matio.save_to_mat(str(path), frames, version=version)
+
+
+@pytest.mark.parametrize("version", ["v7", "v7.3"])
+def test_tables_of_matlab_are_read_with_the_times_of_their_rows(tmp_path, version, monkeypatch):
+    _tables(tmp_path / "log.mat", version)
+    recording = read_recording(tmp_path / "log.mat")
+    channels = {channel.name: channel for channel in recording.channels}
+    np.testing.assert_array_equal(channels["T.q"].samples, Q)
+    np.testing.assert_array_equal(channels["T.HV 1"].samples, V)
+    np.testing.assert_array_equal(channels["T.armed"].samples, V > 0.0)
+    for name, rounding in (("TT", 1e-9), ("D", 5e-7)):  # mat-io writes dates as doubles, in ms since 1970
+        np.testing.assert_array_equal(channels[f"{name}.q"].samples, Q)
+        np.testing.assert_allclose(channels[f"{name}.q"].time, np.arange(len(Q)) / 30_000.0, atol=rounding)
+    assert channels["T.q"].time is None and channels["TT.Time"].unit == "s" and "x" in channels
+    assert "T.note" not in channels and "'T.note' (text)" in " ".join(recording.notes)
+    monkeypatch.setitem(sys.modules, "matio", None)
+    source = open_here(tmp_path / "log.mat")
+    assert [entry.name for entry in source.entries()] == ["x"]
+    assert "debist[matlab]" in " ".join(source.notes)
+
+
 @pytest.mark.parametrize(
     ("module", "extra", "kind"), [("nptdms", "tdms", "tdms"), ("python_calamine", "excel", "xlsx")]
 )
@@ -144,7 +144,7 @@ def test_a_matrix_and_large_counts_of_numpy(tmp_path):
 @pytest.mark.parametrize("name", ["log.xlsx", "log.xls", "log", "log.csv"])
 def test_a_workbook_is_known_by_its_content_and_its_hidden_sheets_are_not_read(tmp_path, name):
     rows = [["t [s]", "q [mm]"], *np.stack([TIME, Q], axis=1).tolist()]
-    _workbook(tmp_path / name, rows, hidden=[*rows, *rows[1:]])
+    workbook(tmp_path / name, rows, hidden=[*rows, *rows[1:]])
     source = open_here(tmp_path / name)
     np.testing.assert_array_equal(load(source, "q"), Q)
     assert "2 sheets" in source.notes[0] and "'Log'" in source.notes[0]
@@ -152,7 +152,7 @@ def test_a_workbook_is_known_by_its_content_and_its_hidden_sheets_are_not_read(t
 
 def test_numbers_that_a_workbook_holds_as_text_need_their_decimal_mark(tmp_path):
     texts = [[t, f"{q:.4f}".replace(".", ",")] for t, q in zip(TIME.tolist(), Q, strict=True)]
-    _workbook(tmp_path / "log.xlsx", [["t [s]", "q [mm]"], *texts])
+    workbook(tmp_path / "log.xlsx", [["t [s]", "q [mm]"], *texts])
     read = open_here(tmp_path / "log.xlsx", CsvOptions(decimal=","))
     np.testing.assert_allclose(load(read, "q"), Q, atol=1e-4)
     np.testing.assert_array_equal(load(read, "t"), TIME)

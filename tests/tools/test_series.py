@@ -85,7 +85,7 @@ AT = ("--at", ",".join(map(str, DAYS)))
 
 def test_a_planted_drift_is_claimed_and_nothing_else(drifting, tmp_path):
     page = tmp_path / "series.html"
-    made = json.loads(invoke(*drifting, *AT, "--json", "-o", str(page)).stdout)
+    made = json.loads(invoke(*drifting, *AT, "--json", "--page", str(page)).stdout)
     facts = {fact["key"]: fact for fact in made["facts"]}
     assert made["names"] == [f"day{day}" for day in sorted(DAYS)] and made["unit"] == "day"
     assert {key for key, fact in facts.items() if fact["trend"]["kind"] != "none"} == {"barrier_left"}

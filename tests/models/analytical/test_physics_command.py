@@ -76,7 +76,7 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     write_table(source, schema, columns | {"qdot": run.q_dot, "qddot": run.q_ddot})
     figure = tmp_path / "calibration.svg"
     document = answer(
-        "calibrate", str(source), "--paper", "--starts", "1", "--output", str(target), "--figure", str(figure)
+        "calibrate", str(source), "--paper", "--starts", "1", "--file", str(target), "--figure", str(figure)
     )
     assert figure.read_text().startswith("<?xml")
     assert set(document) >= {"parameters", "correlation", "rmse", "at_bound", "converged"}
@@ -94,7 +94,7 @@ def test_calibrate_takes_the_voltages_of_the_record_beside_the_kinematics(tmp_pa
     source, record = tmp_path / "kinematics.parquet", tmp_path / "record.parquet"
     write_table(source, resolve(KINEMATICS, displacement="m", inputs=("V", "V")), kinematics)
     write_table(record, resolve(RECORD, displacement="m", inputs=("V", "V")), columns)
-    command = ("calibrate", str(source), "--paper", "--starts", "1", "--output", str(tmp_path / "joint.toml"))
+    command = ("calibrate", str(source), "--paper", "--starts", "1", "--file", str(tmp_path / "joint.toml"))
     told = answer(*command)["rmse"]
     record.unlink()
     assert told < 1e-5 < 5e-5 < answer(*command, "--force")["rmse"]
