@@ -116,7 +116,9 @@ def pulse(
     snap: Snap,
     output: Annotated[
         Path | None,
-        typer.Option("--file", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
+        typer.Option(
+            "--file", "-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."
+        ),
     ] = None,
     max_voltage: Most = None,
     lag: Lag = None,

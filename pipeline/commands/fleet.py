@@ -30,7 +30,10 @@ def learn(
         list[Path], typer.Argument(metavar="RUN...", help="Runs with the model hybrid, or folders of a batch.")
     ],
     output: Annotated[
-        Path, typer.Option("--file", metavar="FILE", help="File of the siblings (.h5), for plant.siblings.")
+        Path,
+        typer.Option(
+            "--file", "-o", "--output", metavar="FILE", help="File of the siblings (.h5), for plant.siblings."
+        ),
     ],
     as_json: Json = False,
 ) -> None:
@@ -90,7 +93,8 @@ def series(
         typer.Option("--at", metavar="TIME,…", help="Date (2026-03-01) or day of each run [default: in this order]."),
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("--page", metavar="FILE", help="Write a page with a figure of each fact.")
+        Path | None,
+        typer.Option("--page", "-o", "--output", metavar="FILE", help="Write a page with a figure of each fact."),
     ] = None,
     form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
     as_json: Json = False,

@@ -259,7 +259,7 @@ def calibrate(
     parameters: JointSet,
     search: Search,
     output: Annotated[
-        Path | None, typer.Option("--file", metavar="FILE", help="Write the calibrated set as TOML.")
+        Path | None, typer.Option("--file", "-o", "--output", metavar="FILE", help="Write the calibrated set as TOML.")
     ] = None,
     figure: Figure = None,
     force: Force = False,

@@ -254,9 +254,9 @@ def excite(
     joint: SimulatedWith,
     limits: SequenceLimits,
     form: SequenceForm,
-    output: Annotated[Path, typer.Option("--file", metavar="FILE", help="Sequence to write: .csv or .mat.")] = Path(
-        "excitation.csv"
-    ),
+    output: Annotated[
+        Path, typer.Option("--file", "-o", "--output", metavar="FILE", help="Sequence to write: .csv or .mat.")
+    ] = Path("excitation.csv"),
     force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -335,7 +335,10 @@ def closed_loop(
         Path | None, typer.Option("--play", metavar="FILE", help="Play voltages instead (CSV or MAT, in V).")
     ] = None,
     output: Annotated[
-        Path, typer.Option("--file", metavar="FILE", help="Raw log to write; its ending follows the format.")
+        Path,
+        typer.Option(
+            "--file", "-o", "--output", metavar="FILE", help="Raw log to write; its ending follows the format."
+        ),
     ] = Path("closed-loop"),
     force: Force = False,
     as_json: Json = False,

@@ -139,6 +139,10 @@ def plot_runs(
 ) -> list[Path]:
     """The same figure of one or several runs, as ``PROTOTYPE-FIGURE.svg`` in a folder, or that of one run as a file."""
     draw = partial(plot_figure, part=part, force=force)
+    from pipeline.reporting.canvas import FORMATS
+
+    if file is None and folder.suffix in FORMATS:
+        file = folder
     if file is None:
         return [draw(root, name, folder / f"{RunFolder.open(root).prototype.name}-{name}.svg") for root in roots]
     if len(roots) > 1:
