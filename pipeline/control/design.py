@@ -55,10 +55,14 @@ class Settings:
         Largest voltage [V].
     lags : tuple of float
         Time constants of the left and the right converter [s].
+    slew, average : float or None
+        Largest rate [V/s] of each voltage, and its largest mean over `MEMORY` [V]; None is no limit.
     """
 
     highest: float
     lags: tuple[float, float] = (ASSUMED_LAG, ASSUMED_LAG)
+    slew: float | None = None
+    average: float | None = None
 
 
 LEAST_OF_TRAINED = 0.05
@@ -99,14 +103,13 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         "per_reach": 1.0 / REACH, "steepness": STEEPNESS, "saddle": saddle,
         "pumped_right": float(slow[0] > SURE * settings.highest),
         "pumped_left": float(slow[1] > SURE * settings.highest), "near": NEAR, "fast": FAST,
+        "slew": min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew),
+        "allowed": min(settings.highest, np.inf if settings.average is None else settings.average),
     }  # fmt: skip
     slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
+    law = law._replace(numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64), targets=targets)
     braking = [braking_curves(law, wells, slope, places, side, settings.highest) for side in (0, 1)]
-    return law._replace(
-        numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64),
-        targets=targets,
-        braking=np.concatenate(braking),
-    )
+    return law._replace(braking=np.concatenate(braking))
 
 
 def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:

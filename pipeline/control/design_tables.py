@@ -156,6 +156,7 @@ def braking_curves(
     start = wells[0 if side == 0 else 2].x
     brake = np.zeros(2)
     brake[1 - side] = highest * np.sqrt(RESERVE)
+    slew = law.number("slew")
     points: list[list[tuple[float, float]]] = [[(0.0, 0.0)] for _ in places]
     for x0, speed, level in [
         *((start, speed, 1.0) for speed in (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.4)),
@@ -166,7 +167,7 @@ def braking_curves(
         push[side] = highest * np.sqrt(level)
         s[:STATES], s[PLACES["volts"]] = x0, push
         s[1], s[3] = towards * speed, towards * speed * slope
-        motion, turns = braked(law, s, push, brake, towards)
+        motion, turns = braked(law, s, push, brake, slew, towards)
         for i, place in enumerate(places):
             beyond = towards * (turns - place)
             cross = np.flatnonzero((beyond[1:] > 0.0) & (beyond[:-1] <= 0.0))
@@ -196,20 +197,21 @@ def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray
 
 @compiled
 def braked(
-    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
+    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, slew: float, towards: float
 ) -> tuple[FloatArray, FloatArray]:
     """(q, q̇) of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
 
-    It ends when it turns round by itself; `s` is moved along.
+    A voltage changes by at most `slew` [V] in a period. It ends when it turns round by itself; `s` is moved along.
     """
     motion, turns, count = np.empty((300, 2)), np.empty(300), 0
     for i in range(300):
         motion[i, 0], motion[i, 1] = s[0], s[1]
-        end = s.copy()
+        end, v = s.copy(), push.copy()
         for _ in range(300):
             if towards * end[1] <= 0.0:
                 break
-            move(end, brake, law)
+            v[:] = np.minimum(np.maximum(brake, v - slew), v + slew)
+            move(end, v, law)
         turns[i] = end[0]
         count = i + 1
         for _ in range(2):

@@ -43,6 +43,8 @@ RAMP = 40.0
 STRUCK, FORGET = 0.3e-3, 0.99
 """Innovation [m] above which a joint near its target is estimated as one in motion, and what is left of it a period
 later."""
+MEMORY = 10.0
+"""Time constant [s] of the voltages' means."""
 OTHER = 1e-9
 """Least distance [m] between two targets; a smaller change is the same target."""
 LARGEST, PERSISTENT = 1e-3, 15.0
@@ -109,7 +111,7 @@ def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     q, finite = _reading(signals, n)
     again = function("and", finite, function("le", RAMP, before["lost"][0]))
     strayed = function("and", finite, function("le", PERSISTENT, before["strayed"][0]))
-    fresh, anew = parts(rest(q, n)), _anew(before, q, n)
+    fresh, anew = parts(rest(q, n)) | {name: before[name] for name in _OF_COMMANDS}, _anew(before, q, n)
     now = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
         for name, old in before.items()
@@ -128,12 +130,15 @@ def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     return {"s": joined(now | updated)}
 
 
+_OF_COMMANDS = ("volts", "commanded", "average")
+
+
 def _anew(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """The state of a joint that is at q [m] against what was estimated: of its motion little is known."""
     state = parts(rest(q, n))
     for i in range(FILTER):
         state["spread"][_packed(i, i)] = ANEW[i]
-    unchanged = ("volts", "target", "lost", "refused", "phase", "dwell", "missed")
+    unchanged = (*_OF_COMMANDS, "target", "lost", "refused", "phase", "dwell", "missed")
     return state | {name: now[name] for name in unchanged} | {"tried": [now["tried"][0] + ANEW_COUNTS]}
 
 
@@ -260,7 +265,9 @@ def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values,
     volts = [
         command + (old - command) * n[f"kept_{side}"] for side, old, command in zip(SIDES, now["volts"], v, strict=True)
     ]
-    return {"s": joined(now | {"x": x, "z": _stops(now["z"], now["x"], x, n), "volts": volts})}
+    means = [mean + (command - mean) * (PERIOD / MEMORY) for mean, command in zip(now["average"], v, strict=True)]
+    commands = {"volts": volts, "commanded": list(v), "average": means}
+    return {"s": joined(now | commands | {"x": x, "z": _stops(now["z"], now["x"], x, n)})}
 
 
 def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, curves: Values) -> Outputs:

@@ -21,7 +21,7 @@ Traced into a graph as the estimator is (`pipeline.control.estimator`).
 from typing import Any
 
 from pipeline.codegen.graph import choose, clip, fetch, function
-from pipeline.control.estimator import PERIOD, RAMP, Outputs, Values, joined, named, parts, row
+from pipeline.control.estimator import MEMORY, PERIOD, RAMP, Outputs, Values, joined, named, parts, row
 from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS
 from pipeline.generated.condensed_joint import STATES
 
@@ -45,6 +45,8 @@ FADES = 0.2
 """Time constant [s] with which the mean of a stable target's regulator is taken away."""
 ENOUGH, SWINGS = 4.0, 16.0
 """Time [s] after which a target that is not reached is given up, and how much more is given to the pump."""
+EARLY = 1.5
+"""Twice the share of the slew limit with which a voltage falls to its largest mean."""
 FORGIVEN = 0.1
 """Part of this time that each second near the target takes away [s]."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
@@ -146,6 +148,21 @@ def _voltages(push: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
     return [function("min", n["highest"], top * function("sqrt", clip(share, 0.0, 1.0))) for share in both]
 
 
+def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
+    """Voltages [V] whose change in a period and whose means stay within the limits.
+
+    A voltage above its largest mean falls in time: the mean grows by (v − allowed)² / 2 over the slew limit meanwhile.
+    """
+    periods, within = MEMORY / PERIOD, []
+    for wanted, last, mean in zip(volts, now["commanded"], now["average"], strict=True):
+        room = function("max", n["allowed"] - mean, 0.0)
+        above = function("sqrt", EARLY * periods * n["slew"] * room) - n["slew"]
+        falling = n["allowed"] + function("max", above, 0.0)
+        most = function("min", falling, mean + periods * room)
+        within.append(clip(function("min", wanted, most), last - n["slew"], last + n["slew"]))
+    return [clip(value, 0.0, n["highest"]) for value in within]
+
+
 def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, place: Any, n: dict[str, Any]) -> Values:
     """Moment [N·m] near a target, the next slow moment and the next mean of the regulator.
 
@@ -168,7 +185,7 @@ def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, plac
 
 
 def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
-    """The voltages of a period, shape (2,) [V]: within 0 … the largest, ramped down without a reading."""
+    """The voltages of a period, shape (2,) [V]: within the limits, ramped down without a reading."""
     n, now = named(e), parts(s)
     x, place = now["x"], (now["target"][0] - n["first"]) * n["per_step"]
     regulates = function("lt", 0.5, _regulates(now, n))
@@ -198,7 +215,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     }
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
     volts = _voltages(choose(stopped, 0.0, push), choose(stopped, 0.0, choose(calm, common, 0.0)), top, n)
-    return {"v": volts, "s": joined(now | updated)}
+    return {"v": limited(volts, now, n), "s": joined(now | updated)}
 
 
 def _refused(now: dict[str, Values], n: dict[str, Any], regulates: Any, tired: Any) -> tuple[Any, Any]:

@@ -154,30 +154,35 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
         from pipeline.control.linear import wells_and_saddle
+        from pipeline.control.margins import margins
 
         plant = joint_run.plant
         converters, lags_known = joint_run.converters(settings)
-        law = design_law(plant, Settings(highest, converters.lags))
+        law = design_law(plant, Settings(highest, converters.lags, settings.slew, settings.average))
         left, saddle, right = (model.q for model in wells_and_saddle(plant))
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
+        held = margins(plant, law, saddle)
         return {
-            "format": "debist-controller/4",
+            "format": "debist-controller/5",
             "prototype": joint_run.prototype.name,
             "model": joint_run.name,
             "origin": joint_run.run.record(joint_run.artifact).content_hash,
             "places_m": {"left": left, "saddle": saddle, "right": right},
             "targets_m": [plant.reading(q) for q in law.places],
             "largest_voltage_V": highest,
+            "slew_V_s": settings.slew,
+            "average_V": settings.average,
             "lags_s": converters.lags,
             "lags_known": lags_known,
+            "margins": None if held is None else asdict(held),
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": predicted,
-            "warnings": _misses(predicted, right - left),
+            "warnings": _misses(predicted, right - left) + _too_much(predicted, settings.average),
             "law": law.to_json(),
         }
 
-    return kept_document(root, "design", {"highest": highest, "lag": settings.lag}, observer, work)
+    return kept_document(root, "design", asdict(settings) | {"highest": highest}, observer, work)
 
 
 def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, distance: float) -> None:
@@ -214,6 +219,17 @@ def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
             "swing on with the largest voltage; allow a larger --max-voltage, or hold wells only"
         )
     return misses
+
+
+def _too_much(predicted: Mapping[str, Any], average: float | None) -> list[str]:
+    """Where the unstable equilibrium takes more voltage for long than its mean may be."""
+    needed = float(np.max(predicted["v_V"][-1]))
+    if average is None or needed <= average:
+        return []
+    return [
+        f"the unstable equilibrium takes {needed:.0f} V; with --average-voltage {average:g} V it may be lost after some "
+        "seconds"
+    ]
 
 
 def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:

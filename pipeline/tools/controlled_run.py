@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pipeline.control.plant import ControlledJoint
     from pipeline.models.hybrid.model import HybridModel
 
-ALGORITHM = "15"
+ALGORITHM = "16"
 _MISSED = 2e-3
 """RMS residual [m] on the training logs above which no control is designed on a model."""
 DATA_SHEET, GIVEN = 0.36, 0.1
@@ -49,10 +49,14 @@ class ControlSettings:
         Largest voltage [V]; `ControlRun.limit` if left out.
     lag : float or None
         Time constant of the converters [s]; that of the voltage steps in the training logs if left out.
+    slew, average : float or None
+        Largest rate of each voltage [V/s] and its largest mean over about 10 s [V]; no limit if left out.
     """
 
     max_voltage: float | None = None
     lag: float | None = None
+    slew: float | None = None
+    average: float | None = None
 
 
 @dataclass(frozen=True)
