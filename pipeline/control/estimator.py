@@ -137,7 +137,8 @@ def _anew(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values
     """The state of a joint that is at q [m] against what was estimated: of its motion little is known."""
     state = parts(rest(q, n))
     for i in range(FILTER):
-        state["spread"][_packed(i, i)] = ANEW[i]
+        unit = n["size"] if i < 2 else n["moment_size"] if i == CORRECTED else 1.0
+        state["spread"][_packed(i, i)] = ANEW[i] * unit * unit
     unchanged = (*_OF_COMMANDS, "target", "lost", "refused", "phase", "dwell", "missed")
     return state | {name: now[name] for name in unchanged} | {"tried": [now["tried"][0] + ANEW_COUNTS]}
 
@@ -151,8 +152,8 @@ def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
 
 def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """Estimate and covariance after a reading q [m]."""
-    whole = q - now["x"][0]
-    miss = clip(whole, -LARGEST, LARGEST)
+    whole, largest = q - now["x"][0], LARGEST * n["size"]
+    miss = clip(whole, -largest, largest)
     column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
     share = [value / (column[0] + n["reading_variance"]) for value in column]
     bounds = [n[f"bound_{i}"] for i in range(FILTER)]
@@ -163,7 +164,7 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
     x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
     spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
     missed = [function("max", function("abs", miss), FORGET * now["missed"][0])]
-    strayed = choose(function("lt", LARGEST, function("abs", whole)), now["strayed"][0] + 1.0, 0.0)
+    strayed = choose(function("lt", largest, function("abs", whole)), now["strayed"][0] + 1.0, 0.0)
     return {
         "missed": missed,
         "strayed": [strayed],
@@ -284,7 +285,7 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
     covariance = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
-    calm = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK))
+    calm = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK * n["size"]))
     shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
     for i, j in ((i, j) for i in push for j in push if i >= j):
         noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]
@@ -352,7 +353,7 @@ def known_state(s: Values, e: Values) -> Outputs:
     """`ESTIMATED` numbers of the state: reading of the laser, rest of x, z, voltages, moment, and the status."""
     n, now = named(e), parts(s)
     q, *others = now["x"]
-    status = choose(function("lt", 0.5 * LARGEST, now["missed"][0]), 1.0, 0.0)
+    status = choose(function("lt", 0.5 * LARGEST * n["size"], now["missed"][0]), 1.0, 0.0)
     status = choose(function("lt", 0.5, now["refused"][0]), 2.0 + now["refused"][0], status)
     status = choose(function("lt", 0.5, now["lost"][0]), 2.0, status)
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}

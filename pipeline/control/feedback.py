@@ -90,12 +90,14 @@ def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any
     return moment
 
 
-def held_slowly(now: dict[str, Values], hold: Any, stiff: Any, largest: Any) -> tuple[Any, Any]:
+def held_slowly(
+    now: dict[str, Values], hold: Any, stiff: Any, largest: Any, n: dict[str, Any]
+) -> tuple[Any, Any]:
     """Moment [N·m] that acts at rest at a stable target of a stiffness [N·m/m], and the next slow moment [N·m]."""
     level, away = now["level"][0], now["x"][0] - now["target"][0]
     off = function("le", function("abs", level), ENGAGED * largest)
-    without = _both(function("lt", function("abs", hold), stiff * FREE), off)
-    left = choose(without, FREE, LEFT)
+    without = _both(function("lt", function("abs", hold), stiff * n["size"] * FREE), off)
+    left = choose(without, FREE, LEFT) * n["size"]
     outside = away - clip(away, -left, left)
     slow = choose(function("lt", 0.0, function("abs", outside)), -stiff * outside / SLOW, -level / LEAK)
     slow = choose(function("lt", 0.5, now["refused"][0]), -level / SLOW, slow)
@@ -127,7 +129,8 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     pumped = _both(needed, function("lt", 0.0, before + PAST * over), function("lt", 0.0, over))
     phase, dwell = now["phase"][0], now["dwell"][0] + 1.0
     past = _both(function("lt", before, 0.0), function("lt", 0.0, phase))
-    turns = _both(function("lt", choose(past, PATIENCE, DWELL), dwell), function("lt", speed * towards * phase, STILL))
+    still = function("lt", speed * towards * phase, STILL * n["size"])
+    turns = _both(function("lt", choose(past, PATIENCE, DWELL), dwell), still)
     phase, dwell = choose(turns, -phase, phase), choose(turns, 0.0, dwell)
     push = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
     return push, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0)
@@ -169,8 +172,8 @@ def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, plac
     `moments` are the one that holds the joint there, the one that acts, and the largest; `calm` at an unstable target.
     """
     hold, acting, largest = moments
-    stiff = function("max", slope("holding", place, n), largest * LEAST_STIFF)
-    moment, level = held_slowly(now, hold, stiff, largest)
+    stiff = function("max", slope("holding", place, n), largest * (LEAST_STIFF / n["size"]))
+    moment, level = held_slowly(now, hold, stiff, largest, n)
     (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
     integral = level_there - PERIOD / SLOW * stiffness * (now["x"][0] - now["target"][0])
     level = clip(choose(calm, integral, level), -largest, largest)
@@ -178,7 +181,7 @@ def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, plac
     motion = regulated(now, acting, moment, place)
     # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
     outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
-    stays = function("or", calm, function("lt", outwards, -stiff * FREE))
+    stays = function("or", calm, function("lt", outwards, -stiff * n["size"] * FREE))
     motion = choose(stays, motion, clip(motion, -largest, largest))
     fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
     return [moment + motion - choose(stays, 0.0, mean), level, fading]

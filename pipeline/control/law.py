@@ -44,14 +44,14 @@ NUMBERS = (
     "arm", "length", *(f"travel_{i}" for i in sorted(set(STOP_ELEMENTS))),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
-    "slew", "allowed",
+    "slew", "allowed", "size", "moment_size",
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of each converter's voltage that is left after a period and its mean over it;
 variance of a reading; densities of what shakes the joint, for motions and near a target; variances after a long rest,
 magnitudes that no estimate passes; friction's arm, the beam's length, travels of stop operators; grids of the tables;
 those of the feedback law (`pipeline.control.feedback`); the largest change of a voltage in a period and its largest
-mean [V]."""
+mean [V]; factors on the controller's own lengths and moments."""
 
 TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1),
                   "gains": slice(STATES + 1, STATES + 1 + FEEDBACK),

@@ -195,8 +195,9 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
             )
 
 
-SETTLES, SWINGS = 0.3, 5e-5
-"""Limits of a good controller: settling in a well [s], and RMS [m] about the unstable equilibrium."""
+SETTLES, SWINGS = 0.3, 0.0022
+"""Limits of a good controller: settling in a well [s], and RMS about the unstable equilibrium as a share of the wells'
+distance."""
 
 
 def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
@@ -213,7 +214,7 @@ def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
             )
         if step["rms_m"] > BAND * distance:
             misses.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
-    if predicted["steps"][-1]["rms_m"] > SWINGS:
+    if predicted["steps"][-1]["rms_m"] > SWINGS * distance:
         misses.append(
             "the unstable equilibrium is hardly held: the model keeps swinging about it, and a joint that differs will "
             "swing on with the largest voltage; allow a larger --max-voltage, or hold wells only"

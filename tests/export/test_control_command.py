@@ -158,10 +158,10 @@ def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_ar
 def test_the_drawn_joint_that_sizes_are_told_against_is_the_set_nominal() -> None:
     from pipeline.device_parameters import NOMINAL
     from pipeline.models.analytical.statics import equilibria
-    from pipeline.tools import controlled_run
+    from pipeline.control.design import DRAWN_WELLS
 
     places = [each.q for each in equilibria(NOMINAL, np.zeros(2))]
-    assert max(places) - min(places) == pytest.approx(controlled_run._DRAWN_WELLS, rel=2e-3)
+    assert max(places) - min(places) == pytest.approx(DRAWN_WELLS, rel=2e-3)
 
 
 def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(planted_run: Path, tmp_path: Path) -> None:
