@@ -91,15 +91,18 @@ def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any
 
 
 def held_slowly(
-    now: dict[str, Values], hold: Any, stiff: Any, largest: Any, n: dict[str, Any]
+    now: dict[str, Values], hold: Any, stiff: tuple[Any, Any], largest: Any, n: dict[str, Any]
 ) -> tuple[Any, Any]:
-    """Moment [N·m] that acts at rest at a stable target of a stiffness [N·m/m], and the next slow moment [N·m]."""
+    """Moment [N·m] that acts at rest at a stable target, and the next slow moment [N·m].
+
+    `stiff` is the stiffness [N·m/m] there, and the larger one of both sides.
+    """
     level, away = now["level"][0], now["x"][0] - now["target"][0]
     off = function("le", function("abs", level), ENGAGED * largest)
-    without = _both(function("lt", function("abs", hold), stiff * n["size"] * FREE), off)
+    without = _both(function("lt", function("abs", hold), stiff[0] * n["size"] * FREE), off)
     left = choose(without, FREE, LEFT) * n["size"]
     outside = away - clip(away, -left, left)
-    slow = choose(function("lt", 0.0, function("abs", outside)), -stiff * outside / SLOW, -level / LEAK)
+    slow = choose(function("lt", 0.0, function("abs", outside)), -stiff[1] * outside / SLOW, -level / LEAK)
     slow = choose(function("lt", 0.5, now["refused"][0]), -level / SLOW, slow)
     return choose(without, 0.0, hold) + level, level + PERIOD * slow
 
@@ -173,7 +176,8 @@ def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, plac
     """
     hold, acting, largest = moments
     stiff = function("max", slope("holding", place, n), largest * (LEAST_STIFF / n["size"]))
-    moment, level = held_slowly(now, hold, stiff, largest, n)
+    steeper = function("max", stiff, slope("holding", place - 1.0, n))
+    moment, level = held_slowly(now, hold, (stiff, steeper), largest, n)
     (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
     integral = level_there - PERIOD / SLOW * stiffness * (now["x"][0] - now["target"][0])
     level = clip(choose(calm, integral, level), -largest, largest)
