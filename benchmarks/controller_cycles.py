@@ -61,7 +61,11 @@ def instructions(program: Path) -> int:
 
 def main() -> None:
     folder = Path(sys.argv[1]).resolve()
-    print("| processor | precision | instructions a step | code, bytes | state, bytes | stack, bytes |\n|---|---|---|---|---|---|")
+    print(
+        "| processor | precision | instructions a step | code, bytes | state, bytes | stack, bytes |\n"
+        + 6 * "|---"
+        + "|"
+    )
     for core, chosen in CORES.items():
         for precision, more in PRECISIONS.items():
             flags = ["-O2", "-std=c99", "-mthumb", "-mfloat-abi=hard", *chosen, *more]

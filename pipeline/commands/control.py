@@ -204,8 +204,8 @@ def _margins(margins: Any) -> str:
     if margins is None:
         return "margins: none, the unstable equilibrium is not held on the linear model"
     return (
-        f"the unstable equilibrium is held with {margins['gain_low']:.2f} to {margins['gain_high']:.1f} times the gain, "
-        f"{1e3 * margins['delay_s']:.1f} ms more delay, or 0 to {margins['friction_high']:.0f} times the friction"
+        f"margins at the unstable equilibrium: {margins['gain_low']:.2f} to {margins['gain_high']:.1f} times the gain, "
+        f"{1e3 * margins['delay_s']:.1f} ms more delay, 0 to {margins['friction_high']:.0f} times the friction"
     )
 
 
@@ -214,12 +214,15 @@ def _limited(limits: Limits, lag: str | None) -> Any:
     from pipeline.errors import InputError
     from pipeline.units import parse_quantity
 
-    given = {"--slew": (limits.slew, "V/s"), "--average-voltage": (limits.average_voltage, "V")}
-    values = {name: text and parse_quantity(text, (unit,), name) for name, (text, unit) in given.items()}
-    for name, value in values.items():
-        if value is not None and not 0.0 < value < float("inf"):
-            raise InputError(f"{name} {given[name][0]}: give a value above 0")
-    slew, average = values.values()
+    def value(text: str | None, unit: str, name: str) -> float | None:
+        """A limit in SI."""
+        number = None if text is None else parse_quantity(text, (unit,), name)
+        if number is not None and not 0.0 < number < float("inf"):
+            raise InputError(f"{name} {text}: give a value above 0")
+        return number
+
+    slew = value(limits.slew, "V/s", "--slew")
+    average = value(limits.average_voltage, "V", "--average-voltage")
     return replace(_settings(limits.max_voltage, lag), slew=slew, average=average)
 
 

@@ -113,6 +113,14 @@ class Law(NamedTuple):
         first = self.number("first")
         return first, first + (TARGETS - 1) / self.number("per_step")
 
+    def holding_voltage(self, q: float) -> float:
+        """The larger one of both voltages [V] that hold an unstable target at q [m]."""
+        grid = np.linspace(*self.places, TARGETS)
+        at = {name: [np.interp(q, grid, self.targets[:, i]) for i in range(where.start, where.stop)]
+              for name, where in TARGET_COLUMNS.items()}  # fmt: skip
+        share = at["common"][0] + 0.5 * abs(at["holding"][0]) / np.mean(at["moments"])
+        return float(self.number("highest") * np.sqrt(share))
+
     def to_json(self) -> dict[str, Any]:
         """Every constant, SI."""
         tables = {name: getattr(self, name).tolist() for name in self._fields if name != "numbers"}

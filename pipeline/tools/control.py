@@ -17,6 +17,7 @@ from pipeline.tools.controlled_run import ControlRun, ControlSettings, control_r
 if TYPE_CHECKING:
     from pipeline.control.ensemble import Converters
     from pipeline.control.law import Law
+    from pipeline.control.margins import Margins
     from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32
@@ -81,11 +82,13 @@ def pulse(
         from pipeline.control.ensemble import INTERVAL, ensemble_of
         from pipeline.control.linear import wells_and_saddle
         from pipeline.control.pulses import design_pulse
+        from pipeline.control.switching_map import TYPICAL, lowest_voltage, uncertain
 
-        left, _saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
+        left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
-        joint = ensemble_of(joint_run.model, DRAWS, converters)
+        lowest = lowest_voltage(joint_run.model, converters, (left, saddle, right), to, TYPICAL)
+        joint = uncertain(ensemble_of(joint_run.model, DRAWS, converters), [lowest])
         snap = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
         return {
@@ -178,7 +181,7 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
             "margins": None if held is None else asdict(held),
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": predicted,
-            "warnings": _misses(predicted, right - left) + _too_much(predicted, settings.average),
+            "warnings": _misses(predicted, right - left) + _thin(held) + _too_much(law, saddle, settings.average),
             "law": law.to_json(),
         }
 
@@ -222,14 +225,25 @@ def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
     return misses
 
 
-def _too_much(predicted: Mapping[str, Any], average: float | None) -> list[str]:
-    """Where the unstable equilibrium takes more voltage for long than its mean may be."""
-    needed = float(np.max(predicted["v_V"][-1]))
+GAINS, DELAY = (0.77, 1.3), 5e-3
+"""Factors on the gain and delay [s] that a good controller stands at the unstable equilibrium."""
+
+
+def _thin(held: "Margins | None") -> list[str]:
+    """Margins that are smaller than joints differ from their models."""
+    if held is not None and held.gain_low < GAINS[0] and held.gain_high > GAINS[1] and held.delay_s > DELAY:
+        return []
+    return ["the margins at the unstable equilibrium are small: a joint that differs from its model may leave it"]
+
+
+def _too_much(law: "Law", saddle: float, average: float | None) -> list[str]:
+    """Where the unstable equilibrium (reading, m) takes more voltage for long than its mean may be."""
+    needed = law.holding_voltage(saddle - law.number("offset"))
     if average is None or needed <= average:
         return []
     return [
-        f"the unstable equilibrium takes {needed:.0f} V; with --average-voltage {average:g} V it may be lost after some "
-        "seconds"
+        f"the unstable equilibrium takes {needed:.0f} V; with --average-voltage {average:g} V it may be lost after "
+        "some seconds"
     ]
 
 

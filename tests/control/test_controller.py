@@ -26,6 +26,7 @@ from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 from pipeline.models.hybrid.parameters import NAMES
+from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
@@ -280,6 +281,28 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
     assert max(step.overshoot_m for step in steps) < 1.5e-3
     assert max(step.rms_m for step in steps[:2]) < 0.2e-3
     assert steps[2].rms_m < 0.01e-3
+
+
+@pytest.mark.parametrize(
+    ("length", "mass"), [(0.4, 0.064), (2.5, 15.6), (2.5, 400.0)], ids=["small", "large", "in units of another mass"]
+)
+def test_joints_of_other_sizes_snap_and_are_held(length: float, mass: float) -> None:
+    time = float(np.sqrt(length))
+    plant = plant_of(model(Similarity(length, time, 1.0, mass)))
+    law = design(plant, Settings(3000.0, (3e-3, 3e-3)))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
+    assert right - left == pytest.approx(length * 19.6e-3, rel=0.01)
+    target = np.repeat([left, right, left, saddle], [50, 1500, 1500, 2000])
+    q, _ = closed_on_model(law, law, left, target)
+    steps = step_metrics(PERIOD * np.arange(q.size), q, target, right - left)[1:]
+    assert all(step.settling_s is not None and step.settling_s < 0.25 * time for step in steps)
+    assert max(step.overshoot_m for step in steps) < 0.1 * length * 10e-3
+    moved = Moved(law, condensed_joint_law(plant, (4e-3, 4e-3)), left)
+    moved.run(saddle, 2000)
+    moved.truth[1] += 12e-3 * length / time
+    rows = moved.run(saddle, 2000)
+    assert np.abs(rows[-300:, 0] - saddle).max() < 0.05e-3 * length
+    assert moved.status == "ok"
 
 
 class Moved:
