@@ -2,7 +2,7 @@
 
 `python benchmarks/control_disturbances.py RIG=RUN …`: for each folder of `debist rig simulate` and the run that was
 identified from it, the controller of the run against the joint itself, with its own converters and laser. Printed are a
-line for each joint and the table. About 20 s of processor time a joint. `control_fleet.py` runs it too. On a joint of
+line for each joint with its misses, and the table. About 20 s of processor time a joint. `control_fleet.py` runs it too. On a joint of
 another size (`debist rig simulate --size`) forces grow with the third power of the size and lengths with the first.
 """
 
@@ -168,28 +168,31 @@ def disturbances(one: Tested) -> dict[str, tuple[float, bool]]:
 
 
 def told(found: dict[str, dict[str, tuple[float, bool]]]) -> None:
-    """Print the table."""
-    print("| disturbance | right | " + " | ".join(found) + " |\n|---|---|" + "---|" * len(found))
+    """Print the table: medians and worst numbers of both physics, in mm, s or V; and every miss."""
+    kinds = ("same", "foreign")
+    print("| disturbance | right | " + " | ".join(f"{kind}: median, worst" for kind in kinds) + " |\n|---|---|---|---|")
     for name in next(iter(found.values()), {}):
-        cells = [each[name] for each in found.values()]
-        scale = 1.0 if "settling" in name or "slowest" in name or "voltage" in name else 1e3
-        shown = " | ".join(f"{scale * value:.3f}{'' if good else ' miss'}" for value, good in cells)
-        print(f"| {name} | {sum(good for _, good in cells)} of {len(cells)} | {shown} |")
+        scale = 1.0 if "settling" in name or "slowest" in name or "voltage at" in name else 1e3
+        cells = []
+        for kind in kinds:
+            values = scale * np.array([each[name][0] for joint, each in found.items() if kind in joint])
+            cells.append(f"{np.median(values):.3f}, {values.max():.3f}" if values.size else "")
+        good = sum(each[name][1] for each in found.values())
+        print(f"| {name} | {good} of {len(found)} | " + " | ".join(cells) + " |")
 
 
 def main() -> None:
     found = {}
     for pair in sys.argv[1:]:
         rig, _, run = pair.partition("=")
+        name = Path(rig).name
         try:
-            found[Path(rig).name] = disturbances(tested(Path(rig), Path(run)))
+            found[name] = disturbances(tested(Path(rig), Path(run)))
         except DebistError as error:
-            print(f"{rig}: no controller: {error}", flush=True)
+            print(f"{name}: no controller: {error}", flush=True)
             continue
-        print(
-            f"{rig}: {sum(good for _, good in found[Path(rig).name].values())} of {len(found[Path(rig).name])}",
-            flush=True,
-        )
+        misses = "".join(f"; {what} {value:.3g}" for what, (value, good) in found[name].items() if not good)
+        print(f"{name}: {sum(good for _, good in found[name].values())} of {len(found[name])}{misses}", flush=True)
     told(found)
 
 

@@ -28,7 +28,7 @@ BEYOND = 2
 """Rows of the table of targets beyond each well; a row lies in each well, where the moment that holds it is zero."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator acts; it stops at twice that distance."""
-STEEPNESS = 1.0 / 0.04
+STEEPNESS = 1.0 / 0.025
 """Share of the largest moment for each m/s off the braking curve [s/m]."""
 SURE = 0.92
 """Share of the largest voltage with which the joint must pass its barrier slowly; else it is pumped."""

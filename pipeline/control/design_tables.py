@@ -141,7 +141,7 @@ def regulator(
 
 REACH = 1e-3
 """Distance [m] between entries of a braking curve."""
-RESERVE = 0.65
+RESERVE = 0.8
 """Share of the largest moment with which the braking curves brake; the rest is left to the feedback."""
 
 

@@ -124,7 +124,7 @@ def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, Fl
 
 
 def full_jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, FloatArray]:
-    """The same with the stop operators, which are held, as last columns of the first: shape (STATES, STATES + STOPS)."""
+    """The same with the stop operators, which are held, as last columns of the first, (STATES, STATES + STOPS)."""
     rows = STATES + STOPS
     a, b = np.zeros((rows, rows)), np.zeros((rows, 2))
     _differentiate(x, u, c, a.reshape(-1), b.reshape(-1))
