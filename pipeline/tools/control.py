@@ -15,9 +15,10 @@ from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.tools.controlled_run import ControlRun, ControlSettings, control_run, kept_document
 
 if TYPE_CHECKING:
-    from pipeline.control.ensemble import Converters
+    from pipeline.control.ensemble import Converters, Ensemble
     from pipeline.control.law import Law
     from pipeline.control.margins import Margins
+    from pipeline.models.hybrid.model import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32
@@ -79,16 +80,14 @@ def pulse(
 
     def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
         """The pulse and what the model and its posterior make of it."""
-        from pipeline.control.ensemble import INTERVAL, ensemble_of
+        from pipeline.control.ensemble import INTERVAL
         from pipeline.control.linear import wells_and_saddle
         from pipeline.control.pulses import design_pulse
-        from pipeline.control.switching_map import TYPICAL, lowest_voltage, uncertain
 
         left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
-        lowest = lowest_voltage(joint_run.model, converters, (left, saddle, right), to, TYPICAL)
-        joint = uncertain(ensemble_of(joint_run.model, DRAWS, converters), [lowest])
+        joint = _with_draws(joint_run.model, converters, (left, saddle, right), to)
         snap = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
         return {
@@ -114,6 +113,16 @@ def pulse(
 
     chosen = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}
     return kept_document(root, f"pulse-to-{to}", chosen, observer, work)
+
+
+def _with_draws(
+    model: "HybridModel", converters: "Converters", places: tuple[float, float, float], to: Well
+) -> "Ensemble":
+    """The joint with draws whose voltages err as the lowest one that switches it to a well may."""
+    from pipeline.control.ensemble import ensemble_of
+    from pipeline.control.switching_map import TYPICAL, lowest_voltage, uncertain
+
+    return uncertain(ensemble_of(model, DRAWS, converters), [lowest_voltage(model, converters, places, to, TYPICAL)])
 
 
 def _finite(value: float) -> float | None:
