@@ -35,10 +35,12 @@ DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 FREE, LEFT = 0.15e-3, 0.05e-3
 """Offset [m] from a well that takes no voltage, and what is left of a larger one and of one from another target."""
-SLOW, LEAK = 0.7, 3.0
-"""Time constants [s] of the slow moment, and of its decay where the offset is small."""
-ENGAGED, TIRED = 0.035, 0.8
-"""Shares of the largest moment above which the slow moment is on, and at which the attempt is given up."""
+SLOW, INTEGRAL, LEAK = 0.35, 0.7, 3.0
+"""Time constants [s] of the slow moment at a well, of that at an unstable target, and of its decay where the offset is
+small."""
+ENGAGED, STIFFENS, TIRED = 0.035, 0.1, 0.8
+"""Shares of the largest moment above which the slow moment is on, above which the regulator holds the place too, and at
+which the attempt is given up."""
 LEAST_STIFF = 30.0
 """Least share of the largest moment that moves a rest by a metre: a model may invert the statics beyond its wells."""
 FADES = 0.2
@@ -103,7 +105,7 @@ def held_slowly(
     left = choose(without, FREE, LEFT) * n["size"]
     outside = away - clip(away, -left, left)
     slow = choose(function("lt", 0.0, function("abs", outside)), -stiff[1] * outside / SLOW, -level / LEAK)
-    slow = choose(function("lt", 0.5, now["refused"][0]), -level / SLOW, slow)
+    slow = choose(function("lt", 0.5, now["refused"][0]), -level / INTEGRAL, slow)
     return choose(without, 0.0, hold) + level, level + PERIOD * slow
 
 
@@ -179,13 +181,14 @@ def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, plac
     steeper = function("max", stiff, slope("holding", place - 1.0, n))
     moment, level = held_slowly(now, hold, (stiff, steeper), largest, n)
     (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
-    integral = level_there - PERIOD / SLOW * stiffness * (now["x"][0] - now["target"][0])
+    integral = level_there - PERIOD / INTEGRAL * stiffness * (now["x"][0] - now["target"][0])
     level = clip(choose(calm, integral, level), -largest, largest)
     moment = choose(calm, hold - now["moment"][0] + level_there, moment)
     motion = regulated(now, acting, moment, place)
     # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
     outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
-    stays = function("or", calm, function("lt", outwards, -stiff * n["size"] * FREE))
+    loaded = function("lt", STIFFENS * largest, function("abs", level_there))
+    stays = function("or", function("or", calm, loaded), function("lt", outwards, -stiff * n["size"] * FREE))
     motion = choose(stays, motion, clip(motion, -largest, largest))
     fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
     return [moment + motion - choose(stays, 0.0, mean), level, fading]
