@@ -183,17 +183,18 @@ def _packed(i: int, j: int) -> int:
 def _stops(z: Values, before: Values, after: Values, n: dict[str, Any]) -> Values:
     """Stop operators after a move."""
     moved = [after[i] - before[i] for i in SHAPE]
-    plays = [sum(by * play for by, play in zip(_direction(i, n), moved, strict=True)) for i in range(STOPS)]
-    return [apply(STOP_OPERATOR, z[i], plays[i], _travel(i, n))[0] for i in range(STOPS)]
+    plays = [sum(by * play for by, play in zip(direction(i, n), moved, strict=True)) for i in range(STOPS)]
+    return [apply(STOP_OPERATOR, z[i], plays[i], travel(i, n))[0] for i in range(STOPS)]
 
 
-def _direction(stop: int, n: dict[str, Any]) -> tuple[Any, Any, Any]:
+def direction(stop: int, n: dict[str, Any]) -> tuple[Any, Any, Any]:
     """Slopes of the coordinate of a stop operator along (q, τ, β) [1, m, m]."""
     q, by_arm, tau, beta = STOP_DIRECTIONS[stop]
     return q, by_arm * n["arm"] + tau * n["length"], beta * n["length"]
 
 
-def _travel(stop: int, n: dict[str, Any]) -> Any:
+def travel(stop: int, n: dict[str, Any]) -> Any:
+    """Travel of a stop operator [m]."""
     return n[f"travel_{STOP_ELEMENTS[stop]}"]
 
 
@@ -321,8 +322,8 @@ def _jacobian(
             a[i][j] = PERIOD * full[width * i + j]
         for stop in range(STOPS):  # a stop operator that slips does not resist
             held = function("lt", function("abs", z[stop]), 1.0)
-            by = choose(held, PERIOD * full[width * i + STATES + stop] / _travel(stop, n), 0.0)
-            for j, along in zip(SHAPE, _direction(stop, n), strict=True):
+            by = choose(held, PERIOD * full[width * i + STATES + stop] / travel(stop, n), 0.0)
+            for j, along in zip(SHAPE, direction(stop, n), strict=True):
                 a[i][j] = a[i][j] + along * by
     twist, push = _pushed(x, prepared)
     for i, on in twist.items():

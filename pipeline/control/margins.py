@@ -13,7 +13,7 @@ from scipy.linalg import expm
 
 from pipeline.compiled import compiled
 from pipeline.control.controller import begin_control, control, move
-from pipeline.control.estimator import PERIOD
+from pipeline.control.estimator import PERIOD, SHAPE, direction, travel
 from pipeline.control.law import CONTROLLER_STATE, NUMBERS, PLACES, SIDES, Law
 from pipeline.control.linear import full_jacobian
 from pipeline.control.plant import ControlledJoint
@@ -26,7 +26,7 @@ _SLIDES = 1e9  # travel of a stop operator that resists nothing
 _SETTLES = 4000  # periods
 _STEPS = {"x": 1e-6, "volts": 1e-2, "moment": 1e-8, "level": 1e-8}
 """Lengths of the differences by which the controller is differentiated, in the units of its state. Stop operators move
-along with the slope and the displacement."""
+along with the shape."""
 _ENTRIES = np.concatenate([np.arange(CONTROLLER_STATE)[PLACES[name]] for name in _STEPS])
 _LENGTHS = np.concatenate([np.full(PLACES[name].stop - PLACES[name].start, step) for name, step in _STEPS.items()])
 _GRID = np.geomspace(0.3, np.pi / PERIOD, 4000)  # rad/s
@@ -117,9 +117,9 @@ def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float
 
 def _stops(law: Law) -> FloatArray:
     """Stop operators that stick over the joint's state, shape (STOPS, STATES)."""
-    moved = np.zeros((STOPS, STATES))
-    travels = np.array([law.number(f"travel_{i}") for i in range(STOPS)])
-    moved[:, 0], moved[:, 2] = 1.0 / travels, law.number("arm") / travels
+    moved, n = np.zeros((STOPS, STATES)), dict(zip(NUMBERS, law.numbers.tolist(), strict=True))
+    for i in range(STOPS):
+        moved[i, list(SHAPE)] = np.array(direction(i, n)) / travel(i, n)
     return moved
 
 

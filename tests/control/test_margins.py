@@ -12,7 +12,6 @@ from pipeline.control.design import condensed_joint_law
 from pipeline.control.law import CONTROLLER_STATE, NUMBERS, TARGET_COLUMNS, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.margins import GAINS, Margins, margins
-from pipeline.generated.condensed_joint import STOPS
 from pipeline.models.hybrid.kernels import INDEX, prepare
 
 
@@ -28,7 +27,7 @@ def with_friction(factor: float) -> Law:
     """The joint of the model with a factor on its friction that sticks."""
     plant, _ = designed()
     k = plant.constants.k.copy()
-    k[[INDEX[f"stop_force_{i}"] for i in range(STOPS)]] *= factor
+    k[[i for name, i in INDEX.items() if name.startswith(("stop_force", "layer_force"))]] *= factor
     law = condensed_joint_law(plant, (3e-3, 3e-3))
     return law._replace(prepared=prepare(k[None])[0])
 
