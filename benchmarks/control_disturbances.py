@@ -2,12 +2,15 @@
 
 `python benchmarks/control_disturbances.py RIG=RUN …`: for each folder of `debist rig simulate` and the run that was
 identified from it, the controller of the run against the joint itself, with its own converters and laser. Printed are a
-line for each joint and the table. About 15 s of processor time a joint. `control_fleet.py` runs it too.
+line for each joint with its misses, and the table. About 20 s of processor time a joint. `control_fleet.py` runs it
+too. On a joint of another size (`debist rig simulate --size`) forces grow with the third power of the size and lengths
+with the first.
 """
 
+import json
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -21,13 +24,16 @@ from pipeline.errors import DebistError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.joint import rest
 from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
+from pipeline.rig.random_joint import aged
 from pipeline.tools.closed_loop import VirtualJoint, designed, virtual_joint
 from pipeline.tools.controlled_run import ControlSettings, control_run
 
-HELD, TRACKED, LEFT, SETTLED = 0.5e-3, 0.15e-3, 0.1e-3, 0.3  # m, m RMS, m, s
+HELD, TRACKED, LEFT, SETTLED, DRIFTED = 0.5e-3, 0.15e-3, 0.1e-3, 0.3, 1.0  # m, m RMS, m, s, s
 BUMPS = {f"{1e3 * impulse:g} mN s": impulse for impulse in (0.5e-3, -0.5e-3, 1e-3, 3e-3)}
 STEPS = {f"{1e3 * force:g} mN": force for force in (5e-3, -5e-3)}
 FRICTIONS = (1.0, 0.1)
+GAINS = (0.85, 1.15)
+STIFFER = (-0.1, -0.05, 0.05)  # share of the beam's stiffness, which moves the wells
 
 
 @dataclass(frozen=True)
@@ -38,6 +44,12 @@ class Tested:
     law: Law
     places: tuple[float, float, float]
     starts: dict[tuple[int, float], FloatArray]
+    size: float = 1.0
+
+    @property
+    def newton(self) -> float:
+        """What a newton on the drawn joint is on this one [N]."""
+        return self.size**3
 
     def run(self, targets: dict[float, float], duration: float, side: int = -1, **other: object) -> ClosedLoop:
         """The loop with targets [m] from times [s] on."""
@@ -55,7 +67,8 @@ def tested(rig: Path, run: Path) -> Tested:
     found = control_run(run)
     law = design_law(found.plant, Settings(min(3000.0, found.limit), found.converters(ControlSettings())[0].lags))
     left, saddle, right = (each.q for each in wells_and_saddle(found.plant))
-    return Tested(virtual_joint(str(rig)), law, (left, saddle, right), {})
+    size = json.loads((rig / "truth/truth.json").read_text(encoding="utf-8"))["experiment"].get("size", 1.0)
+    return Tested(virtual_joint(str(rig)), law, (left, saddle, right), {}, size)
 
 
 def off(run: ClosedLoop, last: float = 1.0) -> FloatArray:
@@ -70,23 +83,36 @@ def saddles(one: Tested) -> Iterator[tuple[str, float, bool]]:
 
     def held(name: str, **other: object) -> tuple[str, float, bool]:
         far = float(np.abs(off(one.run({0.0: left, 0.3: saddle}, 5.5, **other))).max())
-        return name, far, far < HELD
+        return name, far, far < HELD * one.size
 
+    n = one.newton
+    bump = ((2.5, 25e-3 * n, 0.02),)
     for friction in FRICTIONS:
         for name, impulse in BUMPS.items():
             yield held(
-                f"saddle, bump {name}, friction {friction:g}", pushes=((2.5, impulse / 0.02, 0.02),), friction=friction
+                f"saddle, bump {name}, friction {friction:g}",
+                pushes=((2.5, impulse / 0.02 * n, 0.02),),
+                friction=friction,
             )
         for name, force in STEPS.items():
-            yield held(f"saddle, step {name}, friction {friction:g}", pushes=((2.5, force, 9.0),), friction=friction)
-        yield held(f"saddle, hand 10 mN, friction {friction:g}", hands=((2.0, 10e-3, 1.0),), friction=friction)
+            yield held(
+                f"saddle, step {name}, friction {friction:g}", pushes=((2.5, force * n, 9.0),), friction=friction
+            )
+        yield held(f"saddle, hand 10 mN, friction {friction:g}", hands=((2.0, 10e-3 * n, 1.0),), friction=friction)
         yield held(
-            f"saddle, table 5 mN 8 Hz, friction {friction:g}", shakes=((2.0, 5e-3, 8.0, 1.5),), friction=friction
+            f"saddle, table 5 mN 8 Hz, friction {friction:g}", shakes=((2.0, 5e-3 * n, 8.0, 1.5),), friction=friction
         )
-    yield held("saddle, wire 1 mN", drag=1e-3, pushes=((2.5, 25e-3, 0.02),))
-    for lag in (1e-3, 5e-3, 8e-3):
-        yield held(f"saddle, lag {1e3 * lag:g} ms untold", lag=lag, pushes=((2.5, 25e-3, 0.02),))
-    yield held("saddle, laser frozen 1 s", frozen=((2.0, 1.0),), pushes=((2.3, 25e-3, 0.02),))
+    for gain in GAINS:
+        yield held(f"saddle, voltages × {gain:g}, friction 0.1, bump", gain=gain, friction=0.1, pushes=bump)
+    yield held("saddle, wire 1 mN", drag=1e-3 * n, pushes=bump)
+    for lag in (1e-3, 3e-3, 5e-3, 8e-3):
+        yield held(f"saddle, lag {1e3 * lag:g} ms untold", lag=lag, pushes=bump)
+    for begin in (2.0, 2.2):
+        yield held(
+            f"saddle, laser frozen 1 s at {begin:g} s",
+            frozen=((begin, 1.0),),
+            pushes=((begin + 0.3, 25e-3 * n, 0.02),),
+        )
 
 
 def ramps(one: Tested) -> Iterator[tuple[str, float, bool]]:
@@ -96,7 +122,7 @@ def ramps(one: Tested) -> Iterator[tuple[str, float, bool]]:
     for friction in FRICTIONS:
         run = one.run({0.0: left} | reference, 13.0, friction=friction)
         error = float(np.sqrt(np.mean((run.true_q - run.target)[run.t > 0.5] ** 2)))
-        yield f"ramp, friction {friction:g}", error, error < TRACKED
+        yield f"ramp, friction {friction:g}", error, error < TRACKED * one.size
 
 
 def wells(one: Tested) -> Iterator[tuple[str, float, bool]]:
@@ -116,40 +142,58 @@ def wells(one: Tested) -> Iterator[tuple[str, float, bool]]:
         volts = float(np.maximum(run.command1, run.command2)[run.t > 7.0].mean())
         yield f"{name} well, voltage at rest", volts, volts == 0.0
         for force in (10e-3, -10e-3, 20e-3, -20e-3):
-            run = one.run({0.0: well}, 8.0, side, pushes=((0.5, force, 9.0),))
+            run = one.run({0.0: well}, 8.0, side, pushes=((0.5, force * one.newton, 9.0),))
             far, late = float(np.abs(off(run)).max()), run.t > 7.0
             none = bool(np.maximum(run.command1, run.command2)[late].max() == 0.0)
-            yield f"{name} well, load {1e3 * force:g} mN", far, far < LEFT or none
+            yield f"{name} well, load {1e3 * force:g} mN", far, far < LEFT * one.size or none
+
+
+def drifts(one: Tested) -> Iterator[tuple[str, float, bool]]:
+    """Slowest settling [s] of four snaps after the beam's stiffness has changed, which moves the wells."""
+    left, _, right = one.places
+    for change in STIFFER:
+        moved, _ = aged(one.joint.parameters, one.joint.bench, 1.0, {"stiffness": change})
+        drifted = replace(one, joint=replace(one.joint, parameters=moved), starts={})
+        run = drifted.run({0.0: left, **{0.3 + 3.0 * i: (right, left)[i % 2] for i in range(4)}}, 12.3)
+        times = []
+        for i in range(4):
+            part = (run.t >= 0.3 + 3.0 * i) & (run.t < 3.3 + 3.0 * i)
+            step = one_step(run.t[part], run.true_q[part], (right, left)[i % 2], right - left)
+            times.append(np.inf if step.settling_s is None else step.settling_s)
+        yield f"snaps, beam {100 * change:+g} % stiff, slowest settling", max(times), max(times) <= DRIFTED
 
 
 def disturbances(one: Tested) -> dict[str, tuple[float, bool]]:
     """Number and verdict of each disturbance."""
-    return {name: (value, good) for some in (wells, saddles, ramps) for name, value, good in some(one)}
+    return {name: (value, good) for some in (wells, saddles, ramps, drifts) for name, value, good in some(one)}
 
 
 def told(found: dict[str, dict[str, tuple[float, bool]]]) -> None:
-    """Print the table."""
-    print("| disturbance | right | " + " | ".join(found) + " |\n|---|---|" + "---|" * len(found))
+    """Print the table: medians and worst numbers of both physics, in mm, s or V; and every miss."""
+    kinds = ("same", "foreign")
+    print("| disturbance | right | " + " | ".join(f"{kind}: median, worst" for kind in kinds) + " |\n|---|---|---|---|")
     for name in next(iter(found.values()), {}):
-        cells = [each[name] for each in found.values()]
-        scale = 1.0 if "settling" in name or "slowest" in name or "voltage" in name else 1e3
-        shown = " | ".join(f"{scale * value:.3f}{'' if good else ' miss'}" for value, good in cells)
-        print(f"| {name} | {sum(good for _, good in cells)} of {len(cells)} | {shown} |")
+        scale = 1.0 if "settling" in name or "slowest" in name or "voltage at" in name else 1e3
+        cells = []
+        for kind in kinds:
+            values = scale * np.array([each[name][0] for joint, each in found.items() if kind in joint])
+            cells.append(f"{np.median(values):.3f}, {values.max():.3f}" if values.size else "")
+        good = sum(each[name][1] for each in found.values())
+        print(f"| {name} | {good} of {len(found)} | " + " | ".join(cells) + " |")
 
 
 def main() -> None:
     found = {}
     for pair in sys.argv[1:]:
         rig, _, run = pair.partition("=")
+        name = Path(rig).name
         try:
-            found[Path(rig).name] = disturbances(tested(Path(rig), Path(run)))
+            found[name] = disturbances(tested(Path(rig), Path(run)))
         except DebistError as error:
-            print(f"{rig}: no controller: {error}", flush=True)
+            print(f"{name}: no controller: {error}", flush=True)
             continue
-        print(
-            f"{rig}: {sum(good for _, good in found[Path(rig).name].values())} of {len(found[Path(rig).name])}",
-            flush=True,
-        )
+        misses = "".join(f"; {what} {value:.3g}" for what, (value, good) in found[name].items() if not good)
+        print(f"{name}: {sum(good for _, good in found[name].values())} of {len(found[name])}{misses}", flush=True)
     told(found)
 
 

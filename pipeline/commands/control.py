@@ -1,7 +1,7 @@
 """`debist control`: from the identified joint to linear models, snaps, a switching map and a controller."""
 
 import shlex
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -21,6 +21,22 @@ class Snap:
     to: Annotated[Well, typer.Option(help="Well to bring the joint to.")]
     start: Annotated[Well | None, typer.Option("--from", help="Well it rests in [default: the other one].")] = None
     minimise: Annotated[Goal, typer.Option(help="Quantity that the pulse minimises.")] = "time"
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits on the voltages of a controller."""
+
+    max_voltage: Annotated[
+        str | None,
+        typer.Option(help="Largest voltage, with its unit [default: as trained and allowed]."),
+    ] = None
+    slew: Annotated[
+        str | None, typer.Option(help="Largest rate of each voltage, such as 100kV/s [default: no limit].")
+    ] = None
+    average_voltage: Annotated[
+        str | None, typer.Option(help="Largest mean of each voltage over 10 s, with its unit [default: no limit].")
+    ] = None
 
 
 Run = Annotated[
@@ -153,7 +169,8 @@ def pulse(
 
 
 @app.command()
-def design(run: Run, max_voltage: Most = None, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
+@with_options
+def design(run: Run, limits: Limits, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
     """Design the controller: estimator and feedback that snaps, settles, holds and tracks; kept in the run.
 
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
@@ -162,7 +179,7 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = None, quiet: Quiet = F
     from pipeline.tools import control
 
     with Progress(quiet=quiet) as progress:
-        document = control.design(run, _settings(max_voltage, lag), progress)
+        document = control.design(run, _limited(limits, lag), progress)
     if as_json:
         emit_json(document)
         return
@@ -178,9 +195,37 @@ def design(run: Run, max_voltage: Most = None, lag: Lag = None, quiet: Quiet = F
             f"on the model, {name}: {_settles(step['settling_s'])}, overshoot {1e3 * step['overshoot_m']:.2f} mm, "
             f"RMS {1e3 * step['rms_m']:.3f} mm then"
         )
+    emit_text(_margins(document["margins"]))
     for warning in document["warnings"]:
         emit_text(f"warning: {warning}")
     emit_text(f"next: debist export {shlex.quote(str(run))} --to controller")
+
+
+def _margins(margins: Any) -> str:
+    """What the loop at the unstable equilibrium stands, in a line."""
+    if margins is None:
+        return "margins: none, the unstable equilibrium is not held on the linear model"
+    return (
+        f"margins at the unstable equilibrium: {margins['gain_low']:.2f} to {margins['gain_high']:.1f} times the gain, "
+        f"{1e3 * margins['delay_s']:.1f} ms more delay, 0 to {margins['friction_high']:.0f} times the friction"
+    )
+
+
+def _limited(limits: Limits, lag: str | None) -> Any:
+    """The settings of a controller."""
+    from pipeline.errors import InputError
+    from pipeline.units import parse_quantity
+
+    def value(text: str | None, unit: str, name: str) -> float | None:
+        """A limit in SI."""
+        number = None if text is None else parse_quantity(text, (unit,), name)
+        if number is not None and not 0.0 < number < float("inf"):
+            raise InputError(f"{name} {text}: give a value above 0")
+        return number
+
+    slew = value(limits.slew, "V/s", "--slew")
+    average = value(limits.average_voltage, "V", "--average-voltage")
+    return replace(_settings(limits.max_voltage, lag), slew=slew, average=average)
 
 
 def _settings(max_voltage: str | None, lag: str | None) -> Any:

@@ -43,6 +43,7 @@ class SimulatedLogs:
         str,
         typer.Option("--charging-time", help="Time constant of each membrane behind its electrodes, with its unit."),
     ] = "0 s"
+    size: Annotated[float, typer.Option(help="Factor on the joint's lengths, which moves alike.")] = 1.0
 
     def experiment(self, **more: Any) -> "Experiment":
         """The experiment on the virtual rig."""
@@ -51,7 +52,7 @@ class SimulatedLogs:
 
         return Experiment(
             self.kind, self.form, self.rate, self.duration, faults=parse_faults(self.faults),
-            charging=_parsed(self.charging, "s", "--charging-time"), **more,
+            charging=_parsed(self.charging, "s", "--charging-time"), size=self.size, **more,
         )  # fmt: skip
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
 from pipeline.control.controller import PERIOD
-from pipeline.control.design_tables import REACH, braking_curves, target_table
+from pipeline.control.design_tables import REACH, braking_curves, moments_per_square, target_table
 from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import ASSUMED_LAG, ControlledJoint
@@ -19,22 +19,24 @@ from pipeline.models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
+DRAWN_WELLS, DRAWN_MOMENT = 22.4e-3, 16e-3
+"""Distance [m] of the wells, and moment [N·m] of a membrane, of the drawn joint. Lengths, speeds and moments below are
+for it."""
+SAME_LENGTHS, SAME_MOMENTS = 1.5, 2.0
+"""Factors within which they serve a joint; beyond, they grow with its own."""
 BEYOND = 2
 """Rows of the table of targets beyond each well; a row lies in each well, where the moment that holds it is zero."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator acts; it stops at twice that distance."""
-STEEPNESS = 1.0 / 0.04
+STEEPNESS = 1.0 / 0.025
 """Share of the largest moment for each m/s off the braking curve [s/m]."""
 SURE = 0.92
 """Share of the largest voltage with which the joint must pass its barrier slowly; else it is pumped."""
 READING = 3e-6
 """Standard deviation [m] of a reading: noise, resolution, and the laser's linearity as it changes with the motion."""
-SHAKE = 1e-3
-"""Standard deviation [N·√s] of a white force on q."""
-TWIST = 5e-4
-"""Standard deviation [N·m·√s] of the unknown moment's white part."""
-WALK = 2.5e-4
-"""Standard deviation [N·m/√s] of its random walk."""
+MOVING = (1e-3, 5e-4, 2.5e-4)
+"""Standard deviations of a white force on q [N·√s], of the unknown moment's white part [N·m·√s], and of its random
+walk [N·m/√s]."""
 CALM = (8.4e-5, 5.7e-6, 7.5e-5)
 """The same three near a target: a slower estimate, because a model's fast swing of the slope may be wrong."""
 CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-2, 1e-8)
@@ -55,10 +57,14 @@ class Settings:
         Largest voltage [V].
     lags : tuple of float
         Time constants of the left and the right converter [s].
+    slew, average : float or None
+        Largest rate [V/s] of each voltage, and its largest mean over `MEMORY` [V]; None is no limit.
     """
 
     highest: float
     lags: tuple[float, float] = (ASSUMED_LAG, ASSUMED_LAG)
+    slew: float | None = None
+    average: float | None = None
 
 
 LEAST_OF_TRAINED = 0.05
@@ -92,25 +98,38 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     between = TARGETS - 1 - 2 * BEYOND
     places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
     lags = acting_lags(plant, settings)
-    targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0)
-    law = condensed_joint_law(plant, lags)
+    size = beyond((right - left) / DRAWN_WELLS, SAME_LENGTHS)
+    strongest = float(np.mean(moments_per_square(plant, wells[1].x, np.zeros(2)))) * plant.highest**2
+    targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0, size)
+    law = condensed_joint_law(plant, lags, size, beyond(strongest / DRAWN_MOMENT, SAME_MOMENTS))
     numbers = dict(zip(NUMBERS, law.numbers.tolist(), strict=True)) | {
         "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
-        "per_reach": 1.0 / REACH, "steepness": STEEPNESS, "saddle": saddle,
+        "per_reach": 1.0 / (size * REACH), "steepness": STEEPNESS / size, "saddle": saddle,
         "pumped_right": float(slow[0] > SURE * settings.highest),
-        "pumped_left": float(slow[1] > SURE * settings.highest), "near": NEAR, "fast": FAST,
+        "pumped_left": float(slow[1] > SURE * settings.highest), "near": size * NEAR, "fast": size * FAST,
+        "slew": min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew),
+        "allowed": min(settings.highest, np.inf if settings.average is None else settings.average),
     }  # fmt: skip
     slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
+    law = law._replace(numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64), targets=targets)
     braking = [braking_curves(law, wells, slope, places, side, settings.highest) for side in (0, 1)]
-    return law._replace(
-        numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64),
-        targets=targets,
-        braking=np.concatenate(braking),
-    )
+    return law._replace(braking=np.concatenate(braking))
 
 
-def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
-    """What estimator and motion need of a plant whose converters have the time constants `lags` [s], without tables."""
+def beyond(ratio: float, same: float) -> float:
+    """What is left of a ratio outside the range from 1/same to `same`; 1 within it."""
+    return ratio / min(max(ratio, 1.0 / same), same)
+
+
+def condensed_joint_law(
+    plant: ControlledJoint, lags: tuple[float, float], size: float = 1.0, moment_size: float = 1.0
+) -> Law:
+    """What estimator and motion need of a plant whose converters have the time constants `lags` [s], without tables.
+
+    Lengths and moments of the controller grow by `size` and `moment_size`.
+    """
+    units = (size, size, *(1.0,) * 4, moment_size)
+    white = (moment_size / size, moment_size, moment_size)
     k, p, basis, weights = plant.constants
     farthest, decays = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
     grid = np.linspace(-farthest, farthest, RESTS)
@@ -125,10 +144,13 @@ def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> La
         "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
         **{f"kept_{side}": left for side, left in zip(SIDES, decays, strict=True)},
         **{f"kept_mean_{x}": (1.0 - left) * lag / PERIOD for x, left, lag in zip(SIDES, decays, lags, strict=True)},
-        "reading_variance": READING**2, "shake": SHAKE**2, "twist": TWIST**2, "walk": WALK**2,
-        **{f"calm_{name}": value**2 for name, value in zip(("shake", "twist", "walk"), CALM, strict=True)},
-        **{f"certain_{i}": value for i, value in enumerate(CERTAIN)},
-        **{f"bound_{i}": value for i, value in enumerate((plant.wall, *BOUNDS))},
+        "reading_variance": READING**2, "size": size, "moment_size": moment_size,
+        **{f"{when}{name}": (unit * value) ** 2
+           for when, values in (("", MOVING), ("calm_", CALM))
+           for name, unit, value in zip(("shake", "twist", "walk"), white, values, strict=True)},
+        **{f"certain_{i}": unit**2 * value for i, (unit, value) in enumerate(zip(units, CERTAIN, strict=True))},
+        "bound_0": plant.wall,
+        **{f"bound_{i}": unit * value for i, (unit, value) in enumerate(zip(units[1:], BOUNDS, strict=True), start=1)},
         "arm": k[INDEX["friction_arm"]], "length": k[INDEX["l"]],
         **{f"travel_{i}": k[INDEX[f"stop_travel_{i}"]] for i in set(STOP_ELEMENTS)},
         "curve_first": first, "curve_per_metre": per_metre, "curve_last": len(curves) - 1.0,

@@ -27,7 +27,7 @@ SLOW = 15.0
 
 
 def target_table(
-    plant: ControlledJoint, wells: list[LinearModel], places: FloatArray, highest: float, lag: float
+    plant: ControlledJoint, wells: list[LinearModel], places: FloatArray, highest: float, lag: float, size: float
 ) -> tuple[FloatArray, tuple[float, float]]:
     """Rows as `pipeline.control.law.TARGET_COLUMNS` names them, and what switches the joint slowly.
 
@@ -43,6 +43,8 @@ def target_table(
         Largest voltage [V].
     lag : float
         Time constant [s] from command to force, the mean of both sides.
+    size : float
+        Lengths over those of the drawn joint.
 
     Returns
     -------
@@ -58,7 +60,8 @@ def target_table(
         (y, acting), common = charged(plant, x, u, highest)
         per_square = moments_per_square(plant, y, acting)
         holding = per_square @ (acting * (1.0, -1.0))
-        gains = regulator(plant, y, acting, highest, lag, UNSTABLE if common else STABLE)
+        off, speed, turning, moment = UNSTABLE if common else STABLE
+        gains = regulator(plant, y, acting, highest, lag, (size * off, size * speed, turning, moment))
         rows.append(np.concatenate([y, [holding], gains, per_square * highest**2, [common]]))
     return np.array(rows), slow
 
@@ -138,7 +141,7 @@ def regulator(
 
 REACH = 1e-3
 """Distance [m] between entries of a braking curve."""
-RESERVE = 0.65
+RESERVE = 0.8
 """Share of the largest moment with which the braking curves brake; the rest is left to the feedback."""
 
 
@@ -156,6 +159,7 @@ def braking_curves(
     start = wells[0 if side == 0 else 2].x
     brake = np.zeros(2)
     brake[1 - side] = highest * np.sqrt(RESERVE)
+    slew, size = law.number("slew"), law.number("size")
     points: list[list[tuple[float, float]]] = [[(0.0, 0.0)] for _ in places]
     for x0, speed, level in [
         *((start, speed, 1.0) for speed in (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.4)),
@@ -165,8 +169,8 @@ def braking_curves(
         push, s = np.zeros(2), np.zeros(CONTROLLER_STATE)
         push[side] = highest * np.sqrt(level)
         s[:STATES], s[PLACES["volts"]] = x0, push
-        s[1], s[3] = towards * speed, towards * speed * slope
-        motion, turns = braked(law, s, push, brake, towards)
+        s[1], s[3] = towards * size * speed, towards * size * speed * slope
+        motion, turns = braked(law, s, push, brake, slew, towards)
         for i, place in enumerate(places):
             beyond = towards * (turns - place)
             cross = np.flatnonzero((beyond[1:] > 0.0) & (beyond[:-1] <= 0.0))
@@ -174,9 +178,9 @@ def braking_curves(
                 row = int(cross[0])
                 share = -beyond[row] / (beyond[row + 1] - beyond[row])
                 q, v = (1.0 - share) * motion[row] + share * motion[row + 1]
-                if towards * (place - q) > 0.2e-3:
+                if towards * (place - q) > 0.2e-3 * size:
                     points[i].append((towards * (place - q), towards * v))
-    reaches = np.linspace(0.0, REACH * (REACHES - 1), REACHES)
+    reaches = np.linspace(0.0, size * REACH * (REACHES - 1), REACHES)
     return np.array([_curve(point, reaches) for point in points])
 
 
@@ -196,20 +200,21 @@ def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray
 
 @compiled
 def braked(
-    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
+    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, slew: float, towards: float
 ) -> tuple[FloatArray, FloatArray]:
     """(q, q̇) of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
 
-    It ends when it turns round by itself; `s` is moved along.
+    A voltage changes by at most `slew` [V] in a period. It ends when it turns round by itself; `s` is moved along.
     """
     motion, turns, count = np.empty((300, 2)), np.empty(300), 0
     for i in range(300):
         motion[i, 0], motion[i, 1] = s[0], s[1]
-        end = s.copy()
+        end, v = s.copy(), push.copy()
         for _ in range(300):
             if towards * end[1] <= 0.0:
                 break
-            move(end, brake, law)
+            v[:] = np.minimum(np.maximum(brake, v - slew), v + slew)
+            move(end, v, law)
         turns[i] = end[0]
         count = i + 1
         for _ in range(2):

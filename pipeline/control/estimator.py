@@ -43,6 +43,8 @@ RAMP = 40.0
 STRUCK, FORGET = 0.3e-3, 0.99
 """Innovation [m] above which a joint near its target is estimated as one in motion, and what is left of it a period
 later."""
+MEMORY = 10.0
+"""Time constant [s] of the voltages' means."""
 OTHER = 1e-9
 """Least distance [m] between two targets; a smaller change is the same target."""
 LARGEST, PERSISTENT = 1e-3, 15.0
@@ -109,7 +111,7 @@ def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     q, finite = _reading(signals, n)
     again = function("and", finite, function("le", RAMP, before["lost"][0]))
     strayed = function("and", finite, function("le", PERSISTENT, before["strayed"][0]))
-    fresh, anew = parts(rest(q, n)), _anew(before, q, n)
+    fresh, anew = parts(rest(q, n)) | {name: before[name] for name in _OF_COMMANDS}, _anew(before, q, n)
     now = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
         for name, old in before.items()
@@ -128,12 +130,16 @@ def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     return {"s": joined(now | updated)}
 
 
+_OF_COMMANDS = ("volts", "commanded", "average")
+
+
 def _anew(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """The state of a joint that is at q [m] against what was estimated: of its motion little is known."""
     state = parts(rest(q, n))
     for i in range(FILTER):
-        state["spread"][_packed(i, i)] = ANEW[i]
-    unchanged = ("volts", "target", "lost", "refused", "phase", "dwell", "missed")
+        unit = n["size"] if i < 2 else n["moment_size"] if i == CORRECTED else 1.0
+        state["spread"][_packed(i, i)] = ANEW[i] * unit * unit
+    unchanged = (*_OF_COMMANDS, "target", "lost", "refused", "phase", "dwell", "missed")
     return state | {name: now[name] for name in unchanged} | {"tried": [now["tried"][0] + ANEW_COUNTS]}
 
 
@@ -146,8 +152,8 @@ def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
 
 def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """Estimate and covariance after a reading q [m]."""
-    whole = q - now["x"][0]
-    miss = clip(whole, -LARGEST, LARGEST)
+    whole, largest = q - now["x"][0], LARGEST * n["size"]
+    miss = clip(whole, -largest, largest)
     column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
     share = [value / (column[0] + n["reading_variance"]) for value in column]
     bounds = [n[f"bound_{i}"] for i in range(FILTER)]
@@ -158,7 +164,7 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
     x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
     spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
     missed = [function("max", function("abs", miss), FORGET * now["missed"][0])]
-    strayed = choose(function("lt", LARGEST, function("abs", whole)), now["strayed"][0] + 1.0, 0.0)
+    strayed = choose(function("lt", largest, function("abs", whole)), now["strayed"][0] + 1.0, 0.0)
     return {
         "missed": missed,
         "strayed": [strayed],
@@ -177,17 +183,18 @@ def _packed(i: int, j: int) -> int:
 def _stops(z: Values, before: Values, after: Values, n: dict[str, Any]) -> Values:
     """Stop operators after a move."""
     moved = [after[i] - before[i] for i in SHAPE]
-    plays = [sum(by * play for by, play in zip(_direction(i, n), moved, strict=True)) for i in range(STOPS)]
-    return [apply(STOP_OPERATOR, z[i], plays[i], _travel(i, n))[0] for i in range(STOPS)]
+    plays = [sum(by * play for by, play in zip(direction(i, n), moved, strict=True)) for i in range(STOPS)]
+    return [apply(STOP_OPERATOR, z[i], plays[i], travel(i, n))[0] for i in range(STOPS)]
 
 
-def _direction(stop: int, n: dict[str, Any]) -> tuple[Any, Any, Any]:
+def direction(stop: int, n: dict[str, Any]) -> tuple[Any, Any, Any]:
     """Slopes of the coordinate of a stop operator along (q, τ, β) [1, m, m]."""
     q, by_arm, tau, beta = STOP_DIRECTIONS[stop]
     return q, by_arm * n["arm"] + tau * n["length"], beta * n["length"]
 
 
-def _travel(stop: int, n: dict[str, Any]) -> Any:
+def travel(stop: int, n: dict[str, Any]) -> Any:
+    """Travel of a stop operator [m]."""
     return n[f"travel_{STOP_ELEMENTS[stop]}"]
 
 
@@ -260,7 +267,9 @@ def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values,
     volts = [
         command + (old - command) * n[f"kept_{side}"] for side, old, command in zip(SIDES, now["volts"], v, strict=True)
     ]
-    return {"s": joined(now | {"x": x, "z": _stops(now["z"], now["x"], x, n), "volts": volts})}
+    means = [mean + (command - mean) * (PERIOD / MEMORY) for mean, command in zip(now["average"], v, strict=True)]
+    commands = {"volts": volts, "commanded": list(v), "average": means}
+    return {"s": joined(now | commands | {"x": x, "z": _stops(now["z"], now["x"], x, n)})}
 
 
 def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
@@ -277,7 +286,7 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
     covariance = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
-    calm = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK))
+    calm = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK * n["size"]))
     shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
     for i, j in ((i, j) for i in push for j in push if i >= j):
         noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]
@@ -313,8 +322,8 @@ def _jacobian(
             a[i][j] = PERIOD * full[width * i + j]
         for stop in range(STOPS):  # a stop operator that slips does not resist
             held = function("lt", function("abs", z[stop]), 1.0)
-            by = choose(held, PERIOD * full[width * i + STATES + stop] / _travel(stop, n), 0.0)
-            for j, along in zip(SHAPE, _direction(stop, n), strict=True):
+            by = choose(held, PERIOD * full[width * i + STATES + stop] / travel(stop, n), 0.0)
+            for j, along in zip(SHAPE, direction(stop, n), strict=True):
                 a[i][j] = a[i][j] + along * by
     twist, push = _pushed(x, prepared)
     for i, on in twist.items():
@@ -345,7 +354,7 @@ def known_state(s: Values, e: Values) -> Outputs:
     """`ESTIMATED` numbers of the state: reading of the laser, rest of x, z, voltages, moment, and the status."""
     n, now = named(e), parts(s)
     q, *others = now["x"]
-    status = choose(function("lt", 0.5 * LARGEST, now["missed"][0]), 1.0, 0.0)
+    status = choose(function("lt", 0.5 * LARGEST * n["size"], now["missed"][0]), 1.0, 0.0)
     status = choose(function("lt", 0.5, now["refused"][0]), 2.0 + now["refused"][0], status)
     status = choose(function("lt", 0.5, now["lost"][0]), 2.0, status)
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}

@@ -21,7 +21,7 @@ Traced into a graph as the estimator is (`pipeline.control.estimator`).
 from typing import Any
 
 from pipeline.codegen.graph import choose, clip, fetch, function
-from pipeline.control.estimator import PERIOD, RAMP, Outputs, Values, joined, named, parts, row
+from pipeline.control.estimator import MEMORY, PERIOD, RAMP, Outputs, Values, joined, named, parts, row
 from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS
 from pipeline.generated.condensed_joint import STATES
 
@@ -35,16 +35,20 @@ DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 FREE, LEFT = 0.15e-3, 0.05e-3
 """Offset [m] from a well that takes no voltage, and what is left of a larger one and of one from another target."""
-SLOW, LEAK = 0.7, 3.0
-"""Time constants [s] of the slow moment, and of its decay where the offset is small."""
-ENGAGED, TIRED = 0.035, 0.8
-"""Shares of the largest moment above which the slow moment is on, and at which the attempt is given up."""
+SLOW, INTEGRAL, LEAK = 0.35, 0.7, 3.0
+"""Time constants [s] of the slow moment at a well, of that at an unstable target, and of its decay where the offset is
+small."""
+ENGAGED, STIFFENS, TIRED = 0.035, 0.1, 0.8
+"""Shares of the largest moment above which the slow moment is on, above which the regulator holds the place too, and at
+which the attempt is given up."""
 LEAST_STIFF = 30.0
 """Least share of the largest moment that moves a rest by a metre: a model may invert the statics beyond its wells."""
 FADES = 0.2
 """Time constant [s] with which the mean of a stable target's regulator is taken away."""
 ENOUGH, SWINGS = 4.0, 16.0
 """Time [s] after which a target that is not reached is given up, and how much more is given to the pump."""
+EARLY = 1.5
+"""Twice the share of the slew limit with which a voltage falls to its largest mean."""
 FORGIVEN = 0.1
 """Part of this time that each second near the target takes away [s]."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
@@ -88,15 +92,20 @@ def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any
     return moment
 
 
-def held_slowly(now: dict[str, Values], hold: Any, stiff: Any, largest: Any) -> tuple[Any, Any]:
-    """Moment [N·m] that acts at rest at a stable target of a stiffness [N·m/m], and the next slow moment [N·m]."""
+def held_slowly(
+    now: dict[str, Values], hold: Any, stiff: tuple[Any, Any], largest: Any, n: dict[str, Any]
+) -> tuple[Any, Any]:
+    """Moment [N·m] that acts at rest at a stable target, and the next slow moment [N·m].
+
+    `stiff` is the stiffness [N·m/m] there, and the larger one of both sides.
+    """
     level, away = now["level"][0], now["x"][0] - now["target"][0]
     off = function("le", function("abs", level), ENGAGED * largest)
-    without = _both(function("lt", function("abs", hold), stiff * FREE), off)
-    left = choose(without, FREE, LEFT)
+    without = _both(function("lt", function("abs", hold), stiff[0] * n["size"] * FREE), off)
+    left = choose(without, FREE, LEFT) * n["size"]
     outside = away - clip(away, -left, left)
-    slow = choose(function("lt", 0.0, function("abs", outside)), -stiff * outside / SLOW, -level / LEAK)
-    slow = choose(function("lt", 0.5, now["refused"][0]), -level / SLOW, slow)
+    slow = choose(function("lt", 0.0, function("abs", outside)), -stiff[1] * outside / SLOW, -level / LEAK)
+    slow = choose(function("lt", 0.5, now["refused"][0]), -level / INTEGRAL, slow)
     return choose(without, 0.0, hold) + level, level + PERIOD * slow
 
 
@@ -125,7 +134,8 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     pumped = _both(needed, function("lt", 0.0, before + PAST * over), function("lt", 0.0, over))
     phase, dwell = now["phase"][0], now["dwell"][0] + 1.0
     past = _both(function("lt", before, 0.0), function("lt", 0.0, phase))
-    turns = _both(function("lt", choose(past, PATIENCE, DWELL), dwell), function("lt", speed * towards * phase, STILL))
+    still = function("lt", speed * towards * phase, STILL * n["size"])
+    turns = _both(function("lt", choose(past, PATIENCE, DWELL), dwell), still)
     phase, dwell = choose(turns, -phase, phase), choose(turns, 0.0, dwell)
     push = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
     return push, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0)
@@ -146,29 +156,46 @@ def _voltages(push: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
     return [function("min", n["highest"], top * function("sqrt", clip(share, 0.0, 1.0))) for share in both]
 
 
+def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
+    """Voltages [V] whose change in a period and whose means stay within the limits.
+
+    A voltage above its largest mean falls in time: the mean grows by (v − allowed)² / 2 over the slew limit meanwhile.
+    """
+    periods, within = MEMORY / PERIOD, []
+    for wanted, last, mean in zip(volts, now["commanded"], now["average"], strict=True):
+        room = function("max", n["allowed"] - mean, 0.0)
+        above = function("sqrt", EARLY * periods * n["slew"] * room) - n["slew"]
+        falling = n["allowed"] + function("max", above, 0.0)
+        most = function("min", falling, mean + periods * room)
+        within.append(clip(function("min", wanted, most), last - n["slew"], last + n["slew"]))
+    return [clip(value, 0.0, n["highest"]) for value in within]
+
+
 def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, place: Any, n: dict[str, Any]) -> Values:
     """Moment [N·m] near a target, the next slow moment and the next mean of the regulator.
 
     `moments` are the one that holds the joint there, the one that acts, and the largest; `calm` at an unstable target.
     """
     hold, acting, largest = moments
-    stiff = function("max", slope("holding", place, n), largest * LEAST_STIFF)
-    moment, level = held_slowly(now, hold, stiff, largest)
+    stiff = function("max", slope("holding", place, n), largest * (LEAST_STIFF / n["size"]))
+    steeper = function("max", stiff, slope("holding", place - 1.0, n))
+    moment, level = held_slowly(now, hold, (stiff, steeper), largest, n)
     (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
-    integral = level_there - PERIOD / SLOW * stiffness * (now["x"][0] - now["target"][0])
+    integral = level_there - PERIOD / INTEGRAL * stiffness * (now["x"][0] - now["target"][0])
     level = clip(choose(calm, integral, level), -largest, largest)
     moment = choose(calm, hold - now["moment"][0] + level_there, moment)
     motion = regulated(now, acting, moment, place)
     # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
     outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
-    stays = function("or", calm, function("lt", outwards, -stiff * FREE))
+    loaded = function("lt", STIFFENS * largest, function("abs", level_there))
+    stays = function("or", function("or", calm, loaded), function("lt", outwards, -stiff * n["size"] * FREE))
     motion = choose(stays, motion, clip(motion, -largest, largest))
     fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
     return [moment + motion - choose(stays, 0.0, mean), level, fading]
 
 
 def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
-    """The voltages of a period, shape (2,) [V]: within 0 … the largest, ramped down without a reading."""
+    """The voltages of a period, shape (2,) [V]: within the limits, ramped down without a reading."""
     n, now = named(e), parts(s)
     x, place = now["x"], (now["target"][0] - n["first"]) * n["per_step"]
     regulates = function("lt", 0.5, _regulates(now, n))
@@ -198,7 +225,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     }
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
     volts = _voltages(choose(stopped, 0.0, push), choose(stopped, 0.0, choose(calm, common, 0.0)), top, n)
-    return {"v": volts, "s": joined(now | updated)}
+    return {"v": limited(volts, now, n), "s": joined(now | updated)}
 
 
 def _refused(now: dict[str, Values], n: dict[str, Any], regulates: Any, tired: Any) -> tuple[Any, Any]:

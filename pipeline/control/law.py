@@ -20,7 +20,8 @@ FEEDBACK = STATES + 1
 
 _SIZES = {
     "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "level": 1, "mean": 1,
-    "missed": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "dwell": 1, "spread": FILTER * (FILTER + 1) // 2,
+    "missed": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "dwell": 1, "commanded": 2, "average": 2,
+    "spread": FILTER * (FILTER + 1) // 2,
 }  # fmt: skip
 _ENDS = np.cumsum(list(_SIZES.values()))
 PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_SIZES.items(), _ENDS, strict=True)}
@@ -28,7 +29,7 @@ PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_S
 periods without a reading, the target, whether it regulates (2: an unstable target), the slow moment that holds it
 [N·m], the mean of what regulates about it [N·m], the largest innovation [m] of late, periods in which it was too large,
 time [s] of late without coming near, what is given up (1: the slow moment, 2: the target), phase and time of the pump,
-the filter's covariance."""
+the last commands and their means over `estimator.MEMORY` [V], the filter's covariance."""
 CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
@@ -43,13 +44,14 @@ NUMBERS = (
     "arm", "length", *(f"travel_{i}" for i in sorted(set(STOP_ELEMENTS))),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
+    "slew", "allowed", "size", "moment_size",
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of each converter's voltage that is left after a period and its mean over it;
 variance of a reading; densities of what shakes the joint, for motions and near a target; variances after a long rest,
 magnitudes that no estimate passes; friction's arm, the beam's length, travels of stop operators; grids of the tables;
-those of the feedback law
-(`pipeline.control.feedback`)."""
+those of the feedback law (`pipeline.control.feedback`); the largest change of a voltage in a period and its largest
+mean [V]; factors on the controller's own lengths and moments."""
 
 TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1),
                   "gains": slice(STATES + 1, STATES + 1 + FEEDBACK),
@@ -110,6 +112,14 @@ class Law(NamedTuple):
         """First and last target [m]."""
         first = self.number("first")
         return first, first + (TARGETS - 1) / self.number("per_step")
+
+    def holding_voltage(self, q: float) -> float:
+        """The larger one of both voltages [V] that hold an unstable target at q [m]."""
+        grid = np.linspace(*self.places, TARGETS)
+        at = {name: [np.interp(q, grid, self.targets[:, i]) for i in range(where.start, where.stop)]
+              for name, where in TARGET_COLUMNS.items()}  # fmt: skip
+        share = at["common"][0] + 0.5 * abs(at["holding"][0]) / np.mean(at["moments"])
+        return float(self.number("highest") * np.sqrt(share))
 
     def to_json(self) -> dict[str, Any]:
         """Every constant, SI."""

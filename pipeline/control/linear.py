@@ -119,10 +119,16 @@ def jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, Fl
 
     Cost: 10 µs.
     """
-    rows = STATES + STOPS  # the stop operators, which are held, come last
+    a, b = full_jacobian(x, u, c)
+    return a[:STATES, :STATES].copy(), b
+
+
+def full_jacobian(x: FloatArray, u: FloatArray, c: Constants) -> tuple[FloatArray, FloatArray]:
+    """The same with the stop operators, which are held, as last columns of the first, (STATES, STATES + STOPS)."""
+    rows = STATES + STOPS
     a, b = np.zeros((rows, rows)), np.zeros((rows, 2))
     _differentiate(x, u, c, a.reshape(-1), b.reshape(-1))
-    return a[:STATES, :STATES].copy(), b[:STATES]
+    return a[:STATES], b[:STATES]
 
 
 @compiled

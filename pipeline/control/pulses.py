@@ -123,12 +123,15 @@ def design_pulse(
             f"barrier and to rest within {LENGTH:g} s; allow a larger voltage, or take a controller (control design "
             "--max-voltage), which swings it up"
         )
-    low, high = np.quantile(settling[1:], [0.05, 0.95], method="nearest") if len(q) > 1 else (settling[0], settling[0])
+    low, high = (
+        float(np.quantile(settling[1:] if len(q) > 1 else settling, share, method=outwards))  # type: ignore[call-overload]
+        for share, outwards in ((0.05, "lower"), (0.95, "higher"))
+    )
     last = int(np.flatnonzero(v[0].any(axis=1))[-1]) + 2
     t = np.linspace(0.0, PERIOD * (v.shape[1] - 1), v.shape[1])
     return Pulse(
-        t[:last], v[0, :last], best.reshape(3, 2), float(settling[0]), float(overshoot[0].max()), float(low),
-        float(high), float(right[1:].mean()) if len(q) > 1 else float(right[0]), q,
+        t[:last], v[0, :last], best.reshape(3, 2), float(settling[0]), float(overshoot[0].max()), low,
+        high, float(right[1:].mean()) if len(q) > 1 else float(right[0]), q,
     )  # fmt: skip
 
 

@@ -120,13 +120,23 @@ class _Places(Document):
     right: float
 
 
+class _Margins(Document):
+    gain_low: float
+    gain_high: float
+    delay_s: float
+    friction_high: float
+
+
 class _Design(Document):
     model: str
     origin: str
     places_m: _Places
     largest_voltage_V: float
+    slew_V_s: Number
+    average_V: Number
     lags_s: tuple[float, float]
     lags_known: str
+    margins: _Margins | None
     predicted: _Loop
     law: dict[str, Any]
 

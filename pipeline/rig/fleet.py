@@ -14,7 +14,7 @@ from pipeline.rig.excitation import EXCITATIONS, Sequence, command, load_sequenc
 from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
 from pipeline.rig.log import LAYOUTS, RawLog
-from pipeline.rig.parameters import RigParameters, as_json, nominal, table1
+from pipeline.rig.parameters import RigParameters, as_json, nominal, sized, table1
 from pipeline.rig.random_joint import Family, aged, random_joint
 from pipeline.runs.outputs import new_outputs, rebased
 
@@ -59,6 +59,8 @@ class Experiment:
         None: the logs of the first experiment, and no ageing.
     drift : mapping of str to float
         What changes, and by how much a day, see :data:`pipeline.rig.random_joint.DRIFTS`.
+    size : float
+        Factor on the joint's lengths, see :func:`pipeline.rig.parameters.sized`.
     """
 
     kind: str = "same"
@@ -73,6 +75,7 @@ class Experiment:
     charging: float = 0.0
     age: float | None = None
     drift: Mapping[str, float] = field(default_factory=dict)
+    size: float = 1.0
 
     def __post_init__(self) -> None:
         for option, value, allowed in (
@@ -90,6 +93,8 @@ class Experiment:
             raise InputError(f"--charging-time {self.charging:g} s: membranes charge within 0 to 1 s")
         if self.age is not None and not 0.0 <= self.age <= 1e5:
             raise InputError(f"--age {self.age:g}: a prototype is 0 to 100,000 days old")
+        if not 0.2 <= self.size <= 5.0:
+            raise InputError(f"--size {self.size:g}: a joint is 0.2 to 5 times as long as the drawing")
 
 
 @dataclass(frozen=True)
@@ -141,7 +146,7 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
     (folder / "truth" / "truth.json").write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
     prototype = folder / f"{name}.toml"
     files = {role: [f"{log.stem}{form.suffix}" for log in logs if log.role == role] for role in get_args(Role)}
-    drawing = 'parameters = "nominal"\n'
+    drawing = 'parameters = "nominal"\n' if experiment.size == 1.0 else ""  # of another size there is no drawing
     text = prototype_toml(name, moving_mass(joint), files, experiment.format, more=drawing)
     prototype.write_text(text, encoding="utf-8")
     return prototype
@@ -188,8 +193,9 @@ def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameter
     """
     sequence = None if experiment.play is None else load_sequence(Path(experiment.play))
     for _ in range(_MAX_TRIES):
-        joint = _joint(experiment.kind, rng)
+        joint = sized(_joint(experiment.kind, rng), experiment.size)
         bench = random_bench(rng, rate=experiment.rate, charging=experiment.charging)
+        bench = replace(bench, laser=replace(bench.laser, rail=experiment.size * bench.laser.rail))
         logs = _logs(joint, bench, experiment, sequence, rng)
         if experiment.kind in ("nominal", "table1") or all(_worth_keeping(log.record, bench) for log in logs):
             break

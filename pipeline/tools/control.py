@@ -15,8 +15,10 @@ from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.tools.controlled_run import ControlRun, ControlSettings, control_run, kept_document
 
 if TYPE_CHECKING:
-    from pipeline.control.ensemble import Converters
+    from pipeline.control.ensemble import Converters, Ensemble
     from pipeline.control.law import Law
+    from pipeline.control.margins import Margins
+    from pipeline.models.hybrid.model import HybridModel
     from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32
@@ -78,14 +80,14 @@ def pulse(
 
     def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
         """The pulse and what the model and its posterior make of it."""
-        from pipeline.control.ensemble import INTERVAL, ensemble_of
+        from pipeline.control.ensemble import INTERVAL
         from pipeline.control.linear import wells_and_saddle
         from pipeline.control.pulses import design_pulse
 
-        left, _saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
+        left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
-        joint = ensemble_of(joint_run.model, DRAWS, converters)
+        joint = _with_draws(joint_run.model, converters, (left, saddle, right), to)
         snap = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
         return {
@@ -111,6 +113,16 @@ def pulse(
 
     chosen = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}
     return kept_document(root, f"pulse-to-{to}", chosen, observer, work)
+
+
+def _with_draws(
+    model: "HybridModel", converters: "Converters", places: tuple[float, float, float], to: Well
+) -> "Ensemble":
+    """The joint with draws whose voltages err as the lowest one that switches it to a well may."""
+    from pipeline.control.ensemble import ensemble_of
+    from pipeline.control.switching_map import TYPICAL, lowest_voltage, uncertain
+
+    return uncertain(ensemble_of(model, DRAWS, converters), [lowest_voltage(model, converters, places, to, TYPICAL)])
 
 
 def _finite(value: float) -> float | None:
@@ -154,30 +166,35 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
         from pipeline.control.design import Settings
         from pipeline.control.design import design as design_law
         from pipeline.control.linear import wells_and_saddle
+        from pipeline.control.margins import margins
 
         plant = joint_run.plant
         converters, lags_known = joint_run.converters(settings)
-        law = design_law(plant, Settings(highest, converters.lags))
+        law = design_law(plant, Settings(highest, converters.lags, settings.slew, settings.average))
         left, saddle, right = (model.q for model in wells_and_saddle(plant))
         predicted = _predicted(law, (left, saddle, right))
         _refuse_stuck(root, predicted, highest, right - left)
+        held = margins(plant, law, saddle)
         return {
-            "format": "debist-controller/4",
+            "format": "debist-controller/5",
             "prototype": joint_run.prototype.name,
             "model": joint_run.name,
             "origin": joint_run.run.record(joint_run.artifact).content_hash,
             "places_m": {"left": left, "saddle": saddle, "right": right},
             "targets_m": [plant.reading(q) for q in law.places],
             "largest_voltage_V": highest,
+            "slew_V_s": settings.slew,
+            "average_V": settings.average,
             "lags_s": converters.lags,
             "lags_known": lags_known,
+            "margins": None if held is None else asdict(held),
             "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
             "predicted": predicted,
-            "warnings": _misses(predicted, right - left),
+            "warnings": _misses(predicted, right - left) + _thin(held) + _too_much(law, saddle, settings.average),
             "law": law.to_json(),
         }
 
-    return kept_document(root, "design", {"highest": highest, "lag": settings.lag}, observer, work)
+    return kept_document(root, "design", asdict(settings) | {"highest": highest}, observer, work)
 
 
 def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, distance: float) -> None:
@@ -190,8 +207,9 @@ def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, dist
             )
 
 
-SETTLES, SWINGS = 0.3, 5e-5
-"""Limits of a good controller: settling in a well [s], and RMS [m] about the unstable equilibrium."""
+SETTLES, SWINGS = 0.3, 0.0022
+"""Limits of a good controller: settling in a well [s], and RMS about the unstable equilibrium as a share of the wells'
+distance."""
 
 
 def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
@@ -208,12 +226,34 @@ def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
             )
         if step["rms_m"] > BAND * distance:
             misses.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
-    if predicted["steps"][-1]["rms_m"] > SWINGS:
+    if predicted["steps"][-1]["rms_m"] > SWINGS * distance:
         misses.append(
             "the unstable equilibrium is hardly held: the model keeps swinging about it, and a joint that differs will "
             "swing on with the largest voltage; allow a larger --max-voltage, or hold wells only"
         )
     return misses
+
+
+GAINS, DELAY = (0.77, 1.3), 5e-3
+"""Factors on the gain and delay [s] that a good controller stands at the unstable equilibrium."""
+
+
+def _thin(held: "Margins | None") -> list[str]:
+    """Margins that are smaller than joints differ from their models."""
+    if held is not None and held.gain_low < GAINS[0] and held.gain_high > GAINS[1] and held.delay_s > DELAY:
+        return []
+    return ["the margins at the unstable equilibrium are small: a joint that differs from its model may leave it"]
+
+
+def _too_much(law: "Law", saddle: float, average: float | None) -> list[str]:
+    """Where the unstable equilibrium (reading, m) takes more voltage for long than its mean may be."""
+    needed = law.holding_voltage(saddle - law.number("offset"))
+    if average is None or needed <= average:
+        return []
+    return [
+        f"the unstable equilibrium takes {needed:.0f} V; with --average-voltage {average:g} V it may be lost after "
+        "some seconds"
+    ]
 
 
 def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:

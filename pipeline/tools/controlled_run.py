@@ -23,19 +23,15 @@ if TYPE_CHECKING:
     from pipeline.control.plant import ControlledJoint
     from pipeline.models.hybrid.model import HybridModel
 
-ALGORITHM = "15"
-_MISSED = 2e-3
-"""RMS residual [m] on the training logs above which no control is designed on a model."""
+ALGORITHM = "16"
+_MISSED, _UNSEEN = 0.09, 2e-3
+"""RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
+[m] where the logs show no wells."""
 DATA_SHEET, GIVEN = 0.36, 0.1
 """Standard deviations of a lag's logarithm: of the one assumed, for converters of 2 to 7 ms, and of one that the user
 states."""
 _LEAST_SPREAD = 0.02
 """The same for a lag from steps, at least: a step of another height takes another time."""
-_SIZES = 1.5
-"""Factor in the distance of the wells within which the distances of estimator and law fit a joint. The logs show that,
-whereas a beam's length trades with its other parameters."""
-_DRAWN_WELLS = 22.4e-3
-"""Distance [m] of the wells of the set `nominal`."""
 _ROUNDED = 1.01
 
 
@@ -49,10 +45,14 @@ class ControlSettings:
         Largest voltage [V]; `ControlRun.limit` if left out.
     lag : float or None
         Time constant of the converters [s]; that of the voltage steps in the training logs if left out.
+    slew, average : float or None
+        Largest rate of each voltage [V/s] and its largest mean over about 10 s [V]; no limit if left out.
     """
 
     max_voltage: float | None = None
     lag: float | None = None
+    slew: float | None = None
+    average: float | None = None
 
 
 @dataclass(frozen=True)
@@ -164,13 +164,7 @@ def control_run(root: Path) -> ControlRun:
         advice = joint if device(prototype).joint else "it is for a joint with two membranes, not for another device"
         raise InputError(f"{root}: its model is {name!r}; control needs the joint's equations: {advice}")
     rests = _rests(run, prototype)
-    size = (rests[1] - rests[0]) / _DRAWN_WELLS if rests else 1.0
-    if not 1.0 / _SIZES < size < _SIZES:
-        raise InputError(
-            f"{root}: the wells are {size:.2g} times as far apart as those of the set 'nominal' "
-            f"({1e3 * _DRAWN_WELLS:.1f} mm); control is for joints of about its size"
-        )
-    _refuse_bad_model(run, name, model)
+    _refuse_bad_model(run, name, model, _MISSED * (rests[1] - rests[0]) if rests else _UNSEEN)
     return ControlRun(run, prototype, model, name, artifact, rests)
 
 
@@ -183,12 +177,12 @@ def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
     return (wells.left, wells.right) if isinstance(wells, Wells) else None
 
 
-def _refuse_bad_model(run: RunFolder, name: str, model: "HybridModel") -> None:
+def _refuse_bad_model(run: RunFolder, name: str, model: "HybridModel", limit: float) -> None:
     missed = float(model.diagnostics.get("training_rms_m", 0.0))
-    if missed > _MISSED:
+    if missed > limit:
         raise DataRefusedError(
             f"{run.root}: the model {name} misses its training data by {1e3 * missed:.1f} mm; control on it would be a "
-            f"guess (limit {1e3 * _MISSED:.1f} mm); see `debist show {run.root}`"
+            f"guess (limit {1e3 * limit:.1f} mm); see `debist show {run.root}`"
         )
     for failed in failed_validations(run, name):
         raise DataRefusedError(

@@ -13,13 +13,14 @@ from pipeline.device_parameters import NOMINAL
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import CondensedJoint
+from pipeline.models.hybrid.similarity import SAME, Similarity
 from pipeline.numerics.arrays import FloatArray
 
 
-def model(**planted: float) -> HybridModel:
+def model(similarity: Similarity = SAME, **planted: float) -> HybridModel:
     """The hybrid joint with deviations in prior widths, and a narrow posterior."""
     ratio = condensed_parameters.static_slope_ratio(NOMINAL)
-    condensed = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, ratio)
+    condensed = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, ratio, similarity)
     theta = condensed.start()
     for name, value in planted.items():
         theta[condensed_parameters.NAMES.index(name)] = value

@@ -5,6 +5,7 @@ import json
 import re
 import shutil
 import subprocess
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,7 @@ from pipeline.control import design_tables
 from pipeline.control.controller import PERIOD, begin_control, closed_on_model, control, estimate, move, observe
 from pipeline.control.design import Settings, acting_lags, condensed_joint_law, design
 from pipeline.control.design_tables import COMMON, charged
-from pipeline.control.estimator import ESTIMATED, STATUS
+from pipeline.control.estimator import ESTIMATED, MEMORY, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.linear import jacobian, wells_and_saddle
 from pipeline.control.plant import plant_of
@@ -25,6 +26,7 @@ from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 from pipeline.models.hybrid.parameters import NAMES
+from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
@@ -69,6 +71,66 @@ def test_a_controller_that_was_never_told_where_the_joint_is_stays_without_volta
     assert not np.any([running.step(none, 0.011) for _ in range(100)])
     running.step(-0.011, 0.011)
     assert np.any(running.step(-0.011, 0.011))
+
+
+SLEW, MEAN = 50e3, 400.0  # V/s, V
+
+
+@lru_cache(maxsize=1)
+def within_limits() -> Law:
+    return design(designed()[0], Settings(3000.0, (3e-3, 3e-3), SLEW, MEAN))
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.lists(st.tuples(anything, anything, st.integers(1, 400)), min_size=1, max_size=8))
+def test_rate_and_mean_of_the_voltages_stay_within_their_limits_whatever_the_inputs(
+    inputs: list[tuple[float, float, int]],
+) -> None:
+    running, last, mean = Running(within_limits(), inputs[0][0]), np.zeros(2), np.zeros(2)
+    for q, target, times in inputs:
+        for _ in range(times):
+            v = running.step(q, target)
+            assert np.abs(v - last).max() <= PERIOD * SLEW * (1.0 + 1e-9)
+            last, mean = v, mean + (v - mean) * PERIOD / MEMORY
+            assert mean.max() <= MEAN * (1.0 + 1e-9)
+
+
+def test_limits_on_rate_and_mean_leave_snaps_and_end_what_takes_voltage_for_long() -> None:
+    left, saddle, right = (each.q for each in wells_and_saddle(designed()[0]))
+    target = np.repeat([left, right, left, saddle], [50, 1000, 1000, 12000])
+    q, v = closed_on_model(within_limits(), within_limits(), left, target)
+    snaps = step_metrics(PERIOD * np.arange(q.size), q, target, right - left)[1:3]
+    assert all(snap.settling_s is not None and snap.settling_s < 0.35 for snap in snaps)
+    assert np.abs(q[4000:6000] - saddle).max() < 0.05e-3
+    mean = np.zeros(2)
+    for volts in v:
+        mean += (volts - mean) * PERIOD / MEMORY
+    assert 0.98 * MEAN < mean.max() <= MEAN
+    assert 0.9 * PERIOD * SLEW < np.abs(np.diff(v, axis=0)).max() <= PERIOD * SLEW * (1.0 + 1e-9)
+
+
+@needs_gcc
+def test_the_exported_controller_keeps_the_limits_on_rate_and_mean(tmp_path: Path) -> None:
+    left, saddle, right = (each.q for each in wells_and_saddle(designed()[0]))
+    subject = ControllerSubject("P1", "hybrid", "0" * 64, within_limits(), (3e-3, 3e-3), (left, saddle, right))
+    header, source = write_controller(subject, tmp_path).written[:2]
+    assert "by at most 50000 V/s" in header.read_text("utf-8") and "is at most 400 V" in header.read_text("utf-8")
+    library, rng = tmp_path / "limited.so", np.random.default_rng(5)
+    subprocess.run(["gcc", "-std=c99", "-O2", "-shared", "-fPIC", str(source), "-o", str(library), "-lm"], check=True)
+    loaded, state, v = ctypes.CDLL(str(library)), np.zeros(CONTROLLER_STATE), np.zeros(2)
+    last, mean = np.zeros(2), np.zeros(2)
+    loaded.debist_controller_init(ctypes.c_void_p(state.ctypes.data), ctypes.c_double(left))
+    garbage = np.array([left, saddle, right, np.nan, np.inf, -1e300, 1e-3])
+    for _ in range(300):
+        q, target = rng.choice(garbage, 2)
+        for _ in range(rng.integers(1, 200)):
+            loaded.debist_controller_step(
+                ctypes.c_void_p(state.ctypes.data), ctypes.c_double(q), ctypes.c_double(target),
+                ctypes.c_void_p(v.ctypes.data),
+            )  # fmt: skip
+            assert np.abs(v - last).max() <= PERIOD * SLEW * (1.0 + 1e-9) and v.min() >= 0.0
+            last, mean = v.copy(), mean + (v - mean) * PERIOD / MEMORY
+            assert mean.max() <= MEAN * (1.0 + 1e-9)
 
 
 @needs_gcc
@@ -219,6 +281,28 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
     assert max(step.overshoot_m for step in steps) < 1.5e-3
     assert max(step.rms_m for step in steps[:2]) < 0.2e-3
     assert steps[2].rms_m < 0.01e-3
+
+
+@pytest.mark.parametrize(
+    ("length", "mass"), [(0.4, 0.064), (2.5, 15.6), (2.5, 400.0)], ids=["small", "large", "in units of another mass"]
+)
+def test_joints_of_other_sizes_snap_and_are_held(length: float, mass: float) -> None:
+    time = float(np.sqrt(length))
+    plant = plant_of(model(Similarity(length, time, 1.0, mass)))
+    law = design(plant, Settings(3000.0, (3e-3, 3e-3)))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
+    assert right - left == pytest.approx(length * 19.6e-3, rel=0.01)
+    target = np.repeat([left, right, left, saddle], [50, 1500, 1500, 2000])
+    q, _ = closed_on_model(law, law, left, target)
+    steps = step_metrics(PERIOD * np.arange(q.size), q, target, right - left)[1:]
+    assert all(step.settling_s is not None and step.settling_s < 0.25 * time for step in steps)
+    assert max(step.overshoot_m for step in steps) < 0.1 * length * 10e-3
+    moved = Moved(law, condensed_joint_law(plant, (4e-3, 4e-3)), left)
+    moved.run(saddle, 2000)
+    moved.truth[1] += 12e-3 * length / time
+    rows = moved.run(saddle, 2000)
+    assert np.abs(rows[-300:, 0] - saddle).max() < 0.05e-3 * length
+    assert moved.status == "ok"
 
 
 class Moved:

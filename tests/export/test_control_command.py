@@ -57,6 +57,20 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     assert names == {f"controller.{ending}" for ending in ("h", "c", "m", "fmu")}
 
 
+def test_limits_on_rate_and_mean_are_kept_in_the_design_and_its_exports(planted_run: Path, tmp_path: Path) -> None:
+    shutil.copytree(planted_run, tmp_path / "run")
+    limits = ("--slew", "0.2kV/ms", "--average-voltage", "150V")
+    told = call("design", tmp_path / "run", "-q", *limits)
+    assert "margins at the unstable equilibrium: 0." in told
+    assert "with --average-voltage 150 V it may be lost" in told
+    document = json.loads(call("design", tmp_path / "run", "--json", "-q", *limits))
+    assert (document["slew_V_s"], document["average_V"]) == (pytest.approx(200e3), pytest.approx(150.0))
+    assert document["margins"]["gain_low"] < 0.77 < 1.3 < document["margins"]["gain_high"]
+    CliRunner().invoke(app, ["export", str(tmp_path / "run"), "--to", "controller", "-o", str(tmp_path)])
+    header = (tmp_path / "controller.h").read_text(encoding="utf-8")
+    assert "by at most 200000 V/s" in header and "is at most 150 V" in header
+
+
 def test_a_lost_design_is_struck_off_and_the_command_that_makes_it_is_named(planted_run: Path, tmp_path: Path) -> None:
     run = tmp_path / "run"
     shutil.copytree(planted_run, run)
@@ -109,6 +123,8 @@ def lagging(planted_run: Path, root: Path) -> RunFolder:
         (("design", "--max-voltage", "2"), "no unit"),
         (("design", "--max-voltage", "300 V"), "not even by swinging it up"),
         (("design", "--lag", "1s"), "time constant"),
+        (("design", "--slew", "100kV"), "--slew"),
+        (("design", "--average-voltage", "0V"), "--average-voltage 0V: give a value above 0"),
         (("pulse", "--to", "left", "--from", "left"), "there already"),
         (("linearise", "--v1", "20kV"), "outside the trained range"),
     ],
@@ -156,12 +172,12 @@ def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_ar
 
 
 def test_the_drawn_joint_that_sizes_are_told_against_is_the_set_nominal() -> None:
+    from pipeline.control.design import DRAWN_WELLS
     from pipeline.device_parameters import NOMINAL
     from pipeline.models.analytical.statics import equilibria
-    from pipeline.tools import controlled_run
 
     places = [each.q for each in equilibria(NOMINAL, np.zeros(2))]
-    assert max(places) - min(places) == pytest.approx(controlled_run._DRAWN_WELLS, rel=2e-3)
+    assert max(places) - min(places) == pytest.approx(DRAWN_WELLS, rel=2e-3)
 
 
 def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(planted_run: Path, tmp_path: Path) -> None:

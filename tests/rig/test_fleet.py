@@ -15,9 +15,9 @@ from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
 from pipeline.rig.faults import KINDS, inject_faults, parse_faults
 from pipeline.rig.fleet import Experiment, draw, simulate_fleet, write_prototype
-from pipeline.rig.joint import simulate
+from pipeline.rig.joint import simulate, wells
 from pipeline.rig.log import LAYOUTS, RawLog
-from pipeline.rig.parameters import as_json, from_json
+from pipeline.rig.parameters import CHAIN, RigParameters, as_json, from_json, nominal, sized
 from pipeline.rig_logs import read_recording
 
 SHORT = Experiment(kind="nominal", rate=2000.0, duration=4.0, format="parquet")
@@ -49,6 +49,28 @@ def test_every_format_is_read_back_as_its_toml_says(form: str, tmp_path: Path) -
         assert measured.size == 8000
         np.testing.assert_allclose(measured[::2], truth[key], atol=tolerance)
         assert named[key].unit in ("", entries[key]["unit"], f"[{entries[key]['unit']}]")
+
+
+@pytest.mark.parametrize("kind", [nominal(), nominal(links=3)._replace(beam=CHAIN, hinge_cubic=4.0)])
+@pytest.mark.parametrize("size", [0.4, 2.5])
+def test_a_joint_of_another_size_moves_alike_and_slower(kind: RigParameters, size: float) -> None:
+    kind = kind._replace(slip_stiffness=np.array([8.0]), slip_force=np.array([2e-3]), curvature=0.03)
+    v = np.zeros((800, 2))
+    v[:400, 0] = 2900.0
+    drawn = simulate(kind, v, 5e-4, stride=1).q
+    other = simulate(sized(kind, size), v, 5e-4 * size**0.5, stride=1).q
+    assert np.ptp(drawn) > 5e-3
+    np.testing.assert_allclose(other / size, drawn, atol=1e-4 * np.ptp(drawn))
+
+
+def test_logs_of_another_size_come_without_the_drawing(tmp_path: Path) -> None:
+    toml = write_prototype(tmp_path, "X", replace(SHORT, size=2.0), seed=2)
+    truth = truth_of(toml)
+    assert max(truth["wells_m"]) == pytest.approx(2.0 * max(wells(nominal())), rel=1e-3)
+    assert truth["bench"]["laser"]["rail"] == pytest.approx(50e-3)
+    assert "parameters" not in tomllib.loads(toml.read_text(encoding="utf-8"))["plant"]
+    with pytest.raises(InputError, match="--size 9"):
+        replace(SHORT, size=9.0)
 
 
 def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None:

@@ -1,0 +1,185 @@
+"""Margins of the loop that holds the unstable equilibrium: gain, delay, friction.
+
+The joint is its exact linear model there, with both converters; the controller is differentiated as it runs. The loop
+is cut at the laser's reading. A beam whose friction sticks is stiffer than one whose friction slides, so both are
+examined, and the joint without the friction that the controller counts on.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import expm
+
+from pipeline.compiled import compiled
+from pipeline.control.controller import begin_control, control, move
+from pipeline.control.estimator import PERIOD, SHAPE, direction, travel
+from pipeline.control.law import CONTROLLER_STATE, NUMBERS, PLACES, SIDES, Law
+from pipeline.control.linear import full_jacobian
+from pipeline.control.plant import ControlledJoint
+from pipeline.generated.condensed_joint import STATES, STOPS
+from pipeline.numerics.arrays import FloatArray
+
+GAINS, FRICTIONS = (0.05, 20.0), 20.0
+"""Factors between which the loop's gain is tried, and the largest one of friction."""
+_SLIDES = 1e9  # travel of a stop operator that resists nothing
+_SETTLES = 4000  # periods
+_STEPS = {"x": 1e-6, "volts": 1e-2, "moment": 1e-8, "level": 1e-8}
+"""Lengths of the differences by which the controller is differentiated, in the units of its state. Stop operators move
+along with the shape."""
+_ENTRIES = np.concatenate([np.arange(CONTROLLER_STATE)[PLACES[name]] for name in _STEPS])
+_LENGTHS = np.concatenate([np.full(PLACES[name].stop - PLACES[name].start, step) for name, step in _STEPS.items()])
+_GRID = np.geomspace(0.3, np.pi / PERIOD, 4000)  # rad/s
+
+Matrices = tuple[FloatArray, FloatArray, FloatArray, FloatArray]
+"""A, B, C, D of a system in discrete time."""
+
+
+@dataclass(frozen=True)
+class Margins:
+    """What may differ from the model, one thing at a time, before the loop at the unstable equilibrium is unstable.
+
+    Attributes
+    ----------
+    gain_low, gain_high : float
+        Factors on what a change of the voltages does to the reading; held within `GAINS`.
+    delay_s : float
+        Time [s] by which everything may come later.
+    friction_high : float
+        Factor on the joint's friction; held at `FRICTIONS`. The lower end is none at all.
+    """
+
+    gain_low: float
+    gain_high: float
+    delay_s: float
+    friction_high: float
+
+
+def margins(plant: ControlledJoint, law: Law, saddle: float) -> Margins | None:
+    """The margins at the unstable equilibrium `saddle` (reading, m); None where the loop does not hold it.
+
+    Limits on the voltages' rate and mean are left out: small motions meet none.
+
+    Notes
+    -----
+    Cost: 0.3 s.
+    """
+    limits = np.isin(NUMBERS, ("slew", "allowed"))
+    law = law._replace(numbers=np.where(limits, law.number("highest"), law.numbers))
+    slides = np.array([name.startswith("travel") for name in NUMBERS])
+    sliding = law._replace(numbers=np.where(slides, _SLIDES, law.numbers))
+    s, joint = np.zeros(CONTROLLER_STATE), np.zeros(CONTROLLER_STATE)
+    begin_control(saddle, sliding, s)
+    begin_control(saddle, sliding, joint)
+    hold(sliding, s, joint, saddle, _SETTLES)
+    if abs(joint[0] + law.number("offset") - saddle) > law.number("near"):
+        return None
+    free, slippery = stepped(plant, law, joint, 0.0), differentiated(sliding, s, saddle)
+    hold(law, s, joint, saddle, _SETTLES)
+    sticky = differentiated(law, s, saddle)
+    loops = [(free, slippery), (free, sticky), (stepped(plant, law, joint, 1.0), sticky)]
+    if not all(_stable(*loop) for loop in loops):
+        return None
+    low, high = (
+        [_edge(lambda k, loop=loop: _stable(*loop, gain=k), end) for loop in loops]  # type: ignore[misc]
+        for end in GAINS
+    )
+    friction = _edge(lambda f: _stable(stepped(plant, law, joint, f), sticky), FRICTIONS)
+    return Margins(max(low), min(high), min(_delay(*loop) for loop in loops), friction)
+
+
+@compiled
+def hold(law: Law, s: FloatArray, joint: FloatArray, target: float, periods: int) -> None:
+    """Move a controller `s` and the joint of its model, both states of a controller, on under one target [m]."""
+    v, offset = np.zeros(2), law.numbers[_OFFSET]
+    for _ in range(periods):
+        control(s, joint[0] + offset, target, law, v)
+        move(joint, v, law)
+
+
+_OFFSET = NUMBERS.index("offset")
+
+
+def stepped(plant: ControlledJoint, law: Law, joint: FloatArray, friction: float) -> Matrices:
+    """Reading over commanded voltages about a joint at rest, over a period, with a factor on friction that sticks."""
+    x, volts, n = joint[PLACES["x"]], joint[PLACES["volts"]], STATES
+    a, b = full_jacobian(x, volts**2, plant.constants)
+    whole = np.zeros((n + 4, n + 4))
+    whole[:n, :n] = a[:, :n] + friction * a[:, n:] @ _stops(law)
+    whole[:n, n : n + 2] = 2.0 * b * volts
+    for side, name in enumerate(SIDES):
+        rate = -np.log(law.number(f"kept_{name}")) / PERIOD
+        whole[n + side, [n + side, n + 2 + side]] = -rate, rate
+    step = expm(PERIOD * whole)
+    c = np.eye(1, n + 2)
+    return step[: n + 2, : n + 2], step[: n + 2, n + 2 :], c, np.zeros((1, 2))
+
+
+def _stops(law: Law) -> FloatArray:
+    """Stop operators that stick over the joint's state, shape (STOPS, STATES)."""
+    moved, n = np.zeros((STOPS, STATES)), dict(zip(NUMBERS, law.numbers.tolist(), strict=True))
+    for i in range(STOPS):
+        moved[i, list(SHAPE)] = np.array(direction(i, n)) / travel(i, n)
+    return moved
+
+
+def differentiated(law: Law, s: FloatArray, target: float) -> Matrices:
+    """Voltages over the reading of a controller in the state `s` at its target (reading, m), as it runs."""
+    at, size, stops = s[PLACES["x"]][0] + law.number("offset"), len(_ENTRIES), _stops(law)
+
+    def after(moved: FloatArray, reading: float) -> FloatArray:
+        """The state's entries and the voltages after a period."""
+        v, state = np.zeros(2), moved.copy()
+        control(state, reading, target, law, v)
+        return np.concatenate([state[_ENTRIES], v])
+
+    columns = []
+    for entry, length in zip(_ENTRIES, _LENGTHS, strict=True):
+        ends = []
+        for sign in (1.0, -1.0):
+            moved = s.copy()
+            moved[entry] += sign * length
+            if entry < STATES:
+                moved[PLACES["z"]] += sign * length * stops[:, entry]
+            ends.append(after(moved, at))
+        columns.append((ends[0] - ends[1]) / (2.0 * length))
+    length = _LENGTHS[0]
+    columns.append((after(s, at + length) - after(s, at - length)) / (2.0 * length))
+    by = np.array(columns).T
+    return by[:size, :size], by[:size, size:], by[size:, :size], by[size:, size:]
+
+
+def _stable(joint: Matrices, controller: Matrices, gain: float = 1.0) -> bool:
+    a, b, c, _ = joint
+    e, f, g, h = controller
+    closed = np.block([[a + gain * b @ h @ c, gain * b @ g], [f @ c, e]])
+    return bool(np.abs(np.linalg.eigvals(closed)).max() < 1.0)
+
+
+def _edge(holds: Callable[[float], bool], end: float) -> float:
+    """The factor nearest to 1 towards `end` from which on the loop does not hold, to 1 %; `end` if it always does."""
+    factors = np.geomspace(1.0, end, 40)
+    lost = next((i for i, factor in enumerate(factors) if not holds(float(factor))), None)
+    if lost is None:
+        return end
+    inside, outside = float(factors[max(lost - 1, 0)]), float(factors[lost])
+    while abs(np.log(outside / inside)) > 0.01:
+        middle = float(np.sqrt(inside * outside))
+        inside, outside = (middle, outside) if holds(middle) else (inside, middle)
+    return inside
+
+
+def _delay(joint: Matrices, controller: Matrices) -> float:
+    """Delay [s] that takes a stable loop to its border: of all frequencies with the gain 1 the least phase over ω."""
+    z = np.exp(1j * _GRID * PERIOD)
+    loop = -np.squeeze(_response(joint, z) @ _response(controller, z))
+    over = np.abs(loop) > 1.0
+    crossings = np.flatnonzero(over[1:] != over[:-1])
+    phase = np.mod(np.angle(loop[crossings]) + np.pi, 2.0 * np.pi)
+    return float(np.min(phase / _GRID[crossings], initial=np.inf))
+
+
+def _response(system: Matrices, z: "np.ndarray[tuple[int], np.dtype[np.complex128]]") -> FloatArray:
+    a, b, c, d = system
+    inverse = np.linalg.solve(z[:, None, None] * np.eye(len(a)) - a, np.broadcast_to(b, (z.size, *b.shape)))
+    return np.asarray(c @ inverse + d)
