@@ -24,8 +24,8 @@ class Snap:
 
 
 @dataclass(frozen=True)
-class Limits:
-    """Limits on the voltages of a controller."""
+class VoltageLimits:
+    """VoltageLimits on the voltages of a controller."""
 
     max_voltage: Annotated[
         str | None,
@@ -170,7 +170,7 @@ def pulse(
 
 @app.command()
 @with_options
-def design(run: Run, limits: Limits, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
+def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = False, as_json: Json = False) -> None:
     """Design the controller: estimator and feedback that snaps, settles, holds and tracks; kept in the run.
 
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
@@ -211,7 +211,7 @@ def _margins(margins: Any) -> str:
     )
 
 
-def _limited(limits: Limits, lag: str | None) -> Any:
+def _limited(limits: VoltageLimits, lag: str | None) -> Any:
     """The settings of a controller."""
     from pipeline.errors import InputError
     from pipeline.units import parse_quantity

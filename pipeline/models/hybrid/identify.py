@@ -52,7 +52,8 @@ NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
 
 UNCORRECTED_ERROR = 2e-4
-"""Share of the operating range: equations that leave a smaller free-run error need no correction."""
+"""Share of the operating range: equations that leave a smaller free-run error need no correction. Of nine simulated
+joints that left more seven were predicted better with corrections than without."""
 
 LOST_ERROR = 0.02
 """Share of the operating range: a fit to whole logs that leaves more in free run has lost them, and a second one starts
