@@ -61,7 +61,7 @@ def joint_rates(
     p : FloatArray, shape (PREPARED,)
         Prepared constants.
     dx : FloatArray, shape (STATES,)
-        Filled. Cost: 813 operations.
+        Filled. Cost: 900 operations.
     """
     _rates((x, u, c, z, start, p, dx))
 
