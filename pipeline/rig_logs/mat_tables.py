@@ -24,7 +24,9 @@ def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], 
         mat-io is not installed, does not read this table, or the file leads to others.
     """
     try:
-        from matio import load_from_mat
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # it sets an option of pandas that is deprecated
+            from matio import load_from_mat
     except ImportError:
         raise UnreadableLogError(
             f'a MATLAB {kind}: `pip install "debist[matlab]"` reads it, or save its columns as arrays'

@@ -32,7 +32,7 @@ def rates(model: HybridModel, x: FloatArray, z: FloatArray, u: FloatArray) -> Fl
     """Rates of the state x, the stop operators being z where q and τ were a tenth smaller."""
     condensed, c, found = model.joint, np.empty(VALUES), np.empty(STATES)
     corrections_at(x[0], condensed.basis, condensed.weights(model.theta), c)
-    joint_rates(x, u, c, z, 0.9 * x[[0, 2]], prepare(condensed.constants(model.theta)[None])[0], found)
+    joint_rates(x, u, c, z, 0.9 * x[[0, 2, 4]], prepare(condensed.constants(model.theta)[None])[0], found)
     return found
 
 
