@@ -23,5 +23,5 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
     rows = [row for fact in facts for row in (*motion_rows(fact, declared), *input_rows(fact, declared))]
     rows += start_rows(facts)
     beside = [row for other in facts[1:] for row in device_rows(facts[0], other, declared)]
-    told = {(log, row.what) for row in beside for log in (facts[0].signals.name, row.log)}
-    return [*(row for row in rows if (row.log, row.what) not in told), *beside]
+    superseded = {(log, row.what) for row in beside for log in (facts[0].signals.name, row.log)}
+    return [*(row for row in rows if (row.log, row.what) not in superseded), *beside]

@@ -25,7 +25,7 @@ class Snap:
 
 @dataclass(frozen=True)
 class VoltageLimits:
-    """VoltageLimits on the voltages of a controller."""
+    """Limits on the voltages of a controller."""
 
     max_voltage: Annotated[
         str | None,

@@ -46,10 +46,12 @@ def plot(
     figure: Annotated[
         str | None, typer.Option("-f", "--figure", help="Name of the figure [default: list them].")
     ] = None,
-    file: Annotated[
-        Path | None, typer.Option("--file", metavar="FILE", help="File for the figure of one run: .svg, .pdf, .png.")
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--file", "-o", "--output", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."
+        ),
     ] = None,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder of the figures.")] = Path(),
     force: Force = False,
     as_json: Json = False,
 ) -> None:
@@ -67,7 +69,7 @@ def plot(
             emit_table(f"figures of {runs[0]}", ("figure", "shows"), names, numeric_from=2)
         return
     written = plot_runs(
-        runs, figure, file, output, Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface), force=force
+        runs, figure, output, Excerpt(shown.start, shown.stop, shown.model or (), shown.typeface), force=force
     )
     if as_json:
         emit_json({"written": written})

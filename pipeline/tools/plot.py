@@ -135,16 +135,20 @@ def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, f
 
 
 def plot_runs(
-    roots: Sequence[Path], name: str, file: Path | None, folder: Path, part: Excerpt = WHOLE, *, force: bool = False
+    roots: Sequence[Path], name: str, output: Path | None, part: Excerpt = WHOLE, *, force: bool = False
 ) -> list[Path]:
-    """The same figure of one or several runs, as ``PROTOTYPE-FIGURE.svg`` in a folder, or that of one run as a file."""
-    draw = partial(plot_figure, part=part, force=force)
+    """The same figure of one or several runs.
+
+    `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
+    """
     from pipeline.reporting.canvas import FORMATS
 
-    if file is None and folder.suffix in FORMATS:
-        file = folder
-    if file is None:
-        return [draw(root, name, folder / f"{RunFolder.open(root).prototype.name}-{name}.svg") for root in roots]
-    if len(roots) > 1:
-        raise InputError(f"{file}: {len(roots)} runs do not go into one file; name a folder by --output")
-    return [draw(roots[0], name, file)]
+    draw = partial(plot_figure, part=part, force=force)
+    if len(roots) == 1 and output is not None and output.suffix in FORMATS:
+        return [draw(roots[0], name, output)]
+    if output is not None and output.suffix in FORMATS:
+        raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
+    folder = output or Path()
+    if folder.suffix[1:].isalpha() and not folder.is_dir():
+        raise InputError(f"{output}: figures are written as {', '.join(FORMATS)}; a folder's name has no such ending")
+    return [draw(root, name, folder / f"{RunFolder.open(root).prototype.name}-{name}.svg") for root in roots]

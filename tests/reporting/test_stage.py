@@ -158,11 +158,11 @@ def test_plot_draws_one_figure_of_a_stretch(
     root = unreported.root
     target = plot_figure(root, "validation-b-signals", tmp_path / "out" / "a.svg", Excerpt(2.0, 5.0))
     assert target.read_text(encoding="utf-8").startswith("<?xml")
-    assert plot_runs([root], "curves", None, tmp_path / "many")[0].name == "P1-curves.svg"
+    assert plot_runs([root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
     with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
         plot_figure(root, "curves", tmp_path / "a.exe")
     with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
-        plot_runs([root], "curves", tmp_path / "a.jpg", tmp_path)
+        plot_runs([root], "curves", tmp_path / "a.jpg")
     figures = run_figures(root)
     for name, start, told in (
         ("curvs", None, "did you mean 'curves'.*it has validation-b-overlay, train-a-signals"),
