@@ -49,8 +49,8 @@ class ClockPairs:
     ) -> NDArray[np.float64]:
         if np.any((fraction < 0.0) | (fraction >= per_second)):
             raise UnreadableChannelError(f"{part.name!r} is not always less than a second, so it is no part of a clock")
-        known = seconds[np.isfinite(seconds)]
-        clock: NDArray[np.float64] = seconds - (known[0] if known.size else 0.0) + fraction / per_second
+        finite = seconds[np.isfinite(seconds)]
+        clock: NDArray[np.float64] = seconds - (finite[0] if finite.size else 0.0) + fraction / per_second
         return clock
 
 
