@@ -38,7 +38,7 @@ def _compile(group: int) -> None:
     gc.disable()  # a compilation makes millions of objects that stay; looking through them takes a fifth of its time
     for call in GROUPS[group]:
         call()
-        keep_kernels()  # now: another process deletes what has no digest yet
+        keep_kernels()  # now: a set-up that is interrupted keeps what it has
 
 
 def _hybrid() -> None:

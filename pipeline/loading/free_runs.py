@@ -11,7 +11,7 @@ from pipeline.models.base import DynamicModel, FreeRun, HasDraws, HasTubes
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.columns import TUBE_COLUMNS
 from pipeline.runs.tables import Table
-from pipeline.scoring.tubes import Tubes
+from pipeline.scoring.tubes import Tubes, tubes
 
 DRAWS = 32
 """Free runs that show what the training data leave open."""
@@ -68,7 +68,9 @@ def tube_columns(tubes: Tubes) -> dict[str, FloatArray]:
 
 def tubes_of(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel) -> Tubes | None:
     """The tubes about a free run with these draws; None for a model that has none."""
-    return model.tubes(q, ensemble) if isinstance(model, HasTubes) and ensemble is not None else None
+    if not isinstance(model, HasTubes) or ensemble is None or model.tube.factor == 0.0:
+        return None
+    return tubes(q, ensemble, model.tube)
 
 
 def wanted_tubes(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel) -> dict[str, FloatArray]:
@@ -79,10 +81,10 @@ def wanted_tubes(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel
     InputError
         The model has no tubes.
     """
-    tubes = tubes_of(q, ensemble, model)
-    if tubes is None:
-        raise InputError(f"{model.name} has no tubes: its errors on held-out data are not known; take hybrid")
-    return tube_columns(tubes)
+    around = tubes_of(q, ensemble, model)
+    if around is None:
+        raise InputError(f"{model.name} has no tubes; hybrid and rbf have them, identified by this version")
+    return tube_columns(around)
 
 
 def start_of(piece: Table, model: DynamicModel) -> Start:

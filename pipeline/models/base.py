@@ -10,7 +10,7 @@ import numpy as np
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.tubes import Tubes
+from pipeline.scoring.tubes import TubeScale
 from pipeline.signals.timebase import is_uniform
 
 
@@ -106,7 +106,7 @@ class HasCurveDraws(Protocol):
 
 
 @runtime_checkable
-class HasDraws(Protocol):
+class HasDraws(DynamicModel, Protocol):
     """A model that simulates draws from the posterior of its parameters."""
 
     def simulate_draws(
@@ -119,8 +119,9 @@ class HasDraws(Protocol):
 class HasTubes(HasDraws, Protocol):
     """A model with uncertainty bands of its free runs on other logs."""
 
-    def tubes(self, free: FloatArray, ensemble: FloatArray) -> Tubes | None:
-        """Tubes about a free run q, shape (N,), with its draws, (draws, N); None without a scale."""
+    @property
+    def tube(self) -> TubeScale:
+        """Scale of the bands; its factor is zero where they are not known."""
 
 
 @runtime_checkable

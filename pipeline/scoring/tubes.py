@@ -78,7 +78,9 @@ class Tubes:
         return float(np.mean(self.hold(q)[compared])) if compared.any() else None
 
 
-def tube_scale(free: FloatArray, ensemble: FloatArray, measured: FloatArray, floor: float, span: float) -> TubeScale:
+def tube_scale(
+    free: FloatArray, ensemble: FloatArray, measured: FloatArray, floor: float, ahead: float, span: float
+) -> TubeScale:
     """The scale that the training data ask for.
 
     Parameters
@@ -89,6 +91,8 @@ def tube_scale(free: FloatArray, ensemble: FloatArray, measured: FloatArray, flo
         The draws there.
     floor : float
         s₀ [m or rad].
+    ahead : float
+        Times the quantile of the training data that another log needs.
     span : float
         Operating range [m or rad].
     """
@@ -96,7 +100,7 @@ def tube_scale(free: FloatArray, ensemble: FloatArray, measured: FloatArray, flo
     ratio = np.abs(free - measured) / _spread(free, ensemble, floor, apart)
     ratio = ratio[np.isfinite(ratio)]
     quantile = float(np.quantile(ratio, COVERAGE)) if ratio.size else 1.0
-    return TubeScale(AHEAD * quantile, floor, apart)
+    return TubeScale(ahead * quantile, floor, apart)
 
 
 def tubes(free: FloatArray, ensemble: FloatArray, scale: TubeScale) -> Tubes:

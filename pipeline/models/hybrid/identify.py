@@ -20,10 +20,11 @@ from pipeline.models.hybrid.problem import DEVIATIONS, CondensedJoint, Condensed
 from pipeline.models.hybrid.similarity import SAME, Similarity
 from pipeline.models.hybrid.start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
 from pipeline.models.kind import Kind, Training, fitted_samples
+from pipeline.models.tube_scales import scale_on
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import Keep, kept_under, make_anew
-from pipeline.scoring.tubes import TubeScale, tube_scale
+from pipeline.scoring.tubes import AHEAD
 from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
 
 COUPLED, FREE = (60.0, 30.0), (8.0, 2.0, 0.0)
@@ -155,19 +156,7 @@ def identify_hybrid(
         | decision,
         early=early,
     )
-    return replace(model, tube=_tube_scale(model, records, report["training_rms_m"]))
-
-
-def _tube_scale(model: HybridModel, records: Sequence[Record], floor: float) -> TubeScale:
-    """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log."""
-    parts = []
-    for record in within(records, MOST_SAMPLES):
-        given = record.t, record.drive, float(record.q[0]), float(record.qdot[0])
-        ensemble, _ = model.simulate_draws(*given)
-        parts.append((model.simulate(*given).q, ensemble, np.where(record.valid, record.q, np.nan)))
-    free, drawn_q, q = (np.concatenate(each, axis=-1) for each in zip(*parts, strict=True))
-    shown = _displacements(records)
-    return tube_scale(free, drawn_q, q, floor, float(shown.max() - shown.min()))
+    return replace(model, tube=scale_on(records, model, report["training_rms_m"], AHEAD))
 
 
 Fitted = tuple[CondensedJoint, HomotopyFit]
@@ -206,11 +195,6 @@ def _first_fits(
 def _finite(error: float) -> float:
     """An error for a file, which holds no infinite number: 1 is the whole operating range."""
     return float(min(error, 1.0))
-
-
-def _displacements(records: Sequence[Record]) -> FloatArray:
-    """Every valid one [m]."""
-    return np.concatenate([record.q[record.valid] for record in records])
 
 
 @dataclass(frozen=True)
@@ -293,19 +277,13 @@ class _Search:
 
     def follows(self, fit: HomotopyFit, share: float) -> bool:
         """Whether a fit runs freely within a share of the operating range."""
-        low, high = self.operating_range
+        low, high = operating_range(self.records)
         return _free_error(fit) < 1e3 * share * (high - low)
-
-    @property
-    def operating_range(self) -> tuple[float, float]:
-        """Smallest and largest displacement [m]."""
-        q = _displacements(self.records)
-        return float(q.min()), float(q.max())
 
     @property
     def basis(self) -> FloatArray:
         """RBF basis of corrections over the operating range, as far on either side of q = 0."""
-        low, high = self.operating_range
+        low, high = operating_range(self.records)
         reach = max(-low, high)
         centres = basis_centres(-reach, reach, BASIS_FUNCTIONS)
         return np.array([-reach, centres[1] - centres[0], basis_width(centres, SMOOTHING)])
@@ -315,7 +293,7 @@ class _Search:
 
         The mean one held at `COMPARED_POLE`, and the RMS in free run.
         """
-        low, high = self.operating_range
+        low, high = operating_range(self.records)
         problem = CondensedProblem(joint, self.records, fitted_samples)
         held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
         errors = (float(np.mean(np.abs(held))), rms(free))

@@ -24,8 +24,9 @@ from pipeline.models.hybrid.runs import BATCH, Followed, follow_path
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.statics import static_curves, substeps
 from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table
+from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.scoring.tubes import NO_TUBES, Tubes, TubeScale, tubes
+from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.signals.decimation_kernel import filtered_samples
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
@@ -49,15 +50,6 @@ class _Similarity(FilePart):
     origin: Real
 
 
-_NotNegative = Annotated[float, Field(ge=0.0, le=1e6)]
-
-
-class _Tube(FilePart):
-    factor: _NotNegative
-    floor: _NotNegative
-    apart: _NotNegative
-
-
 class _File(ModelFile):
     sizes: ClassVar[Sizes] = {"P": (1, 5000), "R": (1, 5000), "B": (1, 5000), "C": (1, 10_000), "S": (1, 5000)}
     parameters: JointValues
@@ -66,7 +58,7 @@ class _File(ModelFile):
     largest_voltage_V: Positive
     slope_ratio: Real
     similarity: _Similarity
-    tube: _Tube
+    tube: TubePart
     constants: str
     deviations: str
     prior_std: Annotated[FloatArray, Table("D")]
@@ -170,10 +162,6 @@ class HybridModel:
         """
         draws = self.draws(count)
         return self._simulate(draws, t, v, np.array([q0, qdot0]))[:, :, 0], draws
-
-    def tubes(self, free: FloatArray, ensemble: FloatArray) -> Tubes | None:
-        """Tubes about a free run [m] with its draws; see `pipeline.models.base.HasTubes`."""
-        return tubes(free, ensemble, self.tube) if self.tube.factor > 0.0 else None
 
     @checked
     def simulate_many(self, t: FloatArray, v: FloatArray, starts: FloatArray) -> FloatArray:
@@ -288,8 +276,8 @@ class HybridModel:
             raise CorruptArtifactError(
                 "the parameters of the model hybrid belong to another version of debist; run `debist identify` again"
             )
-        tube = TubeScale(**dict(file.tube))
-        return cls(joint, file.theta, file.spread, file.band_spread, file.curve_spread, file.diagnostics, tube)
+        spreads = file.spread, file.band_spread, file.curve_spread
+        return cls(joint, file.theta, *spreads, file.diagnostics, file.tube.scale())
 
     def _simulate(
         self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray,

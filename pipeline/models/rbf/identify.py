@@ -6,7 +6,7 @@ chosen by them were worse on other logs.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -35,9 +35,11 @@ from pipeline.models.rbf.problem import Effort, JointProblem
 from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
 from pipeline.models.rbf.structure import JointStructure
 from pipeline.models.rbf.structure_search import Fit, Setting, cut, excerpts, search
+from pipeline.models.tube_scales import scale_on
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import Keep, OnProgress, kept_under, make_anew, silent
+from pipeline.scoring.tubes import AHEAD
 from pipeline.signals.trajectory import Record, operating_range
 
 UNLIKE = 0.8
@@ -132,7 +134,7 @@ def identify_rbf(
         fitted = _fit_to_all(records, setting, chosen, like)
     if not fitted.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
-    return RbfModel(
+    model = RbfModel(
         fitted.parameters,
         fitted.fit.theta,
         posterior_factor(fitted.fit, fitted.prior),
@@ -140,6 +142,7 @@ def identify_rbf(
         mass,
         _diagnostics(records, fitted, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
+    return replace(model, tube=scale_on(records, model, fitted.rms, AHEAD))
 
 
 def _begins_driven(records: Sequence[Record]) -> bool:

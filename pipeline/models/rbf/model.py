@@ -1,6 +1,6 @@
 """The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
 
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
@@ -17,7 +17,9 @@ from pipeline.models.rbf import dynamics as joint
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import steps_per_sample
 from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointStructure
+from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
+from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.solvers.fixed_step import run_status
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
@@ -85,6 +87,7 @@ class _File(ModelFile):
     spread: Annotated[FloatArray, Table("P R")]
     band_spread: Annotated[FloatArray, Table("P B")]
     mass_kg: Positive
+    tube: TubePart = TubePart()
 
 
 @dataclass(frozen=True)
@@ -105,6 +108,8 @@ class RbfModel:
         Moving mass [kg] (inertia [kg m²] for an angle); 1 if unknown, curves are then per unit mass.
     diagnostics : dict
         How the fit went.
+    tube : TubeScale
+        Scale of the tubes about free runs.
     """
 
     parameters: ParameterLayout
@@ -113,6 +118,7 @@ class RbfModel:
     band_spread: FloatArray
     mass: float = 1.0
     diagnostics: dict[str, Any] = field(default_factory=dict)
+    tube: TubeScale = NO_TUBES
 
     name = "rbf"
 
@@ -239,6 +245,7 @@ class RbfModel:
             "spread": self.spread,
             "band_spread": self.band_spread,
             "mass_kg": self.mass,
+            "tube": asdict(self.tube),
             "diagnostics": dict(self.diagnostics),
         }
 
@@ -259,7 +266,9 @@ class RbfModel:
             )
         if not finite:
             raise CorruptArtifactError("theta of the model rbf does not fit its structure; run `debist identify` again")
-        return cls(parameters, file.theta, file.spread, file.band_spread, file.mass_kg, file.diagnostics)
+        return cls(
+            parameters, file.theta, file.spread, file.band_spread, file.mass_kg, file.diagnostics, file.tube.scale()
+        )
 
     def _run(
         self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float],

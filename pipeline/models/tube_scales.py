@@ -1,0 +1,50 @@
+"""Scale of a model's tubes (`pipeline.scoring.tubes`): measured on the training logs, kept in the model's file."""
+
+from collections.abc import Sequence
+from typing import Annotated
+
+import numpy as np
+from pydantic import Field
+
+from pipeline.models.base import HasDraws
+from pipeline.models.model_file import FilePart
+from pipeline.scoring.tubes import TubeScale, tube_scale
+from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
+
+_NotNegative = Annotated[float, Field(ge=0.0, le=1e6)]
+
+
+class TubePart(FilePart):
+    """`TubeScale` in a file; without one the model has no tubes."""
+
+    factor: _NotNegative = 0.0
+    floor: _NotNegative = 0.0
+    apart: _NotNegative = 0.0
+
+    def scale(self) -> TubeScale:
+        """The scale."""
+        return TubeScale(**dict(self))
+
+
+def scale_on(records: Sequence[Record], model: HasDraws, floor: float, ahead: float) -> TubeScale:
+    """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log.
+
+    Parameters
+    ----------
+    records : sequence of Record
+        The training logs.
+    model : HasDraws
+    floor : float
+        RMS error of q [m or rad] on the training data.
+    ahead : float
+        Times the quantile of the training data that another log needs.
+    """
+    parts = []
+    for record in within(records, MOST_SAMPLES):
+        v = record.drive if model.fine_voltages else record.v
+        given = record.t, v, float(record.q[0]), float(record.qdot[0])
+        ensemble, _ = model.simulate_draws(*given)
+        parts.append((model.simulate(*given).q, ensemble, np.where(record.valid, record.q, np.nan)))
+    free, drawn_q, q = (np.concatenate(each, axis=-1) for each in zip(*parts, strict=True))
+    low, high = operating_range(records)
+    return tube_scale(free, drawn_q, q, floor, ahead, high - low)
