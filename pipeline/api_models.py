@@ -109,7 +109,7 @@ class Model:
         q0, qdot0 : float
             Initial displacement [m] and velocity [m/s].
         tube : bool
-            With the 90 % tubes of q, for a model that has them (`hybrid`).
+            With the 90 % tubes of q, for a model that has them (`hybrid`, `rbf`).
 
         Returns
         -------

@@ -1,6 +1,7 @@
 """Scale of a model's tubes (`pipeline.scoring.tubes`): measured on the training logs, kept in the model's file."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Annotated
 
 import numpy as np
@@ -26,7 +27,7 @@ class TubePart(FilePart):
         return TubeScale(**dict(self))
 
 
-def scale_on(records: Sequence[Record], model: HasDraws, floor: float, ahead: float) -> TubeScale:
+def scale_on(records: Sequence[Record], model: HasDraws, floor: float, ahead: float, least: float = 0.0) -> TubeScale:
     """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log.
 
     Parameters
@@ -34,10 +35,13 @@ def scale_on(records: Sequence[Record], model: HasDraws, floor: float, ahead: fl
     records : sequence of Record
         The training logs.
     model : HasDraws
+        What was fitted to them.
     floor : float
         RMS error of q [m or rad] on the training data.
     ahead : float
         Times the quantile of the training data that another log needs.
+    least : float
+        Of κ: where the draws are known to spread no more than other logs do.
     """
     parts = []
     for record in within(records, MOST_SAMPLES):
@@ -47,4 +51,5 @@ def scale_on(records: Sequence[Record], model: HasDraws, floor: float, ahead: fl
         parts.append((model.simulate(*given).q, ensemble, np.where(record.valid, record.q, np.nan)))
     free, drawn_q, q = (np.concatenate(each, axis=-1) for each in zip(*parts, strict=True))
     low, high = operating_range(records)
-    return tube_scale(free, drawn_q, q, floor, ahead, high - low)
+    scale = tube_scale(free, drawn_q, q, floor, ahead, high - low)
+    return replace(scale, factor=max(scale.factor, least))

@@ -7,11 +7,11 @@ The half width of a tube is
 s(t) being the standard deviation of runs drawn from the posterior of the parameters, s₀ the error on the training data.
 The draws give the shape: errors grow where the motion is sensitive, and fade where it settles. They include noise, and
 not what the equations lack. So κ comes from the training data: it is the quantile of |error|/√(s² + s₀²) there, times
-`AHEAD`, because a fit bends to its own data. `AHEAD` was chosen on fifty simulated joints of three physics.
+a factor of the kind of model, because a fit bends to its own data.
 
 Split conformal prediction (Lei et al. 2018, doi:10.1080/01621459.2017.1307116) would take the quantile from a held-out
-quarter of the log. A quarter has a few snaps only: on these joints its quantile had a correlation of 0.3 with that of
-another log, the quantile of the training data one of 0.7.
+quarter of the log. A quarter has a few snaps only: on fifty simulated joints its quantile had a correlation of 0.3 with
+that of another log, the quantile of the training data one of 0.7.
 
 Draws that end in another well are no part of s. Where they are more than `OPEN` of all, they have a tube of their own.
 """
@@ -24,9 +24,6 @@ from pipeline.numerics.arrays import BoolArray, FloatArray
 
 COVERAGE = 0.9
 """Probability with which a sample of another log lies in the tubes."""
-
-AHEAD = 4.0
-"""Times the quantile of the training data that another log needs."""
 
 APART = 0.25
 """Share of the operating range: a draw that is farther from the free run is in another well, or on its way there."""

@@ -5,9 +5,10 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from pipeline.scoring.tubes import AHEAD, APART, COVERAGE, TubeScale, tube_scale, tubes
+from pipeline.scoring.tubes import APART, COVERAGE, TubeScale, tube_scale, tubes
 
 N, DRAWS, SPAN = 20_000, 32, 20e-3
+AHEAD = 3.0
 RNG = np.random.default_rng(3)
 FREE = 0.4 * SPAN * np.sin(np.linspace(0.0, 40.0, N))
 WIDTH = 1e-5 * (1.5 + np.sin(np.linspace(0.0, 90.0, N)))

@@ -11,6 +11,7 @@ from pipeline.models.rbf.model import RbfModel, _equation_of_motion
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped, starting_joint
 from pipeline.models.rbf.structure import JointScales, JointStructure
+from pipeline.scoring.tubes import NO_TUBES, tubes
 from pipeline.settings import Compare, Identify
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.trajectory import Record
@@ -109,6 +110,22 @@ def test_tree_round_trip(identified):
     del broken["theta"]
     with pytest.raises(CorruptArtifactError, match="theta"):
         RbfModel.from_tree(broken)
+
+
+def test_tubes_hold_nine_tenths_of_another_log_of_the_same_device_and_stand_in_the_file(identified):
+    fresh = log(planted(), 12)
+    free = identified.simulate(fresh.t, fresh.v, fresh.q[0], 0.0).q
+    draws, _ = identified.simulate_draws(fresh.t, fresh.v, fresh.q[0], 0.0)
+    around = tubes(free, draws, identified.tube)
+    assert around.coverage(fresh.q) > 0.86
+    assert np.median(around.high - around.low) < 0.1 * np.ptp(fresh.q)
+    assert RbfModel.from_tree(identified.to_tree()).tube == identified.tube
+
+
+def test_a_file_of_before_tubes_has_none(identified):
+    tree = identified.to_tree()
+    del tree["tube"]
+    assert RbfModel.from_tree(tree).tube == NO_TUBES
 
 
 def test_constant_and_undriven_logs_are_refused():
