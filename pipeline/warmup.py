@@ -83,7 +83,9 @@ def _without_parameter_set() -> None:
 
 
 def _network() -> None:
-    from pipeline.models.rbf.dynamics import Coefficients, Coupling, Drive, basis, no_sensitivities, observed_run, slid
+    from pipeline.models.rbf.coefficients import Coefficients, basis, no_sensitivities
+    from pipeline.models.rbf.dynamics import slid
+    from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 
     x, u, single, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
     two, curves = np.zeros(2), np.zeros((5, 5))

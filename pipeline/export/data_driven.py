@@ -11,8 +11,10 @@ import numpy as np
 from pipeline.codegen.graph import Graph, apply, choose, function, trace
 from pipeline.export.subject import Realisation, Variable, lagged_nodes
 from pipeline.generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
-from pipeline.models.rbf.dynamics import WALL, Coefficients, free_rates, no_sensitivities, resting_elements, slide
+from pipeline.models.rbf.coefficients import Coefficients, no_sensitivities
+from pipeline.models.rbf.dynamics import free_rates, resting_elements, slide
 from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.observed_run import WALL
 from pipeline.models.rbf.problem import steps_per_sample
 from pipeline.numerics.arrays import FloatArray
 

@@ -13,7 +13,9 @@ from pipeline.fitting.regression import InputLaw
 from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table
-from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.dynamics import free_rates
+from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import steps_per_sample
 from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointStructure
@@ -189,7 +191,7 @@ class RbfModel:
         steps = steps_per_sample(p, sample_interval(t), self.theta)
         u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
         law = trace(
-            lambda x, slip, u: {"dx": joint.free_rates(c, x, slip, u)},
+            lambda x, slip, u: {"dx": free_rates(c, x, slip, u)},
             x=2 + len(c.rates), slip=len(c.slip_force), u=len(p.signs),
         )  # fmt: skip
         hidden, slip = np.split(states[:, 3:], [len(c.rates)], axis=1)
@@ -279,8 +281,8 @@ class RbfModel:
         u, du = p.inputs(v, interval, steps, theta)
         begin = (float(start[0]), float(start[1]))
         c, observe = p.coefficients(theta), np.ones(len(t)) if observe is None else observe
-        drive, coupling = joint.Drive(u, du, p.at_rest(u, theta), p.held), joint.Coupling(x, observe, gain)
-        states, _, valid = joint.observed_run(c, drive, coupling, begin, interval, steps, joint.no_sensitivities())
+        drive, coupling = Drive(u, du, p.at_rest(u, theta), p.held), Coupling(x, observe, gain)
+        states, _, valid = observed_run(c, drive, coupling, begin, interval, steps, joint.no_sensitivities())
         return states, valid
 
     def _of_stops(self, c: joint.Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:

@@ -13,7 +13,7 @@ import numpy as np
 
 from pipeline.fitting.regression import InputLaw
 from pipeline.generated.terms import BENT, PAST_ZONE
-from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf import coefficients as joint
 from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes, lagged
 from pipeline.numerics.arrays import FloatArray
 

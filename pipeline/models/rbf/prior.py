@@ -18,7 +18,7 @@ import numpy as np
 
 from pipeline.fitting.descent import Prior
 from pipeline.models.kind import KnownCurves
-from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf import coefficients as joint
 from pipeline.models.rbf.parameter_layout import ParameterLayout, kind_of
 from pipeline.models.rbf.structure import JointScales, JointStructure
 from pipeline.numerics.arrays import FloatArray, IntArray

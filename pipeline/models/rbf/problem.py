@@ -14,7 +14,8 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.errors import InputError
-from pipeline.models.rbf.dynamics import Coupling, Drive, basis, no_sensitivities, observed_run
+from pipeline.models.rbf.coefficients import basis, no_sensitivities
+from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import drive_at_nodes, known_inputs, spline_through
 from pipeline.numerics.arrays import BoolArray, FloatArray

@@ -13,7 +13,8 @@ from scipy.optimize import lsq_linear
 from pipeline.errors import InputError
 from pipeline.fitting.regression import InputLaw, input_signal
 from pipeline.generated.terms import BELL, STOP_FORCE
-from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.dynamics import slid
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import OVERDAMPED, JointScales, JointStructure
 from pipeline.numerics.arrays import FloatArray
@@ -218,7 +219,7 @@ def _best_slip(
 
     def states(length: float) -> FloatArray:
         """Resisting force at the valid samples, shape (N, 1)."""
-        parts = [-joint.slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)]
+        parts = [-slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)]
         return np.concatenate(parts)[:, None]
 
     left = {length: _misfit([*columns, states(length)], target) for length in (START_SLIP_LENGTH, *HYSTERESIS)}

@@ -5,8 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf import coefficients as joint
 from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.observed_run import WALL
 from pipeline.models.rbf.parameter_layout import OVERHANG, ParameterLayout
 from pipeline.models.rbf.structure import JointScales, JointStructure
 
@@ -41,7 +42,7 @@ def test_no_run_passes_the_wall_and_all_return_at_rest(seed, force, x, speed, dr
     run = model.simulate(t, v, MIDDLE + HALF * x, HALF * speed)
     assert run.status == "ok"
     away = np.abs(run.q - MIDDLE) / HALF
-    assert away.max() <= joint.WALL + 1e-9
+    assert away.max() <= WALL + 1e-9
     assert away[-1] <= RESTS or np.abs(run.qdot[-500:]).max() > 1e-3 * HALF  # or it is still on its way
 
 

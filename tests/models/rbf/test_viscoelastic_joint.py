@@ -4,7 +4,9 @@ from scipy.integrate import solve_ivp
 
 from pipeline.codegen.graph import trace
 from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
-from pipeline.models.rbf import dynamics as joint
+from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.dynamics import free_rates, slide
+from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem, bridged
 from pipeline.models.rbf.structure import JointScales, JointStructure
@@ -51,8 +53,8 @@ def record(p, theta, n=700, interval=0.01, seed=1):
     v = pulses(n, interval, rng)
     u, du = p.inputs(v, interval, 1, theta)
     still = np.zeros(n)
-    drive, free = joint.Drive(u, du, u[0], p.held), joint.Coupling(still, still, 0.0)
-    states, _, valid = joint.observed_run(
+    drive, free = Drive(u, du, u[0], p.held), Coupling(still, still, 0.0)
+    states, _, valid = observed_run(
         p.coefficients(theta), drive, free, (0.6, 0.0), interval, 1, joint.no_sensitivities()
     )
     assert valid == n
@@ -68,10 +70,10 @@ def test_the_traced_law_is_the_one_that_runs_integrate(changes):
     theta = 0.3 * np.random.default_rng(4).standard_normal(p.count)
     v, still = pulses(n, 0.01, np.random.default_rng(5)), np.zeros(n)
     u, du = p.inputs(v, 0.01, 2, theta)
-    c, drive, free = p.coefficients(theta), joint.Drive(u, du, u[0], p.held), joint.Coupling(still, still, 0.0)
-    states, _, valid = joint.observed_run(c, drive, free, (0.6, 0.0), 0.01, 2, joint.no_sensitivities())
+    c, drive, free = p.coefficients(theta), Drive(u, du, u[0], p.held), Coupling(still, still, 0.0)
+    states, _, valid = observed_run(c, drive, free, (0.6, 0.0), 0.01, 2, joint.no_sensitivities())
     assert valid == n
-    law = trace(lambda x, u: {"dx": joint.free_rates(c, x, (), u)}, x=4, u=2)
+    law = trace(lambda x, u: {"dx": free_rates(c, x, (), u)}, x=4, u=2)
     rates = law.evaluate(x=states[:, [0, 1, 3, 4]], u=u[::4])["dx"]
     np.testing.assert_allclose(rates[:, 1], states[:, 2], rtol=0.0, atol=1e-12 * np.abs(states[:, 2]).max())
 
@@ -162,8 +164,8 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
     theta[p.slices["stops"]] += -0.9, 0.8, np.log(300.0), np.log(3.0)
     c, n = p.coefficients(theta), 800
     still, none = np.zeros(n), np.zeros((2 * (n - 1) * 2 + 1, 2))
-    drive, free = joint.Drive(none, np.zeros((2, *none.shape)), none[0], False), joint.Coupling(still, still, 0.0)
-    states, _, valid = joint.observed_run(c, drive, free, (2.0, 0.0), 0.005, 2, joint.no_sensitivities())
+    drive, free = Drive(none, np.zeros((2, *none.shape)), none[0], False), Coupling(still, still, 0.0)
+    states, _, valid = observed_run(c, drive, free, (2.0, 0.0), 0.005, 2, joint.no_sensitivities())
     assert valid == n
     grid = np.linspace(-2.1, 2.1, 8001)
     at_rest = {"x": grid[:, None], "p": np.zeros((grid.size, 1)), "stops": np.tile(c.stops, (grid.size, 1))}
@@ -201,9 +203,9 @@ def test_friction_states_do_not_depend_on_how_fast_the_way_is_travelled():
     c = p.coefficients(double_well(p, np.random.default_rng(5)))
     wrt, nothing = joint.no_sensitivities(), np.empty(0)
     once, thrice = np.array([[0.3]]), np.array([[0.3]])
-    joint.slide(once, 1.0, 0.03, nothing, c, wrt, once)
+    slide(once, 1.0, 0.03, nothing, c, wrt, once)
     for _ in range(3):
-        joint.slide(thrice, 0.5, 0.02, nothing, c, wrt, thrice)
+        slide(thrice, 0.5, 0.02, nothing, c, wrt, thrice)
     assert once[0, 0] == pytest.approx(thrice[0, 0], rel=1e-12)
 
 

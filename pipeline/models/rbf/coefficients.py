@@ -1,0 +1,105 @@
+"""The numbers in the equation of motion of the data-driven joint, and the basis of its curves.
+
+F, d, h_l, g_k are weights times a common basis: four functions (`POLYNOMIALS`) and Gaussians. The Gaussians, and with
+them every curve but F, go on as constants outside [low, high].
+"""
+
+# mypy: disable-error-code="no-untyped-def,no-untyped-call"
+
+from typing import NamedTuple
+
+import numpy as np
+
+from pipeline.codegen.numba_writer import formula
+from pipeline.compiled import compiled, shared
+from pipeline.generated.terms import BELL, CLIPPED, POWERS, TURNING_ARM
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.solvers.fixed_step import inlined
+
+_powers, _turning_arm, _clipped, _bell = formula(POWERS), formula(TURNING_ARM), formula(CLIPPED), formula(BELL)
+
+POLYNOMIALS = 4
+"""Basis functions 1, x, x², x³ before the Gaussians (1, sin q, cos q, x³ with a wall for a turning arm)."""
+
+FORCE, DAMPING, INPUT = 0, 1, 2
+"""Rows of the curve weights: F, d, then g_1 … g_K, then h_1 … h_L, then ρ, β_1 … β_K of each shape element."""
+
+WEIGHT, RATE, SLIP_FORCE, SLIP_LENGTH, NUMBER, INPUT_SHAPE = range(6)
+"""Kinds of parameters: the `kind` of `SensitivityParameters`; a `NUMBER` is one of those below."""
+
+CENTRE, ARC, DRAG, STOPS = 3, 4, 5, 6
+"""Places in `ObservedJoint.by` of derivatives by numbers of the equation: arm, arc, drag, the four of the stops."""
+
+
+class Coefficients(NamedTuple):
+    """Everything in the equation of motion but the inputs.
+
+    curves (2+K+L+S(1+K), 4+M) of S shape elements · rates (L,) [1/s] · slip_force (D,), slip_length (D,) · inertia (2,)
+    = a, x₀ · centres (M,) · bend = 1/(2σ²) · low, high: ends of the Gaussians' range · arm (2,): the angle q [rad] of a
+    turning arm is arm[0] + arm[1] x; zeros for another joint · drag: κ · stops (4,): places of two end stops,
+    their stiffness and resistance; empty without · ends (2, 4+M), at_ends (2,): basis and F at low and high.
+    """
+
+    curves: FloatArray
+    rates: FloatArray
+    slip_force: FloatArray
+    slip_length: FloatArray
+    inertia: FloatArray
+    centres: FloatArray
+    bend: float
+    low: float
+    high: float
+    arm: FloatArray
+    drag: float
+    stops: FloatArray
+    ends: FloatArray
+    at_ends: FloatArray
+
+
+class SensitivityParameters(NamedTuple):
+    """Parameters of the sensitivities, P entries each.
+
+    kind, first, second (P,) name the coefficient (curve row and basis column for `WEIGHT`, element for `RATE`, …);
+    factor (P,) is the derivative of a curve weight, of the inertia, of a stop's number or of the logarithm of a slip
+    length with respect to the parameter. Rates, slip forces and drag are taken by their logarithms.
+    """
+
+    kind: IntArray
+    first: IntArray
+    second: IntArray
+    factor: FloatArray
+
+
+def no_sensitivities() -> SensitivityParameters:
+    """For a simulation without sensitivities."""
+    none = np.empty(0, dtype=np.int64)
+    return SensitivityParameters(none, none, none, np.empty(0))
+
+
+@inlined
+def shapes(c, inputs):
+    """Number of relaxing elements with curves of their own."""
+    return (len(c.curves) - INPUT - inputs - len(c.rates)) // (1 + inputs)
+
+
+@shared
+def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray, curvatures: FloatArray) -> None:
+    """The basis (4 + M,) and its derivative at x, and the second derivative of the Gaussians (M,)."""
+    head = _powers((x,)) if c.arm[1] == 0.0 else _turning_arm((x, c.arm[0], c.arm[1]))
+    for i in range(POLYNOMIALS):
+        values[i], slopes[i] = head[i], head[POLYNOMIALS + i]
+    inside, moving = _clipped((x, c.low, c.high))
+    for i in range(len(c.centres)):
+        value, slope, curvature = _bell((inside, c.centres[i], c.bend))
+        values[POLYNOMIALS + i], slopes[POLYNOMIALS + i] = value, slope * moving
+        curvatures[i] = curvature * moving
+
+
+@compiled
+def basis(x: FloatArray, c: Coefficients) -> FloatArray:
+    """The basis at all x, shape (N, 4 + M)."""
+    values, slopes = np.empty((len(x), c.curves.shape[1])), np.empty(c.curves.shape[1])
+    curvatures = np.empty(len(c.centres))
+    for n in range(len(x)):
+        basis_at(x[n], c, values[n], slopes, curvatures)
+    return values
