@@ -45,7 +45,7 @@ from pipeline.export.controller import ControllerSubject, write_controller
 from pipeline.loading.run_models import load_run_model
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.problem import DEVIATIONS
+from pipeline.models.hybrid.problem import DEVIATION_COUNT
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Bench
@@ -104,7 +104,7 @@ def drawing() -> HybridModel:
     from pipeline.models.hybrid.problem import CondensedJoint
 
     condensed = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, TOP, slope_ratio)
-    theta = np.concatenate([condensed_parameters.nominal_deviations(), condensed.start()[DEVIATIONS:]])
+    theta = np.concatenate([condensed_parameters.nominal_deviations(), condensed.start()[DEVIATION_COUNT:]])
     return HybridModel(condensed, theta, *2 * (np.zeros((len(theta), 1)),))
 
 

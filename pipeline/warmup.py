@@ -83,7 +83,7 @@ def _without_parameter_set() -> None:
 
 
 def _network() -> None:
-    from pipeline.models.rbf.coefficients import Coefficients, basis, no_sensitivities
+    from pipeline.models.rbf.coefficients import Coefficients, basis_rows, no_sensitivities
     from pipeline.models.rbf.dynamics import slid
     from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 
@@ -92,7 +92,7 @@ def _network() -> None:
     joint = Coefficients(curves, single, single, single, two, single, 1.0, -1.0, 1.0, two, 0.0, none, curves[:2], two)
     drive, coupling = Drive(u, np.zeros((0, 3, 2)), np.zeros(2), False), Coupling(x, x, 0.0)
     observed_run(joint, drive, coupling, (0.0, 0.0), 0.01, 1, no_sensitivities())
-    basis(x, joint)
+    basis_rows(x, joint)
     slid(x, 1.0)
 
 

@@ -1,30 +1,11 @@
-"""Coverage of the training data, and the information that a motion carries about the weights of eq. 40.
-
-Coverage counts visits per basis centre, wells, and the share of another log outside the training range. Information is
-the regressor's matrix and its criteria. Signals are divided by fixed full scales: half the operating range, a reference
-velocity, the squared largest input. So matrices of different motions of one device can be added and compared. The ratio
-of two determinants does not depend on the scales (Atkinson, Donev & Tobias, Optimum Experimental Designs, 2007,
-ch. 11).
-"""
+"""Coverage of the training data: visits per basis centre, and the share of another log outside them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.fitting.regression import (
-    InputLaw,
-    basis_centres,
-    basis_values,
-    basis_width,
-    curve_signals,
-    input_signal,
-    regressor,
-)
-from pipeline.model_list import CENTRES, LAG_START, SMOOTHING
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.linear_filters import first_order_lag
-from pipeline.numerics.metrics import rms
 
 FEW = 20
 """Visits below which a centre's weights rest on the prior or on chance."""
@@ -103,122 +84,3 @@ def share_outside(q: FloatArray, qdot: FloatArray, trained_q: FloatArray, traine
         cell = np.floor((x - edge[0]) / (edge[1] - edge[0]))
         at.append(np.clip(cell, -2, CELLS + 1).astype(np.int64) + 2)
     return float(np.mean(~seen[at[0], at[1]]))
-
-
-FLOOR = 1e-2
-"""Information that stands for none, in samples at full scale: keeps the determinant of an unvisited centre finite."""
-
-
-@dataclass(frozen=True)
-class Weights:
-    """Weights that are to be identified, and the full scales of their signals.
-
-    Attributes
-    ----------
-    centres : FloatArray, shape (M,)
-        Basis centres [m] over the operating range.
-    width : float
-        Standard deviation of the bells [m].
-    scales : FloatArray, shape (2 + K,)
-        Full scale of q [m], of the lagged velocity [m/s], and of each input signal.
-    inputs : {"squared", "linear"}
-        How the inputs act.
-    """
-
-    centres: FloatArray
-    width: float
-    scales: FloatArray
-    inputs: InputLaw = "squared"
-
-    @property
-    def count(self) -> int:
-        """Number of weights p = (2 + K) M."""
-        return len(self.scales) * len(self.centres)
-
-    @classmethod
-    def over(
-        cls,
-        q: FloatArray,
-        qdot: FloatArray,
-        largest: FloatArray,
-        *,
-        basis_functions: int = CENTRES,
-        smoothing: float = SMOOTHING,
-        inputs: InputLaw = "squared",
-    ) -> "Weights":
-        """Weights over the range of a motion q, q̇, shape (N,), with the `largest` input on each side, shape (K,).
-
-        Raises
-        ------
-        InputError
-            The displacement never changes.
-        """
-        low, high = float(q.min()), float(q.max())
-        centres = basis_centres(low, high, basis_functions)
-        signals = np.where(largest > 0.0, input_signal(largest, inputs), 1.0)
-        velocity = rms(qdot) or 1.0
-        scales = np.concatenate(([0.5 * (high - low), velocity], signals))
-        return cls(centres, basis_width(centres, smoothing), scales, inputs)
-
-    def information(self, q: FloatArray, qdot: FloatArray, v: FloatArray, interval: float) -> FloatArray:
-        """XᵀX of the scaled regressor, shape (p, p).
-
-        Parameters
-        ----------
-        q, qdot : FloatArray, shape (N,)
-            A motion [m, m/s].
-        v : FloatArray, shape (N, K)
-            Inputs.
-        interval : float
-            Sample interval [s].
-
-        Returns
-        -------
-        FloatArray, shape (p, p)
-            Cost: N p² multiplications and N M exponentials; 2 ms for N = 3750, p = 40.
-        """
-        z, _ = first_order_lag(np.ascontiguousarray(qdot), interval, LAG_START)
-        signals = curve_signals(q, z, input_signal(v, self.inputs)) / self.scales
-        rows = regressor(basis_values(q, self.centres, self.width), signals)
-        product: FloatArray = rows.T @ rows
-        return product
-
-
-def log_information(information: FloatArray) -> float:
-    """D-criterion: log det(XᵀX + floor) per weight, in nats; comparable between motions with the same `Weights`."""
-    p = len(information)
-    _, value = np.linalg.slogdet(information + FLOOR * np.eye(p))
-    return float(value) / p
-
-
-@dataclass(frozen=True)
-class Conditioning:
-    """Conditioning of the weights, on unit-norm columns.
-
-    Attributes
-    ----------
-    log_det : float
-        log det XᵀX on unit-norm columns per weight [nats]: 0 for orthogonal columns, −∞ where one depends on others.
-    condition : float
-        Ratio of the largest to the smallest singular value of X on unit-norm columns.
-    silent : int
-        Columns that are zero: weights on which the motion says nothing.
-    """
-
-    log_det: float
-    condition: float
-    silent: int
-
-
-def conditioning(information: FloatArray) -> Conditioning:
-    """Conditioning of the regressor whose XᵀX is `information`, shape (p, p); zero columns are counted, not judged."""
-    diagonal = np.diag(information)
-    heard = diagonal > 0.0
-    norms = np.sqrt(diagonal[heard])
-    correlation = information[np.ix_(heard, heard)] / np.outer(norms, norms)
-    values = np.maximum(np.linalg.eigvalsh(correlation), len(norms) * np.finfo(float).eps)
-    return Conditioning(
-        log_det=float(np.mean(np.log(values))),
-        condition=float(np.sqrt(values[-1] / values[0])),
-        silent=int(np.count_nonzero(~heard)),
-    )

@@ -1,6 +1,6 @@
 """Excitation of a log: wells, basis centres, voltage levels, frequencies; the facts behind "what to add".
 
-And what makes training data unfit: places, inputs or wells of which they say nothing, so that curves would be invented.
+Data are unfit for training where they show nothing of places, inputs or wells: curves would be invented there.
 The training logs of thirty joints and a quarter drone have at least 4 samples at each of ten centres and a condition
 number of at most 81; the bounds leave room below and above.
 """
@@ -11,7 +11,8 @@ from functools import cached_property
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.fitting.coverage import ACTING, Conditioning, Coverage, Weights, conditioning, coverage
+from pipeline.fitting.coverage import ACTING, Coverage, coverage
+from pipeline.fitting.information import Conditioning, ScaledRegressor, conditioning
 from pipeline.fitting.regression import InputLaw, input_signal
 from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
@@ -20,18 +21,18 @@ from pipeline.si_prefix import quantity
 from pipeline.signals.noise import is_idle, noise_level
 from pipeline.signals.quality_gates import Finding
 
-_INTERMEDIATE = (0.15, 0.85)  # of the largest value: neither off nor full
+_INTERMEDIATE = (0.15, 0.85)
+"""Shares of the largest value between which an input is neither off nor full."""
 _POWER_SHARE = 0.95
-_SHORTEST = 64  # samples of a stretch that is worth a spectrum
-_WINDOW = 8.0  # s, and `_SHORTEST` samples at least
-_RINGING_ABOVE = 4  # lines of the spectrum; below, a peak of the velocity's is the excitation's, not the device's
-_RINGING_BELOW = 0.8  # of the Nyquist frequency, beyond which a peak is that of noise or folded over
-_PEAK, _BAND, _BESIDE = (
-    0.05,
-    0.1,
-    (0.5, 1.5),
-)  # of a peak's frequency: half widths of it and of bands beside it, and where
-_MOST_BESIDE = 0.45  # power there, of that at the peak
+_SHORTEST, _WINDOW = 64, 8.0
+"""Samples of a stretch that is worth a spectrum, and length [s] of its windows."""
+_RINGING_ABOVE, _RINGING_BELOW = 4, 0.8
+"""Line of the spectrum and share of the Nyquist frequency between which a peak is the device's: below it is the
+excitation's, above it is noise or folded over."""
+_PEAK, _BAND, _BESIDE = 0.05, 0.1, (0.5, 1.5)
+"""Half widths of a peak and of the bands beside it, and their places, shares of the peak's frequency."""
+_MOST_BESIDE = 0.45
+"""Power in the bands beside a peak, of that at the peak."""
 
 
 @dataclass(frozen=True)
@@ -133,7 +134,7 @@ def examine_excitation(
         )
     motions = [(q[rows], np.gradient(q[rows], interval), v[rows]) for rows in stretches]
     largest = np.abs(v[valid]).max(axis=0)
-    weights = Weights.over(
+    weights = ScaledRegressor.over(
         np.concatenate([each[0] for each in motions]),
         np.concatenate([each[1] for each in motions]),
         largest,

@@ -17,7 +17,7 @@ import numpy as np
 from pipeline.fitting.descent import FLOOR, Descent, ObservedProblem, Prior
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import Keep, Parts, make_anew
+from pipeline.numerics.progress import Keep, StoredResult, make_anew
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
@@ -54,8 +54,8 @@ class HomotopyFit:
     noise : float
         Assumed standard deviation of the residual.
     levels : tuple of Level
-    aim : float
-        Gain of the level that was asked for last.
+    reached_last : bool
+        Whether the last level that was asked for (mostly the free run) was reached.
     chaotic : bool
         Whether the fit stopped before it because free runs part from those that start beside them.
     """
@@ -65,18 +65,13 @@ class HomotopyFit:
     hessian: FloatArray
     noise: float
     levels: tuple[Level, ...]
-    aim: float
+    reached_last: bool
     chaotic: bool = False
 
     @property
-    def reached_last(self) -> bool:
-        """Whether the last level that was asked for (mostly the free run) was reached."""
-        return bool(self.levels) and self.levels[-1].gain == self.aim
-
-    @property
     def converged(self) -> bool:
-        """Whether the last level (or what chaos leaves of it) was reached and its cost had stopped falling."""
-        return bool(self.levels) and (self.reached_last or self.chaotic) and self.levels[-1].converged
+        """Whether the cost had stopped falling at the last level, or at the one at which a chaotic device stays."""
+        return (self.reached_last or self.chaotic) and self.levels[-1].converged
 
 
 @dataclass(frozen=True)
@@ -93,6 +88,8 @@ class Schedule:
         Relative fall of the cost below which the last level has converged.
     noise_inflation : float
         Factor on the noise level: above 1 where residuals are not independent, so that the prior weighs more.
+    chaos_gain : float
+        The one of the gains at which a chaotic device stays.
     """
 
     gains: Sequence[float] = GAINS
@@ -100,6 +97,7 @@ class Schedule:
     last_iterations: int = 25
     tolerance: float = 1e-5
     noise_inflation: float = 1.0
+    chaos_gain: float = COUPLED
 
 
 @dataclass(frozen=True)
@@ -114,9 +112,9 @@ class Callbacks:
         Whether the effort is spent: then the last level follows at once, with `LEAST_STEPS` steps.
     on_progress : callable
         With the gain and the RMS of the residual, before each step.
-    parts : callable
-        Whether a free run with θ parts from one that starts beside it. It is called after the level `COUPLED`, which
-        then is the last: the error of a chaotic run is no cost to descend on.
+    is_chaotic : callable
+        Whether a free run with θ diverges from one that starts beside it. It is called after the level
+        `Schedule.chaos_gain`, which then is the last: the error of a chaotic run is no cost to descend on.
     keep : callable
         Keeps each level when it is finished.
     """
@@ -124,7 +122,7 @@ class Callbacks:
     begin: Callable[[FloatArray, float], None] = lambda theta, gain: None
     enough: Callable[[], bool] = lambda: False
     on_progress: Callable[[float, float], None] = lambda gain, rms: None
-    parts: Callable[[FloatArray], bool] = lambda theta: False
+    is_chaotic: Callable[[FloatArray], bool] = lambda theta: False
     keep: Keep = make_anew
 
 
@@ -158,7 +156,7 @@ def fit_homotopy(
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
     count, calls = len(theta), callbacks or Callbacks()
-    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(schedule.gains), False)
+    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(schedule.gains), False, False)
     levels = _Levels(problem, prior, schedule, calls, descent)
     begun = zlib.crc32(theta.tobytes())  # two fits of a task may differ in their start alone
     while state.pending:
@@ -169,7 +167,7 @@ def fit_homotopy(
         state.hessian,
         state.noise,
         tuple(Level(*level) for level in state.levels),
-        float(schedule.gains[-1]),
+        bool(state.reached_last),
         bool(state.chaotic),
     )
 
@@ -185,6 +183,7 @@ class _State:
     noise: float
     levels: list[tuple[float, int, float, bool]]
     pending: list[float]
+    reached_last: bool
     chaotic: bool
 
 
@@ -198,7 +197,7 @@ class _Levels:
     calls: Callbacks
     descent: type[Descent]
 
-    def next(self, before: _State) -> Parts:
+    def next(self, before: _State) -> StoredResult:
         """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
         pending = list(before.pending)
         if self.calls.enough():
@@ -212,23 +211,26 @@ class _Levels:
         if not state.linearise():
             return self._overflown(before)
         done = self._descend(state, gain, last=not following)
-        chaotic = bool(following) and gain == COUPLED and self.calls.parts(state.theta)
+        chaotic = bool(following) and gain == self.schedule.chaos_gain and self.calls.is_chaotic(state.theta)
         if chaotic:
             following, done = [], self._descend(state, gain, last=True)
         if not following:
             state.linearise()
         error = rms(state.residual)
         levels = [*before.levels, (float(gain), state.iterations, error, done)]
-        return vars(
-            _State(state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, chaotic)
-        )
+        reached_last = not (following or chaotic)
+        after = _State(
+            state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, reached_last,
+            chaotic,
+        )  # fmt: skip
+        return vars(after)
 
     def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
         return self.descent(
             self.problem, self.prior, gain, self.schedule.noise_inflation, before.theta, before.damping, residual
         )
 
-    def _overflown(self, before: _State) -> Parts:
+    def _overflown(self, before: _State) -> StoredResult:
         """The state before, as the last one, with its Hessian."""
         if before.levels:
             state = self._state(before, before.levels[-1][0], before.residual)

@@ -1,6 +1,6 @@
 """Residuals and posterior of a fit: whiteness, covariance factors, repeatable draws, and the curves of the draws."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -90,11 +90,11 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     the data do: with the eigenvectors alone, their signs and order would give other draws on another machine.
     """
     tau = whiteness(fit.residual).integrated_correlation_time
-    noise = max(float(np.mean(fit.residual**2)), 1e-12)
+    variance = max(float(np.mean(fit.residual**2)), 1e-12)
     a = prior.matrix
     precision = a.T @ a
     if np.isfinite(fit.hessian).all():  # else the sensitivities exploded, and the prior is all that is known
-        precision = precision + fit.hessian / (noise * tau)
+        precision = precision + fit.hessian / (variance * tau)
     scale = 1.0 / np.sqrt(np.diag(precision))
     values, vectors = scipy.linalg.eigh(scale[:, None] * precision * scale)
     values = np.maximum(values, len(values) * np.finfo(float).eps * values[-1])
@@ -130,13 +130,14 @@ def curves_of_draws(
 
 
 def first_order_curves(
-    curves: Callable[[FloatArray], dict[str, FloatArray]], mean: FloatArray, spread: FloatArray, count: int, seed: int
-) -> dict[str, FloatArray]:
+    curves: Callable[[FloatArray], dict[str, FloatArray]], mean: FloatArray, spread: FloatArray, count: int, seed: int,
+    nonnegative: Collection[str] = (),
+) -> dict[str, FloatArray]:  # fmt: skip
     """Curves of draws from the covariance S Sᵀ about `mean`, θ acting to first order; each of shape (count, n).
 
     θ itself, drawn so, leaves the curved valley in which the data hold it: curves of the hybrid model were three times
     as wide, and those of data-driven joints of their own class up to twenty times, about a middle that was off the
-    truth. Damping, which is never negative, is cut at zero. Cost: the curves of as many parameter vectors as S has
+    truth. Curves whose names are `nonnegative` are cut at zero. Cost: the curves of as many parameter vectors as S has
     rows that are not zero, and one.
     """
     best, moved = curves(mean), np.flatnonzero(np.any(spread, axis=1))
@@ -146,21 +147,23 @@ def first_order_curves(
     for name, middle in best.items():
         slopes = np.array([each[name] - middle for each in ahead]).reshape(len(moved), middle.size)
         drawn[name] = middle + deviations @ slopes
-    return drawn | {"d": np.maximum(drawn["d"], 0.0)}
+    return drawn | {name: np.maximum(drawn[name], 0.0) for name in nonnegative}
 
 
 def robust_spread(residual: FloatArray, jacobian: FloatArray, noise: float, prior: Prior) -> FloatArray:
     """Factor E of the covariance E Eᵀ of an estimate as its data show it, shape (P, P + `GROUPS`).
 
-    The posterior knows noise; what a model cannot be shows in how differently parts of the data pull. With the data in
-    groups in a row, H_k and g_k being the precision JᵀJ/s² and the slope Jᵀr/s² of each, and A the whole precision, the
-    estimate has the covariance A⁻¹ (Σ g_k g_kᵀ + PᵀP) A⁻¹ of its data and its prior's mean. As the estimate has
-    followed each group, its slopes are too small: (1 − A⁻¹ H_k)⁻¹ A⁻¹ g_k in place of A⁻¹ g_k is how far it moves when
-    the group is left out (the jackknife, or CR3), and with the power −½ the expectation is the posterior's A⁻¹ where
-    the model is right and s its noise (CR2; Bell and McCaffrey 2002). Taken is the first, and in directions of which
-    the other groups tell less than `ALONE` the second as it continues there: to leave the group out would say what the
-    prior says. Pulls are scaled so that 1.96 standard deviations are the bounds of Student's t with `GROUPS` − 1
-    degrees of freedom.
+    The posterior contains noise only. Structural errors show where groups of the data ask for different estimates.
+
+    1. The data are `GROUPS` groups in a row, with the precision H_k = JᵀJ/s² and the slope g_k = Jᵀr/s² of each. A is
+       the precision of all data and the prior. The covariance of the estimate is A⁻¹ (Σ g_k g_kᵀ + PᵀP) A⁻¹.
+    2. The estimate has followed each group, so its slopes are too small. (1 − A⁻¹ H_k)⁻¹ A⁻¹ g_k is how far the
+       estimate moves when the group is left out (jackknife, CR3). With the power −½ the expectation is A⁻¹ where the
+       model is right (CR2; Bell and McCaffrey 2002).
+    3. CR3 is used. In directions where the other groups have less than `ALONE` of the precision CR2 is used, because
+       an estimate without the group would be the prior there.
+
+    Moves are scaled: 1.96 standard deviations are the bounds of Student's t with `GROUPS` − 1 degrees of freedom.
 
     Parameters
     ----------

@@ -16,8 +16,8 @@ from pipeline.errors import DataRefusedError
 from pipeline.models.base import predictor
 from pipeline.models.kind import StoredModel, Training, fitted_samples
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import kept_under
+from pipeline.scoring.cross_validation import free_run_error
 from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from pipeline.scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
 from pipeline.signals.trajectory import Record
@@ -281,8 +281,8 @@ def _lost(model: StoredModel, record: Record) -> float:
     """Error of a free run over the range of q in its log, at most 1: that of one that diverged."""
     v = record.drive if model.fine_voltages else record.v
     run = model.simulate(record.t, v, float(record.q[0]), float(record.qdot[0]))
-    error = (run.q - record.q)[record.valid]
-    return min(rms(error) / float(np.ptp(record.q[record.valid])), 1.0) if np.isfinite(error).all() else 1.0
+    measured = np.where(record.valid, record.q, np.nan)
+    return free_run_error(measured, run.q, float(np.ptp(record.known_q)))
 
 
 def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:

@@ -27,7 +27,7 @@ class TubePart(FilePart):
         return TubeScale(**dict(self))
 
 
-def scale_on(records: Sequence[Record], model: HasDraws, floor: float, ahead: float, least: float = 0.0) -> TubeScale:
+def scale_on(records: Sequence[Record], model: HasDraws, floor: float, margin: float, least: float = 0.0) -> TubeScale:
     """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log.
 
     Parameters
@@ -38,7 +38,7 @@ def scale_on(records: Sequence[Record], model: HasDraws, floor: float, ahead: fl
         What was fitted to them.
     floor : float
         RMS error of q [m or rad] on the training data.
-    ahead : float
+    margin : float
         Times the quantile of the training data that another log needs.
     least : float
         Of κ: where the draws are known to spread no more than other logs do.
@@ -51,5 +51,5 @@ def scale_on(records: Sequence[Record], model: HasDraws, floor: float, ahead: fl
         parts.append((model.simulate(*given).q, ensemble, np.where(record.valid, record.q, np.nan)))
     free, drawn_q, q = (np.concatenate(each, axis=-1) for each in zip(*parts, strict=True))
     low, high = operating_range(records)
-    scale = tube_scale(free, drawn_q, q, floor, ahead, high - low)
+    scale = tube_scale(free, drawn_q, q, floor, margin, high - low)
     return replace(scale, factor=max(scale.factor, least))

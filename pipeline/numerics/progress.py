@@ -14,14 +14,14 @@ def silent(what: str, share: float) -> None:
     """Tell nobody."""
 
 
-Parts = dict[str, Any]
+StoredResult = dict[str, Any]
 """Numbers, texts, arrays of floats, and lists of these."""
 
-Keep = Callable[[str, Callable[[], Parts]], Parts]
+Keep = Callable[[str, Callable[[], StoredResult]], StoredResult]
 """Returns the result of a piece of work by its unique name: from the store, or computed and stored."""
 
 
-def make_anew(name: str, make: Callable[[], Parts]) -> Parts:
+def make_anew(name: str, make: Callable[[], StoredResult]) -> StoredResult:
     """Keeps nothing."""
     return make()
 

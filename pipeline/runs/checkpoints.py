@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.numerics.progress import Parts
+from pipeline.numerics.progress import StoredResult
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.hashing import json_sha256
@@ -60,9 +60,9 @@ class Checkpoints:
         text = json.dumps(value, default=_described).encode()
         write_bytes(self._place(name), self._head(name, text) + b"\n" + text, within=self._root)
 
-    def keep(self, name: str, make: Callable[[], Parts]) -> Parts:
+    def keep(self, name: str, make: Callable[[], StoredResult]) -> StoredResult:
         """The parts of a piece of work under a name: as they were kept, or made now and kept."""
-        parts: Parts | None = self.get(name)
+        parts: StoredResult | None = self.get(name)
         if parts is None:
             parts = make()
             self.put(name, parts)

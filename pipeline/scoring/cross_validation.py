@@ -10,7 +10,7 @@ import scipy.special
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.metrics import rmse
-from pipeline.scoring.intervals import COVERAGE, Interval
+from pipeline.scoring.intervals import LEVEL, Interval
 from pipeline.scoring.wells import NoWells, Wells, in_same_well
 from pipeline.signals.trajectory import Trajectory
 
@@ -158,7 +158,7 @@ def mean_over_folds(values: FloatArray) -> tuple[float, Interval | None]:
     k, mean = values.size, float(values.mean())
     if k < 3:
         return mean, None
-    reach = scipy.special.stdtrit(k - 1, (1.0 + COVERAGE) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
+    reach = scipy.special.stdtrit(k - 1, (1.0 + LEVEL) / 2.0) * np.sqrt(1.0 / k + 1.0 / (k - 1))
     half = float(reach * values.std(ddof=1))
     return mean, Interval(mean - half, mean + half)
 
@@ -202,7 +202,7 @@ def held_out_blocks(trajectories: Sequence[Trajectory]) -> list[HeldOutBlock]:
 
 
 def free_run_error(measured: FloatArray, calculated: FloatArray, span: float) -> float:
-    """RMS error of q over `span`, at most 1: a run that diverged or missed everything counts as 1."""
+    """RMS error of a signal over `span`, at most 1: a run that diverged or missed everything counts as 1."""
     error = rmse(measured, calculated)
     return 1.0 if error is None else min(1.0, error / span)
 

@@ -53,14 +53,15 @@ class HorizonError:
     horizon_s : float
         How far ahead is predicted [s].
     nrmse : float or None
-        RMS of the error of q at the horizon over the range of q (eq. 41); None if every start diverged or none exists.
+        RMS of the error of q at the horizon over the range of q (eq. 41). A restart that diverged counts as an error
+        of the whole range. None if every start diverged or none exists.
     interval : Interval or None
         95 % moving-block bootstrap interval of `nrmse`, in blocks of neighbouring starts (`block_of`; of the joint
         as many as 2 s hold); None with fewer than three blocks of them.
     starts : int
         Restarts made.
     diverged : int
-        Those that diverged; they are counted here and not in `nrmse`.
+        Those that diverged.
     """
 
     horizon_s: float
@@ -152,14 +153,14 @@ def _error(
     errors: FloatArray, starts: IntArray, ahead: int, interval: float, span: float | None, *, joint: bool
 ) -> HorizonError:
     """What the errors `ahead` samples after the starts come to."""
-    good = errors[np.isfinite(errors)]
-    if not good.size or not span:
-        return HorizonError(ahead * interval, None, None, starts.size, starts.size - good.size)
+    diverged = int(np.count_nonzero(~np.isfinite(errors)))
+    if diverged == starts.size or not span:
+        return HorizonError(ahead * interval, None, None, starts.size, diverged)
+    errors = np.where(np.isfinite(errors), errors, span)
     spacing = float(np.median(np.diff(starts))) * interval if starts.size > 1 else BLOCK
     block = block_of((errors,), spacing, joint=joint)
     band = rms_interval(errors / span, block, np.random.default_rng(SEED))
-    value = rms(good) / span
-    return HorizonError(ahead * interval, value, band, starts.size, starts.size - good.size)
+    return HorizonError(ahead * interval, rms(errors) / span, band, starts.size, diverged)
 
 
 def _starts(path: MeasuredPath, ahead: int, most: int, apart: int | None = None) -> IntArray:

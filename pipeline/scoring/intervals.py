@@ -8,19 +8,19 @@ import scipy.special
 
 from pipeline.numerics.arrays import FloatArray, samples_of
 
-BLOCK = (
-    2.0  # s; longer than the ring-down of a switch decays by e² (1.3 s at −0.74 1/s), so blocks are near independent
-)
+BLOCK = 2.0
+"""Length [s] of the blocks of a joint: its ring-down decays by e² in 1.3 s, so blocks are nearly independent."""
 MEMORIES = 3
 """Correlation times in a block: 95 % intervals of AR(1) errors 80 of them long then hold their RMS in 9 cases of 10."""
 FEWEST_BLOCKS = 8
-"""Of other devices' logs, however long their errors hang together: fewer have no spread to resample."""
+"""Blocks of another device's log, however long its errors stay correlated: fewer have no spread to resample."""
 RESAMPLES = 1000
 SEED = 0
 """Of the bootstrap: equal errors have equal intervals."""
-COVERAGE = 0.95
-_TAILS = [(1.0 - COVERAGE) / 2.0, 1.0 - (1.0 - COVERAGE) / 2.0]
-FEWEST = 4  # events; a median of fewer has no spread worth printing
+LEVEL = 0.95
+_TAILS = [(1.0 - LEVEL) / 2.0, 1.0 - (1.0 - LEVEL) / 2.0]
+FEWEST = 4
+"""Events: a median of fewer has no spread worth printing."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Interval:
 
     low: float
     high: float
-    level: float = COVERAGE
+    level: float = LEVEL
 
     def over(self, span: float) -> "Interval":
         """The interval of the measure over `span`."""

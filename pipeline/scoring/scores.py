@@ -100,7 +100,7 @@ def score_run(
                 well_agreement=float(np.nanmean(same)) if np.isfinite(same).any() else None,
                 well_agreement_interval=_agreement_interval(same, block, rng),
                 switch_accuracy=switches.share,
-                switch_accuracy_interval=share_interval(switches.right, switches.pulses),
+                switch_accuracy_interval=share_interval(switches.correct, switches.pulses),
             )
         scores.append(score)
     return tuple(scores)

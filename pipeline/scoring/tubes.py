@@ -52,7 +52,7 @@ class TubeScale:
 
 
 NO_TUBES = TubeScale(0.0, 0.0, 0.0)
-"""Scale of a model whose errors on held-out data are not known."""
+"""Scale of a model that has no tubes."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class Tubes:
 
 
 def tube_scale(
-    free: FloatArray, ensemble: FloatArray, measured: FloatArray, floor: float, ahead: float, span: float
+    free: FloatArray, ensemble: FloatArray, measured: FloatArray, floor: float, margin: float, span: float
 ) -> TubeScale:
     """The scale that the training data ask for.
 
@@ -88,7 +88,7 @@ def tube_scale(
         The draws there.
     floor : float
         s₀ [m or rad].
-    ahead : float
+    margin : float
         Times the quantile of the training data that another log needs.
     span : float
         Operating range [m or rad].
@@ -97,7 +97,7 @@ def tube_scale(
     ratio = np.abs(free - measured) / _spread(free, ensemble, floor, apart)
     ratio = ratio[np.isfinite(ratio)]
     quantile = float(np.quantile(ratio, COVERAGE)) if ratio.size else 1.0
-    return TubeScale(ahead * quantile, floor, apart)
+    return TubeScale(margin * quantile, floor, apart)
 
 
 def tubes(free: FloatArray, ensemble: FloatArray, scale: TubeScale) -> Tubes:

@@ -238,17 +238,17 @@ class SwitchAccuracy:
     ----------
     pulses : int
         Pulses after which the measurement rests in one well.
-    right : int
+    correct : int
         Those after which the simulation rests in the same well.
     """
 
     pulses: int
-    right: int
+    correct: int
 
     @property
     def share(self) -> float | None:
-        """`right` over `pulses`; None without a pulse."""
-        return self.right / self.pulses if self.pulses else None
+        """`correct` over `pulses`; None without a pulse."""
+        return self.correct / self.pulses if self.pulses else None
 
 
 def switch_accuracy(
@@ -273,7 +273,7 @@ def switch_accuracy(
     joint : bool
         Whether it can be the bistable joint, see `places_of_rest`.
     """
-    pulses = right = 0
+    pulses = correct = 0
     for rest in places_of_rest(measured, v, interval, joint=joint):
         rows = end_of_rest(rest, interval)
         finite = np.isfinite(measured[rows])
@@ -284,8 +284,8 @@ def switch_accuracy(
             continue
         pulses += 1
         simulated = calculated[rows][finite]
-        right += bool(np.all(np.isfinite(simulated)) and np.all(wells.side(simulated) == side[0]))
-    return SwitchAccuracy(pulses, right)
+        correct += bool(np.all(np.isfinite(simulated)) and np.all(wells.side(simulated) == side[0]))
+    return SwitchAccuracy(pulses, correct)
 
 
 @dataclass(frozen=True)
@@ -294,13 +294,13 @@ class PulseOutcomes:
 
     Attributes
     ----------
-    right : FloatArray, shape (R,)
+    probability_right : FloatArray, shape (R,)
         Probability of the right well (Laplace's rule, so never exactly 0 or 1).
     ambiguous : BoolArray, shape (R,)
         True where neither well has the probability `SURE`: the outcome hinges on less than the model knows.
     """
 
-    right: FloatArray
+    probability_right: FloatArray
     ambiguous: BoolArray
 
 
@@ -319,9 +319,9 @@ def pulse_outcomes(ensemble: FloatArray, rests: list[slice], wells: Wells) -> Pu
     wells : Wells
         The two wells.
     """
-    right = np.empty(len(rests))
+    right_hand = np.empty(len(rests))
     for i, rest in enumerate(rests):
         end = ensemble[:, rest.stop - 1]
         finite = np.isfinite(end)
-        right[i] = (np.count_nonzero(wells.side(end[finite])) + 1.0) / (np.count_nonzero(finite) + 2.0)
-    return PulseOutcomes(right, np.maximum(right, 1.0 - right) < SURE)
+        right_hand[i] = (np.count_nonzero(wells.side(end[finite])) + 1.0) / (np.count_nonzero(finite) + 2.0)
+    return PulseOutcomes(right_hand, np.maximum(right_hand, 1.0 - right_hand) < SURE)

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.tubes import Tubes
     from pipeline.scoring.wells import NoWells
 
-ALGORITHM = "25"
+ALGORITHM = "26"
 
 _RESTARTS = 60
 
@@ -194,6 +194,6 @@ def _outcomes(
     return {
         "draws": DRAWS,
         "at_s": ends,
-        "right": outcomes.right.tolist(),
+        "right": outcomes.probability_right.tolist(),
         "ambiguous": outcomes.ambiguous.tolist(),
     }

@@ -15,7 +15,8 @@ from functools import partial
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.fitting.coverage import FEW, Conditioning, Coverage, Weights, conditioning, coverage, log_information
+from pipeline.fitting.coverage import FEW, Coverage, coverage
+from pipeline.fitting.information import Conditioning, ScaledRegressor, conditioning, log_information
 from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter
@@ -114,7 +115,7 @@ class Design:
         What was asked for.
     bursts : list of Burst
         The sequence.
-    weights : Weights
+    weights : ScaledRegressor
         What it was designed for.
     wells : Wells
         Of the device as drawn.
@@ -124,7 +125,7 @@ class Design:
 
     wanted: Requirements
     bursts: list[Burst]
-    weights: Weights
+    weights: ScaledRegressor
     wells: Wells
     designed: Assessment
     plain: Assessment
@@ -213,7 +214,7 @@ def greedy_bursts(
 
 
 def assess(
-    simulators: Sequence[Simulator], weights: Weights, wells: Wells, bursts: list[Burst], duration: float
+    simulators: Sequence[Simulator], weights: ScaledRegressor, wells: Wells, bursts: list[Burst], duration: float
 ) -> Assessment:
     """Play a sequence on every simulator; the information of its motions on the weights."""
     runs = [_play(simulate, bursts, duration) for simulate in simulators]
@@ -253,7 +254,9 @@ def behind_converters(u: FloatArray, dt: float) -> FloatArray:
     return v
 
 
-def _criterion(simulators: Sequence[Simulator], weights: Weights, bursts: list[Burst], duration: float) -> float:
+def _criterion(
+    simulators: Sequence[Simulator], weights: ScaledRegressor, bursts: list[Burst], duration: float
+) -> float:
     """Mean criterion; −∞ where a simulation diverges, for then nothing is known of the device either."""
     values = []
     for simulate in simulators:
@@ -265,7 +268,7 @@ def _criterion(simulators: Sequence[Simulator], weights: Weights, bursts: list[B
     return float(np.mean(values))
 
 
-def _coverage(weights: Weights, run: tuple[FloatArray, FloatArray, FloatArray]) -> Coverage:
+def _coverage(weights: ScaledRegressor, run: tuple[FloatArray, FloatArray, FloatArray]) -> Coverage:
     """Visits at 10 ms, the interval on which models are identified."""
     every = slice(None, None, round(1e-2 / INTERVAL))
     return coverage(weights.centres, [run[0][every]], [run[2][every]])
@@ -301,10 +304,10 @@ def probed_wells(simulate: Simulator, voltage: float) -> Wells:
     return wells
 
 
-def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> Weights:
+def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> ScaledRegressor:
     """The weights over the range that full pulses reach on the device as drawn."""
     q, qdot, _ = _play(simulate, plain, wanted.duration)
     if q.size < wanted.duration / INTERVAL - 1:
         raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
     largest = np.full(2, wanted.voltage)
-    return Weights.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)
+    return ScaledRegressor.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)

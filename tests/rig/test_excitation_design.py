@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.device_parameters import NOMINAL
 from pipeline.errors import InputError
-from pipeline.fitting.coverage import Weights, conditioning, log_information
+from pipeline.fitting.information import ScaledRegressor, conditioning, log_information
 from pipeline.rig.excitation import (
     Burst,
     Sequence,
@@ -49,7 +49,7 @@ def motion(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 def test_information_adds_up_and_does_not_care_for_units() -> None:
     q, qdot, v = motion(0)
-    weights = Weights.over(q, qdot, v.max(axis=0))
+    weights = ScaledRegressor.over(q, qdot, v.max(axis=0))
     once = weights.information(q, qdot, v, 0.01)
     assert log_information(1e6 * once) - log_information(5e5 * once) == pytest.approx(np.log(2.0), rel=1e-3)
     scaled = replace(weights, scales=weights.scales * np.array([1.0, 7.0, 1e3, 1e-3]))
@@ -63,7 +63,7 @@ def test_information_adds_up_and_does_not_care_for_units() -> None:
 
 def test_what_a_motion_never_touches_is_silent() -> None:
     q, qdot, v = motion(0)
-    weights = Weights.over(q, qdot, v.max(axis=0))
+    weights = ScaledRegressor.over(q, qdot, v.max(axis=0))
     one_sided = weights.information(q, qdot, v * [1.0, 0.0], 0.01)
     assert conditioning(one_sided).silent == len(weights.centres)
     assert log_information(one_sided) < log_information(weights.information(q, qdot, v, 0.01)) - 1.0

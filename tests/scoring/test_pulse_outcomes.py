@@ -10,14 +10,14 @@ def test_shares_become_probabilities_and_a_split_ensemble_hinges():
     ensemble = np.ones((30, 10))
     ensemble[:15, 4:] = -1.0
     found = pulse_outcomes(ensemble, [slice(0, 3), slice(5, 10)], WELLS)
-    assert found.right == pytest.approx([31 / 32, 0.5])
+    assert found.probability_right == pytest.approx([31 / 32, 0.5])
     assert found.ambiguous.tolist() == [False, True]
 
 
 def test_diverged_members_count_for_neither_well():
     ensemble = np.ones((12, 4))
     ensemble[:6, 2:] = np.nan
-    assert pulse_outcomes(ensemble, [slice(0, 4)], WELLS).right == pytest.approx([7 / 8])
+    assert pulse_outcomes(ensemble, [slice(0, 4)], WELLS).probability_right == pytest.approx([7 / 8])
 
 
 def test_calibrated_probabilities_score_better_than_overconfident_ones():
@@ -27,5 +27,5 @@ def test_calibrated_probabilities_score_better_than_overconfident_ones():
     members = np.where(rng.uniform(size=(200, 400)) < truth, 1.0, -1.0)
     rests = [slice(i, i + 1) for i in range(400)]
     honest, cocky = pulse_outcomes(members, rests, WELLS), pulse_outcomes(np.sign(members.sum(0))[None], rests, WELLS)
-    brier = [float(np.mean((found.right - went) ** 2)) for found in (honest, cocky)]
+    brier = [float(np.mean((found.probability_right - went) ** 2)) for found in (honest, cocky)]
     assert brier[0] < min(0.2, brier[1])

@@ -8,7 +8,7 @@ import pytest
 from pipeline.scoring.tubes import APART, COVERAGE, TubeScale, tube_scale, tubes
 
 N, DRAWS, SPAN = 20_000, 32, 20e-3
-AHEAD = 3.0
+MARGIN = 3.0
 RNG = np.random.default_rng(3)
 FREE = 0.4 * SPAN * np.sin(np.linspace(0.0, 40.0, N))
 WIDTH = 1e-5 * (1.5 + np.sin(np.linspace(0.0, 90.0, N)))
@@ -17,14 +17,14 @@ ENSEMBLE = FREE + WIDTH * RNG.standard_normal((DRAWS, N))
 
 def test_the_scale_is_the_quantile_of_held_out_errors_times_what_other_logs_need():
     measured = FREE + 2.0 * WIDTH * RNG.standard_normal(N)
-    scale = tube_scale(FREE, ENSEMBLE, measured, 1e-9, AHEAD, SPAN)
-    assert scale.factor == pytest.approx(AHEAD * 2.0 * 1.645, rel=0.05)
+    scale = tube_scale(FREE, ENSEMBLE, measured, 1e-9, MARGIN, SPAN)
+    assert scale.factor == pytest.approx(MARGIN * 2.0 * 1.645, rel=0.05)
     assert (scale.floor, scale.apart) == (1e-9, APART * SPAN)
 
 
 def test_tubes_with_the_bare_quantile_hold_nine_tenths_of_fresh_errors_of_the_same_law():
-    scale = tube_scale(FREE, ENSEMBLE, FREE + 2.0 * WIDTH * RNG.standard_normal(N), 1e-9, AHEAD, SPAN)
-    bare = replace(scale, factor=scale.factor / AHEAD)
+    scale = tube_scale(FREE, ENSEMBLE, FREE + 2.0 * WIDTH * RNG.standard_normal(N), 1e-9, MARGIN, SPAN)
+    bare = replace(scale, factor=scale.factor / MARGIN)
     fresh = FREE + 2.0 * WIDTH * RNG.standard_normal(N)
     assert tubes(FREE, ENSEMBLE, bare).coverage(fresh) == pytest.approx(COVERAGE, abs=0.02)
     assert tubes(FREE, ENSEMBLE, scale).coverage(fresh) > 0.99
@@ -33,9 +33,9 @@ def test_tubes_with_the_bare_quantile_hold_nine_tenths_of_fresh_errors_of_the_sa
 def test_masked_samples_and_the_unit_change_nothing():
     measured = FREE + WIDTH * RNG.standard_normal(N)
     masked = np.where(np.arange(N) % 7 == 0, np.nan, measured)
-    scale, with_gaps = (tube_scale(FREE, ENSEMBLE, q, 1e-6, AHEAD, SPAN) for q in (measured, masked))
+    scale, with_gaps = (tube_scale(FREE, ENSEMBLE, q, 1e-6, MARGIN, SPAN) for q in (measured, masked))
     assert with_gaps.factor == pytest.approx(scale.factor, rel=0.05)
-    in_mm = tube_scale(1e3 * FREE, 1e3 * ENSEMBLE, 1e3 * measured, 1e-3, AHEAD, 1e3 * SPAN)
+    in_mm = tube_scale(1e3 * FREE, 1e3 * ENSEMBLE, 1e3 * measured, 1e-3, MARGIN, 1e3 * SPAN)
     assert in_mm.factor == pytest.approx(scale.factor, rel=1e-9)
 
 
@@ -63,4 +63,4 @@ def test_nothing_to_compare_has_no_coverage():
 
 
 def test_a_scale_without_held_out_samples_is_that_of_the_draws():
-    assert asdict(tube_scale(FREE, ENSEMBLE, np.full(N, np.nan), 1e-6, AHEAD, SPAN))["factor"] == AHEAD
+    assert asdict(tube_scale(FREE, ENSEMBLE, np.full(N, np.nan), 1e-6, MARGIN, SPAN))["factor"] == MARGIN

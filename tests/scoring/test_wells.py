@@ -116,14 +116,14 @@ def test_switch_accuracy_counts_pulses_that_end_in_the_right_well() -> None:
     measured, v = record("lrlrl")
     simulated, _ = record("lrllr")
     result = switch_accuracy(measured, simulated, v, DT, WELLS, joint=True)
-    assert (result.pulses, result.right) == (4, 2)
+    assert (result.pulses, result.correct) == (4, 2)
     assert result.share == 0.5
 
 
 def test_a_simulation_that_still_crosses_the_barrier_is_wrong() -> None:
     measured, v = record("lr")
     swinging = np.where(np.arange(measured.size) % 20 < 10, -0.012, 0.012)
-    assert switch_accuracy(measured, swinging, v, DT, WELLS, joint=True).right == 0
+    assert switch_accuracy(measured, swinging, v, DT, WELLS, joint=True).correct == 0
 
 
 def test_after_a_divergence_nothing_is_right() -> None:

@@ -2,7 +2,7 @@
 
 A column δx moves by the steps of the run with the rates' own derivatives:
 
-    δẋ = ∂f/∂x δx + ∂f/∂z δz + ∂f/∂(that number),
+    δẋ = ∂f/∂x δx + ∂f/∂z δz + ∂f/∂(the number by which the column is the derivative),
 
 z being the stop operators, which follow the play or stick. The rates' derivatives come from the generated graphs
 (`pipeline.generated.condensed_joint_jacobian`), for the eight stages of two steps side by side.
@@ -30,13 +30,16 @@ from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
 
 BATCH = 16
 """Columns side by side."""
-STAGES = 8
+STEP_STAGES = len(SHARES)
+"""Stages of a step."""
+STAGES = 2 * STEP_STAGES
 """Stages side by side: those of two steps."""
 INSTRUMENTS = 5
 """Columns of laser offset, delay, charging time and the two probes."""
-_ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 3 + 2 * STOPS * 5
-_SLOTS = STAGES + 2
-"""The four stages and the end of a step, and of the next one."""
+_ALL, _CONSTANTS, _WEIGHTS = STATES + STOPS, len(CONSTANTS), 3 + 2 * STOPS * (STEP_STAGES + 1)
+_STEP_SLOTS = STEP_STAGES + 1
+"""The stages of a step, and its end."""
+_SLOTS = 2 * _STEP_SLOTS
 _ROW = _SLOTS * BATCH
 _BLOCK = _ALL * _ROW
 """Numbers that act on a block of columns: row by row, in each slot, on each column."""
@@ -181,27 +184,27 @@ def propagate(
         displacements[0, column] = starts[column // BATCH, 0, column % BATCH]
     for first in range(0, steps, 2):
         for slot in range(_SLOTS):
-            _follow(points, slips, first, slot, k, h, z, w, drive, own)
-        for batch_index in range(STAGES):
-            step, stage = min(first + batch_index // 4, steps - 1), batch_index % 4
+            _act_by_play(points, slips, first, slot, k, h, z, w, drive, own)
+        for stage_lane in range(STAGES):
+            step, stage = min(first + stage_lane // STEP_STAGES, steps - 1), stage_lane % STEP_STAGES
             for i in range(STATES):
-                x[i * STAGES + batch_index] = points[step, stage, i]
+                x[i * STAGES + stage_lane] = points[step, stage, i]
             for i in range(2):
-                u[i * STAGES + batch_index] = squares[2 * step + STAGE_NODES[stage], i]
+                u[i * STAGES + stage_lane] = squares[2 * step + STAGE_NODES[stage], i]
             if centres > 0:
-                _corrections(points[step, stage, 0], basis, weights, batch_index, c, c_q, bells)
+                _corrections(points[step, stage, 0], basis, weights, stage_lane, c, c_q, bells)
         _jacobian((x, u, c, z, c_q, p, f, a, b, by_c))
         _by_constants((x, u, c, z, p, by_k))
         for i in range(len(sources)):
             source, target = sources[i] & _PLACE, targets[i] & _PLACE
-            for batch_index in range(STAGES):
-                drive[target + (batch_index + batch_index // 4) * BATCH] = by_k[source + batch_index]
-        for batch_index in range(STAGES):
-            step, stage = min(first + batch_index // 4, steps - 1), batch_index % 4
+            for stage_lane in range(STAGES):
+                drive[target + (stage_lane + stage_lane // STEP_STAGES) * BATCH] = by_k[source + stage_lane]
+        for stage_lane in range(STAGES):
+            step, stage = min(first + stage_lane // STEP_STAGES, steps - 1), stage_lane % STEP_STAGES
             node = 2 * step + STAGE_NODES[stage]
-            _act(by_instruments, pole, lead, 2 * step, node, batch_index, instruments, a, b, drive)
+            _act_by_instruments(by_instruments, pole, lead, 2 * step, node, stage_lane, instruments, a, b, drive)
             if centres > 0:
-                _act_by_weights(bells, by_c, batch_index, centres, corrected, drive)
+                _act_by_weights(bells, by_c, stage_lane, centres, corrected, drive)
         _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, displacements)
 
 
@@ -217,27 +220,31 @@ def _advance(
 ) -> None:  # fmt: skip
     """All columns from the step `first` to `stop`, at most two later; `starts` and `stops` move."""
     for step in range(first, stop):
-        of_step, weights = a[4 * (step - first) :], w[step - first]
+        of_step, weights = a[STEP_STAGES * (step - first) :], w[step - first]
         confined = abs(points[step + 1, 0, 0]) >= wall
         for block in range(len(starts)):
-            here, slip, at = starts[block].ravel(), stops[block].ravel(), block * _BLOCK + 5 * BATCH * (step - first)
+            here, slip, at = (
+                starts[block].ravel(),
+                stops[block].ravel(),
+                block * _BLOCK + _STEP_SLOTS * BATCH * (step - first),
+            )
             _move((of_step, weights, here, slip, drive[at:], here, slip))
             if confined:
                 here[: 2 * BATCH] = 0.0
             if (step + 1) % substeps == 0:
-                for batch_index in range(BATCH):
-                    displacements[(step + 1) // substeps, block * BATCH + batch_index] = here[batch_index]
+                for column_lane in range(BATCH):
+                    displacements[(step + 1) // substeps, block * BATCH + column_lane] = here[column_lane]
 
 
 @compiled(inline="always")
-def _follow(
+def _act_by_play(
     points: FloatArray, slips: FloatArray, first: int, slot: int, k: FloatArray, h: float, z: SingleArray,
     w: SingleArray, drive: SingleArray, own: NDArray[np.int64],
 ) -> None:  # fmt: skip
     """Weights of a slot, its stop operators, and how travels, arm and length act on these themselves."""
-    half, stage = slot // 5, slot % 5
+    half, stage = slot // _STEP_SLOTS, slot % _STEP_SLOTS
     step = min(first + half, len(points) - 2)
-    at = (step, stage) if stage < 4 else (step + 1, 0)
+    at = (step, stage) if stage < STEP_STAGES else (step + 1, 0)
     moved = points[at[0], at[1], 0] - points[step, 0, 0]
     turned, bowed = points[at[0], at[1], 2] - points[step, 0, 2], points[at[0], at[1], 4] - points[step, 0, 4]
     w[half, 0], w[half, 1], w[half, 2] = k[_ARM], h, k[_LENGTH]
@@ -246,8 +253,8 @@ def _follow(
         by_arm, by_length = _DIRECTION[i, 1] * turned, _DIRECTION[i, 2] * turned + _DIRECTION[i, 3] * bowed
         play = _DIRECTION[i, 0] * moved + k[_ARM] * by_arm + k[_LENGTH] * by_length
         share, follows, by_play, by_travel = _stop((slips[step, i], play, k[_TRAVEL + element]))
-        if stage < 4:
-            z[i * STAGES + 4 * half + stage] = share
+        if stage < STEP_STAGES:
+            z[i * STAGES + STEP_STAGES * half + stage] = share
         w[half, place], w[half, place + STOPS] = follows, by_play
         at_stop = i * _ROW + slot * BATCH
         if own[_ELEMENTS] >= 0:
@@ -260,36 +267,36 @@ def _follow(
 
 @compiled(inline="always")
 def _corrections(
-    q: float, basis: FloatArray, weights: FloatArray, batch_index: int, c: SingleArray, c_q: SingleArray,
+    q: float, basis: FloatArray, weights: FloatArray, stage_lane: int, c: SingleArray, c_q: SingleArray,
     bells: FloatArray,
 ) -> None:  # fmt: skip
     """The corrections at q, their slopes along q, and the bells with theirs, `bells` (STAGES, 2, M)."""
     for i in range(VALUES):
-        c[i * STAGES + batch_index] = c_q[i * STAGES + batch_index] = 0.0
+        c[i * STAGES + stage_lane] = c_q[i * STAGES + stage_lane] = 0.0
     for j in range(weights.shape[1]):
         bell, slope, bend = _bell((q, basis[0] + j * basis[1], basis[1], basis[2]))
-        bells[batch_index, 0, j], bells[batch_index, 1, j] = bell, slope
+        bells[stage_lane, 0, j], bells[stage_lane, 1, j] = bell, slope
         for i in range(CURVES):
-            c[i * STAGES + batch_index] += weights[i, j] * bell
-            c_q[i * STAGES + batch_index] += weights[i, j] * slope
+            c[i * STAGES + stage_lane] += weights[i, j] * bell
+            c_q[i * STAGES + stage_lane] += weights[i, j] * slope
         for i in range(VALUES - CURVES):
-            c[(CURVES + i) * STAGES + batch_index] += weights[CURVED.start + i, j] * slope
-            c_q[(CURVES + i) * STAGES + batch_index] += weights[CURVED.start + i, j] * bend
+            c[(CURVES + i) * STAGES + stage_lane] += weights[CURVED.start + i, j] * slope
+            c_q[(CURVES + i) * STAGES + stage_lane] += weights[CURVED.start + i, j] * bend
 
 
 @compiled(inline="always")
-def _act(
-    by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, batch_index: int,
+def _act_by_instruments(
+    by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, stage_lane: int,
     places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
 ) -> None:  # fmt: skip
     """Add the observer's terms to ∂f/∂x, and the derivatives of the rates by the instruments."""
     strength = pole[begins] if len(pole) > 0 else 0.0
     q, speed, tau, turning = observer(-1.0, strength, lead)
-    a[batch_index], a[2 * _ALL * STAGES + batch_index] = q, tau
-    a[_ALL * STAGES + batch_index] += speed
-    a[3 * _ALL * STAGES + batch_index] += turning
+    a[stage_lane], a[2 * _ALL * STAGES + stage_lane] = q, tau
+    a[_ALL * STAGES + stage_lane] += speed
+    a[3 * _ALL * STAGES + stage_lane] += turning
     for i in range(INSTRUMENTS):
-        at = places[i] + (batch_index + batch_index // 4) * BATCH
+        at = places[i] + (stage_lane + stage_lane // STEP_STAGES) * BATCH
         if i == 0:
             drive[at], drive[at + _ROW] = q, speed
             drive[at + 2 * _ROW], drive[at + 3 * _ROW] = tau, turning
@@ -297,21 +304,26 @@ def _act(
             left, right = by_instruments[i - 1, node, 0], by_instruments[i - 1, node, 1]
             for row in range(FIRST_STRAIN):
                 drive[at + row * _ROW] = (
-                    left * b[2 * row * STAGES + batch_index] + right * b[(2 * row + 1) * STAGES + batch_index]
+                    left * b[2 * row * STAGES + stage_lane] + right * b[(2 * row + 1) * STAGES + stage_lane]
                 )
 
 
 @compiled(inline="always")
 def _act_by_weights(
-    bells: FloatArray, by_c: SingleArray, batch_index: int, centres: int, first: int, drive: SingleArray
+    bells: FloatArray, by_c: SingleArray, stage_lane: int, centres: int, first: int, drive: SingleArray
 ) -> None:
     """Derivatives of the accelerations by the weights of the corrections."""
     for curve in range(CURVES):
         for row in range(1, FIRST_STRAIN, 2):
-            value, slope = by_c[(row * VALUES + curve) * STAGES + batch_index], 0.0
+            value, slope = by_c[(row * VALUES + curve) * STAGES + stage_lane], 0.0
             if CURVED.start <= curve < CURVED.stop:
-                slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * STAGES + batch_index]
+                slope = by_c[(row * VALUES + CURVES + curve - CURVED.start) * STAGES + stage_lane]
             for j in range(centres):
                 column = first + curve * centres + j
-                at = column // BATCH * _BLOCK + column % BATCH + row * _ROW + (batch_index + batch_index // 4) * BATCH
-                drive[at] = value * bells[batch_index, 0, j] + slope * bells[batch_index, 1, j]
+                at = (
+                    column // BATCH * _BLOCK
+                    + column % BATCH
+                    + row * _ROW
+                    + (stage_lane + stage_lane // STEP_STAGES) * BATCH
+                )
+                drive[at] = value * bells[stage_lane, 0, j] + slope * bells[stage_lane, 1, j]

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from pipeline.fitting.regression import basis_centres, basis_width
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.problem import DEVIATIONS, CondensedJoint, CondensedProblem
+from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.similarity import SAME, Similarity
 from pipeline.models.hybrid.start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
 from pipeline.models.kind import Kind, Training, fitted_samples
@@ -26,7 +26,7 @@ from pipeline.numerics.metrics import rms
 from pipeline.numerics.progress import Keep, kept_under, make_anew
 from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
 
-AHEAD = 4.0
+TUBE_MARGIN = 4.0
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need: of fifty simulated joints of
 three physics."""
 
@@ -71,7 +71,7 @@ OPEN = (0, 1)
 equations simplify more than the capacitances. With none the bands of 40 simulated joints held 84 to 96 % of the true
 curves, with these 88 to 98 %, with all nine 95 to 100 %."""
 
-_FOLLOWS_NOT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
+_NO_FIT = "no simulation follows the training logs even when held near them; check q, the voltages and their units"
 
 ALONE, WITH_RBF = "equations_alone", "equations_with_rbf"
 """Names in the ablation of the equations without and with corrections."""
@@ -129,11 +129,13 @@ def identify_hybrid(
     operating_range(records)
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.set_record(record) for record in records), keep, siblings).within(MOST_SAMPLES)
+    search = _Search(tuple(similarity.in_reference_units(record) for record in records), keep, siblings).within(
+        MOST_SAMPLES
+    )
     search, levels, fits, decision = _first_fits(search, parameters, corrections)
-    held = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
+    errors = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
     harmful_ratio = np.inf if corrections == "always" else HARMFUL_RATIO
-    helpful = WITH_RBF in held and held[WITH_RBF][0] < harmful_ratio * held[ALONE][0]
+    helpful = WITH_RBF in errors and errors[WITH_RBF].coupled < harmful_ratio * errors[ALONE].coupled
     for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
         joint, before = fits[name]
         final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
@@ -144,7 +146,7 @@ def identify_hybrid(
     if not search.follows(final, LOST_ERROR):
         joint, final = min(((joint, final), search.anew(fits[ALONE][0])), key=lambda fitted: _free_error(fitted[1]))
     if not final.levels:
-        raise DataRefusedError(_FOLLOWS_NOT)
+        raise DataRefusedError(_NO_FIT)
     spread = posterior_factor(final, search.prior(len(final.theta)))
     report = _report((*levels, *final.levels), final, similarity)
     model = HybridModel(
@@ -155,11 +157,11 @@ def identify_hybrid(
         search.curve_spread(joint, final),
         report
         | {"held_share": search.held_share(joint, final.theta)}
-        | {"ablation": {name: free for name, (_, free) in held.items()}}
+        | {"ablation": {name: error.free for name, error in errors.items()}}
         | decision,
         early=early,
     )
-    return replace(model, tube=scale_on(records, model, report["training_rms_m"], AHEAD))
+    return replace(model, tube=scale_on(records, model, report["training_rms_m"], TUBE_MARGIN))
 
 
 Fitted = tuple[CondensedJoint, HomotopyFit]
@@ -175,18 +177,20 @@ def _first_fits(
     """
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
-    # Most of the way is gone while every sample stands alone: what is not settled there ends in another minimum.
-    first = search.early.usual.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+    # Most of the convergence happens while the observer is strong: what is not settled there ends in another minimum.
+    first = search.early.without_siblings.fit(
+        plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1]
+    )
     alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
     decision: dict[str, Any] = {}
     if search.siblings is not None:
-        without = search.usual.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
-        errors = [search.held_out(plain, fit.theta)[1] if fit.levels else np.inf for fit in (alone, without)]
+        without = search.without_siblings.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
+        errors = [search.held_out(plain, fit.theta).free if fit.levels else np.inf for fit in (alone, without)]
         decision = {"siblings_held_out": dict(zip(("with", "without"), map(_finite, errors), strict=True))}
         if errors[1] <= errors[0]:
-            search, alone = search.usual, without
+            search, alone = search.without_siblings, without
     if not alone.levels:
-        raise DataRefusedError(_FOLLOWS_NOT)
+        raise DataRefusedError(_NO_FIT)
     fits = {ALONE: (plain, alone)}
     if corrections == "always" or (corrections == "auto" and not search.follows(alone, UNCORRECTED_ERROR)):
         joint = replace(plain, centres=BASIS_FUNCTIONS)
@@ -200,6 +204,13 @@ def _finite(error: float) -> float:
     return float(min(error, 1.0))
 
 
+class _HeldOut(NamedTuple):
+    """Errors on held-out data, shares of the operating range: the mean at `COMPARED_POLE`, and the RMS in free run."""
+
+    coupled: float
+    free: float
+
+
 @dataclass(frozen=True)
 class _Search:
     """Training logs in the units of the set's joint, and what keeps finished levels."""
@@ -209,7 +220,7 @@ class _Search:
     siblings: NormalPopulation | None = None
 
     @property
-    def usual(self) -> "_Search":
+    def without_siblings(self) -> "_Search":
         """The same about the set: a narrow prior holds a fit near the siblings while its errors are large, and so in
         another minimum, where the joint is unlike them. Siblings enter once every sample has been followed alone.
         """
@@ -226,9 +237,9 @@ class _Search:
 
     def prior(self, count: int) -> Prior:
         """Deviations about the set or the siblings, and weights of corrections."""
-        root = prior_root((count - DEVIATIONS) // CURVES, siblings=self.siblings)
-        mean = np.zeros(DEVIATIONS) if self.siblings is None else self.siblings.mean
-        return Prior(root, root @ np.append(mean, np.zeros(count - DEVIATIONS)))
+        root = prior_root((count - DEVIATION_COUNT) // CURVES, siblings=self.siblings)
+        mean = np.zeros(DEVIATION_COUNT) if self.siblings is None else self.siblings.mean
+        return Prior(root, root @ np.append(mean, np.zeros(count - DEVIATION_COUNT)))
 
     def fit(
         self,
@@ -250,7 +261,7 @@ class _Search:
 
     def anew(self, plain: CondensedJoint) -> Fitted:
         """The equations alone, fitted to the logs from the set."""
-        first = self.usual.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
+        first = self.without_siblings.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
         return plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS)
 
     def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
@@ -291,17 +302,13 @@ class _Search:
         centres = basis_centres(-reach, reach, BASIS_FUNCTIONS)
         return np.array([-reach, centres[1] - centres[0], basis_width(centres, SMOOTHING)])
 
-    def held_out(self, joint: CondensedJoint, theta: FloatArray) -> tuple[float, float]:
-        """Errors behind the first parts of the logs, shares of the operating range; infinite where a run fails.
-
-        The mean one held at `COMPARED_POLE`, and the RMS in free run.
-        """
+    def held_out(self, joint: CondensedJoint, theta: FloatArray) -> "_HeldOut":
+        """Errors behind the first parts of the logs; infinite where a run fails."""
         low, high = operating_range(self.records)
         problem = CondensedProblem(joint, self.records, fitted_samples)
-        held, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
-        errors = (float(np.mean(np.abs(held))), rms(free))
-        mean, rms_error = (1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors)
-        return mean, rms_error
+        coupled, free = (problem.held_out(theta, pole) for pole in (COMPARED_POLE, 0.0))
+        errors = (float(np.mean(np.abs(coupled))), rms(free))
+        return _HeldOut(*(1e-3 * error / (high - low) if np.isfinite(error) else float("inf") for error in errors))
 
 
 def _free_error(fit: HomotopyFit) -> float:
@@ -332,7 +339,7 @@ def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity)
             "iterations": np.array([level.iterations for level in levels]),
             "rms_m": metre * np.array([level.rms for level in levels]),
         },
-        "corrected": len(final.theta) > DEVIATIONS,
+        "corrected": len(final.theta) > DEVIATION_COUNT,
         "training_rms_m": metre * rms(final.residual),
         **vars(whiteness(final.residual)),
     }

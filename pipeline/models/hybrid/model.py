@@ -186,7 +186,7 @@ class HybridModel:
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
         wide, spread = self.of_curves, self._curve_spread
-        return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, spread, count, SEED)
+        return first_order_curves(lambda theta: wide._curves(theta, q), wide.theta, spread, count, SEED, ("d",))
 
     @property
     def _curve_spread(self) -> FloatArray:

@@ -279,7 +279,7 @@ def _rises(d: dict[str, Any], own_slope: tuple[Any, Any, Any], l: float) -> dict
 
 @lru_cache(maxsize=32)
 def correction_prior_std(p: JointParameters) -> FloatArray:
-    """Prior widths of the corrections' weights, shape (9,), rows as there.
+    """Prior widths of the corrections' weights, shape (9,), one for each corrected curve.
 
     About a tenth of what the beam and the membranes of the drawing have: 4 mN (10 % of the actuation), 0.04 N·s/m,
     4e-10 N/V² (10 % of g), 0.2 mN·m, 8 mN·m, 2e-11 N·m/V² and 160 µN·m·s.

@@ -1,4 +1,4 @@
-"""The slow-coordinate joint coupled to its training logs by an observer: residuals and Jacobians of the displacement.
+"""The condensed joint coupled to its training logs by an observer: residuals and Jacobians of the displacement.
 
 θ holds deviations from the parameter set (`pipeline.models.hybrid.parameters.DEVIATIONS`), then the weights of the
 RBF corrections, all in prior standard deviations.
@@ -24,7 +24,7 @@ from pipeline.numerics.arrays import BoolArray, FloatArray, samples_of
 from pipeline.signals.decimation_kernel import sharpened
 from pipeline.signals.trajectory import Record
 
-DEVIATIONS = len(condensed_parameters.NAMES)
+DEVIATION_COUNT = len(condensed_parameters.NAMES)
 """Leading entries of θ that are deviations."""
 
 FARTHEST = 6.0
@@ -39,7 +39,7 @@ HELD_POLE, HELD_ON = 15.0, 0.3
 
 BEGINNING, MOVING, SETTLING = 0.1, 0.02, 1.0
 """Time [s] and share of the range of q: a log in which q moves by more at its beginning does not begin at rest. Shape
-and strains are not known there, so a run is held for the third [s] first, and compared from then on."""
+and strains are not known there, so a run is held for `SETTLING` s first, and compared from then on."""
 
 CONFINED = 1.5
 """Largest displacements of the training logs at which a wall confines every run. Fitted energies are polynomials. One
@@ -63,7 +63,7 @@ SETTLED = 3.0
 SMALL, ROUNDING = 1e-4, 1e-11
 """Steps [widths] of the differences of constants; and derivatives by θ, in shares of the constant, that are none."""
 
-SOON, LONGER, OFFSET = 2e-7, 1e-4, 0.02
+DELAY_STEP, CHARGING_STEP, PROBE_STEP = 2e-7, 1e-4, 0.02
 """Steps of the differences by which voltages depend on delay [s], charging time (a share) and probes [V]."""
 
 
@@ -96,7 +96,7 @@ class CondensedJoint:
 
     def constants(self, theta: FloatArray) -> FloatArray:
         """The kernel's constants, shape (…, len(CONSTANTS)), of one θ or of several, shape (…, P)."""
-        of_set = condensed_parameters.constants(self.parameters, theta[..., :DEVIATIONS], self.slope_ratio)
+        of_set = condensed_parameters.constants(self.parameters, theta[..., :DEVIATION_COUNT], self.slope_ratio)
         return of_set * self.similarity.constants
 
     def in_use(self, theta: FloatArray) -> FloatArray:
@@ -110,13 +110,13 @@ class CondensedJoint:
 
     def weights(self, theta: FloatArray) -> FloatArray:
         """Weights of the corrections [SI], shape (…, CURVES, M)."""
-        shares = theta[..., DEVIATIONS:].reshape(*theta.shape[:-1], CURVES, self.centres)
+        shares = theta[..., DEVIATION_COUNT:].reshape(*theta.shape[:-1], CURVES, self.centres)
         widths = condensed_parameters.correction_prior_std(self.parameters) * self.similarity.weights
         return np.ascontiguousarray(shares * widths[:, None])
 
     def instruments(self, theta: FloatArray) -> condensed_parameters.Instruments:
         """Instruments between the joint and the log."""
-        seen, units = condensed_parameters.instruments(theta[:DEVIATIONS]), self.similarity
+        seen, units = condensed_parameters.instruments(theta[:DEVIATION_COUNT]), self.similarity
         return condensed_parameters.Instruments(
             units.origin + units.length * seen.offset,
             units.time * seen.delay,
@@ -127,11 +127,11 @@ class CondensedJoint:
     def derivatives(self, theta: FloatArray) -> "Derivatives":
         """Derivatives by θ of the numbers that a run takes."""
         count, base = len(theta), self.instruments(theta)
-        moved, units = SMALL * np.eye(DEVIATIONS, count), np.eye(count)
+        moved, units = SMALL * np.eye(DEVIATION_COUNT, count), np.eye(count)
         constants, instruments = np.zeros((len(CONSTANTS), count)), np.zeros((INSTRUMENTS, count))
         changes = (self.constants(theta + moved) - self.constants(theta - moved)).T / (2.0 * SMALL)
         rounding = ROUNDING * np.abs(self.constants(theta))[:, None]
-        constants[:, :DEVIATIONS] = np.where(np.abs(changes) > rounding, changes, 0.0)
+        constants[:, :DEVIATION_COUNT] = np.where(np.abs(changes) > rounding, changes, 0.0)
         for i in condensed_parameters.OF_INSTRUMENTS:  # all of them linear but the logarithm of the charging time
             shifted = self.instruments(theta + units[i])
             instruments[:2, i] = shifted.offset - base.offset, shifted.delay - base.delay
@@ -170,14 +170,13 @@ class CondensedJoint:
 
     def start(self) -> FloatArray:
         """θ where an estimation starts: the parameter set with typical friction, creep and relaxation."""
-        return np.zeros(DEVIATIONS + CURVES * self.centres)
+        return np.zeros(DEVIATION_COUNT + CURVES * self.centres)
 
 
 @dataclass(frozen=True)
 class Derivatives:
-    """Derivatives by θ of constants (C, P) and instruments (5, P: offset, delay, charging time, probes).
-
-    And the widths (9,) of weights.
+    """Derivatives by θ of constants (C, P) and instruments (5, P: offset, delay, charging time, probes), and the prior
+    widths (9,) of the weights.
     """
 
     constants: FloatArray
@@ -225,7 +224,7 @@ class CondensedProblem:
 
     def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
         """See `ObservedProblem`."""
-        if np.any(np.abs(theta[:DEVIATIONS]) > FARTHEST):
+        if np.any(np.abs(theta[:DEVIATION_COUNT]) > FARTHEST):
             return None
         parts = [
             log.errors(self.joint, theta[None], gain, self._substeps(theta, log.dt))[0, log.compared(gain)]
@@ -241,7 +240,7 @@ class CondensedProblem:
         """
         parts = [log.errors(self.joint, thetas, gain, self._steps)[:, log.compared(gain)] for log in self.logs]
         errors = np.concatenate(parts, axis=1)
-        errors[np.any(np.abs(thetas[:, :DEVIATIONS]) > FARTHEST, axis=1)] = np.nan
+        errors[np.any(np.abs(thetas[:, :DEVIATION_COUNT]) > FARTHEST, axis=1)] = np.nan
         return errors
 
     def jacobian(self, theta: FloatArray, gain: float) -> tuple[FloatArray, FloatArray]:
@@ -327,11 +326,11 @@ class _Log:
         pole, path = self._observer(gain, steps)
         seen, by_theta, largest = joint.instruments(theta), joint.derivatives(theta), joint.largest_voltage
         u = self._inputs(seen, steps, largest)
-        slower = LONGER * seen.charging
+        slower = CHARGING_STEP * seen.charging
         moves = [
-            (SOON, replace(seen, delay=seen.delay + SOON)),
+            (DELAY_STEP, replace(seen, delay=seen.delay + DELAY_STEP)),
             (slower, replace(seen, charging=seen.charging + slower)),
-            *((OFFSET, replace(seen, probe=seen.probe + OFFSET * side)) for side in np.eye(2)),
+            *((PROBE_STEP, replace(seen, probe=seen.probe + PROBE_STEP * side)) for side in np.eye(2)),
         ]
         by_inputs = np.array([(self.v.squared(steps, moved, largest) - u) / step for step, moved in moves])
         driven = Driven(u, by_inputs, path, np.repeat(pole, 2 * steps) if len(path) else path, self._start)
@@ -344,7 +343,7 @@ class _Log:
         columns, q = (derivatives.columns, derivatives.q) if at.all() else (derivatives.columns[at], derivatives.q[at])
         by = columns @ chain
         by_weights = derivatives.by_weights[at] * by_theta.weights[:, None]
-        by[:, DEVIATIONS:] += 1e3 * by_weights.reshape(len(q), by.shape[1] - DEVIATIONS)
+        by[:, DEVIATION_COUNT:] += 1e3 * by_weights.reshape(len(q), by.shape[1] - DEVIATION_COUNT)
         by += 1e3 * by_theta.instruments[0]  # the reading is q + offset
         return 1e3 * (q + seen.offset - self.q[at]), by
 

@@ -125,7 +125,7 @@ def information_of(model: HybridModel) -> Information:
 
     The corrections are integrated out. The fit takes its noise to be `NOISE_INFLATION` times the RMS of the residual,
     its posterior √τ times that, for the autocorrelation time τ. In units of the prior a direction of precision λ in the
-    posterior so had λ τ / `NOISE_INFLATION`² in the fit, and its pull to zero is undone by that. It is at most doubled:
+    posterior had λ τ / `NOISE_INFLATION`² in the fit, and its pull to zero is undone by that. It is at most doubled:
     in directions of which logs show little, fits end before they have converged.
     """
     count, own = len(NAMES), prior_root(0)

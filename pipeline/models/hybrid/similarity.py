@@ -75,7 +75,7 @@ class Similarity:
         factors: FloatArray = np.prod(self._units**_WEIGHTS, axis=1)
         return factors
 
-    def set_record(self, record: Record) -> Record:
+    def in_reference_units(self, record: Record) -> Record:
         """A log of the device as one of the set's joint."""
         speed = self.length / self.time
         return replace(

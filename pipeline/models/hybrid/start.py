@@ -89,7 +89,7 @@ def similar_joint(
     gain = _weighted([(motion.gains[0] - motion.gains[1], motion.gain_error) for motion in motions])
     if gain <= 0.0:
         return NoJoint("v1 pushes to smaller q and v2 to larger, against the sides of a joint; are they exchanged?")
-    reference = _set_motion(parameters)
+    reference = _reference_motion(parameters)
     length = half / reference.place
     stiffness = _weighted([(motion.stiffness, motion.stiffness_error) for motion in motions])
     time = float(np.sqrt(reference.stiffness / stiffness))
@@ -149,7 +149,7 @@ def _weighted(estimates: Sequence[tuple[float, float]]) -> float:
     return float(weight @ value / weight.sum())
 
 
-def _set_motion(parameters: JointParameters) -> _SmallMotion:
+def _reference_motion(parameters: JointParameters) -> _SmallMotion:
     """Small motions of the parameter set's joint, from its static curves."""
     none = condensed_parameters.nominal_deviations()
     k = condensed_parameters.constants(parameters, none, condensed_parameters.static_slope_ratio(parameters))

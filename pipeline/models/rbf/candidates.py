@@ -36,7 +36,7 @@ POPULATION_INFLATION = 8.0
 @dataclass(frozen=True)
 class Candidate:
     """A structure with its prior: inflation of the noise level, left/right symmetry (None for none), and whether it is
-    the prior that simulated joints teach (`identification.population`) instead of that of smooth curves.
+    the prior that simulated joints teach (`prior.Population`) instead of that of smooth curves.
     """
 
     label: str

@@ -96,7 +96,7 @@ def basis_at(x: float, c: Coefficients, values: FloatArray, slopes: FloatArray, 
 
 
 @compiled
-def basis(x: FloatArray, c: Coefficients) -> FloatArray:
+def basis_rows(x: FloatArray, c: Coefficients) -> FloatArray:
     """The basis at all x, shape (N, 4 + M)."""
     values, slopes = np.empty((len(x), c.curves.shape[1])), np.empty(c.curves.shape[1])
     curvatures = np.empty(len(c.centres))

@@ -37,7 +37,7 @@ from pipeline.models.rbf.structure import JointStructure
 from pipeline.models.rbf.structure_search import Fit, Setting, cut, excerpts, search
 from pipeline.models.tube_scales import scale_on
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
+from pipeline.numerics.metrics import NORMAL_90, rms
 from pipeline.numerics.progress import Keep, OnProgress, kept_under, make_anew, silent
 from pipeline.signals.trajectory import Record, operating_range
 
@@ -50,7 +50,7 @@ UNLIKE_POPULATION = 0.5
 need not be like others, and their sides may differ by 10 %; the same behind a laser that bends its readings by 15 % or
 reads 3 mm too much, 0.2 to 0.6."""
 
-NOTHING = 0.01
+NEGLIGIBLE_INPUT = 0.01
 """Share of the largest input below which one does nothing."""
 
 JACOBIANS, LAST_JACOBIANS = 20, 8
@@ -58,9 +58,9 @@ JACOBIANS, LAST_JACOBIANS = 20, 8
 it does not: of an hour at 10 ms a single one takes longer than a limit."""
 
 SAMPLES_OF_LIMIT = 7_500
-"""Samples of all training logs beyond which the time limit of a search grows in proportion."""
+"""Samples of all training logs beyond which the time limit of a structure search grows in proportion."""
 
-AHEAD, LEAST = 1.5, 1.645
+TUBE_MARGIN, TUBE_LEAST = 1.5, NORMAL_90
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need, and their least half width over
 the spread of the draws, which holds nine tenths of a normal distribution: a short log is followed to the noise. Chosen
 on fifteen simulated joints of three physics and eleven other devices, three of them measured."""
@@ -102,7 +102,8 @@ def identify_rbf(
         Measured curves, which are kept; only the rest is learned.
     time_limit : float
         Processor time [s] by the cost model of `pipeline.fitting.descent`, which counts evaluations: the same
-        data and limit give the same model on every machine. The structure search takes at most 0.6 of it.
+        data and limit give the same model on every machine. The structure search takes at most 0.6 of it. Where a
+        structure is searched on more than `SAMPLES_OF_LIMIT` samples, it is as many times as long.
     on_progress : callable
         Told what is going on, with the present error, and which share of the limit is spent.
     keep : callable
@@ -122,7 +123,8 @@ def identify_rbf(
     # Passages near a separatrix would outweigh all else in the free run of a bistable joint.
     pair = is_bistable_pair(records, inputs)
     coupled = COUPLED if pair else GAINS[-1]
-    setting = Setting(inputs, measured, Effort(time_limit), on_progress, coupled=coupled, keep=keep)
+    effort = Effort(time_limit if pair else _search_limit(time_limit, records))
+    setting = Setting(inputs, measured, effort, on_progress, coupled=coupled, keep=keep)
     fine = all(r.fine is not None for r in records)
     complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
@@ -134,8 +136,9 @@ def identify_rbf(
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven)
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
-        chosen, like, tried, complete = search(records, setting, first, *offered)
-        fitted = _fit_to_all(records, setting, chosen, like)
+        result = search(records, setting, first, *offered)
+        tried, complete = result.held_out, result.complete
+        fitted = _fit_to_all(records, setting, result.chosen, result.fit)
     if not fitted.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
     model = RbfModel(
@@ -146,12 +149,17 @@ def identify_rbf(
         mass,
         _diagnostics(records, fitted, tried) | {"effort_s": setting.effort.spent, "search_complete": complete},
     )
-    return replace(model, tube=scale_on(records, model, fitted.rms, AHEAD, LEAST))
+    return replace(model, tube=scale_on(records, model, fitted.rms, TUBE_MARGIN, TUBE_LEAST))
+
+
+def _search_limit(limit: float, records: Sequence[Record]) -> float:
+    """The time limit of a structure search, longer on many samples."""
+    return limit * max(1.0, sum(len(record.t) for record in records) / SAMPLES_OF_LIMIT)
 
 
 def _begins_driven(records: Sequence[Record]) -> bool:
     """Whether an input of any log is more than next to nothing at its first sample."""
-    return any(bool(np.any(np.abs(r.v[0]) > NOTHING * np.abs(r.v).max())) for r in records)
+    return any(bool(np.any(np.abs(r.v[0]) > NEGLIGIBLE_INPUT * np.abs(r.v).max())) for r in records)
 
 
 @dataclass(frozen=True)
@@ -226,7 +234,7 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, option: Candidate, 
             problem, theta, prior,
             Schedule(gains, ITERATIONS, LAST_ITERATIONS, noise_inflation=option.noise_inflation),
             callbacks=Callbacks(
-                enough=lambda: setting.effort.exhausted(share), on_progress=report, parts=problem.parts,
+                enough=lambda: setting.effort.exhausted(share), on_progress=report, is_chaotic=problem.is_chaotic,
                 keep=kept_under(setting.stored, f"final of {option.label} from {gains[0]:g}"),
             ),
         )  # fmt: skip
@@ -289,14 +297,6 @@ def _decided(training: Training) -> RbfChoice:
     )
 
 
-def _time_limit(training: Training) -> float:
-    """The limit of the settings, longer for a device whose structure is searched on many samples."""
-    samples, limit = sum(len(record.t) for record in training.records), training.identify.time_limit
-    if is_bistable_pair(training.records, training.inputs):
-        return limit
-    return limit * max(1.0, samples / SAMPLES_OF_LIMIT)
-
-
 def _fit(training: Training) -> RbfModel:
     return identify_rbf(
         training.records,
@@ -305,7 +305,7 @@ def _fit(training: Training) -> RbfModel:
         angle=training.units[0] == "rad",
         choice=_decided(training),
         measured=training.known_curves,
-        time_limit=_time_limit(training),
+        time_limit=training.identify.time_limit,
         on_progress=training.on_progress,
         keep=training.keep,
     )

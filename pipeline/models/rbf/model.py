@@ -13,7 +13,7 @@ from pipeline.fitting.regression import InputLaw
 from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table
-from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
 from pipeline.models.rbf.dynamics import free_rates
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
@@ -214,7 +214,7 @@ class RbfModel:
     def curve_ensemble(self, q: FloatArray, count: int = 64) -> dict[str, FloatArray]:
         """Curves drawn from the covariance that the training data show, each (count, n), θ acting to first order."""
         return first_order_curves(
-            lambda theta: self._characteristics(theta, q), self.theta, self.band_spread, count, SEED
+            lambda theta: self._characteristics(theta, q), self.theta, self.band_spread, count, SEED, ("d",)
         )
 
     def draws(self, count: int) -> FloatArray:
@@ -282,22 +282,22 @@ class RbfModel:
         begin = (float(start[0]), float(start[1]))
         c, observe = p.coefficients(theta), np.ones(len(t)) if observe is None else observe
         drive, coupling = Drive(u, du, p.at_rest(u, theta), p.held), Coupling(x, observe, gain)
-        states, _, valid = observed_run(c, drive, coupling, begin, interval, steps, joint.no_sensitivities())
+        states, _, valid = observed_run(c, drive, coupling, begin, interval, steps, no_sensitivities())
         return states, valid
 
-    def _of_stops(self, c: joint.Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
+    def _of_stops(self, c: Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
         """Force of the end stops, shape (n,)."""
         stops = np.tile(c.stops, (len(x), 1))
         forces: FloatArray = STOP_FORCE.evaluate(x=x[:, None], p=speed[:, None], stops=stops)["value"][:, 0]
         return forces
 
-    def _curves_at(self, c: joint.Coefficients, x: FloatArray) -> FloatArray:
+    def _curves_at(self, c: Coefficients, x: FloatArray) -> FloatArray:
         """All curves at x, in the order of `Coefficients.curves`."""
-        curves: FloatArray = joint.basis(np.ascontiguousarray(x), c) @ c.curves.T
-        force, ends = curves[:, [joint.FORCE]], np.tile(c.at_ends, (len(x), 1))
+        curves: FloatArray = basis_rows(np.ascontiguousarray(x), c) @ c.curves.T
+        force, ends = curves[:, [FORCE]], np.tile(c.at_ends, (len(x), 1))
         low, high = np.array([c.low]), np.array([c.high])
         confined = CONFINED_FORCE.evaluate(x=x[:, None], force=force, at_ends=ends, low=low, high=high)
-        curves[:, joint.FORCE] = confined["value"][:, 0]
+        curves[:, FORCE] = confined["value"][:, 0]
         return curves
 
     def _characteristics(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
@@ -306,14 +306,14 @@ class RbfModel:
         x = (q - s.middle) / s.half
         curves = self._curves_at(c, x)
         if len(c.stops):
-            curves[:, joint.FORCE] += self._of_stops(c, x, np.zeros(len(x)))
-        couplings = curves[:, joint.INPUT + inputs : joint.INPUT + inputs + len(c.rates)]
+            curves[:, FORCE] += self._of_stops(c, x, np.zeros(len(x)))
+        couplings = curves[:, INPUT + inputs : INPUT + inputs + len(c.rates)]
         rates = np.tile(c.rates, (len(q), 1))
         for i in range(p.structure.shape_elements):
             rates[:, i] += curves[:, p.rows[f"relaxation{i}"]]
-        damping = curves[:, joint.DAMPING] + np.where(rates > s.frequency, couplings**2 / rates, 0.0).sum(axis=1)
-        gains = curves[:, joint.INPUT : joint.INPUT + inputs]
-        result = {"F": -self.mass * s.half * curves[:, joint.FORCE], "d": self.mass * damping}
+        damping = curves[:, DAMPING] + np.where(rates > s.frequency, couplings**2 / rates, 0.0).sum(axis=1)
+        gains = curves[:, INPUT : INPUT + inputs]
+        result = {"F": -self.mass * s.half * curves[:, FORCE], "d": self.mass * damping}
         for k in range(inputs):
             if p.law == "squared":
                 result[f"dC{k + 1}_dq"] = 2.0 * self.mass * s.half / s.volts**2 * gains[:, k]

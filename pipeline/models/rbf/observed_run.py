@@ -22,7 +22,7 @@ from pipeline.models.rbf.coefficients import (
     WEIGHT,
     Coefficients,
     SensitivityParameters,
-    basis,
+    basis_rows,
     shapes,
 )
 from pipeline.models.rbf.dynamics import (
@@ -198,7 +198,7 @@ def _rested(
     `change` (R, K): derivatives of these inputs with respect to the parameters of kind `INPUT_SHAPE`.
     """
     w, sensitivity = np.zeros(len(c.rates)), np.zeros((len(c.rates), len(wrt.kind)))
-    at, inputs = basis(np.array([x]), c)[0], len(rest)
+    at, inputs = basis_rows(np.array([x]), c)[0], len(rest)
     first = INPUT + inputs + len(c.rates)
     for n in range(shapes(c, inputs)):
         row = first + n * (1 + inputs) + 1

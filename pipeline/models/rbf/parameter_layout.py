@@ -13,7 +13,23 @@ import numpy as np
 
 from pipeline.fitting.regression import InputLaw
 from pipeline.generated.terms import BENT, PAST_ZONE
-from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.coefficients import (
+    ARC,
+    CENTRE,
+    DRAG,
+    FORCE,
+    INPUT,
+    INPUT_SHAPE,
+    NUMBER,
+    POLYNOMIALS,
+    RATE,
+    SLIP_FORCE,
+    SLIP_LENGTH,
+    STOPS,
+    Coefficients,
+    SensitivityParameters,
+    basis_rows,
+)
 from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes, lagged
 from pipeline.numerics.arrays import FloatArray
 
@@ -58,6 +74,11 @@ class ParameterLayout:
         return 0.5 / (self.structure.smoothing * float(self.centres[1] - self.centres[0])) ** 2
 
     @property
+    def cubic(self) -> int:
+        """Place of the logarithm of the confining cubic's weight, where the force is no mere offset."""
+        return int(self.slices["force"].start) + POLYNOMIALS - 1
+
+    @property
     def arm(self) -> FloatArray:
         """The angle of a turning arm as a line in x, shape (2,); zeros for another joint."""
         return np.array([self.scales.middle, self.scales.half]) * float(self.structure.turning_arm)
@@ -66,7 +87,7 @@ class ParameterLayout:
     def slices(self) -> dict[str, slice]:
         """Slice of each block of the vector."""
         s, k, m = self.structure, len(self.signs), self.structure.basis_functions
-        force = {"curve": joint.POLYNOMIALS + m, "polynomial": joint.POLYNOMIALS, "offset": 1}[s.force]
+        force = {"curve": POLYNOMIALS + m, "polynomial": POLYNOMIALS, "offset": 1}[s.force]
         sizes = {"force": force, "damping": 1 if s.constant_damping else m}
         sizes |= {f"input{i}": 1 if s.constant_gain else m for i in range(k)}
         sizes |= {f"coupling{i}": m for i in range(len(s.rates))}
@@ -106,8 +127,7 @@ class ParameterLayout:
             elif kind in ("coupling", "pull"):
                 scale[where] = np.sqrt(stiffness)
         if self.structure.force != "offset":
-            cubic = self.slices["force"].start + joint.POLYNOMIALS - 1
-            scale[cubic], offset[cubic] = 1.0, np.log(stiffness)
+            scale[self.cubic], offset[self.cubic] = 1.0, np.log(stiffness)
         return offset, scale
 
     @property
@@ -116,19 +136,19 @@ class ParameterLayout:
         return int(max(s.stop for s in self.slices.values()))
 
     @np.errstate(over="ignore")  # a step of a descent that goes too far is infinite, and its run is refused
-    def coefficients(self, theta: FloatArray) -> joint.Coefficients:
+    def coefficients(self, theta: FloatArray) -> Coefficients:
         """The equation of motion for a parameter vector."""
         s, k = self.structure, len(self.signs)
         part = {name: theta[where] for name, where in self.slices.items()}
         rows, positive = self.rows, ("damping", *(f"relaxation{i}" for i in range(s.shape_elements)))
-        curves = np.zeros((len(rows), joint.POLYNOMIALS + s.basis_functions))
-        curves[joint.FORCE, : len(part["force"])] = part["force"]
+        curves = np.zeros((len(rows), POLYNOMIALS + s.basis_functions))
+        curves[FORCE, : len(part["force"])] = part["force"]
         if s.force != "offset":
-            curves[joint.FORCE, joint.POLYNOMIALS - 1] = -np.exp(part["force"][joint.POLYNOMIALS - 1])
+            curves[FORCE, POLYNOMIALS - 1] = -np.exp(part["force"][POLYNOMIALS - 1])
         for i, sign in enumerate(self.signs):
             gain = part[f"input{i}"]
             columns = self.columns(constant=s.constant_gain)
-            curves[joint.INPUT + i, columns] = sign * np.exp(gain) if sign else gain
+            curves[INPUT + i, columns] = sign * np.exp(gain) if sign else gain
         for name in rows:
             if name == "force" or name in (f"input{i}" for i in range(k)):
                 continue
@@ -137,16 +157,16 @@ class ParameterLayout:
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
         low, high = -1.0 - 3.0 * OVERHANG, 1.0 + 3.0 * OVERHANG
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
-        c = joint.Coefficients(
+        c = Coefficients(
             curves, np.exp(part["rate"]), np.exp(part["slip_force"]), slip_length, inertia,
             self.centres, self.bend, low, high, self.arm, float(np.exp(part["drag"]).sum()), self._stops(part["stops"]),
             np.zeros((2, curves.shape[1])), np.zeros(2),
         )  # fmt: skip
-        ends = joint.basis(np.array([low, high]), c)
-        return c._replace(ends=ends, at_ends=ends @ curves[joint.FORCE])
+        ends = basis_rows(np.array([low, high]), c)
+        return c._replace(ends=ends, at_ends=ends @ curves[FORCE])
 
     @np.errstate(over="ignore")
-    def sensitivity_parameters(self, theta: FloatArray) -> joint.SensitivityParameters:
+    def sensitivity_parameters(self, theta: FloatArray) -> SensitivityParameters:
         """Parameters of the sensitivities: all, in order."""
         kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
         factor = np.ones(self.count)
@@ -154,10 +174,9 @@ class ParameterLayout:
             where = self.slices[name]
             first[where] = row
             count = where.stop - where.start
-            second[where] = np.arange(count) + (0 if name == "force" or count == 1 else joint.POLYNOMIALS)
+            second[where] = np.arange(count) + (0 if name == "force" or count == 1 else POLYNOMIALS)
         if self.structure.force != "offset":
-            cubic = self.slices["force"].start + joint.POLYNOMIALS - 1
-            factor[cubic] = -np.exp(theta[cubic])
+            factor[self.cubic] = -np.exp(theta[self.cubic])
         for name in ("damping", *(f"relaxation{i}" for i in range(self.structure.shape_elements))):
             factor[self.slices[name]] = np.exp(theta[self.slices[name]])
         for i, sign in enumerate(self.signs):
@@ -176,7 +195,7 @@ class ParameterLayout:
         shape = self.slices["input_offset"].start
         for name in ("input_lag", "input_delay", "input_bend", "input_zone"):
             first[self.slices[name]] = self.slices[name].start - shape
-        return joint.SensitivityParameters(kind, first, second, factor)
+        return SensitivityParameters(kind, first, second, factor)
 
     def _stops(self, part: FloatArray) -> FloatArray:
         """Places of the end stops, stiffness and resistance, of which the last two are carried as logarithms."""
@@ -184,7 +203,7 @@ class ParameterLayout:
 
     def columns(self, *, constant: bool) -> slice:
         """Columns of the basis that a curve of its own weights has: the Gaussians, or the constant."""
-        return slice(0, 1) if constant else slice(joint.POLYNOMIALS, None)
+        return slice(0, 1) if constant else slice(POLYNOMIALS, None)
 
     @property
     def held(self) -> bool:
@@ -269,19 +288,19 @@ def kind_of(block: str) -> str:
     return block.rstrip("0123456789_")
 
 
-_PLACES = {"inertia": joint.ARC, "inertia_centre": joint.CENTRE, "drag": joint.DRAG, "stops": joint.STOPS}
-"""Places of the derivatives by numbers of the equation, see `dynamics.NUMBER`."""
+_PLACES = {"inertia": ARC, "inertia_centre": CENTRE, "drag": DRAG, "stops": STOPS}
+"""Places of the derivatives by numbers of the equation, see `coefficients.NUMBER`."""
 _KINDS = {
-    "rate": joint.RATE,
-    "slip_force": joint.SLIP_FORCE,
-    "slip_length": joint.SLIP_LENGTH,
-    "inertia": joint.NUMBER,
-    "inertia_centre": joint.NUMBER,
-    "drag": joint.NUMBER,
-    "stops": joint.NUMBER,
-    "input_offset": joint.INPUT_SHAPE,
-    "input_lag": joint.INPUT_SHAPE,
-    "input_delay": joint.INPUT_SHAPE,
-    "input_bend": joint.INPUT_SHAPE,
-    "input_zone": joint.INPUT_SHAPE,
+    "rate": RATE,
+    "slip_force": SLIP_FORCE,
+    "slip_length": SLIP_LENGTH,
+    "inertia": NUMBER,
+    "inertia_centre": NUMBER,
+    "drag": NUMBER,
+    "stops": NUMBER,
+    "input_offset": INPUT_SHAPE,
+    "input_lag": INPUT_SHAPE,
+    "input_delay": INPUT_SHAPE,
+    "input_bend": INPUT_SHAPE,
+    "input_zone": INPUT_SHAPE,
 }

@@ -18,7 +18,7 @@ import numpy as np
 
 from pipeline.fitting.descent import Prior
 from pipeline.models.kind import KnownCurves
-from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.coefficients import POLYNOMIALS, basis_rows
 from pipeline.models.rbf.parameter_layout import ParameterLayout, kind_of
 from pipeline.models.rbf.structure import JointScales, JointStructure
 from pipeline.numerics.arrays import FloatArray, IntArray
@@ -56,11 +56,11 @@ def joint_prior(p: ParameterLayout, start: FloatArray, symmetry: float | None) -
     at, s = p.slices, p.units
     size = 2.5 * s.stiffness
     force = np.arange(at["force"].start, at["force"].stop)
-    for i in force[: joint.POLYNOMIALS - 1]:
+    for i in force[: POLYNOMIALS - 1]:
         rows.add([i], [1.0], 0.0, 3.0 * size)
-    for i in force[joint.POLYNOMIALS - 1 : joint.POLYNOMIALS]:
+    for i in force[POLYNOMIALS - 1 : POLYNOMIALS]:
         rows.add([i], [1.0], np.log(s.stiffness), CUBIC_SPREAD)
-    bells = force[joint.POLYNOMIALS :]
+    bells = force[POLYNOMIALS:]
     bump = size * (ARM_BUMP if p.structure.turning_arm else 1.0)
     rows.each(bells, np.zeros(len(bells)), 0.5 * bump)
     rows.smooth(bells, 0.3 * bump)
@@ -161,12 +161,12 @@ def mirror_image(p: ParameterLayout) -> FloatArray:
     for name, index in at.items():
         kind = kind_of(name)
         if kind == "force":
-            powers = index[: joint.POLYNOMIALS]
+            powers = index[:POLYNOMIALS]
             image[powers, powers] = (-1.0, 1.0, -1.0, 1.0)[: len(powers)]  # the last is the confining cubic's logarithm
-            image[index[joint.POLYNOMIALS :], index[joint.POLYNOMIALS :][::-1]] = -1.0
+            image[index[POLYNOMIALS:], index[POLYNOMIALS:][::-1]] = -1.0
         elif kind in ("input", "pull"):
             if len(p.signs) == 2:
-                put(name, f"{name[:-1]}{1 - int(name[-1])}", 1.0 if kind == "input" else -1.0, turned=True)
+                put(name, _of_other_input(name), 1.0 if kind == "input" else -1.0, turned=True)
         elif name == "input_offset":
             put(name, name, 1.0, turned=True)
         else:
@@ -214,12 +214,17 @@ def blocks_of(p: ParameterLayout) -> dict[str, int]:
     return {name: where.stop - where.start for name, where in p.slices.items()}
 
 
+def _of_other_input(block: str) -> str:
+    """The block that means the same for the other of two inputs."""
+    return f"{block[:-1]}{1 - int(block[-1])}"
+
+
 def _exchanged(p: ParameterLayout) -> IntArray:
     """Place of each parameter in θ of a joint with exchanged inputs, shape (P,)."""
     order, at = np.arange(p.count), p.slices
     for name in at:
         if kind_of(name) in ("pull", "input"):
-            order[at[name]] = np.arange(p.count)[at[f"{name[:-1]}{1 - int(name[-1])}"]]
+            order[at[name]] = np.arange(p.count)[at[_of_other_input(name)]]
     order[at["input_offset"]] = order[at["input_offset"]][::-1]
     return order
 
@@ -273,9 +278,8 @@ def pin_curves(p: ParameterLayout, start: FloatArray, prior: Prior, measured: Kn
     pinned = _pinned(p, start, prior, measured)
     if measured.force is None:
         return start, pinned
-    cubic = p.slices["force"].start + joint.POLYNOMIALS - 1
-    row = (np.arange(p.count) == cubic) / PINNED
-    return start, Prior(np.vstack([pinned.matrix, row]), np.append(pinned.right, start[cubic] / PINNED))
+    row = (np.arange(p.count) == p.cubic) / PINNED
+    return start, Prior(np.vstack([pinned.matrix, row]), np.append(pinned.right, start[p.cubic] / PINNED))
 
 
 def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: KnownCurves) -> Prior:
@@ -288,7 +292,7 @@ def _pinned(p: ParameterLayout, theta: FloatArray, prior: Prior, measured: Known
             continue
         finite, where = np.isfinite(curve), p.slices[name]
         y = curve[finite] * (-1.0 if name == "force" else volts) / p.scales.half
-        basis = joint.basis(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
+        basis = basis_rows(np.ascontiguousarray((measured.q[finite] - p.scales.middle) / p.scales.half), c)
         block = np.zeros((len(y), p.count))
         block[:, where] = basis[:, wrt.second[where]] * wrt.factor[where]
         spread = KEPT * np.abs(y).max()

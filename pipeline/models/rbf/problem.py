@@ -14,7 +14,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.errors import InputError
-from pipeline.models.rbf.coefficients import basis, no_sensitivities
+from pipeline.models.rbf.coefficients import basis_rows, no_sensitivities
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import drive_at_nodes, known_inputs, spline_through
@@ -92,7 +92,7 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
     c = p.coefficients(theta)
     decays = ["damping", *(f"relaxation{i}" for i in range(p.structure.shape_elements))]
     curves = c.curves[[p.rows[name] for name in decays]]
-    fastest = max(float((basis(p.centres, c) @ curves.T).max()), float(c.rates.max(initial=0.0)))
+    fastest = max(float((basis_rows(p.centres, c) @ curves.T).max()), float(c.rates.max(initial=0.0)))
     touching = 0.0
     if p.structure.stops:
         stiffness, resistance = c.stops[2:]
@@ -252,8 +252,8 @@ class JointProblem:
             seconds += simulation_effort(steps, p.count, delayed=p.structure.input_delay)
         return seconds
 
-    def parts(self, theta: FloatArray) -> bool:
-        """Whether the free run of any log parts from one that starts beside it: then the motion is chaotic."""
+    def is_chaotic(self, theta: FloatArray) -> bool:
+        """Whether the free run of any log diverges from one that starts beside it."""
         for log in self.logs:
             beside = replace(log, start=log.start + _NUDGE * self.parameters.scales.frequency)
             first, second = (

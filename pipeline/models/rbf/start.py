@@ -13,7 +13,7 @@ from scipy.optimize import lsq_linear
 from pipeline.errors import InputError
 from pipeline.fitting.regression import InputLaw, input_signal
 from pipeline.generated.terms import BELL, STOP_FORCE
-from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.coefficients import FORCE, POLYNOMIALS, basis_rows
 from pipeline.models.rbf.dynamics import slid
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import OVERDAMPED, JointScales, JointStructure
@@ -139,7 +139,7 @@ def is_bistable_pair(records: Sequence[Record], law: InputLaw) -> bool:
         return False
     coefficients = p.coefficients(start)
     x = np.linspace(-1.0, 1.0, PLACES)
-    force = joint.basis(x, coefficients) @ coefficients.curves[joint.FORCE]
+    force = basis_rows(x, coefficients) @ coefficients.curves[FORCE]
     turns = np.flatnonzero(np.diff(np.sign(force)))
     if not np.array_equal(np.sign(force[turns]), [1.0, -1.0, 1.0]):
         return False
@@ -270,15 +270,15 @@ def _driven(records: Sequence[Record], p: ParameterLayout, timing: FloatArray) -
 
 
 def _motion(records: Sequence[Record], p: ParameterLayout) -> tuple[list[FloatArray], FloatArray]:
-    """For F, d the basis times 1, −p, then the basis of the gains, each (N, functions); and the accelerations.
+    """Columns of F, of d and of the gains before they act on inputs, each (N, functions), and the accelerations.
 
-    Of an overdamped device what the damping to start from makes of the velocities, and no other damping.
+    An overdamped device has no measurable acceleration: the force that balances its damping stands in its place.
     """
     s, shape = p.units, p.structure
     x = np.concatenate([(r.q[r.valid] - s.middle) / s.half for r in records])
     speed = np.concatenate([r.qdot[r.valid] / s.half for r in records])
     target = np.concatenate([r.qddot[r.valid] / s.half for r in records])
-    basis = joint.basis(x, p.coefficients(np.zeros(p.count)))
+    basis = basis_rows(x, p.coefficients(np.zeros(p.count)))
     force = basis[:, : p.slices["force"].stop - p.slices["force"].start]
     damping = -speed[:, None] * basis[:, p.columns(constant=shape.constant_damping)]
     if shape.overdamped:
@@ -318,7 +318,7 @@ def _bounded_fit(
     ends = np.cumsum([basis.shape[1] for basis in columns])
     low, high = np.full(ends[-1], -np.inf), np.full(ends[-1], np.inf)
     if structure.force != "offset":
-        high[joint.POLYNOMIALS - 1] = 0.0
+        high[POLYNOMIALS - 1] = 0.0
     low[ends[0] : ends[1]] = 0.0
     for first, last, sign in zip(ends[1:], ends[2:], signs, strict=False):
         low[first:last], high[first:last] = (0.0 if sign > 0 else -np.inf), (0.0 if sign < 0 else np.inf)
@@ -346,8 +346,7 @@ def _start_vector(p: ParameterLayout, fitted: list[FloatArray], typical: list[fl
     force, damping, gains = fitted[0], fitted[1], fitted[2:]
     theta[at["force"]] = force
     if p.structure.force != "offset":
-        cubic = at["force"].start + joint.POLYNOMIALS - 1
-        theta[cubic] = np.log(max(-force[joint.POLYNOMIALS - 1], 0.05 * s.stiffness))
+        theta[p.cubic] = np.log(max(-force[POLYNOMIALS - 1], 0.05 * s.stiffness))
     bells = BELL.evaluate(inside=np.zeros(1), centre=p.centres[:, None], bend=np.array([p.bend]))
     overlap = bells["value"].sum()
     theta[at["damping"]] = np.log(np.maximum(damping, 0.3 * np.median(damping) + 0.015 * s.frequency))

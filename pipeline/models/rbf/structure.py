@@ -120,7 +120,7 @@ class JointScales:
 
     @property
     def overdamped(self) -> "JointScales":
-        """The scales where damping of `OVERDAMPED` times the frequency scale makes the force scale of the speed."""
+        """Scales for an overdamped device: the force scale follows from the speed, by damping of `OVERDAMPED`."""
         return replace(self, stiffness=2.0 * (OVERDAMPED * self.speed) ** 2)
 
 

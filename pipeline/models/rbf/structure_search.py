@@ -17,7 +17,7 @@ from pipeline.models.rbf.problem import COARSE_STEP, Effort, JointProblem
 from pipeline.models.rbf.start import TIMES, data_scales, starting_joint
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import Keep, OnProgress, Parts, make_anew, silent
+from pipeline.numerics.progress import Keep, OnProgress, StoredResult, make_anew, silent
 from pipeline.signals.trajectory import Record
 
 FITTED_SHARE = 0.65
@@ -87,10 +87,43 @@ Fit = tuple[ParameterLayout, FloatArray]
 
 
 @dataclass(frozen=True)
+class SearchResult:
+    """The chosen structure.
+
+    Attributes
+    ----------
+    chosen : Candidate
+    fit : Fit or None
+        The fit by which it was judged; None if nothing was offered.
+    held_out : dict of str to float
+        RMS held-out error of each candidate that was tried, in the unit of q; empty if nothing was offered.
+    complete : bool
+        Whether all was offered, and judged or screened, before `SEARCH_SHARE` of the effort was spent.
+    """
+
+    chosen: Candidate
+    fit: Fit | None
+    held_out: dict[str, float]
+    complete: bool
+
+
+@dataclass(frozen=True)
 class Setting:
-    """Settings of all candidates: law of the inputs, measured curves per unit mass, effort, progress callback,
-    at most how many samples of each is left for comparisons, the smallest observer gain that fits may have (0, the
-    free run, but for a chaotic and for a bistable device), and what keeps finished work.
+    """Settings that all candidates share.
+
+    Attributes
+    ----------
+    inputs : InputLaw
+    measured : KnownCurves or None
+        Measured curves per unit mass.
+    effort : Effort
+    on_progress : callable
+    thinning : int
+        One of so many samples is compared.
+    coupled : float
+        Smallest observer gain of a fit: 0, the free run, but for a chaotic and for a bistable device.
+    keep : callable
+        Keeps finished work.
     """
 
     inputs: InputLaw
@@ -101,7 +134,7 @@ class Setting:
     coupled: float = 0.0
     keep: Keep = make_anew
 
-    def stored(self, name: str, make: Callable[[], Parts]) -> Parts:
+    def stored(self, name: str, make: Callable[[], StoredResult]) -> StoredResult:
         """Result of `make`, from `keep` if it is there; its effort counts either way."""
         parts = dict(self.keep(name, lambda: {**make(), "spent": self.effort.spent}))
         self.effort.spent = parts.pop("spent")
@@ -146,7 +179,7 @@ def search(
     first: Candidate,
     once: Sequence[Offer],
     again: Sequence[Offer] = (),
-) -> tuple[Candidate, Fit | None, dict[str, float], bool]:
+) -> SearchResult:
     """One offer after the other, each to the best candidate so far: `once`, then `again` until none is taken.
 
     The rule is that of one standard error (Breiman et al. 1984): the simplest of those about as good as the best. A
@@ -155,16 +188,6 @@ def search(
     more by that, or `FAR` times as much and coupled more by that, or `TOO_SIMPLE` times as much, and surely, over what
     it was fitted to. A free run carries an error on: what it says of a mass without spring, or near a separatrix, is
     worth few independent samples, where coupled ones forget.
-
-    Returns
-    -------
-    Candidate
-    Fit or None
-        Of it, by which it was judged; None if nothing was offered.
-    dict of str to float
-        RMS held-out error of each that was tried, in the unit of q; empty if nothing was offered.
-    bool
-        Whether all was offered, and judged or screened, before `SEARCH_SHARE` of the effort was spent.
     """
     setting = replace(setting, thinning=max(1, sum(len(r.t) for r in records) // LEAST_SAMPLES))
     records = excerpts(records)
@@ -184,26 +207,32 @@ def search(
     def size(option: Candidate) -> int:
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
-    turns, best, since, complete, dear = [*once, *ROUNDS * tuple(again)], first, len(once), True, False
+    turns, best, complete, expensive = [*once, *ROUNDS * tuple(again)], first, True, False
+    last_taken = len(once)
     for number in range(len(turns)):
-        if number - since >= len(again) > 0:
+        if number - last_taken >= len(again) > 0:
             break
         if setting.effort.exhausted(SEARCH_SHARE):
             complete = False
             break
         others = turns[number](best)
         if others and not tried:
-            setting, tried, dear = _coupled(records, setting, first)
-            turns = _together_next(turns, number, len(once)) if dear else turns
-        if dear:
+            setting, tried, expensive = _coupled(records, setting, first)
+            turns = _together_next(turns, number, len(once)) if expensive else turns
+        if expensive:
             others = _screened(records, setting, others, tried)
-        tested = [option for option in others if not setting.effort.exhausted(SEARCH_SHARE) and judged(option)]
-        complete = complete and len(tested) == len(others)
-        for option in sorted(tested, key=lambda option: rms(judged(option).errors[-1])):
+        affordable = list[Candidate]()
+        for option in others:
+            if setting.effort.exhausted(SEARCH_SHARE):
+                complete = False
+                break
+            judged(option)
+            affordable.append(option)
+        for option in sorted(affordable, key=lambda option: rms(judged(option).errors[-1])):
             if better(option, best):
-                best, since = option, max(number + 1, len(once))
+                best, last_taken = option, max(number + 1, len(once))
     held_out = {label: rms(judgement.errors[-1]) for label, judgement in tried.items()}
-    return best, tried[best.label].fits[0] if tried else None, held_out, complete
+    return SearchResult(best, tried[best.label].fits[0] if tried else None, held_out, complete)
 
 
 def _together_next(turns: Sequence[Offer], number: int, once: int) -> list[Offer]:
@@ -265,7 +294,7 @@ def _screened(
     def error(option: Candidate) -> float:
         """RMS of the held-out error, in the unit of q."""
 
-        def make() -> Parts:
+        def make() -> StoredResult:
             """That error, after a short fit."""
             p, start, prior = setting.begin(fitted, option)
             problem = JointProblem(p, fitted, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
@@ -339,7 +368,7 @@ def _judge(records: Sequence[Record], setting: Setting, option: Candidate, near:
         # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
         return setting.begin(folds[i][0], option, (first[0], thetas[0]) if timed else None) if i else first
 
-    def make() -> Parts:
+    def make() -> StoredResult:
         """Held-out errors and fitted θ of every fold."""
         errors, thetas, chaotic, followed = list[FloatArray](), list[FloatArray](), False, np.empty(0)
         for i, (fitted, judged, after) in enumerate(folds):
@@ -388,7 +417,9 @@ def _quick_fit(
         strong = [gain for gain in gains if gain >= setting.coupled]
         return fit_homotopy(
             problem, theta, prior, Schedule(strong, steps, 2 * steps, 1e-3, option.noise_inflation),
-            callbacks=Callbacks(on_progress=setting.progress(option.label, p.scales.half), parts=problem.parts),
+            callbacks=Callbacks(
+                on_progress=setting.progress(option.label, p.scales.half), is_chaotic=problem.is_chaotic
+            ),
         )  # fmt: skip
 
     if near is not None and p.count > MANY and _alike(p, near[0]):

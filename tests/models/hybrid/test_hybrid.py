@@ -16,7 +16,7 @@ from pipeline.models.hybrid import identify as identify_hybrid_module
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, identify_hybrid
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.problem import DEVIATIONS, CondensedJoint, CondensedProblem
+from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.start import prior_root
 from pipeline.models.kind import FITTED_SHARE, Training
 from pipeline.numerics.arrays import FloatArray
@@ -98,7 +98,7 @@ def test_corrections_are_fitted_as_asked_whatever_the_logs_say(
         plain, plain.start(), (0.0,), last=1)))  # fmt: skip
     model = identify_hybrid([log(joint(PLANTED), 1, 4.0)], NOMINAL, corrections=corrections)
     assert model.joint.centres == centres == model.describe()["basis_functions"]
-    assert model.describe()["physical_parameters"] == DEVIATIONS
+    assert model.describe()["physical_parameters"] == DEVIATION_COUNT
 
 
 def test_electrodes_that_charge_in_20_ms_are_seen() -> None:
@@ -261,7 +261,7 @@ def test_a_joint_softens_from_the_beginning_of_a_recording_whatever_its_clock_co
 
 def test_corrections_act_on_the_force() -> None:
     corrected, plain = joint({}, centres=5), joint({})
-    corrected.theta[DEVIATIONS : DEVIATIONS + 5] = 1.0
+    corrected.theta[DEVIATION_COUNT : DEVIATION_COUNT + 5] = 1.0
     q = np.linspace(-0.015, 0.015, 7)
     difference = corrected.curves(q)["F"] - plain.curves(q)["F"]
     bells = np.exp(-0.5 * ((q[:, None] - (-0.02 + 0.01 * np.arange(5))) / 0.008) ** 2)

@@ -16,7 +16,7 @@ UNITS = [Similarity(0.4, 1.6, 2.5, 1.0, 3e-3), Similarity(2.2, 0.6, 0.35), Simil
 def device(units: Similarity) -> Record:
     """A log of the planted joint as that of a device in other units."""
     inverse = Similarity(1.0 / units.length, 1.0 / units.time, 1.0 / units.voltage)
-    scaled = inverse.set_record(log(joint(PLANTED), 1, 20.0))
+    scaled = inverse.in_reference_units(log(joint(PLANTED), 1, 20.0))
     return Record(scaled.t, scaled.q + units.origin, scaled.qdot, scaled.qddot, scaled.v, scaled.valid)
 
 

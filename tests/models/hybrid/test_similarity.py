@@ -10,7 +10,7 @@ from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES, VALUES, corrections_at, joint_rates, prepare
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.problem import DEVIATIONS, CondensedJoint
+from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Record
@@ -22,7 +22,7 @@ def pair(centres: int = 4) -> tuple[HybridModel, HybridModel]:
     """The set's joint with random deviations and corrections, and its like in other units."""
     rng, basis = np.random.default_rng(3), np.array([-0.015, 0.01, 0.008])
     condensed = CondensedJoint(NOMINAL, basis, centres, 3000.0, condensed_parameters.static_slope_ratio(NOMINAL))
-    theta = 0.3 * rng.standard_normal(DEVIATIONS + CURVES * centres)
+    theta = 0.3 * rng.standard_normal(DEVIATION_COUNT + CURVES * centres)
     other = replace(condensed, basis=UNITS.length * basis, largest_voltage=UNITS.voltage * 3000.0, similarity=UNITS)
     spreads = 2 * (np.zeros((len(theta), 1)),)
     return HybridModel(condensed, theta, *spreads), HybridModel(other, theta, *spreads)
@@ -65,7 +65,7 @@ def test_free_runs_and_curves_scale() -> None:
     assert np.ptp(run.q) > 0.015
     np.testing.assert_allclose(again.q, record.q, atol=1e-6 * np.ptp(record.q))
     measured = replace(record, velocity=record.qdot, past=record.v[:5])
-    found = UNITS.set_record(measured)
+    found = UNITS.in_reference_units(measured)
     for name, truth in (("qddot", run.qddot), ("velocity", run.qdot), ("past", v[:5])):
         np.testing.assert_allclose(getattr(found, name), truth, rtol=1e-12)
     q = np.linspace(-0.012, 0.012, 7)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.coefficients import FORCE, POLYNOMIALS
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.observed_run import WALL
 from pipeline.models.rbf.parameter_layout import OVERHANG, ParameterLayout
@@ -27,7 +27,7 @@ def drawn(seed, force):
     theta[p.slices["force"]] *= 3.0
     theta[p.slices["input_offset"]] = 0.0
     if force != "offset":
-        theta[p.slices["force"].start + joint.POLYNOMIALS - 1] = np.log(50.0) - rng.uniform(0.0, 20.0)
+        theta[p.slices["force"].start + POLYNOMIALS - 1] = np.log(50.0) - rng.uniform(0.0, 20.0)
     return RbfModel(p, theta, np.zeros((p.count, 1)), np.zeros((p.count, 1)))
 
 
@@ -53,7 +53,7 @@ def test_a_force_that_leads_away_turns_back_and_one_that_restores_is_left(slope,
     theta[p.slices["force"]] = [0.0, slope, 0.0, -30.0]
     c = p.coefficients(theta)
     x = np.concatenate([np.linspace(1.31, 2.5, 20), -np.linspace(1.31, 2.5, 20)])
-    force = model._curves_at(c, x)[:, joint.FORCE]
+    force = model._curves_at(c, x)[:, FORCE]
     if turns:
         assert (force * x < 0.0).all()
     else:

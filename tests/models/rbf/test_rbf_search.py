@@ -6,14 +6,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pipeline.models.kind import Training
 from pipeline.models.rbf import identify, structure_search
 from pipeline.models.rbf.candidates import candidate
 from pipeline.models.rbf.problem import Effort
 from pipeline.models.rbf.structure import JointStructure
 from pipeline.models.rbf.structure_search import Setting, search
-from pipeline.settings import Compare
-from pipeline.settings import Identify as IdentifySettings
 from pipeline.signals.trajectory import Record
 
 PLAIN = JointStructure(
@@ -42,7 +39,7 @@ def found(monkeypatch):
             return structure_search._Judged(held_out * noise, fitted * noise[0], ((None, np.empty(0)),), False, ())
 
         monkeypatch.setattr(structure_search, "_judge", judge)
-        return search([record], Setting("linear", None), SPRING, once, again)[0], judged
+        return search([record], Setting("linear", None), SPRING, once, again).chosen, judged
 
     return searched
 
@@ -61,7 +58,7 @@ def test_a_search_says_whether_all_was_asked(monkeypatch):
     told = {}
     for limit in (1.0, 2.0, 3.0, 4.0):
         effort = Effort(limit / structure_search.SEARCH_SHARE)
-        told[limit] = search([record], Setting("linear", None, effort), SPRING, offers)[-1]
+        told[limit] = search([record], Setting("linear", None, effort), SPRING, offers).complete
     assert told == {1.0: False, 2.0: False, 3.0: True, 4.0: True}
 
 
@@ -83,8 +80,7 @@ def test_each_log_is_held_out_once_alone_or_with_others(logs, folds):
 def test_the_limit_of_a_search_grows_with_the_samples(samples, times):
     t = 0.01 * np.arange(samples)
     log = Record(t, np.sin(t), np.cos(t), -np.sin(t), np.cos(3.0 * t)[:, None], np.ones(samples, dtype=bool))
-    training = Training((), (log,), ("m", "V"), "linear", None, None, None, IdentifySettings(), Compare())
-    assert identify._time_limit(training) == pytest.approx(times * IdentifySettings().time_limit)
+    assert identify._search_limit(20.0, [log]) == pytest.approx(times * 20.0)
 
 
 @pytest.mark.parametrize(("once", "order"), [(5, [0, 1, 4, 2, 3, 5, 6]), (3, [0, 1, 2, 3, 4, 5, 6])])

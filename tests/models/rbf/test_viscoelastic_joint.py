@@ -4,7 +4,7 @@ from scipy.integrate import solve_ivp
 
 from pipeline.codegen.graph import trace
 from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
-from pipeline.models.rbf import coefficients as joint
+from pipeline.models.rbf.coefficients import FORCE, basis_rows, no_sensitivities
 from pipeline.models.rbf.dynamics import free_rates, slide
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
@@ -54,9 +54,7 @@ def record(p, theta, n=700, interval=0.01, seed=1):
     u, du = p.inputs(v, interval, 1, theta)
     still = np.zeros(n)
     drive, free = Drive(u, du, u[0], p.held), Coupling(still, still, 0.0)
-    states, _, valid = observed_run(
-        p.coefficients(theta), drive, free, (0.6, 0.0), interval, 1, joint.no_sensitivities()
-    )
+    states, _, valid = observed_run(p.coefficients(theta), drive, free, (0.6, 0.0), interval, 1, no_sensitivities())
     assert valid == n
     q, qdot, qddot = (SCALES.half * states[:, i] for i in range(3))
     return Record(interval * np.arange(n), q, qdot, qddot, v, np.ones(n, dtype=bool))
@@ -71,7 +69,7 @@ def test_the_traced_law_is_the_one_that_runs_integrate(changes):
     v, still = pulses(n, 0.01, np.random.default_rng(5)), np.zeros(n)
     u, du = p.inputs(v, 0.01, 2, theta)
     c, drive, free = p.coefficients(theta), Drive(u, du, u[0], p.held), Coupling(still, still, 0.0)
-    states, _, valid = observed_run(c, drive, free, (0.6, 0.0), 0.01, 2, joint.no_sensitivities())
+    states, _, valid = observed_run(c, drive, free, (0.6, 0.0), 0.01, 2, no_sensitivities())
     assert valid == n
     law = trace(lambda x, u: {"dx": free_rates(c, x, (), u)}, x=4, u=2)
     rates = law.evaluate(x=states[:, [0, 1, 3, 4]], u=u[::4])["dx"]
@@ -149,7 +147,7 @@ def test_agrees_with_an_adaptive_integrator_of_the_equations_as_written():
         relax = np.array([h1, h2]) * speed - (c.rates + np.array([relaxation, 0.0])) * load
         return [speed, total / (1 + c.inertia[0] * arm**2), *relax, (speed - abs(speed) * s) / c.slip_length[0]]
 
-    rest = [c.curves[7:] @ joint.basis(np.array([0.6]), c)[0] @ theta[at["input_offset"]] ** 2, 0.0]
+    rest = [c.curves[7:] @ basis_rows(np.array([0.6]), c)[0] @ theta[at["input_offset"]] ** 2, 0.0]
     truth = solve_ivp(slope, (0, log.t[-1]), [0.6, 0, *rest, 0], t_eval=log.t, rtol=1e-8, atol=1e-10, max_step=0.005)
     assert log.q / SCALES.half == pytest.approx(truth.y[0], abs=4e-3)
 
@@ -165,11 +163,11 @@ def test_any_parameter_vector_is_passive_and_confined(seed):
     c, n = p.coefficients(theta), 800
     still, none = np.zeros(n), np.zeros((2 * (n - 1) * 2 + 1, 2))
     drive, free = Drive(none, np.zeros((2, *none.shape)), none[0], False), Coupling(still, still, 0.0)
-    states, _, valid = observed_run(c, drive, free, (2.0, 0.0), 0.005, 2, joint.no_sensitivities())
+    states, _, valid = observed_run(c, drive, free, (2.0, 0.0), 0.005, 2, no_sensitivities())
     assert valid == n
     grid = np.linspace(-2.1, 2.1, 8001)
     at_rest = {"x": grid[:, None], "p": np.zeros((grid.size, 1)), "stops": np.tile(c.stops, (grid.size, 1))}
-    force, ends = (joint.basis(grid, c) @ c.curves[0])[:, None], np.tile(c.at_ends, (grid.size, 1))
+    force, ends = (basis_rows(grid, c) @ c.curves[0])[:, None], np.tile(c.at_ends, (grid.size, 1))
     reach = {"low": np.array([c.low]), "high": np.array([c.high])}
     confined = CONFINED_FORCE.evaluate(x=at_rest["x"], force=force, at_ends=ends, **reach)
     values = (confined["value"] + STOP_FORCE.evaluate(**at_rest)["value"])[:, 0]
@@ -191,17 +189,17 @@ def test_a_turning_arm_is_a_pendulum_inside_the_data_and_a_wall_outside():
     theta[at["force"]][1], theta[at["force"]][3] = -6.0, -50.0  # the cubic with its wall at e^-50: none
     theta[at["damping"]] = -50.0
     x = np.linspace(-1.0, 1.0, 9)
-    force = joint.basis(x, p.coefficients(theta)) @ p.coefficients(theta).curves[joint.FORCE]
+    force = basis_rows(x, p.coefficients(theta)) @ p.coefficients(theta).curves[FORCE]
     assert force == pytest.approx(-6.0 * np.sin(0.8 + 0.7 * x))
     theta[at["force"]][3] = np.log(5.0)
-    outside = joint.basis(np.array([1.0, 1.1, 1.3]), p.coefficients(theta))[:, 3]
+    outside = basis_rows(np.array([1.0, 1.1, 1.3]), p.coefficients(theta))[:, 3]
     assert outside == pytest.approx([1.0, 1.1**3 + 1.0, 1.3**3 + 27.0])
 
 
 def test_friction_states_do_not_depend_on_how_fast_the_way_is_travelled():
     p = parameters()
     c = p.coefficients(double_well(p, np.random.default_rng(5)))
-    wrt, nothing = joint.no_sensitivities(), np.empty(0)
+    wrt, nothing = no_sensitivities(), np.empty(0)
     once, thrice = np.array([[0.3]]), np.array([[0.3]])
     slide(once, 1.0, 0.03, nothing, c, wrt, once)
     for _ in range(3):
