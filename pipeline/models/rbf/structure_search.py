@@ -221,18 +221,26 @@ def search(
             turns = _together_next(turns, number, len(once)) if expensive else turns
         if expensive:
             others = _screened(records, setting, others, tried)
-        affordable = list[Candidate]()
-        for option in others:
-            if setting.effort.exhausted(SEARCH_SHARE):
-                complete = False
-                break
-            judged(option)
-            affordable.append(option)
+        affordable = _affordable(others, setting.effort, judged)
+        complete = complete and len(affordable) == len(others)
         for option in sorted(affordable, key=lambda option: rms(judged(option).errors[-1])):
             if better(option, best):
                 best, last_taken = option, max(number + 1, len(once))
     held_out = {label: rms(judgement.errors[-1]) for label, judgement in tried.items()}
     return SearchResult(best, tried[best.label].fits[0] if tried else None, held_out, complete)
+
+
+def _affordable(
+    options: Sequence[Candidate], effort: Effort, judge: Callable[[Candidate], "_Judged"]
+) -> list[Candidate]:
+    """The options that could be judged before the effort was spent, in order."""
+    judged = list[Candidate]()
+    for option in options:
+        if effort.exhausted(SEARCH_SHARE):
+            break
+        judge(option)
+        judged.append(option)
+    return judged
 
 
 def _together_next(turns: Sequence[Offer], number: int, once: int) -> list[Offer]:
