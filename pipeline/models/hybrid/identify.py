@@ -129,60 +129,74 @@ def identify_hybrid(
     operating_range(records)
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
-    search = _Search(tuple(similarity.in_reference_units(record) for record in records), keep, siblings).within(
-        MOST_SAMPLES
-    )
-    search, levels, fits, decision = _first_fits(search, parameters, corrections)
-    errors = {name: search.held_out(joint, fit.theta) for name, (joint, fit) in fits.items()}
-    harmful_ratio = np.inf if corrections == "always" else HARMFUL_RATIO
-    helpful = WITH_RBF in errors and errors[WITH_RBF].coupled < harmful_ratio * errors[ALONE].coupled
-    for name in (WITH_RBF, ALONE) if helpful else (ALONE,):
-        joint, before = fits[name]
-        final = search.fit(joint, before.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
-        if final.reached_last:
-            break
-    nothing = np.zeros((len(before.theta), 0))
-    early = HybridModel(_of_device(joint, similarity), before.theta, nothing, nothing)
-    if not search.follows(final, LOST_ERROR):
-        joint, final = min(((joint, final), search.anew(fits[ALONE][0])), key=lambda fitted: _free_error(fitted[1]))
-    if not final.levels:
+    scaled = tuple(similarity.in_reference_units(record) for record in records)
+    first = _first_fits(_Search(scaled, keep, siblings).within(MOST_SAMPLES), parameters, corrections)
+    search, errors = first.search, first.held_out()
+    early, fitted = _whole_fit(first, corrected=_corrections_help(errors, always=corrections == "always"))
+    if not search.follows(fitted.fit, LOST_ERROR):
+        fitted = min(fitted, search.anew(first.fits[ALONE].joint), key=lambda fitted: _free_error(fitted.fit))
+    joint, fit = fitted
+    if not fit.levels:
         raise DataRefusedError(_NO_FIT)
-    spread = posterior_factor(final, search.prior(len(final.theta)))
-    report = _report((*levels, *final.levels), final, similarity)
+    nothing = np.zeros((len(early.fit.theta), 0))
+    report = _report((*first.levels, *fit.levels), fit, similarity)
     model = HybridModel(
         _of_device(joint, similarity),
-        final.theta,
-        spread,
-        search.band_spread(joint, final),
-        search.curve_spread(joint, final),
+        fit.theta,
+        posterior_factor(fit, search.prior(len(fit.theta))),
+        search.band_spread(joint, fit),
+        search.curve_spread(joint, fit),
         report
-        | {"held_share": search.held_share(joint, final.theta)}
+        | {"held_share": search.held_share(joint, fit.theta)}
         | {"ablation": {name: error.free for name, error in errors.items()}}
-        | decision,
-        early=early,
+        | first.decision,
+        early=HybridModel(_of_device(early.joint, similarity), early.fit.theta, nothing, nothing),
     )
     return replace(model, tube=scale_on(records, model, report["training_rms_m"], TUBE_MARGIN))
 
 
-Fitted = tuple[CondensedJoint, HomotopyFit]
-"""A structure and its fit."""
+class _Fitted(NamedTuple):
+    """A structure and its fit."""
+
+    joint: CondensedJoint
+    fit: HomotopyFit
 
 
-def _first_fits(
-    search: "_Search", parameters: JointParameters, corrections: str
-) -> tuple["_Search", tuple[Level, ...], dict[str, Fitted], dict[str, Any]]:
-    """Fits of the first parts of the logs: the equations alone, their levels, and by name what was fitted.
+@dataclass(frozen=True)
+class _FirstFits:
+    """Fits of the first parts of the logs.
 
-    Siblings are set aside in the search that is given back where the rest of the logs is predicted better without them.
+    Attributes
+    ----------
+    search : _Search
+        Without siblings where the rest of the logs is predicted better without them.
+    levels : tuple of Level
+        Of the equations alone.
+    fits : dict of str to _Fitted
+        By `ALONE` and `WITH_RBF`, as far as they were fitted.
+    decision : dict
+        Errors that decided about the siblings; empty without any.
     """
+
+    search: "_Search"
+    levels: tuple[Level, ...]
+    fits: dict[str, _Fitted]
+    decision: dict[str, Any]
+
+    def held_out(self) -> dict[str, "_HeldOut"]:
+        """Errors behind the first parts of the logs by fit."""
+        return {name: self.search.held_out(joint, fit.theta) for name, (joint, fit) in self.fits.items()}
+
+
+def _first_fits(search: "_Search", parameters: JointParameters, corrections: str) -> _FirstFits:
+    """The equations alone, with siblings if they help, and with corrections if these are asked for or needed."""
     largest = max(float(np.abs(record.drive).max()) for record in search.records)
     plain = CondensedJoint(parameters, search.basis, 0, largest, condensed_parameters.static_slope_ratio(parameters))
     # Most of the convergence happens while the observer is strong: what is not settled there ends in another minimum.
     first = search.early.without_siblings.fit(
         plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1]
     )
-    alone = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
-    decision: dict[str, Any] = {}
+    alone, decision = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS), dict[str, Any]()
     if search.siblings is not None:
         without = search.without_siblings.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
         errors = [search.held_out(plain, fit.theta).free if fit.levels else np.inf for fit in (alone, without)]
@@ -191,12 +205,30 @@ def _first_fits(
             search, alone = search.without_siblings, without
     if not alone.levels:
         raise DataRefusedError(_NO_FIT)
-    fits = {ALONE: (plain, alone)}
+    fits = {ALONE: _Fitted(plain, alone)}
     if corrections == "always" or (corrections == "auto" and not search.follows(alone, UNCORRECTED_ERROR)):
         joint = replace(plain, centres=BASIS_FUNCTIONS)
-        start = _extended(joint, first.theta)
-        fits[WITH_RBF] = joint, search.early.fit(joint, start, CORRECTED, last=EARLY_STEPS)
-    return search, (*first.levels, *alone.levels), fits, decision
+        fits[WITH_RBF] = _Fitted(
+            joint, search.early.fit(joint, _extended(joint, first.theta), CORRECTED, last=EARLY_STEPS)
+        )
+    return _FirstFits(search, (*first.levels, *alone.levels), fits, decision)
+
+
+def _corrections_help(errors: "dict[str, _HeldOut]", *, always: bool) -> bool:
+    """Whether corrections were fitted and do not harm on held-out data; `always`: whatever they do there."""
+    if WITH_RBF not in errors:
+        return False
+    return errors[WITH_RBF].coupled < (np.inf if always else HARMFUL_RATIO) * errors[ALONE].coupled
+
+
+def _whole_fit(first: _FirstFits, *, corrected: bool) -> tuple[_Fitted, _Fitted]:
+    """A first fit and the fit to whole logs that goes on from it: without corrections where those do not get there."""
+    for name in (WITH_RBF, ALONE) if corrected else (ALONE,):
+        early = first.fits[name]
+        fit = first.search.fit(early.joint, early.fit.theta, WHOLE, steps=WHOLE_STEPS, last=LAST_STEPS)
+        if fit.reached_last:
+            break
+    return early, _Fitted(early.joint, fit)
 
 
 def _finite(error: float) -> float:
@@ -259,10 +291,10 @@ class _Search:
             callbacks=Callbacks(begin=problem.hold_lost, keep=kept_under(self.keep, name)), descent=ParallelDescent,
         )  # fmt: skip
 
-    def anew(self, plain: CondensedJoint) -> Fitted:
+    def anew(self, plain: CondensedJoint) -> _Fitted:
         """The equations alone, fitted to the logs from the set."""
         first = self.without_siblings.fit(plain, plain.start(), COUPLED, steps=COUPLED_STEPS[0], last=COUPLED_STEPS[1])
-        return plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS)
+        return _Fitted(plain, self.fit(plain, first.theta, FREE, last=LAST_STEPS))
 
     def band_spread(self, joint: CondensedJoint, fit: HomotopyFit) -> FloatArray:
         """Factor of the covariance that leaving out parts of the logs shows."""
