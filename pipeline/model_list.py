@@ -44,7 +44,7 @@ ENTRIES = (
     ModelEntry("rbf-paper", "pipeline.models.paper.model:RBF_PAPER", "identify"),
     ModelEntry("sindy", "pipeline.models.sindy.model:SINDY"),
     ModelEntry("sindy-default", "pipeline.models.sindy.model:SINDY_DEFAULT"),
-    ModelEntry("narx", "pipeline.models.narx.model:NARX"),
+    ModelEntry("narx", "pipeline.models.narx:NARX"),
     ModelEntry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True),
     ModelEntry(
         "analytical-calibrated", "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED", needs_parameters=True

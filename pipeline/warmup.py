@@ -69,7 +69,7 @@ def _hybrid() -> None:
 
 
 def _without_parameter_set() -> None:
-    from pipeline.models.narx.equation import NarxEquation, NarxStructure, narx_run
+    from pipeline.models.narx import NarxModel
     from pipeline.models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
     from pipeline.models.polynomial_dynamics import PolynomialDynamics, free_run
 
@@ -77,9 +77,11 @@ def _without_parameter_set() -> None:
     lagged_rbf_run(LaggedLaw(np.zeros(2), np.zeros((2, 4)), 1.0, 1.0), v, 0.01, 1, (0.0, 0.0), (-1.0, 1.0))
     still = PolynomialDynamics(np.zeros((1, 7), dtype=np.int64), np.zeros((2, 1)), np.ones(7), (), True, -1.0, 1.0)
     free_run(still, v, 0.01, 0.0, 0.0)
-    structure = NarxStructure(inputs=2, increments=1, input_lags=1, degree=1)
-    equation = NarxEquation(structure, np.zeros((1, 4), dtype=np.int64), np.zeros(1), np.ones(4), 0.01, True, -1.0, 1.0)
-    narx_run(equation, v, 0.0, 0.0)
+    narx = NarxModel(
+        structure=np.array([1, 1, 1, 2]), exponents=np.zeros((1, 4), dtype=np.int64), coefficients=np.zeros(1),
+        scales=np.ones(4), interval_s=0.01, inputs="squared", bounds=np.array([-1.0, 1.0]),
+    )  # fmt: skip
+    narx.run(v, 0.0, 0.0)
 
 
 def _network() -> None:

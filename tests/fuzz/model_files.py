@@ -21,8 +21,7 @@ from pipeline.export.templates import words
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import HasCurves, predictor
 from pipeline.models.kind import model_from_tree
-from pipeline.models.narx.equation import NarxEquation, NarxStructure
-from pipeline.models.narx.model import NarxModel
+from pipeline.models.narx import NarxModel
 from pipeline.runs.hashing import flatten
 from pipeline.runs.trees import parse_tree
 
@@ -37,13 +36,16 @@ _WHOLE = (0, -1, 1, 2, 7, 65, 2000002, 2**31, 2**62, -(2**62))
 
 def narx() -> NarxModel:
     """A damped spring under two inputs."""
-    structure = NarxStructure(3, 2, 1, 2)
-    exponents = np.array([[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 0, 1, 0], [3, 0, 0, 0, 0]])
-    equation = NarxEquation(
-        structure, exponents, np.array([-1e-4, -1e-4, 1e-5, 1e-5]), np.array([0.01, 1e-3, 1e-3, 9e6, 9e6]), 0.01,
-        True, -0.1, 0.1,
-    )  # fmt: skip
-    return NarxModel(equation, {"library_terms": 4, "inner_validation_nrmse_of_folds": np.array([0.1, 0.2])})
+    return NarxModel(
+        structure=np.array([3, 2, 1, 2]),
+        exponents=np.array([[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 0, 1, 0], [3, 0, 0, 0, 0]]),
+        coefficients=np.array([-1e-4, -1e-4, 1e-5, 1e-5]),
+        scales=np.array([0.01, 1e-3, 1e-3, 9e6, 9e6]),
+        interval_s=0.01,
+        inputs="squared",
+        bounds=np.array([-0.1, 0.1]),
+        diagnostics={"library_terms": 4, "inner_validation_nrmse_of_folds": np.array([0.1, 0.2])},
+    )
 
 
 MODELS: dict[str, Callable[[], Any]] = {

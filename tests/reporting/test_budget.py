@@ -13,8 +13,7 @@ from pipeline.loading.device import Device, device
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import FreeRun
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.narx.equation import NarxEquation, NarxStructure
-from pipeline.models.narx.model import NarxModel
+from pipeline.models.narx import NarxModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import bring_up_to_date
@@ -41,15 +40,16 @@ SETTINGS: dict[str, Any] = {
 
 def _models() -> dict[str, Any]:
     joint = hybrid()
-    narx = NarxEquation(
-        NarxStructure(1, 1, 1, 2), np.eye(4, dtype=np.int64), np.full(4, 1e-5), np.ones(4), 0.01, True, -0.1, 0.1
-    )
+    narx = NarxModel(
+        structure=np.array([1, 1, 1, 2]), exponents=np.eye(4, dtype=np.int64), coefficients=np.full(4, 1e-5),
+        scales=np.ones(4), interval_s=0.01, inputs="squared", bounds=np.array([-0.1, 0.1]),
+    )  # fmt: skip
     return {
         "hybrid": HybridModel(joint.joint, joint.theta, *2 * (0.01 * np.eye(len(joint.theta)),)),
         "rbf-paper": paper(),
         "sindy": sindy(),
         "sindy-default": sindy(),
-        "narx": NarxModel(narx),
+        "narx": narx,
         "analytical": AnalyticalModel(NOMINAL),
         "analytical-calibrated": AnalyticalModel(NOMINAL, "analytical-calibrated"),
     }

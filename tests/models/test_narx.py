@@ -4,26 +4,25 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.narx.equation import NarxEquation, NarxStructure, narx_run
-from pipeline.models.narx.model import NarxModel, identify_narx
+from pipeline.models.narx import NARX, NarxModel, identify_narx
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.signals.trajectory import Trajectory
 from tests.file_columns import unknown_entries
 
 DT = 0.01
-STRUCTURE = NarxStructure(degree=3, increments=1, input_lags=1, inputs=1)
+
+
+def equation(exponents: list[list[int]], coefficients: list[float]) -> NarxModel:
+    """Of degree 3 in q and one increment, with one input and without lags of it."""
+    return NarxModel(
+        structure=np.array([3, 1, 1, 1]), exponents=np.array(exponents), coefficients=np.array(coefficients),
+        scales=np.ones(3), interval_s=DT, inputs="squared", bounds=np.array([-0.1, 0.1]),
+    )  # fmt: skip
+
+
 #: A damped double well: δ_{n+1} = δ_n + (0.02 q − 200 q³ − 0.03 δ_n + 1e-11 v²), wells at ±10 mm.
-TRUTH = NarxEquation(
-    STRUCTURE,
-    np.array([[1, 0, 0], [3, 0, 0], [0, 1, 0], [0, 0, 1]]),
-    np.array([0.02, -200.0, -0.03, 1e-11]),
-    np.ones(3),
-    DT,
-    True,
-    -0.1,
-    0.1,
-)
+TRUTH = equation([[1, 0, 0], [3, 0, 0], [0, 1, 0], [0, 0, 1]], [0.02, -200.0, -0.03, 1e-11])
 
 
 def pulses(samples: int, seed: int) -> FloatArray:
@@ -36,7 +35,7 @@ def pulses(samples: int, seed: int) -> FloatArray:
 
 def motion(seed: int, samples: int = 2000) -> Trajectory:
     v = pulses(samples, seed)
-    q, reached = narx_run(TRUTH, v, -0.01, 0.0)
+    q, reached = TRUTH.run(v, -0.01, 0.0)
     assert reached == samples
     qdot = np.gradient(q, DT)
     return Trajectory(DT * np.arange(samples), q, qdot, np.gradient(qdot, DT), v)
@@ -64,7 +63,7 @@ def test_one_step_prediction_is_the_second_difference(model: NarxModel) -> None:
 
 
 def test_round_trip_through_the_tree_changes_no_prediction(model: NarxModel) -> None:
-    again = NarxModel.from_tree(model.to_tree())
+    again = NARX.read(model.to_tree())
     t, v = DT * np.arange(400), pulses(400, 3)
     np.testing.assert_array_equal(again.simulate(t, v, -0.01, 0.0).q, model.simulate(t, v, -0.01, 0.0).q)
 
@@ -77,18 +76,16 @@ def test_another_sample_interval_is_refused(model: NarxModel) -> None:
 def test_a_damaged_tree_is_named(model: NarxModel) -> None:
     tree = model.to_tree()
     with pytest.raises(CorruptArtifactError, match="scales has 2 entries"):
-        NarxModel.from_tree(tree | {"scales": np.ones(2)})
+        NARX.read(tree | {"scales": np.ones(2)})
     del tree["coefficients"]
     with pytest.raises(CorruptArtifactError, match="coefficients"):
-        NarxModel.from_tree(tree)
+        NARX.read(tree)
 
 
 def test_divergence_is_a_status_with_a_time() -> None:
     """Q grows by 10 % a step: from 1 mm past 0.1 m after ln 100 / ln 1.1 = 48.3 steps."""
-    growing = NarxEquation(
-        STRUCTURE, np.array([[1, 0, 0], [0, 1, 0]]), np.array([0.1, -1.0]), np.ones(3), DT, True, -0.1, 0.1
-    )
-    run = NarxModel(growing).simulate(DT * np.arange(100), np.zeros((100, 1)), 1e-3, 0.0)
+    growing = equation([[1, 0, 0], [0, 1, 0]], [0.1, -1.0])
+    run = growing.simulate(DT * np.arange(100), np.zeros((100, 1)), 1e-3, 0.0)
     assert (run.status, run.diverged_at_s) == ("diverged", pytest.approx(0.49))
     assert np.isnan(run.q[49:]).all() and np.isfinite(run.qddot[:49]).all()
 
@@ -112,8 +109,8 @@ def test_a_search_that_may_try_one_structure_keeps_what_it_has_and_says_so() -> 
 
 def test_a_prediction_goes_on_from_the_measured_past() -> None:
     moving = motion(3)
-    found = NarxModel(TRUTH).predict(moving.t[50:300], moving.v[50:300], moving.q[50:180], moving.qdot[50:180])
-    np.testing.assert_allclose(found, moving.q[179:300], atol=1e-12)
+    predicted = TRUTH.predict(moving.t[50:300], moving.v[50:300], moving.q[50:180], moving.qdot[50:180])
+    np.testing.assert_allclose(predicted, moving.q[179:300], atol=1e-12)
 
 
 def test_its_file_tells_unit_and_meaning_of_every_entry(model: NarxModel) -> None:
