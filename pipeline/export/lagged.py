@@ -27,12 +27,12 @@ def realise_paper(model: RbfPaperModel, interval: float, unit: str = "m") -> Rea
     constants = {"basis": model.basis, "centres": model.centres, "weights": model.law.weights, "bend": bend}
     return Realisation(
         functions=_functions(rates, lambda qdot0, u: [*qdot0], np.ones(model.input_count), squared, low, high, 3),
-        constants=constants | {"lag": model.lag, "low": low, "high": high, "squared": int(squared)},
+        constants=constants | {"lag": model.lag_s, "low": low, "high": high, "squared": int(squared)},
         inputs=model.input_count,
         states=(*_states(unit), Variable("lagged_velocity", f"{unit}/s", "velocity that the friction feels", 0.1)),
         hysteresis_states=(),
         base=1,
-        step=interval / steps_per_sample(interval, model.lag),
+        step=interval / steps_per_sample(interval, model.lag_s),
         delay=0.0,
         between="linear",
         structure=str(model.describe()["structure"]),

@@ -186,6 +186,10 @@ class ModelFile(FilePart):
             reason = f"{place}{': ' if place else ''}{first['msg'].removeprefix('Value error, ')}"
         raise CorruptArtifactError(f"the model {name} cannot be read ({reason}); run `debist {command}` again")
 
+    def to_tree(self) -> dict[str, Any]:
+        """The contents as a dictionary of arrays, numbers and texts."""
+        return {entry: getattr(self, entry) for entry in type(self).model_fields}
+
 
 TEXT = "text"
 """Stands where a unit would, for texts and for decisions."""

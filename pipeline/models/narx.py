@@ -229,10 +229,6 @@ class NarxModel(ModelFile):
             **self.diagnostics,
         }
 
-    def to_tree(self) -> dict[str, Any]:
-        """The model as a dictionary of arrays, numbers and texts."""
-        return {entry: getattr(self, entry) for entry in type(self).model_fields}
-
 
 def identify_narx(
     trajectories: Sequence[Trajectory], *, inputs: Literal["squared", "linear"] = "squared", most: int | None = None

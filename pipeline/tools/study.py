@@ -242,7 +242,7 @@ def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> t
                 }
             )
     columns = {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
-    return columns, {"model": "rbf-paper", "memories": memories(FORGETTING, interval), "lag_s": model.lag}
+    return columns, {"model": "rbf-paper", "memories": memories(FORGETTING, interval), "lag_s": model.lag_s}
 
 
 def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:

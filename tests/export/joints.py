@@ -140,7 +140,9 @@ def paper() -> RbfPaperModel:
     centres = np.linspace(-0.022, 0.024, 7)
     stiffness = 40.0 * ((centres / 0.012) ** 2 - 1.0)
     weights = np.array([stiffness, np.full(7, 0.1), np.full(7, 3e-8), np.full(7, -3e-8)])
-    return RbfPaperModel(centres, 0.8, weights, 0.02, 0.04, spread=0.01 * weights.reshape(-1, 1))
+    return RbfPaperModel(
+        centres=centres, smoothing=0.8, weights=weights, lag_s=0.02, mass_kg=0.04, spread=0.01 * weights.reshape(-1, 1)
+    )
 
 
 def sindy() -> SindyModel:

@@ -17,7 +17,8 @@ V = np.zeros((100, 2))
 
 def paper() -> RbfPaperModel:
     centres = basis_centres(-0.02, 0.02, 6)
-    return RbfPaperModel(centres, 1.0, np.tile([[8.0], [0.5], [1e-7], [-1e-7]], (1, 6)), 0.03, 0.04)
+    weights = np.tile([[8.0], [0.5], [1e-7], [-1e-7]], (1, 6))
+    return RbfPaperModel(centres=centres, smoothing=1.0, weights=weights, lag_s=0.03, mass_kg=0.04)
 
 
 def replaced(values, index, value):

@@ -15,7 +15,13 @@ from tests.file_columns import columns
 
 
 def test_units_and_meanings_stand_beside_the_numbers_and_do_not_count_in_the_hash(tmp_path: Path) -> None:
-    model = RbfPaperModel(np.linspace(-1e-2, 1e-2, 5), 1.0, np.ones((4, 5)), 0.01, diagnostics={"rank": 20})
+    model = RbfPaperModel(
+        centres=np.linspace(-1e-2, 1e-2, 5),
+        smoothing=1.0,
+        weights=np.ones((4, 5)),
+        lag_s=0.01,
+        diagnostics={"rank": 20},
+    )
     tree = {"rbf-paper": model.to_tree(), "units": {"q": "m"}}
     assert write_tree(tmp_path / "a.h5", tree, columns) == write_tree(tmp_path / "b.h5", tree)
     with h5py.File(tmp_path / "a.h5") as file:

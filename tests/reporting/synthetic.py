@@ -34,7 +34,7 @@ def double_well() -> RbfPaperModel:
     curves += [np.full_like(q, sign * PUSH) for sign in (1.0, -1.0)]
     weights = np.array([np.linalg.lstsq(basis, curve, rcond=1e-13)[0] for curve in curves])
     spread = SPREAD * weights.reshape(-1, 1)
-    return RbfPaperModel(centres=centres, smoothing=smoothing, weights=weights, lag=4e-3, mass=MASS, spread=spread)
+    return RbfPaperModel(centres=centres, smoothing=smoothing, weights=weights, lag_s=4e-3, mass_kg=MASS, spread=spread)
 
 
 def pulses(seconds: float, seed: int) -> tuple[FloatArray, FloatArray]:

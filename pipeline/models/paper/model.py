@@ -7,7 +7,6 @@ with c, d, g_k = Σ_i θ_i exp(−(q−ξ_i)²/(2σ_n²Δξ²)). Eq. 37 prints �
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
@@ -44,17 +43,46 @@ LAG_BOUNDS = (1e-4, 10.0)  # s
 SEED = 20251  # of the draws of weights: the same model gives the same bands
 
 
-class _File(ModelFile):
+class RbfPaperModel(ModelFile):
+    """The identified model of §4.2; its file holds the same entries.
+
+    Attributes
+    ----------
+    centres : FloatArray, shape (M,)
+        ξ_i [m].
+    smoothing : float
+        σ_n; the bells have the width σ_n Δξ.
+    width : float
+        σ [m] of the bells.
+    weights : FloatArray, shape (2 + K, M)
+        θ_c [N/m], θ_d [N s/m], θ_g1 … θ_gK [N/V²]; per unit mass where `mass_kg` is 1 because it is unknown.
+    lag_s : float
+        T_z [s].
+    mass_kg : float
+        m_q [kg].
+    inputs : {"squared", "linear"}
+        Whether u = v² or u = v.
+    basis : str
+        Name of the basis function, see `pipeline.model_list`.
+    spread : FloatArray, shape ((2 + K)·M, rank)
+        Factor S of the weights' covariance S Sᵀ, in their units; empty if it is not known.
+    diagnostics : dict
+        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged, lag_search
+        (T_z, cost, rank and condition number of each accepted step), visits per centre.
+    """
+
     sizes: ClassVar[Sizes] = {"R": (3, 2 + MOST_INPUTS), "M": (2, 200), "S": (0, 1000)}
+    name: ClassVar[str] = "rbf-paper"
+    fine_voltages: ClassVar[bool] = False
     centres: Rising
     smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
-    width: Positive
+    width: Positive = Field(default_factory=lambda data: basis_width(data["centres"], data["smoothing"]))
     weights: Annotated[FloatArray, Table("R M")]
     lag_s: Lag
-    mass_kg: Positive
-    inputs: InputLaw
+    mass_kg: Positive = 1.0
+    inputs: InputLaw = "squared"
     basis: str = "gaussian"
-    spread: Annotated[FloatArray, Table("W S")]
+    spread: Annotated[FloatArray, Table("W S")] = np.empty((0, 0))
 
     @model_validator(mode="after")
     def _named(self) -> Self:
@@ -64,57 +92,16 @@ class _File(ModelFile):
             raise ValueError(f"spread has {len(self.spread)} rows for {self.weights.size} weights")
         return self
 
-
-@dataclass(frozen=True)
-class RbfPaperModel:
-    """The identified model of §4.2.
-
-    Attributes
-    ----------
-    centres : FloatArray, shape (M,)
-        ξ_i [m].
-    smoothing : float
-        σ_n; the bells have the width σ_n Δξ.
-    weights : FloatArray, shape (2 + K, M)
-        θ_c [N/m], θ_d [N s/m], θ_g1 … θ_gK [N/V²]; per unit mass where `mass` is 1 because it is unknown.
-    lag : float
-        T_z [s].
-    mass : float
-        m_q [kg].
-    inputs : {"squared", "linear"}
-        Whether u = v² or u = v.
-    basis : str
-        Name of the basis function, see `pipeline.model_list`.
-    spread : FloatArray, shape ((2 + K)·M, rank)
-        Factor S of the weights' covariance S Sᵀ, in their units.
-    diagnostics : dict
-        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged, lag_search
-        (T_z, cost, rank and condition number of each accepted step), visits per centre.
-    """
-
-    centres: FloatArray
-    smoothing: float
-    weights: FloatArray
-    lag: float
-    mass: float = 1.0
-    inputs: InputLaw = "squared"
-    basis: str = "gaussian"
-    spread: FloatArray = field(default_factory=lambda: np.empty((0, 0)))
-    diagnostics: dict[str, Any] = field(default_factory=dict)
-
-    name = "rbf-paper"
-    fine_voltages = False
-
     @property
-    def width(self) -> float:
-        """σ [m] of the bells."""
-        return basis_width(self.centres, self.smoothing)
+    def mass(self) -> float:
+        """m_q [kg]."""
+        return self.mass_kg
 
     @property
     def law(self) -> LaggedLaw:
         """The equation of motion over the mass."""
         weights = np.ascontiguousarray(self.weights.T) / self.mass
-        return LaggedLaw(self.centres, weights, self.width, self.lag, self.basis, self.inputs == "squared")
+        return LaggedLaw(self.centres, weights, self.width, self.lag_s, self.basis, self.inputs == "squared")
 
     @property
     def input_count(self) -> int:
@@ -136,18 +123,18 @@ class RbfPaperModel:
     def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
         """Prediction after measured rows, friction filtered from their velocity; see `models.base.predictor`."""
         last = len(seen) - 1
-        z, _ = first_order_lag(np.ascontiguousarray(speed), sample_interval(t), self.lag)
+        z, _ = first_order_lag(np.ascontiguousarray(speed), sample_interval(t), self.lag_s)
         return self._run(t[last:], v[last:], (float(seen[-1]), float(speed[-1]), float(z[-1])))[0][:, 0]
 
     def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
         interval = sample_interval(t)
-        steps, bounds = steps_per_sample(interval, self.lag), escape_bounds(*self.centres[[0, -1]].tolist())
+        steps, bounds = steps_per_sample(interval, self.lag_s), escape_bounds(*self.centres[[0, -1]].tolist())
         return lagged_rbf_run(self.law, v, interval, steps, start, bounds)
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
-        z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag)
+        z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)
         signals = curve_signals(q, z, input_signal(v, self.inputs))
         curves = basis_values(q, self.centres, self.width, self.basis) @ self.weights.T
         force: FloatArray = np.einsum("ij,ij->i", curves, signals)
@@ -178,7 +165,7 @@ class RbfPaperModel:
 
     def regressors(self, motion: Trajectory) -> FloatArray:
         """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
-        z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag)
+        z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag_s)
         signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
         return regressor(basis_values(motion.q, self.centres, self.width, self.basis), signals)
 
@@ -197,41 +184,11 @@ class RbfPaperModel:
             "smoothing": self.smoothing,
             "centre_min_m": float(self.centres[0]),
             "centre_max_m": float(self.centres[-1]),
-            "lag_s": self.lag,
+            "lag_s": self.lag_s,
             "mass_kg": self.mass,
             "inputs": self.inputs,
             **self.diagnostics,
         }
-
-    def to_tree(self) -> dict[str, Any]:
-        """The model as a dictionary of arrays, numbers and texts."""
-        return {
-            "centres": self.centres,
-            "smoothing": self.smoothing,
-            "width": self.width,
-            "weights": self.weights,
-            "lag_s": self.lag,
-            "mass_kg": self.mass,
-            "inputs": self.inputs,
-            "basis": self.basis,
-            "spread": self.spread,
-            "diagnostics": dict(self.diagnostics),
-        }
-
-    @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "RbfPaperModel":
-        """The model back from `to_tree`.
-
-        Raises
-        ------
-        CorruptArtifactError
-            An entry is missing, of another kind or shape, or beyond its range.
-        """
-        file = _File.read(tree, "rbf-paper", "identify")
-        return cls(
-            file.centres, file.smoothing, file.weights, file.lag_s, file.mass_kg, file.inputs, file.basis,
-            file.spread if file.spread.size else np.zeros((file.weights.size, 1)), file.diagnostics,
-        )  # fmt: skip
 
 
 def identify_rbf_paper(
@@ -275,8 +232,8 @@ def identify_rbf_paper(
         centres=centres,
         smoothing=smoothing,
         weights=fit.weights.reshape(-1, basis_functions),
-        lag=search.time_constant,
-        mass=mass,
+        lag_s=search.time_constant,
+        mass_kg=mass,
         inputs=inputs,
         basis=basis,
         spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
@@ -337,4 +294,6 @@ def _fit(training: Training) -> RbfPaperModel:
     )
 
 
-RBF_PAPER = Kind(_fit, RbfPaperModel.from_tree, "pipeline.export.lagged:realise_paper")
+RBF_PAPER = Kind(
+    _fit, lambda tree: RbfPaperModel.read(tree, "rbf-paper", "identify"), "pipeline.export.lagged:realise_paper"
+)
