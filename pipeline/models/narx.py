@@ -13,6 +13,7 @@ the simplest within one standard error of the least error of free runs on held-o
 import itertools
 import warnings
 from collections.abc import Sequence
+from functools import partial
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -338,5 +339,5 @@ def _error(model: NarxModel, x: Trajectory, span: float) -> float:
 
 NARX = Kind(
     lambda data: identify_narx(data.stretches, inputs=data.inputs, most=data.compare.candidates),
-    lambda tree: NarxModel.read(tree, "narx", "compare"),
+    partial(NarxModel.read, name="narx", command="compare"),
 )

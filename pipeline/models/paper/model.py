@@ -7,6 +7,7 @@ with c, d, g_k = Σ_i θ_i exp(−(q−ξ_i)²/(2σ_n²Δξ²)). Eq. 37 prints �
 """
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
@@ -295,5 +296,5 @@ def _fit(training: Training) -> RbfPaperModel:
 
 
 RBF_PAPER = Kind(
-    _fit, lambda tree: RbfPaperModel.read(tree, "rbf-paper", "identify"), "pipeline.export.lagged:realise_paper"
+    _fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "pipeline.export.lagged:realise_paper"
 )

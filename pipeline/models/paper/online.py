@@ -75,7 +75,7 @@ def follow(
         error = target[first:last] - regressors[first:last] @ weights
         forgotten = forgetting ** (0.5 * np.arange(last - first, -1, -1))[:, None]
         block = np.vstack([forgotten[0] * factor, forgotten[1:] * stream[first:last]])
-        factor = np.linalg.qr(block, mode="r")[: len(scales)]
+        factor = scipy.linalg.qr(block, mode="r")[0][: len(scales)]
         weights = scipy.linalg.solve_triangular(factor[:, :-1] / scales, factor[:, -1]) / scales
         miss = rms(force @ weights - true_force[last - 1])
         rows.append((float(last), miss / span, rms(error) / usual))
