@@ -1,10 +1,11 @@
-"""A settings file as a document, and its mistakes as one line each: the key, the mistake, and the remedy."""
+"""A settings file as a document, read and written; its mistakes as one line each: key, mistake, remedy."""
 
 import difflib
 import errno
+import json
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, get_args
 
@@ -76,6 +77,32 @@ def _advice(path: Path, error: str) -> str:
         return ""
     line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
     return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")
+
+
+def toml_text(document: Mapping[str, Any]) -> str:
+    """Settings as TOML; keys without a value (None) are left out.
+
+    Parameters
+    ----------
+    document : mapping
+        JSON values. Sub-mappings become tables, mappings within those inline tables.
+    """
+    lines = [f"{key} = {_toml(value)}" for key, value in document.items() if not isinstance(value, Mapping | None)]
+    for key, value in document.items():
+        if isinstance(value, Mapping) and any(entry is not None for entry in value.values()):
+            lines += ["", f"[{key}]"]
+            lines += [f"{name} = {_toml(entry)}" for name, entry in value.items() if entry is not None]
+    return "\n".join(lines) + "\n"
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, Mapping):
+        inside = ", ".join(f"{key} = {_toml(entry)}" for key, entry in value.items() if entry is not None)
+        return f"{{ {inside} }}" if inside else "{}"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_toml, value))}]"
+    # Texts, numbers and truth values are equal in JSON and TOML, except one control character.
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:

@@ -2,7 +2,6 @@
 
 import copy
 import itertools
-import json
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -15,7 +14,7 @@ from pipeline.loading.siblings import read_siblings
 from pipeline.names import slug
 from pipeline.runs.atomic import write_text
 from pipeline.settings import parse_prototype
-from pipeline.settings_file import read_document
+from pipeline.settings_file import read_document, toml_text
 
 FOLDER = "settings"
 """Where these files lie, in the folder of the runs."""
@@ -103,7 +102,7 @@ def with_siblings(named: Sequence[tuple[str, Path]], siblings: Path, output: Pat
 
 def _write(output: Path, name: str, document: Mapping[str, Any]) -> Path:
     path = output / FOLDER / f"{name}.toml"
-    write_text(path, "".join(f"{key} = {_toml(value)}\n" for key, value in document.items()), within=output)
+    write_text(path, toml_text(document), within=output)
     return path
 
 
@@ -161,12 +160,3 @@ def _anchored(document: dict[str, Any], folder: Path) -> dict[str, Any]:
         elif isinstance(value, str) and Path(value).suffix:
             table[key] = str(folder / value)
     return document
-
-
-def _toml(value: Any) -> str:
-    """A value of settings as TOML, tables in one line; JSON and TOML write texts and switches alike."""
-    if isinstance(value, dict):
-        return "{ " + ", ".join(f"{json.dumps(key)} = {_toml(entry)}" for key, entry in value.items()) + " }"
-    if isinstance(value, list):
-        return "[" + ", ".join(map(_toml, value)) + "]"
-    return repr(value) if isinstance(value, float) else json.dumps(value)

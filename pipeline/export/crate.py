@@ -4,29 +4,26 @@ The crate holds all that another machine needs to check the run and to repeat it
 
     NAME.toml          the settings, with paths into the crate
     inputs/            raw logs, parameter set, measured curves
-    environment.txt    interpreter, platform, and the version of every package that the run was made with
+    environment.txt    versions of Python and of the packages that the run was made with
     run/               the run folder
     ro-crate-metadata.json
 
 https://w3id.org/ro/wfrun/process/0.5, on RO-Crate 1.1.
 """
 
-import json
 import mimetypes
 import re
 import shutil
 import tempfile
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from pipeline.errors import CorruptArtifactError
 from pipeline.runs.atomic import atomic_path
 from pipeline.runs.hashing import file_sha256
-from pipeline.runs.manifest import MANIFEST, Manifest, stage_file
+from pipeline.runs.manifest import MANIFEST, stage_file
 from pipeline.runs.run_folder import RunFolder
 
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
@@ -48,14 +45,11 @@ class Packed:
         Its settings as TOML, with paths into the crate.
     inputs : mapping of str to Path
         Files that the settings name, by their paths in the crate.
-    environments : mapping of str to str
-        File names of the environments of the run by their keys.
     """
 
     name: str
     settings: str
     inputs: Mapping[str, Path]
-    environments: Mapping[str, str]
 
 
 def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
@@ -110,9 +104,8 @@ def _software(crate: Any, versions: Mapping[str, str]) -> Any:
 
 
 def _files(crate: Any, run: RunFolder, packed: Packed, place: Path) -> tuple[list[Any], list[Any]]:
-    """Settings, inputs and environments; manifest and artifacts. Texts wait in the folder `place`."""
-    texts = {f"{packed.name}.toml": packed.settings}
-    texts |= {name: environment_text(run.manifest.environments[key]) for key, name in packed.environments.items()}
+    """Settings, inputs and versions; manifest and artifacts. Texts wait in the folder `place`."""
+    texts = {f"{packed.name}.toml": packed.settings, NAME: environment_text(run.manifest.versions)}
     for name, text in texts.items():
         (place / name).write_text(text, encoding="utf-8", newline="\n")
     objects = [_file(crate, place / name, name, name) for name in texts]
@@ -133,48 +126,9 @@ def _file(crate: Any, source: Path, name: str, title: str, **more: str) -> Any:
     return crate.add_file(source, dest_path=name, properties={"name": title, **more, **described})
 
 
-def environment_files(manifest: Manifest) -> dict[str, str]:
-    """File names of the recorded environments by key: ``environment.txt`` is the one that made the most artifacts."""
-    artifacts = Counter(record.environment for record in manifest.artifacts.values())
-    order = sorted(manifest.environments, key=lambda key: (-artifacts[key], key))
-    return {key: NAME if n == 1 else f"environment-{n}.txt" for n, key in enumerate(order, 1)}
-
-
-def environment_text(described: Mapping[str, Any]) -> str:
-    """One ``name==version`` for each installed package, in the form that pip reads; the rest as comments."""
-    if not {"packages", "interpreter", "platform"} <= described.keys() or not isinstance(described["packages"], dict):
-        raise CorruptArtifactError(f"{MANIFEST}: environments do not hold what was installed; run again")
-    packages = dict(described["packages"])
-    head = [
-        f"# {described['interpreter']} on {described['platform']}",
-        f"# debist {packages.pop('debist', 'of unknown version')}: install it from its repository",
-    ]
-    pins = [f"{name}=={number}" for name, number in sorted(packages.items())]
-    lines = [*head, *(pin if _PIN.fullmatch(pin) else f"# {pin}" for pin in pins)]  # an option of pip is no pin
+def environment_text(versions: Mapping[str, str]) -> str:
+    """One ``name==version`` for each package, in the form that pip reads; the rest as comments."""
+    pins = [f"{name}=={number}" for name, number in versions.items()]
+    # An option of pip is no pin, and debist comes from its repository.
+    lines = [pin if _PIN.fullmatch(pin) and not pin.startswith("debist=") else f"# {pin}" for pin in pins]
     return "\n".join("".join(c if c.isprintable() else " " for c in line) for line in lines) + "\n"
-
-
-def toml_text(document: Mapping[str, Any]) -> str:
-    """Settings as TOML; keys without a value (None) are left out.
-
-    Parameters
-    ----------
-    document : mapping
-        JSON values. Sub-mappings become tables, mappings within those inline tables.
-    """
-    lines = [f"{key} = {_toml(value)}" for key, value in document.items() if not isinstance(value, Mapping | None)]
-    for key, value in document.items():
-        if isinstance(value, Mapping) and any(entry is not None for entry in value.values()):
-            lines += ["", f"[{key}]"]
-            lines += [f"{name} = {_toml(entry)}" for name, entry in value.items() if entry is not None]
-    return "\n".join(lines) + "\n"
-
-
-def _toml(value: Any) -> str:
-    if isinstance(value, Mapping):
-        inside = ", ".join(f"{key} = {_toml(entry)}" for key, entry in value.items() if entry is not None)
-        return f"{{ {inside} }}" if inside else "{}"
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_toml, value))}]"
-    # Texts, numbers and truth values are equal in JSON and TOML, except one control character.
-    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

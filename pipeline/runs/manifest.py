@@ -12,13 +12,17 @@ found under its staging name. So at every moment the folder holds the old state 
 import hashlib
 import json
 import math
+import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
 
+from pipeline import __version__
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, not_written, reading, refuse_link, sweep, write_text
@@ -37,6 +41,19 @@ _Digest = Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
 _Stage = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,64}$")]
 _Path = Annotated[str, Field(pattern=r"^\.*[A-Za-z0-9_-][A-Za-z0-9._-]*(/\.*[A-Za-z0-9_-][A-Za-z0-9._-]*)*$")]
 """Inside the run on every system: slashes, no step up, no drive, no backslash."""
+
+
+_RECORDED = (
+    "asammdf", "h5py", "llvmlite", "numba", "numpy", "pandas", "pint", "pyarrow", "pydantic", "pynumdiff", "pysindy",
+    "scikit-learn", "scipy",
+)  # fmt: skip
+
+
+@cache
+def recorded_versions() -> dict[str, str]:
+    """Versions of debist, of Python with its platform, and of the packages that read data or can move a digit."""
+    python = f"{platform.python_version()} on {platform.platform()}"
+    return {"debist": __version__, "python": python, **{package: version(package) for package in _RECORDED}}
 
 
 @dataclass(frozen=True)
@@ -90,8 +107,6 @@ class ArtifactRecord:
     bytes : int
     notes : mapping
         Notes of the stage on the result: counts, convergence, chosen parameters.
-    environment : str
-        Key of the environment that it was made in; empty in runs of before environments were recorded.
     """
 
     recipe: Recipe
@@ -99,7 +114,6 @@ class ArtifactRecord:
     content_hash: _Digest
     bytes: Annotated[int, Field(ge=0)]
     notes: Mapping[str, Any] = field(default_factory=dict)
-    environment: str = ""
 
 
 @dataclass
@@ -113,11 +127,9 @@ class Manifest:
     prototype_file : str
         Where they were read from.
     versions : dict of str to str
-        Of debist and of the packages that can move a digit.
+        Of debist, Python and the packages that can move a digit, when an artifact was written last.
     artifacts : dict of str to ArtifactRecord
         By path in the run, with slashes.
-    environments : dict
-        What the artifacts were made in, by key.
     stages : dict of str to dict
         Content of the stage manifests: content hash by artifact, by stage.
     set_aside : list of str
@@ -128,7 +140,6 @@ class Manifest:
     prototype_file: str
     versions: dict[str, str]
     artifacts: dict[_Path, ArtifactRecord]
-    environments: dict[str, Mapping[str, Any]] = field(default_factory=dict)
     stages: dict[_Stage, dict[str, str]] = field(default_factory=dict)
     set_aside: list[str] = field(default_factory=list)
     format: Literal["debist-run/1"] = FORMAT
@@ -176,7 +187,7 @@ def load_manifest(root: Path) -> Manifest:
     try:
         manifest = _SHAPE.validate_json(raw, strict=True)
         digest = hashlib.sha256(raw).digest()
-        intact = digest in _INTACT or _dump(manifest).encode() == raw
+        intact = digest in _INTACT or _has_its_digest(json.loads(raw))
     except ValidationError as error:
         mistake = first_mistake(error)
         if FORMAT.encode() not in raw[:64] and not mistake.startswith("damaged"):
@@ -193,18 +204,16 @@ def load_manifest(root: Path) -> Manifest:
     return manifest
 
 
+def _has_its_digest(document: dict[str, Any]) -> bool:
+    return bool(document.pop("digest", None) == json_sha256(document))
+
+
 def _dump(manifest: Manifest) -> str:
     # `asdict` would copy every note and setting, half of the time that this takes
     artifacts = {name: {**vars(record), "recipe": vars(record.recipe)} for name, record in manifest.artifacts.items()}
     document = {"format": manifest.format, **vars(manifest), "artifacts": artifacts}
-    for entry in (document, *document["artifacts"].values()):  # so that a manifest of before is dumped as it was
-        for key in ("environment", "environments", "stages", "set_aside"):
-            if not entry.get(key, True):
-                del entry[key]
-    return (
-        # in the order in which it was made, so that a run which was opened anew reads the same as one that goes on
-        json.dumps({**document, "digest": json_sha256(document)}, indent=1, ensure_ascii=False) + "\n"
-    )
+    # in the order in which it was made, so that a run which was opened anew reads the same as one that goes on
+    return json.dumps({**document, "digest": json_sha256(document)}, indent=1, ensure_ascii=False) + "\n"
 
 
 def to_json(value: Any) -> Any:

@@ -14,7 +14,6 @@ from pipeline.runs import layout, tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
 from pipeline.runs.checked_reads import Read, buffered, hashed, look_up, whole
 from pipeline.runs.checkpoints import Checkpoints, clear_checkpoints
-from pipeline.runs.environment import current_environment, recorded_versions
 from pipeline.runs.hashing import file_sha256, json_sha256
 from pipeline.runs.manifest import (
     MANIFEST,
@@ -25,6 +24,7 @@ from pipeline.runs.manifest import (
     Recipe,
     commit,
     load_manifest,
+    recorded_versions,
     recover,
     stage_file,
     stage_text,
@@ -88,8 +88,7 @@ class RunFolder:
         recover(root)
         sweep(root)
         stored = load_manifest(root)
-        manifest.artifacts, manifest.environments = stored.artifacts, stored.environments
-        manifest.stages, manifest.set_aside = stored.stages, stored.set_aside
+        manifest.artifacts, manifest.stages, manifest.set_aside = stored.artifacts, stored.stages, stored.set_aside
         if (stored.prototype, stored.prototype_file) != (manifest.prototype, manifest.prototype_file):
             replace(stored, prototype=manifest.prototype, prototype_file=manifest.prototype_file).save(root)
         return cls(root, manifest)
@@ -237,17 +236,13 @@ class RunFolder:
 
     def commit(self, recipe: Recipe, written: Mapping[str, Written]) -> None:
         """Make the artifacts of one task valid, all at once; a stage manifest of other content is removed."""
-        key, environment = current_environment()
         for name, artifact in written.items():
             staged = staging_place(self.path(name))
             with reading(staged):
                 sha256, size = file_sha256(staged), staged.stat().st_size
             notes = to_json(artifact.notes)
-            self.manifest.artifacts[name] = ArtifactRecord(recipe, sha256, artifact.content_hash, size, notes, key)
+            self.manifest.artifacts[name] = ArtifactRecord(recipe, sha256, artifact.content_hash, size, notes)
         self.manifest.versions = recorded_versions()
-        used = {record.environment for record in self.manifest.artifacts.values()}
-        self.manifest.environments = {k: e for k, e in self.manifest.environments.items() if k in used}
-        self.manifest.environments[key] = environment
         stated = self.manifest.stages.get(recipe.stage, {})
         if any(stated.get(name, artifact.content_hash) != artifact.content_hash for name, artifact in written.items()):
             del self.manifest.stages[recipe.stage]

@@ -1,6 +1,6 @@
 """Export: an identified model, or the whole run, in the form another tool reads."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from contextlib import nullcontext
 from dataclasses import replace
 from importlib import import_module
@@ -19,6 +19,7 @@ from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs, rebased, written_files
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype
+from pipeline.settings_file import toml_text
 from pipeline.settings_logs import ROLES, log_label
 
 if TYPE_CHECKING:
@@ -30,7 +31,6 @@ _TAKES_NONE = {
 }
 WRITERS = {"c": "c99", "fmu": "fmu", "json": "json_document", "matlab": "matlab"}
 """Module of `pipeline.export` with the writer of a model, ``write_TARGET``."""
-_MOST_NAMED = 3
 
 
 def export_run(
@@ -142,31 +142,13 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     CorruptArtifactError
         An artifact does not have the bytes that were written.
     """
-    from pipeline.export.crate import Packed, environment_files, toml_text, write_crate
+    from pipeline.export.crate import Packed, write_crate
     from pipeline.export.subject import Exported
 
     settings, inputs = _relocated(run, prototype)
     target = folder / f"{prototype.folder}.crate.zip"
-    environments = environment_files(run.manifest)
-    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs, environments), target)
-    return Exported([target], _notes(run, environments))
-
-
-def _notes(run: RunFolder, environments: Mapping[str, str]) -> list[str]:
-    artifacts = {
-        key: [n for n, r in run.manifest.artifacts.items() if r.environment == key] for key in ("", *environments)
-    }
-    unknown = artifacts.pop("")
-    notes = [f"the environment of {len(unknown)} artifacts was not recorded; a new run records it"] if unknown else []
-    if len(artifacts) > 1:
-        packages = "; ".join(f"{environments[key]}: {_some(names)}" for key, names in artifacts.items())
-        notes.append(f"the run was made in {len(artifacts)} environments ({packages}); a new run makes it in one")
-    return notes
-
-
-def _some(names: Sequence[str]) -> str:
-    more = f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
-    return ", ".join(names[:_MOST_NAMED]) + more
+    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs), target)
+    return Exported([target])
 
 
 def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], dict[str, Path]]:

@@ -81,7 +81,7 @@ def test_words_are_one_line_that_ends_nothing(text: str) -> None:
 
 def test_an_environment_holds_no_option_of_pip() -> None:
     packages = {"numpy": "2.0", "--index-url http://INJECTED #": "1", "scipy": "1.0\n-r INJECTED", "a b": "1"}
-    text = environment_text({"interpreter": "CPython\n-r INJECTED", "platform": "x", "packages": packages})
+    text = environment_text({"debist": "1.0", "python": "3.11\n-r INJECTED", **packages})
     assert [line for line in text.splitlines() if not line.startswith("#")] == ["numpy==2.0"]
 
 

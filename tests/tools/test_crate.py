@@ -4,7 +4,6 @@ import json
 import shutil
 import tomllib
 import zipfile
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,13 +13,11 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.export.crate import toml_text
-from pipeline.runs import run_folder
 from pipeline.runs.comparison import Comparison
-from pipeline.runs.environment import current_environment
 from pipeline.runs.hashing import file_sha256, rounded_digest
 from pipeline.runs.manifest import load_manifest
 from pipeline.settings import load_prototype
+from pipeline.settings_file import toml_text
 from pipeline.tools.diff import compare_runs
 from tests.batch.test_batch import _prototype
 
@@ -83,43 +80,6 @@ def test_the_crate_describes_the_run_by_the_profile(crate: Path, made: tuple[Pat
         assert int(entity["contentSize"]) == (crate / name).stat().st_size
     assert files["run/model.h5"]["contentHash"] == load_manifest(made[1]).artifacts["model.h5"].content_hash
     assert f"numpy=={np.__version__}" in (crate / "environment.txt").read_text().splitlines()
-
-
-def test_it_records_the_environment_of_the_run_and_not_of_the_export(
-    made: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    run = shutil.copytree(made[1], tmp_path / "run")
-    key, here = current_environment()
-    there = {**here, "interpreter": "CPython 9.9", "packages": {**here["packages"], "numpy": "9.9.9"}}
-    monkeypatch.setattr(run_folder, "current_environment", lambda: ("elsewhere", there))
-    prototype = made[0].read_text().replace('"logs/a.csv"', f'"{made[0].parent}/logs/a.csv"')
-    (tmp_path / "a.toml").write_text(prototype + "\n[differentiate]\nalpha = 0.001\n")
-    shutil.copy(made[0].parent / "stand.csv", tmp_path)
-    _invoke("run", str(tmp_path / "a.toml"), "-o", str(run), "--no-report")
-    records = load_manifest(run).artifacts
-    assert {records["train/a/record.parquet"].environment, records["model.h5"].environment} == {key, "elsewhere"}
-    said = json.loads(_invoke("export", str(run), "--to", "crate", "--json"))
-    assert "made in 2 environments" in said["notes"][0]
-    with zipfile.ZipFile(said["written"][0]) as archive:
-        archive.extractall(tmp_path / "crate")
-    entities = _entities(tmp_path / "crate")
-    given = {entry["@id"] for entry in entities["#run"]["object"]}
-    assert {"environment.txt", "environment-2.txt"} <= given
-    texts = [(tmp_path / "crate" / name).read_text() for name in ("environment.txt", "environment-2.txt")]
-    assert sum("numpy==9.9.9\n" in text for text in texts) == 1
-
-
-def test_a_run_of_before_environments_were_recorded_is_read_and_packed(made: tuple[Path, Path], tmp_path: Path) -> None:
-    run = shutil.copytree(made[1], tmp_path / "run")
-    manifest = load_manifest(run)
-    manifest.environments = {}
-    manifest.artifacts = {name: replace(record, environment="") for name, record in manifest.artifacts.items()}
-    manifest.save(run)
-    assert "environment" not in (run / "manifest.json").read_text()
-    said = json.loads(_invoke("export", str(run), "--to", "crate", "--json"))
-    assert "was not recorded" in said["notes"][0]
-    with zipfile.ZipFile(said["written"][0]) as archive:
-        assert "environment.txt" not in archive.namelist()
 
 
 def test_the_crate_is_read_by_its_library(crate: Path) -> None:
