@@ -35,39 +35,6 @@ def of_joint(displacement: str, inputs: Sequence[str], *, squared: bool) -> bool
 MASS = {"m": "kg", "rad": "kg·m²", "V": "kg"}
 """SI unit of a mass or an inertia, by the unit of the displacement."""
 
-_BASE = {
-    "m": "meter",
-    "rad": "radian",
-    "s": "second",
-    "kg": "kilogram",
-    "kg·m²": "kilogram * meter ** 2",
-    "V": "volt",
-    "A": "ampere",
-    "N": "newton",
-    "N·m": "newton * meter",
-    "Pa": "pascal",
-    "1": "dimensionless",
-    "m²": "meter ** 2",
-    "m⁴": "meter ** 4",
-    "1/m": "1 / meter",
-    "m/s": "meter / second",
-    "rad/s": "radian / second",
-    "V/s": "volt / second",
-    "rad/s²": "radian / second ** 2",
-    "kg/m³": "kilogram / meter ** 3",
-    "Pa·s": "pascal * second",
-    "m/s²": "meter / second ** 2",
-    "V/m": "volt / meter",
-    "Hz": "hertz",
-    "F": "farad",
-    "F/m": "farad / meter",
-    "N·s/m": "newton * second / meter",
-    "N·m·s": "newton * meter * second",
-    "N·m·s/rad": "newton * meter * second / radian",
-    "F/rad": "farad / radian",
-}
-
-
 # The units of most logs, as pint resolves them: setting it up takes 0.2 s, a test compares.
 PLAIN = {
     "m": (1.0, "m"),
@@ -201,11 +168,11 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
         way = f"did you mean {close!r}?" if close else "write it as in 'mm', 'kV', 's', 'deg', '%'"
         raise InputError(f"{where}: unknown unit {unit!r}; {way}") from error
     for symbol in allowed:
-        target_factor, target_base = registry.get_base_units(registry.Unit(_BASE[symbol]))
+        target_factor, target_base = registry.get_base_units(registry.Unit(symbol))
         if base == target_base:
             return SiUnit(float(factor / target_factor), symbol)
     needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(dict.fromkeys(allowed))})"
-    velocity = any(base == registry.get_base_units(registry.Unit(_BASE[rate]))[1] for rate in VELOCITY.values())
+    velocity = any(base == registry.get_base_units(registry.Unit(rate))[1] for rate in VELOCITY.values())
     raise InputError(f"{where}: {needed}{_instead(unit, allowed, velocity=velocity)}")
 
 

@@ -17,7 +17,7 @@ from pipeline.names import Target
 from pipeline.si_prefix import percent
 
 if TYPE_CHECKING:
-    from pipeline.runs.comparison import Comparison, RunDifferences
+    from pipeline.tools.diff import Comparison, RunDifferences
 
 _ALARMING = ("differs", "missing")
 _LONGEST = 60
@@ -132,7 +132,7 @@ def emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *,
     CorruptArtifactError
         An artifact differs by more than rounding, or is missing.
     """
-    from pipeline.runs.comparison import STATES
+    from pipeline.tools.diff import STATES
 
     if as_json:
         emit_json({"artifacts": [asdict(comparison) for comparison in compared]})

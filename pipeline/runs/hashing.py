@@ -103,30 +103,3 @@ def flatten(tree: Mapping[str, Any], prefix: str = "", separator: str = "/") -> 
             yield from flatten(entries, f"{prefix}{key}{separator}", separator)
         else:
             yield f"{prefix}{key}", value
-
-
-def rounded_digest(values: np.ndarray[Any, Any], digits: int) -> str:
-    """SHA-256 of one column rounded to `digits` decimal digits of its largest magnitude.
-
-    Floating point does not make sums equal across processors and library versions, only close; this hash is equal
-    where they are close, unless a value lies within the difference of a rounding edge. Columns without floats, and
-    values that are not finite, are hashed as they are.
-    """
-    flat = np.asarray(values).reshape(-1)
-    if flat.dtype.kind != "f":
-        return column_digest(flat)
-    finite = np.isfinite(flat)
-    largest = float(np.max(np.abs(flat[finite]), initial=0.0))
-    if largest == 0.0:
-        return column_digest(flat)
-    per_unit = 10.0 ** _power(largest, digits)
-    return column_digest(np.where(finite, np.rint(flat * per_unit), flat))
-
-
-def rounding_unit(largest: float, digits: int) -> float:
-    """What `rounded_digest` rounds to where this is a column's largest magnitude; 0 where that is 0."""
-    return 10.0 ** -_power(largest, digits) if largest else 0.0
-
-
-def _power(largest: float, digits: int) -> int:
-    return digits - 1 - int(np.floor(np.log10(largest)))

@@ -1,9 +1,9 @@
-"""When numbers count as rounded, close or different."""
+"""When numbers count as close or different."""
 
 import numpy as np
 import pytest
 
-from pipeline.runs.comparison import DIGITS, RunDifferences, changes, compared_columns
+from pipeline.tools.diff import DIGITS, RunDifferences, changes, compared_columns
 
 UNIT = 10.0 ** (1 - DIGITS)
 """That of the last digit to which columns with a largest magnitude from 1 to 10 are compared."""
@@ -15,17 +15,16 @@ def state(one: float, other: float) -> str:
 
 
 @pytest.mark.parametrize(
-    ("apart", "found"), [(0.2, "rounded"), (0.8, "close"), (1.0 - 1e-6, "close"), (1.1, "differs"), (3.0, "differs")]
+    ("apart", "expected"), [(0.2, "close"), (0.8, "close"), (1.0 - 1e-6, "close"), (1.1, "differs"), (3.0, "differs")]
 )
-def test_a_difference_over_a_rounding_edge_is_close_up_to_one_unit(apart: float, found: str) -> None:
-    begin = (2000.1 if found == "rounded" else 2000.4) * UNIT
-    assert state(begin, begin + apart * UNIT) == found
+def test_numbers_are_close_up_to_one_unit(apart: float, expected: str) -> None:
+    assert state(2000.4 * UNIT, (2000.4 + apart) * UNIT) == expected
 
 
 def test_no_difference_is_alarming_where_a_larger_one_is_not() -> None:
     values = 0.2 + UNIT * np.linspace(-0.5, 0.5, 41)
     for one in values:
-        assert all(state(one, other) in ("equal", "rounded", "close") for other in values if abs(other - one) < UNIT)
+        assert all(state(one, other) in ("equal", "close") for other in values if abs(other - one) < UNIT)
 
 
 def test_either_run_may_be_named_first() -> None:
