@@ -22,7 +22,7 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "export")]
 from fmu_runs import co_simulated, exchanged  # noqa: E402
 from joints import OCTAVE, CompiledModel, half_steps  # noqa: E402
 
-from pipeline.export.matlab import write_matlab  # noqa: E402
+from pipeline.export.sources import write_matlab  # noqa: E402
 from pipeline.export.subject import Subject, curve_tables  # noqa: E402
 from pipeline.loading.held_models import identified_models  # noqa: E402
 from pipeline.loading.run_models import subject  # noqa: E402

@@ -9,8 +9,7 @@ from pipeline.commands.console import Json, Progress, Quiet, Run, emit_json, emi
 from pipeline.errors import InputError
 
 if TYPE_CHECKING:
-    from pipeline.runs.verification import Verified
-    from pipeline.tools.verify import VerifiedRun
+    from pipeline.tools.verify import Verified, VerifiedRun
 
 _MOST_NAMED = 20
 
@@ -35,16 +34,15 @@ def verify(
     largest magnitude of a column); exit code 4 if not. With --subset 3/10 names decide: ten calls read all files.
     Example: debist verify runs/P1 --against crate/run
     """
-    from pipeline.runs import verification
-    from pipeline.tools.verify import verify_all, verify_everything
+    from pipeline.tools import verify as tool
 
     if part is not None and against is not None:
         raise InputError("--against compares whole runs; give it without --subset")
-    chosen = verification.every if part is None else verification.subset(part)
+    chosen = tool.every if part is None else tool.subset(part)
     if every:
-        _emit_all(verify_all(run, chosen), as_json)
+        _emit_all(tool.verify_all(run, chosen), as_json)
         return
-    checked = verify_everything(run, chosen)
+    checked = tool.verify_everything(run, chosen)
     if against is not None and checked.intact:
         from pipeline.commands.results import emit_comparison
         from pipeline.tools.diff import compare_runs

@@ -47,8 +47,8 @@ class SimulatedLogs:
 
     def experiment(self, **more: Any) -> "Experiment":
         """The experiment on the virtual rig."""
-        from pipeline.rig.faults import parse_faults
         from pipeline.rig.fleet import Experiment
+        from pipeline.rig.log import parse_faults
 
         return Experiment(
             self.kind, self.form, self.rate, self.duration, faults=parse_faults(self.faults),
@@ -237,7 +237,7 @@ class SequenceForm:
 
     def requirements(self) -> "Requirements":
         """The same in SI units."""
-        from pipeline.rig.faults import listed
+        from pipeline.rig.log import listed
         from pipeline.tools.excitation_design import Requirements
 
         return Requirements(

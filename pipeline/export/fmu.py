@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pipeline import __version__
-from pipeline.export.c99 import bounds, c_sources, model_fields
+from pipeline.export.sources import bounds, c_sources, model_fields
 from pipeline.export.subject import Exported, Realisation, Subject
 from pipeline.export.templates import asset, render
 from pipeline.runs.atomic import write_bytes

@@ -11,9 +11,8 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.rig.bench import Bench, BenchRecord, random_bench, record
 from pipeline.rig.excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
-from pipeline.rig.faults import Fault, inject_faults
 from pipeline.rig.joint import wells
-from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.log import LAYOUTS, Fault, RawLog, inject_faults
 from pipeline.rig.parameters import RigParameters, as_json, nominal, sized, table1
 from pipeline.rig.random_joint import Family, aged, random_joint
 from pipeline.runs.outputs import new_outputs, rebased
@@ -49,7 +48,7 @@ class Experiment:
     excitation : str or None
         Excitation of every log; by default ``training`` or ``validation``, as its role.
     faults : tuple of str
-        Kinds of faults put into every log, see :func:`pipeline.rig.faults.inject_faults`.
+        Kinds of faults put into every log, see :func:`pipeline.rig.log.inject_faults`.
     play : str or None
         File with a voltage sequence that every training log plays from start to end; validation logs stay drawn.
     charging : float

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from contextlib import nullcontext
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
@@ -23,14 +22,14 @@ from pipeline.settings_file import toml_text
 from pipeline.settings_logs import ROLES, log_label
 
 if TYPE_CHECKING:
-    from pipeline.export.subject import Exported
+    from pipeline.export.subject import Exported, Subject
 
 _TAKES_NONE = {
     "crate": "it is the whole run",
     "controller": "it is what `debist control design` made, on the joint's equations",
 }
-WRITERS = {"c": "c99", "fmu": "fmu", "json": "json_document", "matlab": "matlab"}
-"""Module of `pipeline.export` with the writer of a model, ``write_TARGET``."""
+MODELS = ("c", "fmu", "json", "matlab")
+"""Exports of a model alone."""
 
 
 def export_run(
@@ -108,10 +107,17 @@ def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | No
         return export_crate(run, prototype, folder)
     if target == "controller":
         return _controller(run, prototype, folder)
-    write = getattr(import_module(f"pipeline.export.{WRITERS[target]}"), f"write_{target}")
-    exported: Exported = write(subject(run, prototype, model), folder)
+    exported = write_model(target, subject(run, prototype, model), folder)
     failed = failed_validations(run, model_artifact(run, prototype, model)[0])
     return replace(exported, notes=[*exported.notes, *(f"{problem}: do not trust its free runs" for problem in failed)])
+
+
+def write_model(target: str, subject: "Subject", folder: Path) -> "Exported":
+    """Write a model in the form of one of `MODELS`."""
+    from pipeline.export import fmu, sources
+
+    writers = {"c": sources.write_c, "fmu": fmu.write_fmu, "json": sources.write_json, "matlab": sources.write_matlab}
+    return writers[target](subject, folder)
 
 
 def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":

@@ -3,7 +3,6 @@
 import json
 from collections.abc import Sequence
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
@@ -24,7 +23,7 @@ from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.trees import read_tree, write_tree
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.signals.trajectory import voltages
-from pipeline.tools.export import WRITERS
+from pipeline.tools.export import MODELS, write_model
 
 _CHECK = "check"
 """Group of the file with what travels along beside the model."""
@@ -126,9 +125,8 @@ def export_model(subject: Subject, target: str, folder: Path, *, force: bool = F
     InputError
         No such form of a model, a form that cannot carry it, or a file of others lies where it goes.
     """
-    if target not in WRITERS:
-        raise InputError(f"no export {target!r} of a model alone; there are {', '.join(WRITERS)}")
-    write = getattr(import_module(f"pipeline.export.{WRITERS[target]}"), f"write_{target}")
+    if target not in MODELS:
+        raise InputError(f"no export {target!r} of a model alone; there are {', '.join(MODELS)}")
     with new_outputs(folder, "export", force=force, made_from={"model": subject.origin}) as staged:
-        exported: Exported = write(subject, staged)
+        exported = write_model(target, subject, staged)
     return replace(exported, written=[rebased(path, staged, folder) for path in exported.written])

@@ -1,18 +1,170 @@
 """Verify, repair: everything in a run, or in all runs of a folder, against what was written."""
 
-from dataclasses import dataclass
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
+from random import SystemRandom
 
-from pipeline.errors import CorruptArtifactError, DebistError, InputError
-from pipeline.runs.atomic import move
+from pipeline.errors import CorruptArtifactError, DebistError, InputError, SupersededError
+from pipeline.names import part_holds, part_of
+from pipeline.runs.atomic import TEMPORARY_MARK, move
+from pipeline.runs.checkpoints import FOLDER as CHECKPOINTS
 from pipeline.runs.engine import Observer, TaskStatus
-from pipeline.runs.lock import run_lock
-from pipeline.runs.manifest import MANIFEST, load_manifest
-from pipeline.runs.outputs import written_files
-from pipeline.runs.run_folder import CORRUPT_MARK, in_snapshot
-from pipeline.runs.verification import Chosen, Verified, every, file_problems, verified
+from pipeline.runs.hashing import file_sha256
+from pipeline.runs.lock import HOLDER, LOCK, is_held, run_lock
+from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK, STAGES, load_manifest, stage_file
+from pipeline.runs.outputs import EXTRA_FOLDERS, WRITTEN, written_files
+from pipeline.runs.run_folder import CORRUPT_MARK, RunFolder, in_snapshot
 from pipeline.stages.run import rebuild_run, run_prototype
+
+
+@dataclass(frozen=True)
+class Verified:
+    """What a look at everything in a run folder gave.
+
+    Attributes
+    ----------
+    checked : int
+        Number of artifacts.
+    problems : list of dict
+        ``artifact``, ``stage``, ``problem`` for each file that is not as it was written.
+    unknown : list of str
+        Files and links that do not belong to the run, by their paths in the folder.
+    leftover : list of str
+        Files that an interrupted run leaves, by their paths in the folder.
+    left_out : int
+        Number of artifacts that a subset left out.
+    """
+
+    checked: int
+    problems: list[dict[str, str]] = field(default_factory=list)
+    unknown: list[str] = field(default_factory=list)
+    leftover: list[str] = field(default_factory=list)
+    left_out: int = 0
+
+    @property
+    def intact(self) -> bool:
+        """Every file is as it was written, and there are no others."""
+        return not (self.problems or self.unknown or self.leftover)
+
+
+Chosen = Callable[[str], bool]
+"""Whether a file is read and hashed; its argument is the file's path behind the folder's name."""
+
+
+def every(path: str) -> bool:
+    """All of them."""
+    return True
+
+
+def subset(text: str) -> Chosen:
+    """A subset of files: ``3/10``, which their names decide, so that ten calls read all; or 5%, drawn at random.
+
+    Raises
+    ------
+    InputError
+        The text is neither.
+    """
+    if (part := part_of(text)) is not None:
+        return lambda path: part_holds(*part, path)
+    match = re.fullmatch(r"(\d{1,3}(?:\.\d{1,6})?) ?%", text)
+    share = float(match[1]) / 100.0 if match else 0.0
+    if not 0.0 < share <= 1.0:
+        raise InputError(f"--subset {text}: write a part such as 3/10, or a share up to 100% such as 5%")
+    draw = SystemRandom()
+    return lambda path: draw.random() < share
+
+
+def verified(run: RunFolder, chosen: Chosen = every) -> Verified:
+    """Check the files of a run: all of them belong there, and the `chosen` ones have the bytes that were written.
+
+    Raises
+    ------
+    SupersededError
+        Another process went on writing into it.
+    """
+    names = [name for name in sorted(run.manifest.artifacts) if chosen(f"{run.root.name}/{name}")]
+    problems = [
+        {"artifact": name, "stage": stage, "problem": problem}
+        for name, stage, problem in (
+            *_artifacts(run, names), *_stage_manifests(run), *_written_files(run.root, chosen)
+        )
+    ]  # fmt: skip
+    others = sorted(_others(run))
+    leftover = [path for path in others if _is_leftover(path)]
+    if leftover and is_held(run.root):
+        leftover = []  # they are of the process that writes now
+    unknown = [path for path in others if not _is_leftover(path)]
+    if unknown and load_manifest(run.root) != run.manifest:
+        raise SupersededError(f"{run.root}: another run writes into it; do it again")
+    # A commit that is not complete has stage manifests to remove; runs of before did not record them.
+    if (run.root / NEXT_MANIFEST).exists() or not run.manifest.stages:
+        unknown = [path for path in unknown if not path.startswith(f"{STAGES}/")]
+    unknown, leftover = ([path for path in some if os.path.lexists(run.root / path)] for some in (unknown, leftover))
+    return Verified(len(names), problems, unknown, leftover, len(run.manifest.artifacts) - len(names))
+
+
+def _artifacts(run: RunFolder, names: Iterable[str]) -> Iterator[tuple[str, str, str]]:
+    for name in names:
+        try:
+            problem = run.problem(name)
+        except InputError as error:  # the disk refuses to read it; the others shall be checked nevertheless
+            problem = str(error)
+        if problem:
+            yield name, run.manifest.artifacts[name].recipe.stage, problem
+
+
+def _stage_manifests(run: RunFolder) -> Iterator[tuple[str, str, str]]:
+    """Workflow engines trust them."""
+    for stage in sorted(run.manifest.stages):
+        if problem := run.stage_problem(stage):
+            yield stage_file(stage), stage, f"{problem}; `debist run` writes it anew"
+
+
+def _written_files(root: Path, chosen: Chosen) -> Iterator[tuple[str, str, str]]:
+    """File, command and what is wrong, for what was written beside the artifacts."""
+    for folder in EXTRA_FOLDERS:
+        for name, command, problem in file_problems(root / folder, chosen):
+            yield f"{folder}/{name}", command, f"{problem}; write it anew"
+
+
+def file_problems(folder: Path, chosen: Chosen = every) -> Iterator[tuple[str, str, str]]:
+    """File, command and what is wrong, for the files in the list of a folder (`pipeline.runs.outputs`)."""
+    for name, entry in sorted(written_files(folder).items()):
+        if not chosen(f"{folder.parent.name}/{folder.name}/{name}"):
+            continue
+        try:
+            same = file_sha256(folder / name) in (entry.get("sha256"), entry.get("replaces"))
+            problem = "" if same else "does not have the bytes that were written"
+        except FileNotFoundError:
+            problem = "is missing"
+        except OSError as error:
+            problem = f"cannot be read: {error.strerror}"
+        if problem:
+            yield name, str(entry.get("command", folder.name)), problem
+
+
+def _others(run: RunFolder) -> Iterator[str]:
+    """Files that nothing in the run's lists names, and all links."""
+    lists = {f"{folder}/{name}" for folder in EXTRA_FOLDERS for name in (WRITTEN, *written_files(run.root / folder))}
+    own = {MANIFEST, NEXT_MANIFEST, LOCK, *lists, *run.manifest.artifacts, *run.manifest.set_aside}
+    own |= set(map(stage_file, run.manifest.stages))
+    for place, folders, files in os.walk(run.root):
+        for name in (*files, *folders):
+            entry = Path(place) / name
+            path = entry.relative_to(run.root).as_posix()
+            if entry.is_symlink() or (name in files and path not in own):
+                yield path
+
+
+def _is_leftover(path: str) -> bool:
+    marks = (TEMPORARY_MARK, STAGED_MARK)
+    temporary = any(name.startswith(".") and name.endswith(marks) for name in path.split("/"))
+    return temporary or path == HOLDER or path.startswith(f"{CHECKPOINTS}/")
+
 
 _DEEPEST = 3
 

@@ -13,8 +13,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app, debist
-from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch
-from pipeline.batch.fleet import write_fleet_tables
+from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch, write_fleet_tables
 from pipeline.batch.worker import Outcome, Worker
 from pipeline.errors import InputError
 from pipeline.machine import ONE_THREAD

@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 
 from cli import debist
-from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch
-from pipeline.batch.fleet import FLEET_CSV, write_fleet_tables
+from pipeline.batch.batch import FLEET_CSV, Execution, named_prototypes, prototype_files, run_batch, write_fleet_tables
 from pipeline.batch.worker import Outcome, Worker, reason_of
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.parameter_sets import joint_parameters

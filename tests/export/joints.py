@@ -11,7 +11,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.device_parameters import NOMINAL
-from pipeline.export.c99 import c_sources
+from pipeline.export.sources import c_sources
 from pipeline.export.subject import Subject, Validity, realise
 from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid import parameters as condensed_parameters

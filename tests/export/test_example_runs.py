@@ -15,8 +15,7 @@ from scipy.io import loadmat
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.export.json_document import write_json
-from pipeline.export.matlab import write_matlab
+from pipeline.export.sources import write_json, write_matlab
 from pipeline.export.subject import Subject, realise
 from pipeline.loading.run_models import subject
 from pipeline.runs.run_folder import RunFolder

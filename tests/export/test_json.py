@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from joints import data_driven, hybrid, paper, sindy, subject
 
-from pipeline.export.json_document import write_json
+from pipeline.export.sources import write_json
 from pipeline.export.subject import realise
 
 

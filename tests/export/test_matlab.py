@@ -7,7 +7,7 @@ import pytest
 from joints import OCTAVE, data_driven, held_slider, hybrid, paper, sindy, subject
 from scipy.io import loadmat
 
-from pipeline.export.matlab import write_matlab
+from pipeline.export.sources import write_matlab
 
 needs_octave = pytest.mark.skipif(OCTAVE is None, reason="no GNU Octave here")
 

@@ -9,7 +9,7 @@ import pytest
 from joints import COMPILER, STRICT, Subject, data_driven, held_slider, hybrid, paper, sindy, subject, turning_arm
 
 from pipeline.errors import DebistError
-from pipeline.export.c99 import c_sources
+from pipeline.export.sources import c_sources
 from pipeline.models.kind import model_from_tree
 
 MODELS = {

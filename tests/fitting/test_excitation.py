@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from pipeline.device_facts.excitation_advice import shortfalls
 from pipeline.errors import InputError
 from pipeline.fitting.excitation import examine_excitation
 from pipeline.rig.bench import Bench, record
 from pipeline.rig.excitation import Burst, alternating_pulses, command
 from pipeline.rig.parameters import nominal
+from pipeline.tools.inspection import shortfalls
 
 BENCH = Bench(rate=2000.0)
 NONE = np.empty(0)

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from pipeline.device_parameters import NOMINAL
 from pipeline.errors import DebistError
-from pipeline.export import fmu, json_document, matlab
+from pipeline.export import fmu, sources
 from pipeline.export.templates import words
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import HasCurves, predictor
@@ -150,8 +150,8 @@ def use(name: str, data: bytes, *, exported: bool = False) -> None:
         made = what.realisation()
         fmu.fmu_sources(what, made)
         fmu.description(what, made, fmu.guid(what))
-        matlab.function_source(what)
-        json_document.document(what)
+        sources.function_source(what)
+        sources.document(what)
 
 
 def joints_name(name: str) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.batch.fleet import write_fleet_report
+from pipeline.batch.batch import write_fleet_report
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.report_data import load_datasheet

@@ -13,10 +13,9 @@ import pipeline.rig.random_joint
 from pipeline.commands.rig import app
 from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
-from pipeline.rig.faults import KINDS, inject_faults, parse_faults
 from pipeline.rig.fleet import Experiment, draw, simulate_fleet, write_prototype
 from pipeline.rig.joint import simulate, wells
-from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.rig.log import KINDS, LAYOUTS, RawLog, inject_faults, parse_faults
 from pipeline.rig.parameters import CHAIN, RigParameters, as_json, from_json, nominal, sized
 from pipeline.rig_logs import read_recording
 

@@ -11,8 +11,7 @@ from cli import app
 from pipeline.errors import InputError
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.verification import Verified, subset
-from pipeline.tools.verify import repair_run, verify_all, verify_everything
+from pipeline.tools.verify import Verified, repair_run, subset, verify_all, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once
 from tests.prototypes import Silent, content, logs_read_once

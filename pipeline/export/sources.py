@@ -1,0 +1,212 @@
+"""The model as text for other tools: C99 for a real-time target, MATLAB with lookup tables, one JSON document.
+
+A MATLAB function also runs in Simulink and GNU Octave; the MAT file beside it holds the tables. The JSON document has
+states, constants, curves, units, validity range, and a run to check against.
+"""
+
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pipeline import __version__
+from pipeline.codegen.text_writer import c_function, matlab_function
+from pipeline.errors import InputError
+from pipeline.export.subject import SCALARS, Exported, Realisation, Subject, curve_tables
+from pipeline.export.templates import constant, render
+from pipeline.runs.atomic import write_bytes, write_text
+from pipeline.runs.manifest import to_json
+from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
+from pipeline.units import MASS
+
+
+def write_c(subject: Subject, folder: Path) -> Exported:
+    """Write ``IDENTIFIER.h`` and ``IDENTIFIER.c``."""
+    realisation = subject.realisation()
+    written = []
+    for name, text in c_sources(subject, realisation).items():
+        write_text(folder / name, text)
+        written.append(folder / name)
+    return Exported(written)
+
+
+def c_sources(subject: Subject, realisation: Realisation, *, flow: bool = False) -> dict[str, str]:
+    """Header and source by file name; with `flow` the rates for an integrator with steps of its own are in it."""
+    fields = model_fields(subject, realisation)
+    chosen = [name for name in realisation.functions if flow or name != "flow"]
+    fields["functions"] = [c_function(name, realisation.functions[name], SCALARS) for name in chosen]
+    return {
+        f"{subject.identifier}.h": render("model.h.j2", fields),
+        f"{subject.identifier}.c": render("model.c.j2", fields),
+    }
+
+
+def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
+    """Fields of the templates, except the functions."""
+    validity = subject.validity
+    ranges = [("Q_MIN", validity.q[0]), ("Q_MAX", validity.q[1])]
+    ranges += [("QDOT_MIN", validity.qdot[0]), ("QDOT_MAX", validity.qdot[1])]
+    for i, (low, high) in enumerate(validity.v, start=1):
+        ranges += [(f"V{i}_MIN", low), (f"V{i}_MAX", high)]
+    return {
+        "title": f"Dynamic model of the joint {subject.prototype}",
+        "version": __version__,
+        "subject": subject,
+        "realisation": realisation,
+        "validity": validity,
+        "unit": validity.q_unit,
+        "id": subject.identifier,
+        "ID": subject.identifier.upper(),
+        "step": constant(realisation.step),
+        "constant": constant,
+        "bounds": bounds(subject),
+        "ranges": ranges,
+        "k": realisation.inputs,
+        "n": len(realisation.states),
+        "base": realisation.base,
+        "lagged": "lag" in realisation.functions,
+        "held": realisation.held,
+        "method": {"nodes": NODES, "ahead": AHEAD, "shares": SHARES, "all": ALL_SHARES},
+    }
+
+
+def bounds(subject: Subject) -> list[str]:
+    """The validity range in words."""
+    v = subject.validity
+    lines = [f"q from {v.q[0]:.6g} to {v.q[1]:.6g} {v.q_unit}"]
+    lines += [f"its velocity from {v.qdot[0]:.4g} to {v.qdot[1]:.4g} {v.q_unit}/s"]
+    lines += [
+        f"v{i} from {low:.6g} to {high:.6g} {unit}"
+        for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1)
+    ]
+    return [*lines, f"samples every {v.sample_interval:g} s"]
+
+
+_DESCRIPTION_BYTES = 116
+
+
+def write_matlab(subject: Subject, folder: Path) -> Exported:
+    """Write ``IDENTIFIER.m`` and ``IDENTIFIER_data.mat``.
+
+    The MAT file holds breakpoints and tables for Simulink's 1-D Lookup Table blocks under the names `q_bp`, `F_table`,
+    `d_table`, …, the structs `units` and `validity`, and in `check` a log with the model's own run.
+    """
+    script, data = folder / f"{subject.identifier}.m", folder / f"{subject.identifier}_data.mat"
+    write_text(script, function_source(subject))
+    write_bytes(data, _mat_bytes(variables(subject), f"debist {__version__}, {subject.identifier}"))
+    return Exported([script, data])
+
+
+def function_source(subject: Subject) -> str:
+    """The function that runs the model freely."""
+    realisation = subject.realisation()
+    fields = model_fields(subject, realisation) | {
+        "functions": [
+            matlab_function(name, graph, SCALARS) for name, graph in realisation.functions.items() if name != "flow"
+        ],
+        "z": max(1, len(realisation.hysteresis_states)),
+    }
+    return render("model.m.j2", fields)
+
+
+def variables(subject: Subject) -> dict[str, Any]:
+    """What the MAT file holds, all in SI."""
+    v, run = subject.validity, subject.model.simulate(subject.t, subject.v, *subject.start)
+    arrays: dict[str, Any] = {
+        "validity": {
+            "q": np.array(v.q),
+            "qdot": np.array(v.qdot),
+            "v": np.array(v.v),
+            "sample_interval": v.sample_interval,
+        },
+        "check": {
+            "t": subject.t[:, None],
+            "v": subject.v,
+            "q0": subject.start[0],
+            "qdot0": subject.start[1],
+            "q": run.q[:, None],
+            "qdot": run.qdot[:, None],
+        },
+    }
+    units = {"q_bp": v.q_unit, "t": "s", "q": v.q_unit, "qdot": f"{v.q_unit}/s", "v": v.v_units[0]}
+    for table in curve_tables(subject):
+        arrays["q_bp"] = table.q[None, :]
+        arrays[f"{table.name}_table"] = table.values[None, :]
+        units[f"{table.name}_table"] = table.unit.replace("·", ".")
+    if "q_bp" in arrays:
+        arrays["mass"] = float(getattr(subject.model, "mass", 1.0))
+        units["mass"] = MASS[v.q_unit].replace("·", ".").replace("²", "2")
+    return arrays | {"units": units, "source": f"{subject.prototype}, {subject.name}, {subject.origin}"}
+
+
+def _mat_bytes(arrays: dict[str, Any], title: str) -> bytes:
+    """A MAT v5 file whose header has a title in place of the time of writing."""
+    from scipy.io import savemat
+
+    buffer = io.BytesIO()
+    savemat(buffer, arrays, long_field_names=True, oned_as="row")  # type: ignore[arg-type]  # takes streams too
+    content = buffer.getvalue()
+    return (
+        title.encode("ascii", "replace")[:_DESCRIPTION_BYTES].ljust(_DESCRIPTION_BYTES) + content[_DESCRIPTION_BYTES:]
+    )
+
+
+FORMAT = "debist-model/1"
+_BETWEEN = {"linear": "linear", "cubic": "cubic spline", "zero": "held"}
+CHECK_SAMPLES = 500
+"""Samples of the run to check against: five seconds at 10 ms."""
+
+
+def write_json(subject: Subject, folder: Path) -> Exported:
+    """Write ``IDENTIFIER.json``."""
+    target = folder / f"{subject.identifier}.json"
+    write_text(target, json.dumps(document(subject), indent=1, ensure_ascii=False, allow_nan=False) + "\n")
+    return Exported([target])
+
+
+def document(subject: Subject) -> dict[str, Any]:
+    """The document; every number in SI, units beside the numbers or in the keys."""
+    facts: dict[str, Any] = to_json(
+        {
+            "format": FORMAT,
+            "prototype": subject.prototype,
+            "model": subject.name,
+            "origin": {"content": subject.origin, "debist": __version__},
+            "validity": vars(subject.validity),
+            "description": subject.model.describe(),
+            "equations": _equations(subject),
+            "curves": [vars(table) for table in curve_tables(subject)],
+            "check": _check(subject),
+        }
+    )
+    return facts
+
+
+def _equations(subject: Subject) -> dict[str, Any] | None:
+    """States, constants and integration; none for a model whose equations cannot be written down elsewhere."""
+    try:
+        realisation = subject.realisation()
+    except InputError:
+        return None
+    return {
+        "structure": realisation.structure,
+        "states": [vars(state) for state in realisation.states],
+        "hysteresis_states": [vars(state) for state in realisation.hysteresis_states],
+        "constants_si": realisation.constants,
+        "integration": {
+            "scheme": "classical Runge-Kutta, fixed step",
+            "step_s": realisation.step,
+            "inputs_between_samples": _BETWEEN[realisation.between],
+            "delay_s": realisation.delay,
+        },
+    }
+
+
+def _check(subject: Subject) -> dict[str, Any]:
+    """The start of a log with the model's own run."""
+    rows = slice(0, CHECK_SAMPLES)
+    t, v = subject.t[rows], subject.v[rows]
+    run = subject.model.simulate(t, v, *subject.start)
+    return {"t_s": t, "v": v, "q0": subject.start[0], "qdot0": subject.start[1], "q": run.q, "status": run.status}
