@@ -23,7 +23,7 @@ Folder = Annotated[
     Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write into; made if missing.")
 ]
 Seed = Annotated[int, typer.Option(help="Draws everything that is random.", min=0)]
-Format = Annotated[str, typer.Option("--format", help="mat, mat73, mf4, csv, csv-de, parquet.")]
+Format = Annotated[str, typer.Option("--format", help="mat, mf4, csv, csv-de, parquet.")]
 Rate = Annotated[float, typer.Option(help="Samples per second [Hz], a multiple of 2000.")]
 
 

@@ -58,14 +58,14 @@ def test_no_text_leaves_its_comment_or_attribute(text: str, tmp_path: Path) -> N
     for name, source in sources.items():
         assert ALLOWED.fullmatch(source) and "??" not in source, name
         assert "INJECTED" not in own.sub("", without_comments(source)), name
-    script = sources.function_source(what)
+    script = texts.function_source(what)
     assert ALLOWED.fullmatch(script)
     lines = own.sub("", script).splitlines()
     assert not [line for line in lines if "INJECTED" in line and not line.lstrip().startswith("%")]
     root = ET.fromstring(fmu.description(what, made, fmu.guid(what)))  # noqa: S314 - our own
     assert not [tag for tag in root.iter() if "INJECTED" in tag.tag or "INJECTED" in tag.attrib]
     if COMPILER is not None:
-        for name, source in sources.c_sources(what, made).items():
+        for name, source in texts.c_sources(what, made).items():
             (tmp_path / name).write_text(source, encoding="ascii")
         subprocess.run(
             [COMPILER, *STRICT, "-trigraphs", "-fsyntax-only", f"{what.identifier}.c"], cwd=tmp_path, check=True

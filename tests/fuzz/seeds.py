@@ -11,7 +11,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 from scipy.io import savemat
 
-from pipeline.rig.log import write_mat5, write_mat73
+from pipeline.rig.log import write_mat5
 from tests.fuzz.edits import LETTERS
 from tests.rig_logs.small_logs import matlab_object, write_matlab73
 
@@ -84,11 +84,6 @@ def _matlab73_by_hand(path: Path) -> Ranges:
     axis = {"Name": "", "Type": 4.0, "Data": TIME, "Unit": "s", "Raster": "HostService"}
     channel = {**axis, "Path": "Model Root/Scope", "XIndex": 1.0}
     write_matlab73(path, [axis], [{**channel, "Name": "q", "Data": Q}, {**channel, "Name": "v", "Data": V}])
-    return []
-
-
-def _matlab73_by_rig(path: Path) -> Ranges:
-    write_mat73(path, TIME, CHANNELS)
     return []
 
 
@@ -188,7 +183,7 @@ def _hdf5_checksums(path: Path) -> Ranges:
 
 _WRITERS: dict[str, tuple[Callable[[Path], Ranges], ...]] = {
     "mat5": (_controldesk, _compressed_mat, _simulink),
-    "mat73": (_matlab73_by_hand, _matlab73_by_rig),
+    "mat73": (_matlab73_by_hand),
     "mdf4": (_mdf, _mdf_deflated, _mdf_transposed),
     "csv": (_german_csv, _english_csv, _blank_csv, _utf16_csv),
     "parquet": (_parquet, _parquet_zstd, _parquet_snappy, _parquet_dictionary),

@@ -149,7 +149,7 @@ def test_faults_are_put_where_they_are_said_to_be() -> None:
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
-        ({"format": "tdms"}, "--format tdms.*mat73"),
+        ({"format": "tdms"}, "--format tdms.*mf4"),
         ({"kind": "spring"}, "--kind spring.*foreign"),
         ({"excitation": "noise"}, "--excitation noise.*chirps"),
         ({"rate": 9000.0}, "multiples of 2000 Hz"),
