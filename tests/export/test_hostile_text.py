@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from joints import COMPILER, STRICT, sindy, subject
 
 from pipeline.export import fmu
+from pipeline.export import sources as texts
 from pipeline.export.crate import environment_text
 from pipeline.export.subject import Subject, Variable, realise
 from pipeline.export.templates import words

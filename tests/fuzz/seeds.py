@@ -183,7 +183,7 @@ def _hdf5_checksums(path: Path) -> Ranges:
 
 _WRITERS: dict[str, tuple[Callable[[Path], Ranges], ...]] = {
     "mat5": (_controldesk, _compressed_mat, _simulink),
-    "mat73": (_matlab73_by_hand),
+    "mat73": (_matlab73_by_hand,),
     "mdf4": (_mdf, _mdf_deflated, _mdf_transposed),
     "csv": (_german_csv, _english_csv, _blank_csv, _utf16_csv),
     "parquet": (_parquet, _parquet_zstd, _parquet_snappy, _parquet_dictionary),
