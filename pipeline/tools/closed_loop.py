@@ -14,13 +14,14 @@ from pipeline.errors import InputError
 from pipeline.loading.held_models import load_design
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
-from pipeline.rig.bench import Bench
+from pipeline.rig.bench import Bench, random_bench
 from pipeline.rig.excitation import load_sequence
 from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS, PER_SI
 from pipeline.rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
 from pipeline.rig.parameters import RigParameters, from_json, nominal, table1
 from pipeline.rig.random_joint import Family, random_joint
+from pipeline.rig_logs import read_recording
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.units import parse_quantity, to_si
@@ -55,8 +56,6 @@ def virtual_joint(where: str) -> VirtualJoint:
     if kind in _NAMED and not seed:
         return VirtualJoint(kind, _NAMED[kind](), Bench())
     if kind in get_args(Family) and seed.isdigit():
-        from pipeline.rig.bench import random_bench
-
         rng = np.random.default_rng(int(seed))
         joint = random_joint(rng, cast(Family, kind))
         return VirtualJoint(f"{kind}-{seed}", joint, random_bench(rng))
@@ -82,8 +81,6 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
     """
     path = Path(text)
     if path.suffix.lower() in (".csv", ".mat", ".parquet"):
-        from pipeline.rig_logs import read_recording
-
         log = read_recording(path, channels=["time", "target"])
         time, target = log.channel("time"), log.channel("target")
         scale = to_si(target.unit, ("m",), f"{path}: target").factor if target.unit else 1.0

@@ -3,23 +3,29 @@
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from pipeline.control.controller import PERIOD, closed_on_model
+from pipeline.control.design import Settings
+from pipeline.control.design import design as design_law
+from pipeline.control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
+from pipeline.control.law import Law
+from pipeline.control.linear import wells_and_saddle
+from pipeline.control.margins import Margins, margins
+from pipeline.control.pulses import design_pulse
+from pipeline.control.step_metrics import BAND, step_metrics
+from pipeline.control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, uncertain
 from pipeline.errors import InputError
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.names import Goal, Well
+from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.progress import OnProgress
+from pipeline.rig.excitation import ENDINGS, Sequence, save_sequence
 from pipeline.runs.engine import Observer
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.tools.controlled_run import ControlRun, ControlSettings, control_run, kept_document
-
-if TYPE_CHECKING:
-    from pipeline.control.ensemble import Converters, Ensemble
-    from pipeline.control.law import Law
-    from pipeline.control.margins import Margins
-    from pipeline.models.hybrid.model import HybridModel
-    from pipeline.numerics.arrays import FloatArray
 
 DRAWS = 32
 
@@ -49,12 +55,8 @@ _OF_LOWEST = 0.2
 """Share of a map's time that its lowest voltages take, roughly."""
 
 
-def _one_map(joint_run: ControlRun, converters: "Converters", to: Well, on_progress: OnProgress) -> dict[str, Any]:
+def _one_map(joint_run: ControlRun, converters: Converters, to: Well, on_progress: OnProgress) -> dict[str, Any]:
     """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
-    from pipeline.control.ensemble import ensemble_of
-    from pipeline.control.linear import wells_and_saddle
-    from pipeline.control.switching_map import PULSES, lowest_voltage, switching_map, uncertain
-
     model = joint_run.model
     left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
     places = (left, saddle, right)
@@ -80,10 +82,6 @@ def pulse(
 
     def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
         """The pulse and what the model and its posterior make of it."""
-        from pipeline.control.ensemble import INTERVAL
-        from pipeline.control.linear import wells_and_saddle
-        from pipeline.control.pulses import design_pulse
-
         left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
@@ -115,13 +113,8 @@ def pulse(
     return kept_document(root, f"pulse-to-{to}", chosen, observer, work)
 
 
-def _with_draws(
-    model: "HybridModel", converters: "Converters", places: tuple[float, float, float], to: Well
-) -> "Ensemble":
+def _with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
     """The joint with draws whose voltages err as the lowest one that switches it to a well may."""
-    from pipeline.control.ensemble import ensemble_of
-    from pipeline.control.switching_map import TYPICAL, lowest_voltage, uncertain
-
     return uncertain(ensemble_of(model, DRAWS, converters), [lowest_voltage(model, converters, places, to, TYPICAL)])
 
 
@@ -137,16 +130,12 @@ def check_pulse_name(output: Path) -> None:
     InputError
         It has another ending.
     """
-    from pipeline.rig.excitation import ENDINGS
-
     if output.suffix.lower() not in (*ENDINGS, ""):
         raise InputError(f"{output}: a pulse is written as {' and '.join(ENDINGS)}; name it so, or without an ending")
 
 
 def write_pulse(root: Path, document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
     """Write a pulse of a run as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
-    from pipeline.rig.excitation import ENDINGS, Sequence, save_sequence
-
     check_pulse_name(output)
     t, v = np.array(document["t_s"]), np.array(document["v_V"])
     about = {key: value for key, value in document.items() if key not in ("t_s", "v_V", "predicted")}
@@ -163,11 +152,6 @@ def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[st
 
     def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
         """The controller, kept in the run, and its prediction."""
-        from pipeline.control.design import Settings
-        from pipeline.control.design import design as design_law
-        from pipeline.control.linear import wells_and_saddle
-        from pipeline.control.margins import margins
-
         plant = joint_run.plant
         converters, lags_known = joint_run.converters(settings)
         law = design_law(plant, Settings(highest, converters.lags, settings.slew, settings.average))
@@ -214,8 +198,6 @@ distance."""
 
 def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
     """What the controller misses on the model itself; a joint that differs will not do better."""
-    from pipeline.control.step_metrics import BAND
-
     misses = []
     for place, step in zip(("right well", "left well"), predicted["steps"], strict=False):
         if step["settling_s"] is None or step["settling_s"] > SETTLES:
@@ -238,14 +220,14 @@ GAINS, DELAY = (0.77, 1.3), 5e-3
 """Factors on the gain and delay [s] that a good controller stands at the unstable equilibrium."""
 
 
-def _thin(held: "Margins | None") -> list[str]:
+def _thin(held: Margins | None) -> list[str]:
     """Margins that are smaller than joints differ from their models."""
     if held is not None and held.gain_low < GAINS[0] and held.gain_high > GAINS[1] and held.delay_s > DELAY:
         return []
     return ["the margins at the unstable equilibrium are small: a joint that differs from its model may leave it"]
 
 
-def _too_much(law: "Law", saddle: float, average: float | None) -> list[str]:
+def _too_much(law: Law, saddle: float, average: float | None) -> list[str]:
     """Where the unstable equilibrium (reading, m) takes more voltage for long than its mean may be."""
     needed = law.holding_voltage(saddle - law.number("offset"))
     if average is None or needed <= average:
@@ -256,11 +238,8 @@ def _too_much(law: "Law", saddle: float, average: float | None) -> list[str]:
     ]
 
 
-def _predicted(law: "Law", places: tuple[float, float, float]) -> dict[str, Any]:
+def _predicted(law: Law, places: tuple[float, float, float]) -> dict[str, Any]:
     """The closed loop on the model: to the right, back, to the unstable equilibrium."""
-    from pipeline.control.controller import PERIOD, closed_on_model
-    from pipeline.control.step_metrics import step_metrics
-
     left, saddle, right = places
     slow = int(max(law.number("pumped_right"), law.number("pumped_left")))
     target = np.repeat([left, right, left, saddle], [50, 1500 + 4000 * slow, 1500 + 4000 * slow, 1500])

@@ -4,24 +4,24 @@ import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from pipeline.control.ensemble import Converters
+from pipeline.control.plant import ASSUMED_LAG, ControlledJoint, plant_of
+from pipeline.device_facts.converters import converter_lag
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
 from pipeline.loading.held_models import WORST, controlled_model, failed_validations
 from pipeline.loading.run_models import load_run_model
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
-
-if TYPE_CHECKING:
-    from pipeline.control.ensemble import Converters
-    from pipeline.control.plant import ControlledJoint
-    from pipeline.models.hybrid.model import HybridModel
 
 ALGORITHM = "16"
 _MISSED, _UNSEEN = 0.09, 2e-3
@@ -61,16 +61,14 @@ class ControlRun:
 
     run: RunFolder
     prototype: Prototype
-    model: "HybridModel"
+    model: HybridModel
     name: str
     artifact: str
     rests: tuple[float, float] | None = None
 
     @property
-    def plant(self) -> "ControlledJoint":
+    def plant(self) -> ControlledJoint:
         """The identified joint and the rests that its logs show."""
-        from pipeline.control.plant import plant_of
-
         return plant_of(self.model, self.rests)
 
     @property
@@ -120,15 +118,11 @@ class ControlRun:
         """The artifacts that hold the measured voltages of the training logs."""
         return tuple(layout.record(role, log) for role, log, _ in layout.logs(self.prototype) if role == "train")
 
-    def converters(self, settings: ControlSettings) -> tuple["Converters", str]:
+    def converters(self, settings: ControlSettings) -> tuple[Converters, str]:
         """The converters as given, measured in the training logs or assumed, and which of these.
 
         If the logs show the lag of one side only, both sides have it.
         """
-        from pipeline.control.ensemble import Converters
-        from pipeline.control.plant import ASSUMED_LAG
-        from pipeline.device_facts.converters import converter_lag
-
         if settings.lag is not None:
             return Converters((settings.lag, settings.lag), GIVEN, highest=self.limit), "given"
         tables = [self.run.read_table(name) for name in self.records]
@@ -153,8 +147,6 @@ def control_run(root: Path) -> ControlRun:
     DataRefusedError
         Its validation refuses the model.
     """
-    from pipeline.models.hybrid.model import HybridModel
-
     run = RunFolder.open(root)
     prototype = run.prototype
     name, artifact = controlled_model(run, prototype)
@@ -170,14 +162,12 @@ def control_run(root: Path) -> ControlRun:
 
 def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
     """Readings [m] at which the logs show the joint at rest; None where they show no two wells."""
-    from pipeline.scoring.wells import Wells, wells_of
-
     tables = [run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype)]
     wells = wells_of(tables, joint=True)
     return (wells.left, wells.right) if isinstance(wells, Wells) else None
 
 
-def _refuse_bad_model(run: RunFolder, name: str, model: "HybridModel", limit: float) -> None:
+def _refuse_bad_model(run: RunFolder, name: str, model: HybridModel, limit: float) -> None:
     missed = float(model.diagnostics.get("training_rms_m", 0.0))
     if missed > limit:
         raise DataRefusedError(

@@ -17,6 +17,7 @@ from pipeline.models.analytical.reduced_order import reduce_joint, simulate_redu
 from pipeline.models.analytical.statics import equilibria
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.rig.excitation import ENDINGS, Sequence, command, save_sequence
 from pipeline.runs.outputs import check_places, new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import FIELD_LIMIT, Prototype
@@ -94,8 +95,6 @@ def excite(
     InputError
         A limit, rate, file ending or source that is not usable, or a file of others where it shall be written.
     """
-    from pipeline.rig.excitation import ENDINGS, Sequence, command, save_sequence
-
     if output.suffix.lower() not in ENDINGS:
         raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
     if not RATES[0] <= rate <= RATES[1]:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,15 +16,13 @@ from pipeline.loading.held_models import model_artifact
 from pipeline.loading.run_models import load_run_model
 from pipeline.loading.siblings import read_siblings
 from pipeline.models.base import DynamicModel
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.siblings import Learnt, column, learn, to_tree
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout
 from pipeline.runs.manifest import MANIFEST
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.trees import write_tree
-
-if TYPE_CHECKING:
-    from pipeline.models.hybrid.model import HybridModel
-    from pipeline.models.hybrid.siblings import Learnt
 
 
 @dataclass(frozen=True)
@@ -44,7 +42,7 @@ class LearntFile:
     path: Path
     siblings: tuple[str, ...]
     left_out: dict[str, str]
-    learnt: "Learnt"
+    learnt: Learnt
 
 
 def learn_siblings(roots: Sequence[Path], output: Path) -> LearntFile:
@@ -64,8 +62,6 @@ def learn_siblings(roots: Sequence[Path], output: Path) -> LearntFile:
     DataRefusedError
         Too few runs can be learnt from.
     """
-    from pipeline.models.hybrid.siblings import column, learn, to_tree
-
     if output.exists():
         read_siblings(output)
     models: dict[str, HybridModel] = {}
@@ -92,10 +88,8 @@ def _runs(roots: Sequence[Path]) -> Iterator[Path]:
         yield from inside or [root]
 
 
-def _sibling(run: RunFolder) -> tuple[str, str, "HybridModel"]:
+def _sibling(run: RunFolder) -> tuple[str, str, HybridModel]:
     """Name of the prototype, content hash of its models, and the hybrid one."""
-    from pipeline.models.hybrid.model import HybridModel
-
     prototype = run.prototype
     if prototype.plant.siblings is not None:
         raise InputError(f"{run.root}: was identified with siblings, which would enter twice; identify it without")

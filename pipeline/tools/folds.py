@@ -5,10 +5,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 
+from pipeline.device_facts.characteristics import believed_wells, stable_rests
+from pipeline.device_parameters import JointParameters
 from pipeline.errors import DataRefusedError, DebistError, InputError
 from pipeline.isolation import in_processes
 from pipeline.loading.device import device
@@ -16,22 +18,27 @@ from pipeline.loading.held_models import identified_models
 from pipeline.loading.parameter_sets import parameter_set, parameter_values
 from pipeline.loading.trajectories import PriorKnowledge, load_motion, sources, training, trajectories
 from pipeline.models.kind import kind
+from pipeline.numerics.arrays import BoolArray
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.scoring.cross_validation import NRMSE_COLUMNS
-from pipeline.scoring.wells import wells_of
+from pipeline.scoring.cross_validation import (
+    NRMSE_COLUMNS,
+    block_folds,
+    fold_score,
+    kept_segments,
+    log_folds,
+    mean_over_folds,
+    not_told_from_lowest,
+    signal_ranges,
+)
+from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.settings import FILM, Prototype
+from pipeline.signals.trajectory import Trajectory
 from pipeline.stages import compare, identify
 from pipeline.tools.study import StudyResult, study_result
-
-if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
-    from pipeline.numerics.arrays import BoolArray
-    from pipeline.scoring.wells import NoWells, Wells
-    from pipeline.signals.trajectory import Trajectory
 
 ALGORITHM = "5"
 
@@ -110,7 +117,7 @@ def _chosen(run: RunFolder, prototype: Prototype, models: Sequence[str]) -> tupl
     return tuple(dict.fromkeys(models)) or fitted
 
 
-def _task(prototype: Prototype, parameters: "JointParameters | None", split: Folds, model: str, jobs: int) -> Task:
+def _task(prototype: Prototype, parameters: JointParameters | None, split: Folds, model: str, jobs: int) -> Task:
     settings = {
         "folds": vars(split),
         "model": model,
@@ -134,10 +141,8 @@ def _task(prototype: Prototype, parameters: "JointParameters | None", split: Fol
 
 
 def _work(
-    run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", split: Folds, model: str, jobs: int
+    run: RunFolder, prototype: Prototype, parameters: JointParameters | None, split: Folds, model: str, jobs: int
 ) -> Mapping[str, Written]:
-    from pipeline.scoring.cross_validation import block_folds, log_folds, signal_ranges
-
     tables = [load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)]
     deal = block_folds if split.by == "blocks" else log_folds
     numbers = deal([table["segment"] for table in tables], split.count)
@@ -169,10 +174,8 @@ def _work(
     return {layout.folds(model): run.write_table(layout.folds(model), schema, columns, notes)}
 
 
-def _cut(table: Table, keep: "BoolArray") -> Table:
+def _cut(table: Table, keep: BoolArray) -> Table:
     """The table with all other rows masked."""
-    from pipeline.scoring.cross_validation import kept_segments
-
     return {**table, "segment": kept_segments(table["segment"], keep)}
 
 
@@ -181,17 +184,14 @@ class _Judge:
     """Fits a model to one part and scores it on the other; goes to worker processes."""
 
     prototype: Prototype
-    parameters: "JointParameters | None"
+    parameters: JointParameters | None
     model: str
     ranges: Mapping[str, float]
-    wells: "Wells | NoWells"
+    wells: Wells | NoWells
     prior_knowledge: PriorKnowledge
 
     def __call__(self, cut: tuple[list[Table], list[Table]]) -> tuple[dict[str, Any], str, float]:
         """Row of the table, why it was refused, processor time of the fit [s]."""
-        from pipeline.device_facts.characteristics import believed_wells, stable_rests
-        from pipeline.scoring.cross_validation import fold_score
-
         tables = [table for table in cut[0] if np.any(table["segment"] >= 0)]
         samples, began = sum(len(x.t) for x in _stretches(cut[1])), time.process_time()
         row: dict[str, Any] = dict.fromkeys((*NRMSE_COLUMNS, "well_agreement")) | {"samples": samples}
@@ -213,7 +213,7 @@ class _Judge:
         return kind(self.model).fit(training(tables, self.prototype, self.parameters, self.prior_knowledge))
 
 
-def _stretches(tables: Sequence[Table], *, fine: bool = False) -> "list[Trajectory]":
+def _stretches(tables: Sequence[Table], *, fine: bool = False) -> list[Trajectory]:
     return [stretch for table in tables for stretch in trajectories(table, fine=fine)]
 
 
@@ -235,8 +235,6 @@ def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
 
 def _summary(tables: Mapping[str, Table]) -> list[dict[str, Any]]:
     """Per model the mean over folds of each error with its interval, and whether it is among the lowest."""
-    from pipeline.scoring.cross_validation import mean_over_folds, not_told_from_lowest
-
     whole = {model: table for model, table in tables.items() if np.isfinite(table["nrmse"]).all()}
     rows = []
     for model in tables:

@@ -8,16 +8,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.checks.check import check_logs
+from pipeline.checks.overlap import shared_recordings, shared_rows
+from pipeline.checks.rows import findings, remarks
+from pipeline.checks.weak_form import LogSignals
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.errors import InputError
 from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
-from pipeline.loading.trajectories import motion
+from pipeline.loading.trajectories import load_motion, motion
 from pipeline.models.base import DynamicModel, real_numbers
+from pipeline.models.kind import StoredModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.metrics import fit_percent
 from pipeline.runs.columns import TUBE_COLUMNS
+from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
@@ -31,9 +38,6 @@ from pipeline.stages.scores import ComparedRun, score_rows
 
 if TYPE_CHECKING:
     import pandas as pd
-
-    from pipeline.checks.weak_form import LogSignals
-    from pipeline.models.kind import StoredModel
 
 
 OF_RUN = "debist_log"
@@ -102,7 +106,7 @@ class Cleaned:
     """
 
     motion: Table
-    signals: "LogSignals"
+    signals: LogSignals
     warnings: tuple[str, ...]
 
 
@@ -111,9 +115,6 @@ def kinematics_of(table: Any) -> Table | None:
 
     As it was returned, it is what the run itself simulates: with its parts and with the voltages between the samples.
     """
-    from pipeline.loading.trajectories import load_motion
-    from pipeline.runs.run_folder import RunFolder
-
     if not hasattr(table, "columns") or "segment" not in table:
         return None
     names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment"}
@@ -175,15 +176,11 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
 
 def identify_signals(
     logs: Sequence[Signals], prototype: Prototype
-) -> "tuple[dict[str, StoredModel], dict[str, Any], list[Table]]":
+) -> tuple[dict[str, StoredModel], dict[str, Any], list[Table]]:
     """Models by name, the headline first; notes on the fits; and the kinematics of the logs.
 
     What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
     """
-    from pipeline.checks.check import check_logs
-    from pipeline.checks.overlap import shared_recordings, shared_rows
-    from pipeline.checks.rows import findings, remarks
-
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
     tables = [part.motion for part in parts]
     records, stated = [part.signals for part in parts], declared(prototype)
@@ -200,8 +197,6 @@ def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[s
     """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them, with the fit in
     percent as MATLAB's ``compare`` states it.
     """
-    from pipeline.numerics.metrics import fit_percent
-
     run = free_run(table, model)
     pairs = {name: (table[name], getattr(run, name)) for name in ("q", "qdot", "qddot")}
     rests = stable_rests(model, [table["q"]])

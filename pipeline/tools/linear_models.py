@@ -3,18 +3,19 @@
 import json
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from pipeline.control.linear import LinearModel, equilibria
+from pipeline.device_facts.events import rest_facts
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer
 from pipeline.runs.outputs import new_outputs, rebased, remove_outdated
+from pipeline.scoring.wells import wells_of
+from pipeline.signals.trajectory import voltages
 from pipeline.tools.controlled_run import ControlRun, control_run, kept_document
-
-if TYPE_CHECKING:
-    from pipeline.control.linear import LinearModel
 
 MOST_EQUILIBRIA = 9
 """Most equilibria of a joint, by far: an earlier call left files of at most this number."""
@@ -37,20 +38,18 @@ def linearise(root: Path, voltages: tuple[float, float], observer: Observer) -> 
     return kept_document(root, "linear", {"voltages": list(voltages)}, observer, work)
 
 
-def linear_models(root: Path, voltages: tuple[float, float]) -> "list[LinearModel]":
+def linear_models(root: Path, voltages: tuple[float, float]) -> list[LinearModel]:
     """Equilibria and linear models of a run's joint under constant voltages [V]."""
     joint_run = control_run(root)
     joint_run.check_voltages("v1, v2", *voltages)
     return _linear_models(joint_run, voltages)
 
 
-def _linear_models(joint_run: ControlRun, voltages: tuple[float, float]) -> "list[LinearModel]":
-    from pipeline.control.linear import equilibria
-
+def _linear_models(joint_run: ControlRun, voltages: tuple[float, float]) -> list[LinearModel]:
     return equilibria(joint_run.plant, np.array(voltages, dtype=np.float64))
 
 
-def bode(model: "LinearModel") -> dict[str, list[float]]:
+def bode(model: LinearModel) -> dict[str, list[float]]:
     """Transfer from the squared voltages [V²] to the reading [m], from 0.05 to 200 Hz: dB and degrees."""
     f = np.geomspace(0.05, 200.0, 200)
     identity = np.eye(len(model.a))
@@ -66,10 +65,6 @@ def bode(model: "LinearModel") -> dict[str, list[float]]:
 
 def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     """Mean frequency [Hz] and damping ratio of the ring-downs in both wells, over all logs, as in the datasheet."""
-    from pipeline.device_facts.events import rest_facts
-    from pipeline.scoring.wells import wells_of
-    from pipeline.signals.trajectory import voltages
-
     logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
     tables = [joint_run.run.read_table(layout.kinematics(*log)) for log in logs]
     hum = {line for log in logs for line in joint_run.run.record(layout.record(*log)).notes.get("hum", ())}

@@ -6,32 +6,36 @@ The recipe is a run of its own, in a folder of its own, so that its artifacts ar
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from pipeline.device_facts.run_data import RunData, wells_of_run
+from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_set
+from pipeline.loading.report_data import read_run
 from pipeline.model_list import CENTRES, SMOOTHING
+from pipeline.models.analytical.bifurcation import characteristics
+from pipeline.models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both
+from pipeline.models.paper.model import RbfPaperModel
+from pipeline.numerics.arrays import FloatArray
+from pipeline.reporting.canvas import Format, paper_figure
+from pipeline.reporting.figure import Figure, of_models, window
+from pipeline.reporting.log_figures import log_figures
+from pipeline.reporting.paper_page import paper_page, table_1, table_2
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Compare, Differentiate, Identify, Prototype, load_prototype
 from pipeline.settings_logs import ROLES
+from pipeline.signals.differentiate import AlphaStudy, alpha_study
 from pipeline.stages import scores
 from pipeline.stages.run import plan
 from pipeline.tools.study import study_task
 from pipeline.units import ALPHA_UNIT
-
-if TYPE_CHECKING:
-    from pipeline.device_facts.run_data import RunData
-    from pipeline.device_parameters import JointParameters
-    from pipeline.numerics.arrays import FloatArray
-    from pipeline.reporting.canvas import Format
-    from pipeline.reporting.figure import Figure
-    from pipeline.signals.differentiate import AlphaStudy
 
 ALGORITHM = "4"
 RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6, reweighted=False, rate="signals")
@@ -62,7 +66,7 @@ FIGURES = {
 }
 DRAWN = ("rbf-paper", "analytical-calibrated", "analytical")
 """The models of these figures, in the order of their colours."""
-ENDINGS: "tuple[Format, ...]" = ("svg", "pdf")
+ENDINGS: tuple[Format, ...] = ("svg", "pdf")
 
 
 @dataclass(frozen=True)
@@ -155,11 +159,8 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
     )  # fmt: skip
 
 
-def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -> Mapping[str, Written]:
-    from pipeline.loading.report_data import read_run
-    from pipeline.reporting.canvas import paper_figure
+def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
     from pipeline.reporting.joint_figures import COLOURED
-    from pipeline.reporting.paper_page import paper_page, table_1, table_2
 
     data = read_run(run, prototype, scores.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
@@ -179,10 +180,8 @@ def _work(run: RunFolder, prototype: Prototype, parameters: "JointParameters") -
     return written | {layout.PAPER: run.write_text(layout.PAPER, page, {"table_2": rows})}
 
 
-def joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
+def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
-    from pipeline.models.analytical.bifurcation import characteristics
-    from pipeline.models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both
     from pipeline.reporting import joint_figures as draw
 
     curves, motions = characteristics(parameters), simulate_both(parameters, *pulse_sequence())
@@ -197,13 +196,9 @@ def joint_figures(parameters: "JointParameters") -> "dict[str, Figure]":
     }
 
 
-def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "dict[str, Figure]":
+def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict[str, Figure]:
     """Figures 8 and 11 to 15, and the search for T_z: the recipe on the logs."""
-    from pipeline.device_facts.run_data import wells_of_run
-    from pipeline.models.paper.model import RbfPaperModel
     from pipeline.reporting import recipe_figures as draw
-    from pipeline.reporting.figure import of_models, window
-    from pipeline.reporting.log_figures import log_figures
 
     training, network, settings = data.role("train")[0], data.models["rbf-paper"], prototype.identify
     assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it
@@ -230,10 +225,8 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: "RunData") -> "d
     return figures | ({"fig-15": compared["validation"]} if "validation" in compared else {})
 
 
-def _alpha_study(kinematics: Mapping[str, Any]) -> "tuple[FloatArray, AlphaStudy]":
+def _alpha_study(kinematics: Mapping[str, Any]) -> tuple[FloatArray, AlphaStudy]:
     """Figure 11c: the record's longest stretch differentiated with each α [mm·s], around its fastest moment t [s]."""
-    from pipeline.signals.differentiate import alpha_study
-
     segments = kinematics["segment"]
     longest = max(np.unique(segments[segments >= 0]), key=lambda n: np.sum(segments == n))
     rows = segments == longest

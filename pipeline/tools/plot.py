@@ -10,6 +10,9 @@ from typing import TYPE_CHECKING
 from pipeline.errors import InputError
 from pipeline.loading.held_models import made_control
 from pipeline.names import Typeface
+from pipeline.reporting.canvas import FORMATS, form_of, paper_figure
+from pipeline.reporting.figure import Figure, of_models, window, x_range
+from pipeline.reporting.plotted import paper_look, plotted
 from pipeline.runs.atomic import write_bytes
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, in_snapshot
@@ -19,8 +22,6 @@ from pipeline.stages.scores import scored_models
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure as Canvas
-
-    from pipeline.reporting.figure import Figure
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ class RunFigures:
     """
 
     root: Path
-    figures: "Mapping[str, Figure]"
+    figures: Mapping[str, Figure]
     models: tuple[str, ...]
 
     @property
@@ -70,12 +71,10 @@ class RunFigures:
 
     def plot(self, name: str, make: "Callable[[], Canvas]", part: Excerpt = WHOLE) -> "list[Axes]":
         """Draw one figure on a canvas that `make` makes, such as ``pyplot.figure``; its axes; raises as `figure`."""
-        from pipeline.reporting.plotted import paper_look, plotted
-
         figure = self.figure(name, part)
         return plotted(figure, self.models, paper_look(figure, part.typeface), make()).axes
 
-    def figure(self, name: str, part: Excerpt = WHOLE) -> "Figure":
+    def figure(self, name: str, part: Excerpt = WHOLE) -> Figure:
         """What a figure shows.
 
         Raises
@@ -83,8 +82,6 @@ class RunFigures:
         InputError
             No such figure or model, or an empty stretch.
         """
-        from pipeline.reporting.figure import of_models, window, x_range
-
         if name not in self.figures:
             close = difflib.get_close_matches(name, self.figures, n=1)
             hint = f"did you mean {close[0]!r}? " if close else ""
@@ -124,8 +121,6 @@ def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, f
     InputError
         No such figure or model, another ending, an empty stretch, or a file of others there and no `force`.
     """
-    from pipeline.reporting.canvas import form_of, paper_figure
-
     form = form_of(target)
     with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
         run = run_figures(root)
@@ -141,8 +136,6 @@ def plot_runs(
 
     `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
     """
-    from pipeline.reporting.canvas import FORMATS
-
     draw = partial(plot_figure, part=part, force=force)
     if len(roots) == 1 and output is not None and output.suffix in FORMATS:
         return [draw(roots[0], name, output)]

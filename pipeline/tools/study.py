@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +12,10 @@ from pipeline.isolation import in_processes
 from pipeline.loading.device import Device, device
 from pipeline.loading.report_data import read_study
 from pipeline.loading.trajectories import load_motion, sources, training_trajectories, trajectories
-from pipeline.numerics.arrays import sample_interval
+from pipeline.models.paper.model import identify_rbf_paper
+from pipeline.models.paper.online import drifted, follow, memories
+from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.reporting.canvas import paper_figure
 from pipeline.runs import layout, schemas
 from pipeline.runs.atomic import refuse_link, write_bytes
 from pipeline.runs.columns import StudyName, Sweep
@@ -21,12 +24,12 @@ from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
+from pipeline.scoring.data_study import amount_study, held_out_error, noise_study
 from pipeline.settings import Prototype
+from pipeline.signals.differentiate import alpha_study, differentiate
+from pipeline.signals.trajectory import Trajectory, operating_range
+from pipeline.stages.differentiate import differentiator
 from pipeline.units import ALPHA_UNIT
-
-if TYPE_CHECKING:
-    from pipeline.numerics.arrays import FloatArray
-    from pipeline.signals.trajectory import Trajectory
 
 ALGORITHM = "2"
 
@@ -118,8 +121,6 @@ def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mappi
 
 
 def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    from pipeline.signals.differentiate import alpha_study
-
     log = next(log for role, log, _ in layout.logs(prototype) if role == "train")
     table = run.read_table(layout.record("train", log))
     longest = max(np.unique(table["segment"][table["segment"] >= 0]), key=lambda n: np.sum(table["segment"] == n))
@@ -136,7 +137,7 @@ def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     return {"alpha": study.alphas, "misfit": study.misfit, "roughness": study.roughness}, notes
 
 
-def _held_out(run: RunFolder, prototype: Prototype) -> "list[Trajectory]":
+def _held_out(run: RunFolder, prototype: Prototype) -> list[Trajectory]:
     """The validation logs; without any, the training logs themselves."""
     logs = [log for role, log, _ in layout.logs(prototype) if role == "validation"]
     tables = [load_motion(run, prototype, "validation", log) for log in logs]
@@ -173,29 +174,20 @@ def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
 
 
 def _one_basis(
-    data: "list[Trajectory]", held_out: "list[Trajectory]", asked: dict[str, Any], point: tuple[int, float]
+    data: list[Trajectory], held_out: list[Trajectory], asked: dict[str, Any], point: tuple[int, float]
 ) -> tuple[float, float, float]:
-    from pipeline.models.paper.model import identify_rbf_paper
-    from pipeline.scoring.data_study import held_out_error
-
     model = identify_rbf_paper(data, **asked | {"basis_functions": point[0], "smoothing": point[1]})
     residual = np.concatenate([model.accelerate(x.t, x.v, x.q, x.qdot) - x.qddot for x in data])
     return float(np.mean(residual**2)), float(model.diagnostics["condition"]), held_out_error(model, held_out)
 
 
 def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    from pipeline.models.paper.model import identify_rbf_paper
-    from pipeline.scoring.data_study import amount_study, noise_study
-    from pipeline.signals.differentiate import differentiate
-    from pipeline.signals.trajectory import operating_range
-    from pipeline.stages.differentiate import differentiator
-
     data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
     identify = partial(identify_rbf_paper, **_asked(prototype, plant))
 
     how = differentiator(prototype.differentiate, measured=False, unit=ALPHA_UNIT[plant.displacement.symbol][1])
 
-    def smooth(samples: "FloatArray", interval: float) -> "tuple[FloatArray, FloatArray, FloatArray]":
+    def smooth(samples: FloatArray, interval: float) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Smoothed samples and their derivatives."""
         result = differentiate(samples, interval, **how)
         return result.q_smooth, result.qdot, result.qddot
@@ -216,9 +208,6 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
 
 
 def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    from pipeline.models.paper.model import identify_rbf_paper
-    from pipeline.models.paper.online import drifted, follow, memories
-
     data = training_trajectories(run, prototype)
     model = identify_rbf_paper(data, **_asked(prototype, plant))
     rows = np.concatenate([model.regressors(x) for x in data])
@@ -251,7 +240,6 @@ def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
 
 def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
     """The figure of a study, beside its table."""
-    from pipeline.reporting.canvas import paper_figure
     from pipeline.reporting.recipe_figures import study_figure
 
     target = root / layout.STUDIES / f"{name}.svg"
