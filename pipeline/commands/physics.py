@@ -112,14 +112,18 @@ def equilibria(
 
     Example: debist physics equilibria --b 23mm --v1 3kV
     """
+    import numpy as np
+
+    from pipeline.device_parameters import B_MAX
+    from pipeline.models.analytical import bifurcation, statics
     from pipeline.tools import physics
 
     joint = parameters.joint()
     if b is not None:
-        joint = physics.with_mounts_at(joint, _quantity(b, "m", "--b"))
+        joint = bifurcation.with_screw_height(joint, B_MAX - _quantity(b, "m", "--b"))
     left, right = _quantity(v1, "V", "--v1"), _quantity(v2, "V", "--v2")
     pull = _quantity(force, "N", "--force")
-    held = physics.equilibria(joint, v1=left, v2=right, force=pull)
+    held = statics.equilibria(joint, np.array([left, right]), pull)
     if figure is not None:
         energy = physics.energy_over_q(joint, v1=left, v2=right, force=pull)
         _draw(figure, "equilibria_figure", joint, held, energy)

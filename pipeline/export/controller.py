@@ -1,12 +1,13 @@
 """The designed controller as C99 with the interface that test benches call, as a MATLAB function and as an FMU."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from pipeline import __version__
-from pipeline.codegen.sequence import c_sequence, matlab_sequence
-from pipeline.codegen.text_writer import c_function, matlab_function
+from pipeline.codegen.sequence import GraphSequence, c_sequence, matlab_sequence
+from pipeline.codegen.text_writer import Code, c_function, matlab_function
 from pipeline.control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
 from pipeline.control.estimator import PERIOD, RAMP, STATUS
 from pipeline.control.law import CONTROLLER_STATE, SIDES, Law
@@ -61,8 +62,9 @@ class ControllerSubject:
 def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
     """Write ``controller.h``, ``.c``, ``.m`` and ``.fmu``."""
     written, fields = [], _fields(subject)
-    sources = _sources(subject)
-    for file, text in (sources | {f"{NAME}.m": _matlab(subject, fields)}).items():
+    sources = _sources(fields)
+    script = render("controller.m.j2", fields | _functions("c.", matlab_function, matlab_sequence))
+    for file, text in (sources | {f"{NAME}.m": script}).items():
         write_text(folder / file, text)
         written.append(folder / file)
     guid = identity(subject.prototype, subject.model, subject.origin, sources[f"{NAME}.c"])
@@ -82,40 +84,26 @@ def write_controller(subject: ControllerSubject, folder: Path) -> Exported:
     return Exported([*written, *unit.written], unit.notes)
 
 
-def _sources(subject: ControllerSubject) -> dict[str, str]:
+def _sources(fields: dict[str, Any]) -> dict[str, str]:
     """Header and C source by file name."""
-    fields = _fields(subject) | {
-        "begins": "law_e, law_rests",
-        "constants": ", ".join(f"law_{table}" for table in ("e", *TABLES)),
-        "observes": ", ".join(f"law_{table}" for table in OBSERVE.given[3:]),
+    whole = fields | _functions("law_", c_function, c_sequence)
+    return {f"{NAME}.h": render("controller.h.j2", whole), f"{NAME}.c": render("controller.c.j2", whole)}
+
+
+def _functions(
+    law: str, of_graph: Callable[..., Code], of_sequence: Callable[[str, GraphSequence], Code]
+) -> dict[str, Any]:
+    """The functions in a language, and what they are given of the law, whose tables are named behind `law`."""
+    sequences = {"begin_control": BEGIN, "control": CONTROL, "observe": OBSERVE, "estimated": ESTIMATE}
+    return {
+        "begins": f"{law}e, {law}rests",
+        "constants": ", ".join(law + table for table in ("e", *TABLES)),
+        "observes": ", ".join(law + table for table in OBSERVE.given[3:]),
         "functions": [
-            *(c_function(name, graph, frozenset()) for name, graph in GRAPHS.items()),
-            c_sequence("begin_control", BEGIN),
-            c_sequence("control", CONTROL),
-            c_sequence("observe", OBSERVE),
-            c_sequence("estimated", ESTIMATE),
+            *(of_graph(name, graph, frozenset()) for name, graph in GRAPHS.items()),
+            *(of_sequence(name, sequence) for name, sequence in sequences.items()),
         ],
     }
-    return {f"{NAME}.h": render("controller.h.j2", fields), f"{NAME}.c": render("controller.c.j2", fields)}
-
-
-def _matlab(subject: ControllerSubject, fields: dict[str, Any]) -> str:
-    return render(
-        "controller.m.j2",
-        fields
-        | {
-            "begins": "c.e, c.rests",
-            "constants": ", ".join(f"c.{table}" for table in ("e", *TABLES)),
-            "observes": ", ".join(f"c.{table}" for table in OBSERVE.given[3:]),
-            "functions": [
-                *(matlab_function(name, graph, frozenset()) for name, graph in GRAPHS.items()),
-                matlab_sequence("begin_control", BEGIN),
-                matlab_sequence("control", CONTROL),
-                matlab_sequence("observe", OBSERVE),
-                matlab_sequence("estimated", ESTIMATE),
-            ],
-        },
-    )
 
 
 def _fields(subject: ControllerSubject) -> dict[str, Any]:

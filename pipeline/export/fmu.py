@@ -168,32 +168,27 @@ class FmuVariable:
     nominal: float | None = None
 
 
-@dataclass(frozen=True)
-class Fact:
-    """A constant of the model's range of validity."""
-
-    name: str
-    value: float
-    unit: str
-    meaning: str
-
-
-def facts(subject: Subject, realisation: Realisation) -> list[Fact]:
-    """Range of the training logs, steps and delay."""
+def facts(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
+    """Validity bounds, sample interval, step and delay: constants of the FMU, in this order."""
     v = subject.validity
     declared = [
-        Fact("q_min", v.q[0], v.q_unit, "least displacement of the training logs"),
-        Fact("q_max", v.q[1], v.q_unit, "largest displacement of the training logs"),
+        _constant("q_min", v.q[0], v.q_unit, "least displacement of the training logs"),
+        _constant("q_max", v.q[1], v.q_unit, "largest displacement of the training logs"),
     ]
     for i, ((low, high), unit) in enumerate(zip(v.v, v.v_units, strict=True), start=1):
-        declared.append(Fact(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
-        declared.append(Fact(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
+        declared.append(_constant(f"v{i}_min", low, unit, f"least value of input {i} in the training logs"))
+        declared.append(_constant(f"v{i}_max", high, unit, f"largest value of input {i} in the training logs"))
+    interval, step, delay = v.sample_interval, realisation.step, realisation.delay
     return [
         *declared,
-        Fact("sample_interval", v.sample_interval, "s", "interval of the samples on which the model was identified"),
-        Fact("longest_step", realisation.step, "s", "longest internal step of co-simulation"),
-        Fact("delay", realisation.delay, "s", "outputs belong to a time this much later than the voltages"),
+        _constant("sample_interval", interval, "s", "interval of the samples on which the model was identified"),
+        _constant("longest_step", step, "s", "longest internal step of co-simulation"),
+        _constant("delay", delay, "s", "outputs belong to a time this much later than the voltages"),
     ]
+
+
+def _constant(name: str, value: float, unit: str, meaning: str) -> FmuVariable:
+    return FmuVariable(name, unit, meaning, "local", "constant", "exact", start=value)
 
 
 def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
@@ -220,11 +215,7 @@ def variables(subject: Subject, realisation: Realisation) -> list[FmuVariable]:
         FmuVariable(f"der({x.name})", rate_unit(x.unit), "", "local", "continuous", "calculated", derivative=first + i)
         for i, x in enumerate(realisation.states)
     ]
-    constants = [
-        FmuVariable(fact.name, fact.unit, fact.meaning, "local", "constant", "exact", start=fact.value)
-        for fact in facts(subject, realisation)
-    ]
-    return [*declared, *states, *rates, *constants]
+    return [*declared, *states, *rates, *facts(subject, realisation)]
 
 
 def description(subject: Subject, realisation: Realisation, guid: str) -> str:

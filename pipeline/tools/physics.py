@@ -13,23 +13,7 @@ if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
     from pipeline.models.analytical.calibration import Calibration
     from pipeline.models.analytical.reduced_order import Motions
-    from pipeline.models.analytical.statics import JointEquilibrium
     from pipeline.runs.tables import Table
-
-
-def with_mounts_at(parameters: "JointParameters", b: float) -> "JointParameters":
-    """The joint with both mounts at the height b [m]."""
-    from pipeline.device_parameters import B_MAX
-    from pipeline.models.analytical.bifurcation import with_screw_height
-
-    return with_screw_height(parameters, B_MAX - b)
-
-
-def equilibria(joint: "JointParameters", *, v1: float, v2: float, force: float) -> "list[JointEquilibrium]":
-    """All equilibria under v1 (left), v2 (right) [V] and a force [N]."""
-    from pipeline.models.analytical.statics import equilibria as find
-
-    return find(joint, np.array([v1, v2]), force)
 
 
 def energy_over_q(
