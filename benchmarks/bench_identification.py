@@ -1,11 +1,10 @@
-"""Processor time of the identification: `python benchmarks/bench_identification.py [speed | online]`.
+"""Processor time of the identification: `python benchmarks/bench_identification.py`.
 
-`speed` prints the paper's model on 3750 and 1.125e6 samples (10 ms and 30 kHz of 37.5 s), warm, and the least squares
-alone next to `numpy.linalg.lstsq` and `pinv` on the same rows. `online` prints recursive least squares per sample.
+Prints the paper's model on 3750 and 1.125e6 samples (10 ms and 30 kHz of 37.5 s), warm, and the least squares
+alone next to `numpy.linalg.lstsq` and `pinv` on the same rows.
 The motion is that of a smooth random walk between ±12 mm under random pulses; only its size matters here.
 """
 
-import argparse
 import os
 import time
 from collections.abc import Callable
@@ -17,7 +16,6 @@ import numpy as np
 
 from pipeline.fitting.regression import pseudo_inverse_fit, triangular_factor
 from pipeline.models.paper.model import identify_rbf_paper
-from pipeline.models.paper.online import RecursiveLeastSquares
 from pipeline.signals.trajectory import Trajectory
 
 SPAN = 37.5  # s
@@ -66,18 +64,5 @@ def speed() -> None:
         print(f"{samples:9d}  {whole:10.1f}  {parts[0]:12.1f}  {parts[1]:8.1f}  {parts[2]:8.1f}")
 
 
-def online() -> None:
-    rows = np.random.default_rng(3).standard_normal((20_000, 40))
-    estimator = RecursiveLeastSquares(np.ones(40), forgetting=0.999)
-    estimator.update(rows[0], 1.0)  # compile
-    start = time.process_time()
-    for row in rows:
-        estimator.update(row, 1.0)
-    spent = time.process_time() - start
-    print(f"recursive least squares, 40 weights: {1e6 * spent / len(rows):.1f} µs per sample")
-
-
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("what", choices=["speed", "online"], nargs="?", default="speed")
-    {"speed": speed, "online": online}[parser.parse_args().what]()
+    speed()
