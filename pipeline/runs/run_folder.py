@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pipeline.errors import CorruptArtifactError, InputError, SupersededError
+from pipeline.plain_files import open_plain
 from pipeline.runs import layout, tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
-from pipeline.runs.checked_reads import Read, buffered, hashed, look_up, whole
 from pipeline.runs.checkpoints import Checkpoints, clear_checkpoints
 from pipeline.runs.hashing import file_sha256, json_sha256
 from pipeline.runs.manifest import (
@@ -32,14 +32,68 @@ from pipeline.runs.manifest import (
     to_json,
 )
 from pipeline.runs.schemas import Schema, misfit
+from pipeline.runs.tables import read_buffer
 from pipeline.settings import Prototype, parse_prototype
 
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
 _NO_RUN_YET = (".lock", STAGES)
-
-T = TypeVar("T")
 CORRUPT_MARK = ".corrupt-"
 _TRIES, _PAUSE = 50, 0.02
+
+T = TypeVar("T")
+_Read = Callable[[Path], tuple[T, str]]
+"""Gives what is wanted of a file, and the SHA-256 of the bytes that it is from."""
+
+
+def _look_up(root: Path, path: Path, size: int, sha256: str, read: _Read[T]) -> tuple[T | None, str | None]:
+    """What `read` gives of a file of the run `root`, or what is wrong with it.
+
+    While a commit awaits its completion the file is at its staging place, from which it may just be moved.
+
+    Raises
+    ------
+    InputError
+        The system does not let it be read.
+    """
+    with reading(path):
+        content, problem = _look(path, size, sha256, read)
+        if problem is not None and (root / NEXT_MANIFEST).exists():
+            content, elsewhere = _look(staging_place(path), size, sha256, read)
+            problem = elsewhere and problem
+        if problem is not None:
+            content, problem = _look(path, size, sha256, read)
+    return content, problem
+
+
+def _look(path: Path, size: int, sha256: str, read: _Read[T]) -> tuple[T | None, str | None]:
+    try:
+        present = path.stat().st_size
+        if not path.is_file():
+            return None, "is no regular file"
+        if present != size:
+            return None, f"has {present} bytes, {size} were written"
+        content, digest = read(path)
+    except FileNotFoundError:
+        return None, "is missing"
+    return (content, None) if digest == sha256 else (None, "does not have the bytes that were written")
+
+
+def _hashed(path: Path) -> tuple[Path, str]:
+    """The path itself."""
+    return path, file_sha256(path)
+
+
+def _whole(path: Path) -> tuple[bytes, str]:
+    """All bytes."""
+    with open_plain(path) as stream:
+        content = stream.read()
+    return content, hashlib.sha256(content).hexdigest()
+
+
+def _buffered(path: Path) -> tuple[Any, str]:
+    """All bytes in memory of Arrow's own."""
+    content = read_buffer(path)
+    return content, hashlib.sha256(memoryview(content)).hexdigest()
 
 
 @dataclass(frozen=True)
@@ -141,11 +195,11 @@ class RunFolder:
         SupersededError
             Another process has replaced it since this run was opened.
         """
-        return self._examine(name, hashed)[1]
+        return self._examine(name, _hashed)[1]
 
     def checked(self, name: str) -> Path:
         """The path of an intact artifact; errors as for `read_bytes`."""
-        return self._intact(name, hashed)
+        return self._intact(name, _hashed)
 
     def read_bytes(self, name: str) -> bytes:
         """The bytes of an artifact, which are those that were written.
@@ -157,11 +211,11 @@ class RunFolder:
         SupersededError
             Another process has replaced them since this run was opened.
         """
-        return self._intact(name, whole)
+        return self._intact(name, _whole)
 
     def read_table(self, name: str) -> tables.Table:
         """Read a Parquet artifact from bytes that were checked; errors as for `read_bytes`."""
-        table = tables.parse_table(self._intact(name, buffered), self.path(name))
+        table = tables.parse_table(self._intact(name, _buffered), self.path(name))
         if wrong := misfit(name, table):
             raise CorruptArtifactError(f"{self.path(name)}: {wrong}; `debist run` rebuilds it in an empty folder")
         return table
@@ -175,7 +229,7 @@ class RunFolder:
         """Read an HDF5 artifact, or a branch of it, from bytes that were checked; errors as for `read_bytes`."""
         return trees.parse_tree(self.read_bytes(name), self.path(name), group)
 
-    def _intact(self, name: str, read: Read[T]) -> T:
+    def _intact(self, name: str, read: _Read[T]) -> T:
         content, problem = self._examine(name, read)
         if problem is not None or content is None:
             command, stage = layout.command_of(name), self.record(name).recipe.stage
@@ -183,13 +237,13 @@ class RunFolder:
             raise CorruptArtifactError(f"{self.path(name)}: {problem}; `debist run` sets it aside and {remedy}")
         return content
 
-    def _examine(self, name: str, read: Read[T]) -> tuple[T | None, str | None]:
+    def _examine(self, name: str, read: _Read[T]) -> tuple[T | None, str | None]:
         """What `read` gives of the artifact's file, or what is wrong with it.
 
         While a commit awaits its completion the file is at its staging place, from which it may just be moved.
         """
         record, path = self.record(name), self.path(name)
-        content, problem = look_up(self.root, path, record.bytes, record.sha256, read)
+        content, problem = _look_up(self.root, path, record.bytes, record.sha256, read)
         if problem is not None and load_manifest(self.root).artifacts.get(name) != record:
             raise SupersededError(f"{path}: was replaced by another run while it was read; do it again")
         return content, problem
@@ -198,7 +252,7 @@ class RunFolder:
         """What is wrong with the manifest of a stage, or None; errors as for `problem`."""
         content, path = self.manifest.stages[stage], self.path(stage_file(stage))
         text = stage_text(stage, content).encode()
-        _, problem = look_up(self.root, path, len(text), hashlib.sha256(text).hexdigest(), hashed)
+        _, problem = _look_up(self.root, path, len(text), hashlib.sha256(text).hexdigest(), _hashed)
         if problem is not None and load_manifest(self.root).stages.get(stage) != content:
             raise SupersededError(f"{path}: was replaced by another run while it was read; do it again")
         return problem
