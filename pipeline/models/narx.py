@@ -153,9 +153,7 @@ class NarxModel(ModelFile):
         change = theta @ self.coefficients / self.interval_s**2
         return np.pad(change, (first, 1), mode="edge")  # rows whose lags reach beyond the record repeat their neighbour
 
-    def run(
-        self, v: FloatArray, q0: float, qdot0: float, seen: FloatArray | None = None
-    ) -> tuple[FloatArray, int]:  # fmt: skip
+    def run(self, v: FloatArray, q0: float, qdot0: float, seen: FloatArray | None = None) -> tuple[FloatArray, int]:
         """Free run at the equation's own sample interval; before what was seen q followed a parabola of slope q̇0.
 
         Its bend is the acceleration that the equation itself gives, so that increments, which are velocities half a

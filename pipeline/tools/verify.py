@@ -100,8 +100,7 @@ def verified(run: RunFolder, chosen: Chosen = every) -> Verified:
     unknown = [path for path in others if not _is_leftover(path)]
     if unknown and load_manifest(run.root) != run.manifest:
         raise SupersededError(f"{run.root}: another run writes into it; do it again")
-    # A commit that is not complete has stage manifests to remove; runs of before did not record them.
-    if (run.root / NEXT_MANIFEST).exists() or not run.manifest.stages:
+    if (run.root / NEXT_MANIFEST).exists():  # a commit that is not complete has stage manifests to remove
         unknown = [path for path in unknown if not path.startswith(f"{STAGES}/")]
     unknown, leftover = ([path for path in some if os.path.lexists(run.root / path)] for some in (unknown, leftover))
     return Verified(len(names), problems, unknown, leftover, len(run.manifest.artifacts) - len(names))
