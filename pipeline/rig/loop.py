@@ -72,17 +72,17 @@ class Surroundings(NamedTuple):
     drag: float
 
 
-def _call_step(context, address, memory, q, target, v):  # type: ignore[no-untyped-def]  # numba's own form
-    """Call ``void step(void *state, double q, double target, double v[2])`` at an address."""
+def _call_step(context, address, q, target, v):  # type: ignore[no-untyped-def]  # numba's own form
+    """Call ``void step(double q, double target, double v[2])`` at an address."""
 
     def generate(target_context, builder, signature, arguments):  # type: ignore[no-untyped-def]
         """LLVM code: a call of the address."""
-        word, real = ir.IntType(64), ir.DoubleType()
-        kind = ir.FunctionType(ir.VoidType(), [word, real, real, word])
+        real = ir.DoubleType()
+        kind = ir.FunctionType(ir.VoidType(), [real, real, ir.IntType(64)])
         builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), arguments[1:])
         return target_context.get_dummy_value()
 
-    return types.void(types.intp, types.intp, types.float64, types.float64, types.intp), generate
+    return types.void(types.intp, types.float64, types.float64, types.intp), generate
 
 
 call_step: Any = intrinsic(_call_step)
@@ -121,8 +121,8 @@ def laser_reading(q: float, row: int, around: Surroundings) -> float:
 
 @compiled
 def close_loop(
-    p: RigParameters, start: FloatArray, around: Surroundings, target: FloatArray, address: int, memory: int,
-    out: FloatArray, refused: IntArray,
+    p: RigParameters, start: FloatArray, around: Surroundings, target: FloatArray, address: int, out: FloatArray,
+    refused: IntArray,
 ) -> int:  # fmt: skip
     """Run the loop from rest and fill `out`.
 
@@ -136,11 +136,11 @@ def close_loop(
         Instruments and disturbances, on the rows of `out`.
     target : FloatArray, shape (N,)
         Target that the controller gets [m].
-    address, memory : int
-        Of the controller's step function and of its state.
-    out : FloatArray, shape (N, 9)
-        Filled: the laser's reading [m], the converters' voltages [V], the commands [V]; then q [m], q̇ [m/s], φ [rad]
-        and the rate of φ [rad/s] without any instrument. Rows are `PERIOD` / `HALVES` apart.
+    address : int
+        Of the controller's step function.
+    out : FloatArray, shape (N, 6)
+        Filled: the laser's reading [m], the converters' voltages [V], the commands [V], and q [m] without any
+        instrument. Rows are `PERIOD` / `HALVES` apart.
     refused : IntArray, shape (2,)
         Raised by the commands that are no numbers, and by those beyond the converters' range.
 
@@ -165,7 +165,7 @@ def close_loop(
             reading = laser_reading(pose[0], row, around)
         anchor = min(max(anchor, pose[0] - GIVE), pose[0] + GIVE)
         if row % HALVES == 0:
-            call_step(address, memory, reading, target[row], command.ctypes.data)
+            call_step(address, reading, target[row], command.ctypes.data)
             for side in range(2):
                 asked = command[side]
                 command[side] = min(max(asked, 0.0), around.highest) if asked == asked else 0.0
@@ -173,10 +173,9 @@ def close_loop(
                     refused[0] += 1
                 elif asked != command[side]:
                     refused[1] += 1
-        out[row, 0] = reading
+        out[row, 0], out[row, 5] = reading, pose[0]
         for side in range(2):
             out[row, 1 + side], out[row, 3 + side] = v[side], command[side]
-            out[row, 5 + 2 * side], out[row, 6 + 2 * side] = pose[side], rate[side]
         _charge(v, membranes, command, h, around, state.charge)
         state.hand[0], state.hand[1] = around.push[row] - around.drag * (pose[0] - anchor) / GIVE, around.spring[row]
         taken = advance(h, row % KEEP == 0, state, p, work, inverse, vm)
@@ -186,7 +185,7 @@ def close_loop(
     return total
 
 
-_STEP = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
+_STEP = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
 Step = Callable[[float, float], tuple[float, float]]
 
 
@@ -220,7 +219,7 @@ def python_controller(beginning: Callable[[float], Step]) -> Controller:
     def begin(q: float) -> None:
         steps.append(beginning(q))
 
-    def step(_state: Any, q: float, target: float, v: Any) -> None:
+    def step(q: float, target: float, v: Any) -> None:
         """Write the voltages [V] for a reading and a target [m] into `v`; zero from the first failure on."""
         left = right = 0.0
         try:
@@ -324,8 +323,6 @@ class ClosedLoop:
     command1: FloatArray
     command2: FloatArray
     true_q: FloatArray
-    true_qdot: FloatArray
-    true_phi: FloatArray
     commands_not_finite: int = 0
     commands_clipped: int = 0
 
@@ -358,16 +355,16 @@ def run_loop(
     around = _surroundings(p, bench, scenario, t, rng)
     target = scenario.target[np.searchsorted(scenario.t, t + 1e-9, side="right") - 1]
     controller.begin(laser_reading(tip_displacement(p, start), 0, around))
-    out = np.zeros((rows, 9))
+    out = np.zeros((rows, 6))
     refused = np.zeros(2, dtype=np.int64)
-    taken = close_loop(gained, start, around, target, controller.step, 0, out, refused)
+    taken = close_loop(gained, start, around, target, controller.step, out, refused)
     if controller.failure:
         error = controller.failure[0]
         raise InputError(f"the controller failed: {type(error).__name__}: {error}") from error
     if taken < 0:
         raise InputError("the virtual joint cannot follow: a membrane is stretched beyond its rubber law")
     probes = [bench.probes[side].read(t, out[:, 1 + side], rng) for side in (0, 1)]
-    shown = (t, out[:, 0], probes[0], probes[1], target, out[:, 3], out[:, 4], out[:, 5], out[:, 6], out[:, 7])
+    shown = (t, out[:, 0], probes[0], probes[1], target, out[:, 3], out[:, 4], out[:, 5])
     return ClosedLoop(*shown, *refused.tolist())
 
 

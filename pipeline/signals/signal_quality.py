@@ -190,13 +190,13 @@ def takes_both_signs(smallest: float, largest: float) -> bool:
     return min(-smallest, largest) > BOTH_SIGNS * max(-smallest, largest)
 
 
-def usual_span(samples: FloatArray, low: float = -np.inf, high: float = np.inf) -> tuple[float, float]:
-    """Smallest and largest value between two bounds that three samples in a row reach: no spike of one or two does."""
+def usual_span(samples: FloatArray) -> tuple[float, float]:
+    """Smallest and largest value that three samples in a row reach: no spike of one or two does."""
     lowest, highest = np.nan, np.nan
     for rows in chunks(samples.size, overlap=2):
         part = samples[rows]
         three = np.lib.stride_tricks.sliding_window_view(part, 3) if part.size >= 3 else part[None]
-        inside = np.all((three >= low) & (three <= high), axis=1)
+        inside = ~np.isnan(three).any(axis=1)
         if inside.any():
             lowest = np.fmin(lowest, three[inside].max(axis=1).min())
             highest = np.fmax(highest, three[inside].min(axis=1).max())
