@@ -369,7 +369,7 @@ def test_a_device_with_one_input_that_nothing_restores_has_no_wells() -> None:
 
     model = double_well()
     weights = np.delete(model.weights, 3, axis=0) * np.array([[0.0], [1.0], [1.0]])
-    free = replace(model, weights=weights, spread=np.zeros((weights.size, 1)))
+    free = model.model_copy(update={"weights": weights, "spread": np.zeros((weights.size, 1))})
     alone = replace(data, logs=tuple(map(single, data.logs)), models={"rbf": free})
     assert not alone.joint
     sheet = make_datasheet(alone)
