@@ -97,7 +97,7 @@ def linear(data: Training, *, functions: int, smoothing: float, bounded: bool = 
         positive = np.array([False, True, *(weights[2:].mean(axis=1) >= 0.0)])
         negative = np.array([False, False, *~positive[2:]])
         weights = solved(np.where(positive[:, None], 0.0, -free), np.where(negative[:, None], 0.0, free))
-    return replace(model, weights=weights)
+    return model.model_copy(update={"weights": weights})
 
 
 def simulated(data: Training, option: Candidate, last_gain: float) -> DynamicModel:
