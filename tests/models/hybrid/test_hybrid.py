@@ -94,8 +94,8 @@ def test_corrections_are_fitted_as_asked_whatever_the_logs_say(
     corrections: Any, follows: bool, centres: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(identify_hybrid_module._Search, "follows", lambda *_: follows)
-    monkeypatch.setattr(identify_hybrid_module._Search, "anew", lambda search, plain: (plain, search.fit(
-        plain, plain.start(), (0.0,), last=1)))  # fmt: skip
+    monkeypatch.setattr(identify_hybrid_module._Search, "anew", lambda search, plain: identify_hybrid_module._Fitted(
+        plain, search.fit(plain, plain.start(), (0.0,), last=1)))  # fmt: skip
     model = identify_hybrid([log(joint(PLANTED), 1, 4.0)], NOMINAL, corrections=corrections)
     assert model.joint.centres == centres == model.describe()["basis_functions"]
     assert model.describe()["physical_parameters"] == DEVIATION_COUNT
