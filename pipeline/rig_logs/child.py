@@ -36,6 +36,7 @@ from pipeline.rig_logs.source import (
     left_out,
     read_start,
 )
+from pipeline.rig_logs.start_times import with_starts
 
 _LONGEST_ERROR = 2000
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
@@ -296,4 +297,4 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
             "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
         )
     source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)
-    return with_clocks(source)
+    return with_starts(with_clocks(source))

@@ -25,7 +25,6 @@ from pipeline.rig_logs.csv_cells import (
     mark_is_open,
     no_number,
     plain_number,
-    split_row,
 )
 from pipeline.rig_logs.csv_clock import Clock
 from pipeline.rig_logs.csv_dialect import SAMPLE_BYTES, find_dialect
@@ -67,7 +66,7 @@ class CsvSource:
         self._columns = unique_names(list(self._dialect.header))
         self._origins: dict[str, float] = {}
         self.rates = {name: rate for name, _, rate in self._dialect.rates}
-        self._rewritten = self._dialect.ragged or self._dialect.delimiter == " "
+        self._rewritten = self._dialect.rewritten
         self._words, self._remarks = dict[str, list[int]](), list[str]()
         self._firsts = self._look_ahead(options)
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
@@ -80,6 +79,7 @@ class CsvSource:
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
         headed = dict(zip(self._columns, dialect.headings, strict=True))
         self.notes += left_out({name: text for name, text in texts.items() if self._firsts[name] or headed[name]})
+        self.starts = dict([*zip(self._columns, dialect.starts, strict=False)][1:])  # the first column is a time, or empty
         # The number of rows is not declared anywhere.
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
@@ -217,7 +217,7 @@ class CsvSource:
         with text_of(self._path, self._complete_rows(), self._dialect.encoding) as lines:
             for number, line in enumerate(lines, 1):
                 if number > self._dialect.first_data_row and line.strip():
-                    yield number, line, split_row(line.rstrip("\n"), self._dialect.delimiter)
+                    yield number, line, self._dialect.split(line.rstrip("\n"))
 
     def _settle(self, name: str) -> None:
         """Look at every cell of a column in which the first marks stand after the rows that were seen at first.
@@ -321,7 +321,7 @@ class CsvSource:
             raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
         if not length:
             return len(whole)
-        *before, last = [split_row(row, self._dialect.delimiter) for row in rows]
+        *before, last = [self._dialect.split(row) for row in rows]
         if is_remark(rows[-1], last, self._dialect.headings):
             return len(whole)
         if len(last) < len(self._columns):

@@ -16,6 +16,8 @@ _BEGINS_AS_NUMBER = re.compile(r"[-+\u2212]?\s*(?!1[.]#)[.,]?\d")
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _FEW_CELLS = 3
+ARROW = " -> "
+"""Stands between the time and the rest of a line that Arduino's serial monitor shows."""
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$")
 MISSING = frozenset(
     {"", "nan", "-nan", "nan(ind)", "-nan(ind)", "na", "n/a", "null", "none", "-", "--", "---", "."}
@@ -86,7 +88,8 @@ def is_behind(cell: str, decimal: str) -> bool:
 def split_row(line: str, delimiter: str) -> list[str]:
     """Cells of a line; quotes around a cell protect delimiters in it."""
     if delimiter == " ":
-        return line.split()
+        return next(csv.reader([" ".join(line.split())], delimiter=" "), []) if '"' in line else line.split()
+    line = line.replace(ARROW, delimiter)
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)]
     return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])]

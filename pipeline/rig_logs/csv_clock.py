@@ -1,11 +1,12 @@
-"""Times of day in a column of CSV, as seconds from the first one on."""
+"""Times of day in a column of CSV, as seconds from the first one on; and when LabVIEW began each channel."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_cells import CLOCK
+from pipeline.rig_logs.csv_cells import CLOCK, NUMBER
 
 _HOUR, _DAY = 3600.0, 86_400.0
 
@@ -66,3 +67,22 @@ class Clock:
         seconds[known] += self._turn * turns
         self._last = float(seconds[known[-1]])
         return seconds
+
+
+def labview_starts(above: Sequence[Sequence[str]], width: int) -> tuple[tuple[float, float], ...]:
+    """X0 and Delta_X [s] of each column, in the rows above the data; () where all have one clock, or columns of time.
+
+    Parameters
+    ----------
+    above : sequence of rows
+        Their cells, the key first.
+    width : int
+        Number of columns.
+    """
+    keys = {row[0]: [cell.replace(",", ".") for cell in row[1:]] for row in above if row}
+    if keys.get("X_Columns", ["Multi"])[0] == "Multi" or "Time" not in keys.get("X_Dimension", []):
+        return ()
+    pairs = [*zip(keys.get("X0", []), keys.get("Delta_X", []), strict=False)]
+    clocks = [(float(start), float(step)) for start, step in pairs if NUMBER.match(start) and NUMBER.match(step)]
+    alike = len(set(clocks)) < 2 or min(step for _, step in clocks) <= 0.0
+    return () if alike else (clocks[0], *clocks, *clocks[-1:] * width)[:width]

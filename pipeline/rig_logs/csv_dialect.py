@@ -1,12 +1,14 @@
 """Finding out how a CSV file is written: encoding, delimiter, decimal mark, preamble, header and units rows."""
 
 import codecs
+import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from pipeline.rig_logs.csv_cells import (
+    ARROW,
     MISSING,
     NUMBER,
     is_before_decimals,
@@ -17,9 +19,12 @@ from pipeline.rig_logs.csv_cells import (
     marks_between_thousands,
     split_row,
 )
+from pipeline.rig_logs.csv_clock import labview_starts
+from pipeline.rig_logs.csv_columns import Writing, bare_cells, writings
+from pipeline.rig_logs.csv_encoding import text_encoding
 from pipeline.rig_logs.csv_heading import (
     bare_line,
-    cells_of_comment,
+    cells_above,
     check_long_table,
     heading_rows,
     is_comment,
@@ -27,22 +32,20 @@ from pipeline.rig_logs.csv_heading import (
     names_and_units,
     names_beside,
     stated_rates,
-    units_by_key,
+    rows_by_key,
+    with_row_names,
 )
 from pipeline.rig_logs.csv_tail import rows_of
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
 SAMPLE_BYTES = 1 << 16
 _MOST_ROWS = 400
+_KEY = re.compile(r"[^\W\d]{2}\D*")
+"""A word before a value that an instrument states for each channel, and no damaged number."""
 _CANDIDATES = (
     (";", ","), (";", "."), ("\t", ","), ("\t", "."), (",", "."), ("|", "."), ("|", ","), (" ", "."), (",", ","),
 )  # fmt: skip
 """Delimiters and decimal marks; of two that fit alike the first is taken. A comma may be both between quotes only."""
-_BOMS = (
-    (codecs.BOM_UTF8, "utf-8-sig"),
-    (codecs.BOM_UTF16_LE, "utf-16"),
-    (codecs.BOM_UTF16_BE, "utf-16"),
-)
 
 
 @dataclass(frozen=True)
@@ -67,8 +70,16 @@ class Dialect:
     """Of which columns it is open yet whether `decimal` stands before decimals or between thousands."""
     texts: tuple[str, ...]
     """What stands in the columns that are no numbers; "" for the others."""
-    ragged: bool
-    """Whether rows may have a cell more than there are columns, as for a comment."""
+    columns: tuple[Writing, ...]
+    """How each column is written, where one is not as the rest."""
+    rewritten: bool
+    """Whether rows need more than to be split at the delimiter, as where some have a comment behind them."""
+    starts: tuple[tuple[float, float], ...]
+    """When each column begins, and its step [s], where these differ; see `labview_starts`."""
+
+    def split(self, line: str) -> list[str]:
+        """The cells of a row of data, as numbers with the file's decimal mark."""
+        return bare_cells(split_row(line, self.delimiter), self.columns, self.decimal)
 
     def describe(self) -> str:
         """The dialect in one line."""
@@ -96,7 +107,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     UnreadableLogError
         Binary, undecodable, or no rows of numbers in a table.
     """
-    encoding = options.encoding or _find_encoding(start)
+    encoding = options.encoding or text_encoding(start)
     lines = _lines(start, encoding, whole=whole)
     options = _as_labview(lines, options)
     options, table = _with_counted_names(options, _find_table(lines, options))
@@ -104,13 +115,16 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     _check_decimal_commas(table)
     open_marks = (False,) * width if options.decimal is not None else _open_marks(table)
     above, comments = _above(table, lines)
-    if header_row is None:
+    names_by_key, units_by_key = rows_by_key(above)
+    if header_row is None and names_by_key is not None and not _firsts(table)[0]:
+        header_row, units_row = names_by_key, units_by_key
+    elif header_row is None:
         header_row, units_row = heading_rows(above, comments, table.numeric)
     elif header_row >= table.first or not -1 <= width - len(above[header_row]) <= table.numeric[::-1].index(True):
         raise UnreadableLogError(f"row {header_row} is no header: it must have the {width} cells of the rows below it")
     else:
         units_row = header_row + 1 if header_row + 1 < table.first else None
-    units_row = units_by_key(above) if units_row is None else units_row
+    units_row = units_by_key if units_row is None else units_row
     _check_rows_below_header(table, above, header_row)
     header, units, headings = _headings(table, above, header_row, units_row)
     check_long_table(header, table.numeric, table.rows[table.first :])
@@ -133,7 +147,10 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         stated_rates(lines[: table.first], table.delimiter),
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
-        table.ragged or (header_row is not None and len(above[header_row]) == width + 1),
+        table.columns,
+        bool(table.delimiter == " " or table.columns or table.ragged or any(ARROW in line for line in lines))
+        or (header_row is not None and len(above[header_row]) == width + 1),
+        labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
     )
 
 
@@ -161,11 +178,13 @@ def _headings(
     """Names and units of the columns, and the cells above them as they are written."""
     width = len(table.numeric)
     if header_row is None:
-        names, units = names_and_units((), (), width)
+        names, units = names_and_units([each.label for each in table.columns], (), width)
+        units = tuple(each.unit for each in table.columns) or units
         beside = names_beside(table.rows, table.numeric)
         return (*beside, names) if beside else (names, units, ("",) * width)
     padded = [*above[header_row], *[""] * width][:width]
     names, units = names_and_units(padded, () if units_row is None else above[units_row], width)
+    units = tuple(unit or each.unit for unit, each in zip(units, table.columns, strict=True)) if table.columns else units
     as_written = table.rows[header_row][:width]
     return names, units, tuple(as_written if len(as_written) == len(above[header_row][:width]) == width else padded)
 
@@ -188,12 +207,15 @@ def _first_text(table: "_Table", column: int) -> str:
 
 def _above(table: "_Table", lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
     """The rows above the data without marks of comments, and which had one."""
-    width, comments = len(table.numeric), [is_comment(line) for line in lines[: table.first]]
+    width, lines = len(table.numeric), lines[: table.first]
     rows: list[Sequence[str]] = []
-    for line, commented in zip(lines, comments, strict=False):
+    for line in lines:
         cells = split_row(bare_line(line), table.delimiter)
-        rows.append(cells_of_comment(line, cells, width) if commented else cells)
-    return rows, comments
+        wider = table.delimiter == " " or is_comment(line)
+        rows.append(cells_above(line, cells, width) if wider else cells)
+    if rows:
+        rows[-1] = with_row_names(rows[-1], table.rows[table.first :], width)
+    return rows, [is_comment(line) for line in lines]
 
 
 def _check_decimal_commas(table: "_Table") -> None:
@@ -228,7 +250,8 @@ def _check_rows_below_header(table: "_Table", above: Sequence[Sequence[str]], he
         cells = [cell for cell, numeric in zip(above[i], table.numeric, strict=False) if numeric]
         numbers = [cell for cell in cells if NUMBER.match(cell.replace(",", ".")) and cell != "1"]  # "1": no unit
         others = [cell for cell in cells if not is_value(cell, table.decimal)]
-        if numbers and len(above[i]) >= len(table.numeric):
+        keys = sum(bool(_KEY.fullmatch(cell)) for cell in others) >= len(numbers) or not _firsts(table)[0]
+        if numbers and len(above[i]) >= len(table.numeric) and not (keys and _KEY.match(above[i][0])):
             where = f", where {others[0]!r} is no number," if others else ""
             raise UnreadableLogError(
                 f"row {i} (counted from 0){where} stands above the data with the number {numbers[0]!r} in it: repair "
@@ -248,25 +271,7 @@ class _Table:
     """Which columns have numbers in the sample."""
     has_marks: bool
     ragged: bool
-
-
-def _find_encoding(start: bytes) -> str:
-    for bom, encoding in _BOMS:
-        if start.startswith(bom):
-            return encoding
-    for parity, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):  # of numbers, every other byte is zero
-        if b"\0" not in start[1 - parity :: 2] and 2 * start[parity::2].count(0) > len(start[parity::2]):
-            return encoding
-    if b"\0" in start:
-        raise UnreadableLogError("this is no text and no format that is known here")
-    try:
-        codecs.getincrementaldecoder("utf-8")().decode(start)
-        return "utf-8"
-    except UnicodeDecodeError:
-        control = sum(byte < 32 and byte not in b"\t\n\r\f" for byte in start)
-        if control > len(start) // 1000:
-            raise UnreadableLogError("this is no text and no format that is known here") from None
-        return "latin-1" if any(0x80 <= byte < 0xA0 for byte in start) is False else "cp1252"
+    columns: tuple[Writing, ...]
 
 
 def _lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
@@ -323,20 +328,24 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     rows = [split_row(line, delimiter) for line in lines[:_MOST_ROWS]]
     width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
     begin = 0 if header_row is None else header_row + 1
+    written = writings(rows[begin:], width, delimiter, decimal)
+    rows = [bare_cells(row, written, decimal) for row in rows]
     fits = [_fits(row, width, decimal) for row in rows]
     fitting = [i for i in range(begin, len(rows)) if fits[i]]
     if width < 2 or not fitting:
         return None
     later = fitting[len(fitting) // 2 :]
     likely = [_mostly_values([rows[i][j] for i in later], decimal, delimiter) for j in range(width)]
-    filled = [_filled(row, likely, decimal, delimiter) if fit else 0 for row, fit in zip(rows, fits, strict=True)]
+    keys = likely[1] and not any(rows[i][0] for i in later)  # of an instrument, in the first column of its preamble
+    data = [fit and not (keys and row[0]) for row, fit in zip(rows, fits, strict=True)]
+    filled = [_filled(row, likely, decimal, delimiter) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
     behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
     only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
     first = next((i for i in fitting if filled[i] >= 2 and i not in only_text), None)
     if first is None:
         return None
-    while first > begin and filled[first - 1]:  # as of a channel that begins later, beside the time
-        first -= 1
+    while first > begin and filled[first - 1] and _same_kinds(rows[first - 1], rows[first]):
+        first -= 1  # as of a channel that begins later, beside the time
     body = [rows[i][:width] for i in fitting if i >= first]
     columns = [[cell for cell in column if cell] for column in zip(*body, strict=True)]
     numeric = tuple(
@@ -346,7 +355,12 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     marks = (cell for column, holds in zip(columns, numeric, strict=True) if holds for cell in column)
     has_marks = any(decimal in cell and not is_stamp(cell) for cell in marks)
     ragged = any(len(rows[i]) > width for i in fitting if i >= first)
-    return _Table(delimiter, decimal, rows, first, numeric, has_marks, ragged)
+    return _Table(delimiter, decimal, rows, first, numeric, has_marks, ragged, written)
+
+
+def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
+    """Whether two rows have time stamps in the same columns, as far as both are filled."""
+    return all(is_stamp(cell) == is_stamp(lower) for cell, lower in zip(row, below, strict=False) if cell and lower)
 
 
 def _fits(row: Sequence[str], width: int, decimal: str) -> bool:

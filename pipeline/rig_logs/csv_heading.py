@@ -10,13 +10,15 @@ from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, split_row
 from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_names
 from pipeline.units import parse_quantity, time_unit
 
-_UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(](?P<unit>[^\[\]()]*)[\])]$")
+_UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
 _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3}}$")
 _PER_SECOND = re.compile(r"(?i)(s|sa|samples)/s(ec)?$|sps$")
 _KEY_END = re.compile(r"[:=;,\t]")
+_APART = re.compile(r"\s{2,}|\t")
+"""Between names of several words above columns between blanks."""
 _SEPARATORS = re.compile(r"[,;|\t]|\s+")
 _KNOWN = (
     "s sec second seconds ms us µs μs ns min h m mm cm um µm μm nm deg degree degrees ° rad mrad v volt volts kv mv a "
@@ -39,13 +41,15 @@ def is_comment(line: str) -> bool:
     return bool(COMMENT.match(line))
 
 
-def cells_of_comment(line: str, cells: Row, width: int) -> Row:
-    """Cells of a comment above rows of `width` cells, which often is separated otherwise than those."""
+def cells_above(line: str, cells: Row, width: int) -> Row:
+    """Cells of a line above rows of `width` cells, which often is separated otherwise than those."""
     if len(cells) == width:
         return cells
-    bare = _BEFORE_BRACKET.sub("", bare_line(line)).strip()
-    others = [cell for cell in _SEPARATORS.split(bare) if cell]
-    return others if len(others) == width else cells
+    bare = bare_line(line).strip()
+    apart = [_APART.split(bare)]
+    if is_comment(line):
+        apart.append([cell for cell in _SEPARATORS.split(_BEFORE_BRACKET.sub("", bare)) if cell])
+    return next((others for others in apart if len(others) == width), cells)
 
 
 def heading_rows(
@@ -163,20 +167,30 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     return tuple(names), tuple(units)
 
 
-_LABVIEW_UNITS, _VERTICAL, _HORIZONTAL = "Y_Unit_Label", "Vertical Units", "Horizontal Units"
+_VERTICAL, _HORIZONTAL = "Vertical Units", "Horizontal Units"
+_UNITS_KEY = re.compile(r"(?i)(y_unit_label|(vertical |[vy]_?)units?)")
+_NAMES_KEY = re.compile(r"(?i)((trace|channel|signal) ?)?names?")
 
 
-def units_by_key(above: list[Row]) -> int | None:
-    """The row of units that begins with an instrument's key, whose first cell is then the unit of the time, if any.
+def rows_by_key(above: list[Row]) -> tuple[int | None, int | None]:
+    """The rows of names and of units that begin with an instrument's key, None where there are none.
 
-    LabVIEW writes ``Y_Unit_Label`` before them, a Tektronix oscilloscope ``Vertical Units``.
+    A Yokogawa recorder writes ``TraceName`` and ``VUnit`` before them, LabVIEW ``Y_Unit_Label``, a Tektronix
+    oscilloscope ``Vertical Units``. In place of the key stands the unit of the time then, if any.
     """
     keys = {cells[0]: i for i, cells in reversed([*enumerate(above)]) if cells}
-    row = keys.get(_LABVIEW_UNITS, keys.get(_VERTICAL))
-    if row is not None:
+    names, units = (next((keys[key] for key in keys if of.fullmatch(key)), None) for of in (_NAMES_KEY, _UNITS_KEY))
+    if units is not None:
         time = above[keys[_HORIZONTAL]] if _HORIZONTAL in keys else ()
-        above[row] = [time[1] if len(time) > 1 else "", *above[row][1:]]
-    return row
+        above[units] = [time[1] if len(time) > 1 else "", *above[units][1:]]
+    return names, units
+
+
+def with_row_names(row: Row, below: Sequence[Row], width: int) -> Row:
+    """The names above a table, with an empty one before them where its first column counts the rows, as R writes it."""
+    numbers = [cells[0] for cells in below if len(cells) == width]
+    counted = len(numbers) > 2 and numbers == [*map(str, range(1, len(numbers) + 1))]
+    return ["", *row] if counted and len(row) == width - 1 and not any(map(NUMBER.match, row)) else row
 
 
 def names_beside(rows: Sequence[Row], numeric: Sequence[bool]) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
