@@ -96,7 +96,7 @@ POWERS = {
 SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "day": 86_400.0}
 """Seconds per unit of time, by pint's names."""
 _TIME_WORDS = {
-    "s": "sec secs second seconds sekunde sekunden", "ms": "msec millisecond milliseconds",
+    "s": "sec secs second seconds sekunde sekunden с сек 秒", "ms": "msec millisecond milliseconds мс 毫秒 ミリ秒",
     "ns": "nanosecond nanoseconds", "us": "µs μs usec microsecond microseconds",
     "min": "mins minute minutes", "h": "hr hour hours", "day": "d days",
 }  # fmt: skip

@@ -188,6 +188,7 @@ def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, 
     factor, offset = unit.factor * log_column.scale, unit.factor * log_column.offset
     if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
         _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
+        notes += [f"{name}: {note}" for note in recording.unapplied(log_column.channel) if not log_column.offset]
     codes = codes_in(read.samples, log_column.missing, of_time=unit.symbol == "s")
     notes += [f"{name}: {text}" for text in code_remarks(codes)]
     samples = scaled(masked(read.samples, codes), factor, offset)

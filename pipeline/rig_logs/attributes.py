@@ -6,15 +6,17 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.rig_logs.recording import NOT_APPLIED
 from pipeline.rig_logs.source import stated_rate
 
 _UNIT = re.compile(r"(?i)units?|unit[ _]?(string|label|text)|ni_unitdescription|einheit(en)?")
-_OFFSET = "offset|intercept"
+_OFFSET = "offset|intercept|y_?(org|origin|off|zero)"
 _SCALE = re.compile(
     rf"(?i)(.*[./_])?((scale|scaling|conversion|calibration)([ _]?(factor|coefficient|slope|{_OFFSET}))?|gain|slope|"
-    rf"factor|{_OFFSET}|multiplier|sensitivity|calib\w*|lsb)"
+    rf"factor|{_OFFSET}|y_?(inc(rement)?|mult)|multiplier|sensitivity|calib\w*|lsb)"
 )
 """Names by which a number might have to be converted, if no convention says how."""
+_START = re.compile(r"(?i)(.*[./])?([tx]_?0|x_?(org|origin|zero)|((wf|x)_?)?(start|begin)(_?(time|offset))?)")
 
 
 def plain(value: Any) -> Any:
@@ -43,6 +45,12 @@ def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[fl
     return rates
 
 
+def starts_among(attributes: Mapping[str, Any], place: str) -> dict[str, float]:
+    """Numbers among attributes that state when a channel begins [s], by their names; `place` stands before these."""
+    numbers = {name: _number(attributes[name]) for name in filter(_START.fullmatch, attributes)}
+    return {f"{place}.{name}" if place else name: number for name, number in numbers.items() if number is not None}
+
+
 def is_unit(name: str) -> bool:
     """Whether an attribute of this name states a unit."""
     return bool(_UNIT.fullmatch(name))
@@ -54,7 +62,7 @@ def scales_among(attributes: Mapping[str, Any], channel: str = "") -> list[str]:
     for name in filter(_SCALE.fullmatch, attributes):
         number, neutral = _number(attributes[name]), 0.0 if re.search(_OFFSET, name, re.IGNORECASE) else 1.0
         named += [f"{name} = {plain(attributes[name])}"] if number != neutral else []
-    what = f"{', '.join(named)}, not applied here" + (f" to {channel!r}" if channel else "")
+    what = f"{', '.join(named)}, {NOT_APPLIED}" + (f" to {channel!r}" if channel else "")
     return [f"{what}: see scale and offset in [channels]"] if named else []
 
 

@@ -17,27 +17,30 @@ _INPUT_UNITS = ("V", "kV", "mV", "A", "mA", "%", "pct", "N")
 _PINT_NAMES = {
     "pct": "percent", "%": "percent", "°": "deg", "degree": "deg", "degrees": "deg", "μm": "um",
     "volt": "V", "volts": "V", "ampere": "A", "amperes": "A",
+    "мкм": "um", "мм": "mm", "см": "cm", "м": "m", "мв": "mV", "кв": "kV", "в": "V",
 }  # fmt: skip
 _SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z])\w*|\d*)([(\[]:,\d+[)\]])?$"
 """The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""
 _WORDS: dict[str, re.Pattern[str]] = {
-    "time": re.compile(r"^(t|time|zeit|tempo|temps|timestamp)([ _.\[(/].*)?$", re.IGNORECASE),
+    "time": re.compile(
+        r"^(t|time|zeit|tempo|temps|timestamp|x[ _]value|время|时间|時間|시간)([ _.\[(/].*)?$", re.IGNORECASE
+    ),
     "q": re.compile(
         r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
-        r"encoder|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
+        r"encoder|перемещ|位移|变位|変位|距离|距離|변위|거리|^[xyq]$|[ _.]q$|^q[ _./]|" + _SIGNAL.format("y") + ")",
         re.IGNORECASE,
     ),
     "v": re.compile(
         r"(^hv|volt|spannung|tens|^u[ _/\d]|control|[ _.]u$|umeas|^v\d|^[uvi]( \(\d+\))?$|pwm|duty|"
         r"cmd|command|current|strom|"
-        r"torque|throttle|motor|pump|valve|ventil|heater|" + _SIGNAL.format("u") + ")",
+        r"torque|throttle|motor|pump|valve|ventil|heater|напряж|电压|電圧|電壓|전압|" + _SIGNAL.format("u") + ")",
         re.IGNORECASE,
     ),
 }
 _WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
 """Names of what a controller wants: neither a displacement nor an input."""
-_LEFT = re.compile(r"(left|links|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
-_RIGHT = re.compile(r"(right|rechts|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
+_LEFT = re.compile(r"(left|links|лев|左|왼쪽|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
+_RIGHT = re.compile(r"(right|rechts|прав|右|오른쪽|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
 _NAME_SUFFIX = re.compile(r"(?:[_ ]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)$")
 
@@ -108,12 +111,13 @@ def suggest(
     times = times or tuple(name for name in names if units[name] in SECONDS)
     times = tuple(name for name in times if name in rising) or times  # T beside t is a temperature
     times = times or (tuple(name for name in rising if not units[name]) if len(rising) == 1 else ())
-    times = tuple(name for name in times if sizes[name] == max(map(sizes.__getitem__, times)))
-    rest = [name for name in names if name not in times and name not in rising and not _WANTED.search(name)]
-    rest = [name for name in rest if not times or sizes[name] == sizes[times[0]]]
+    clocks = _clocks(names, times, sizes)
+    times = tuple(name for name in times if name in clocks.values())
+    rest = [name for name in names if name in clocks and name not in rising and not _WANTED.search(name)]
     found = [] if own_time else [Suggestion("time", times)]
     q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
-    rest = [name for name in rest if len(q) != 1 or sizes[name] == sizes[q[0]]]
+    alike = [name for name in rest if len(q) == 1 and sizes[name] == sizes[q[0]]]
+    rest = [name for name in rest if name in alike or not alike or clocks[name] != clocks[q[0]]]
     inputs = _best([name for name in rest if q != (name,)], units, _INPUT_UNITS, "v")
     left_over = tuple(name for name in rest if name not in (*q, *inputs) and not units[name])
     if not q and len(left_over) == 1:
@@ -123,9 +127,21 @@ def suggest(
     found.append(Suggestion("q", q))
     left = tuple(name for name in inputs if _LEFT.search(name) and not _RIGHT.search(name))
     right = tuple(name for name in inputs if _RIGHT.search(name) and not _LEFT.search(name))
-    if len(left) == 1 and len(right) == 1:
+    if len(left) == 1 and len(right) == 1 and (q or len(inputs) == _MOST_INPUTS):
         return (*found, Suggestion("v1", left), Suggestion("v2", right))
     return (*found, Suggestion("v1", inputs), Suggestion("v2", () if len(inputs) == 1 else inputs))
+
+
+def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]) -> dict[str, str]:
+    """The time column over which each channel may run: the last one before it, of as many samples, else the first."""
+    longest = [time for time in times if sizes[time] == max(map(sizes.__getitem__, times))]
+    clocks: dict[str, str] = {}
+    for i, name in enumerate(names):
+        before = [time for time in times if time in names[:i]][-1:] + longest[:1]
+        clock = next((time for time in before if sizes[time] == sizes[name]), "" if not times else None)
+        if clock is not None and name not in times:
+            clocks[name] = clock
+    return clocks
 
 
 def _best(names: list[str], units: dict[str, str], wanted: tuple[str, ...], word: str) -> tuple[str, ...]:

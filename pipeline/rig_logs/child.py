@@ -202,7 +202,9 @@ class _Spool:
 _VERSION_1 = (b"\x00\x01", b"\x01\x00")  # in the byte order of the file
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _KNOWN_BUT_NOT_READ = {
-    b"{": "JSON; export the log as CSV",
+    **dict.fromkeys((b"{", b"[[", b"[{", b"[\n", b"[ "), "JSON; export the log as CSV"),
+    b"# Created by Octave": "Octave's text format; save it by `save -v7 NAME.mat`",
+    b"    -1\n    58": "a universal file (UFF 58); export the log as CSV or MAT",
     **dict.fromkeys((b"CDF\x01", b"CDF\x02", b"CDF\x05"), "classic netCDF; convert it by `nccopy -k nc4`"),
     **dict.fromkeys((b"ARROW1", b"FEA1"), "Arrow or Feather; write it as Parquet (pyarrow.parquet.write_table)"),
     **dict.fromkeys((b"\x89MCAP", b"#ROSBAG"), "a bag of ROS; export its topics as CSV or Parquet"),
@@ -290,6 +292,8 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
     for magic, what in _KNOWN_BUT_NOT_READ.items():
         if module == "csv" and start.startswith(magic):
             raise UnreadableLogError(f"this is {what}")
+    if module == "csv" and start[257:262] == b"ustar":
+        raise UnreadableLogError("this is an archive; unpack it")
     if module == "csv" and start.startswith(b"MATLAB"):
         raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
     if module == "csv" and _is_matlab4(start):

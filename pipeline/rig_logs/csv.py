@@ -79,7 +79,9 @@ class CsvSource:
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
         headed = dict(zip(self._columns, dialect.headings, strict=True))
         self.notes += left_out({name: text for name, text in texts.items() if self._firsts[name] or headed[name]})
-        self.starts = dict([*zip(self._columns, dialect.starts, strict=False)][1:])  # the first column is a time, or empty
+        self.starts = dict(
+            [*zip(self._columns, dialect.starts, strict=False)][1:]
+        )  # the first column is a time, or empty
         # The number of rows is not declared anywhere.
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
@@ -134,7 +136,7 @@ class CsvSource:
                 aliases=(heading,) if heading not in ("", name) else (),
             )
             for name, unit, heading in zip(self._columns, self._dialect.units, self._dialect.headings, strict=True)
-            if name not in self.texts
+            if name not in self.texts and not (self.starts and name == self._columns[0])  # that of one channel only
         ]
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:

@@ -31,8 +31,8 @@ from pipeline.rig_logs.csv_heading import (
     is_counted,
     names_and_units,
     names_beside,
-    stated_rates,
     rows_by_key,
+    stated_rates,
     with_row_names,
 )
 from pipeline.rig_logs.csv_tail import rows_of
@@ -184,7 +184,9 @@ def _headings(
         return (*beside, names) if beside else (names, units, ("",) * width)
     padded = [*above[header_row], *[""] * width][:width]
     names, units = names_and_units(padded, () if units_row is None else above[units_row], width)
-    units = tuple(unit or each.unit for unit, each in zip(units, table.columns, strict=True)) if table.columns else units
+    units = (
+        tuple(unit or each.unit for unit, each in zip(units, table.columns, strict=True)) if table.columns else units
+    )
     as_written = table.rows[header_row][:width]
     return names, units, tuple(as_written if len(as_written) == len(above[header_row][:width]) == width else padded)
 
@@ -338,7 +340,9 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     likely = [_mostly_values([rows[i][j] for i in later], decimal, delimiter) for j in range(width)]
     keys = likely[1] and not any(rows[i][0] for i in later)  # of an instrument, in the first column of its preamble
     data = [fit and not (keys and row[0]) for row, fit in zip(rows, fits, strict=True)]
-    filled = [_filled(row, likely, decimal, delimiter) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
+    filled = [
+        _filled(row, likely, decimal, delimiter) if is_data else 0 for row, is_data in zip(rows, data, strict=True)
+    ]
     behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
     only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
     first = next((i for i in fitting if filled[i] >= 2 and i not in only_text), None)

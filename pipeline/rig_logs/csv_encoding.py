@@ -10,6 +10,7 @@ _BOMS = (
     (codecs.BOM_UTF16_LE, "utf-16"),
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
+_NO_TEXT = "this is no text and no format that is known here; export the log as CSV, MAT, MDF4, HDF5 or Parquet"
 _BEYOND_ASCII = re.compile(rb"[\x80-\xff]+")
 _IN_NO_WESTERN_TEXT = re.compile(rb"[\x81-\x83\x8d\x8f\x90\x9d]")
 _OTHER_SCRIPTS = re.compile(r"gb|big5|euc|shift_jis|cp932|cp949|johab|hz|iso2022|koi8|cp125[13]|cp866|iso8859-[57]$")
@@ -31,14 +32,14 @@ def text_encoding(start: bytes) -> str:
         if b"\0" not in start[1 - parity :: 2] and 2 * start[parity::2].count(0) > len(start[parity::2]):
             return encoding
     if b"\0" in start:
-        raise UnreadableLogError("this is no text and no format that is known here")
+        raise UnreadableLogError(_NO_TEXT)
     try:
         codecs.getincrementaldecoder("utf-8")().decode(start)
         return "utf-8"
     except UnicodeDecodeError:
         control = sum(byte < 32 and byte not in b"\t\n\r\f" for byte in start)
         if control > len(start) // 1000:
-            raise UnreadableLogError("this is no text and no format that is known here") from None
+            raise UnreadableLogError(_NO_TEXT) from None
         return _other_script(start) or ("cp1252" if re.search(rb"[\x80-\x9f]", start) else "latin-1")
 
 

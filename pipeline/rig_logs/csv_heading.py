@@ -113,7 +113,7 @@ def _labels(row: Row, numeric: Sequence[bool]) -> int:
 
 
 def _holds_units(row: Row) -> bool:
-    cells = [cell for cell in row if cell and not NUMBER.match(cell)]
+    cells = [cell for cell in row if cell and cell.lower() != "unit" and not NUMBER.match(cell)]
     known = [bool(_BRACKETED.match(cell)) or cell.strip("[]() ").lower() in _UNITS for cell in cells]
     return 2 * sum(known) > len(cells) > 0
 

@@ -13,7 +13,7 @@ from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspectio
 from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
 from pipeline.rig_logs.recording import as_other_logs
 from pipeline.settings import Ingest
-from pipeline.signals.quality_gates import COARSEST_STEP, UNTOLD_STEP
+from pipeline.signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from pipeline.signals.spectrum import LEAST_PER_PERIOD, advised_interval
 from pipeline.signals.timebase import seldom
@@ -163,7 +163,8 @@ def _plant_lines(log: Inspection) -> list[str]:
 def _ingest_lines(log: Inspection) -> list[str]:
     """The rate of a log without time, and the step of one that is slower than the usual sample interval."""
     time = next((suggestion for suggestion in log.suggestions if suggestion.role == "time"), None)
-    if time is not None and not time.candidates:
+    coarse = any(base.repeated > MOST_REPEATED * base.n for base in log.time_bases)
+    if coarse or (time is not None and not time.candidates):
         return ["", "[ingest]", *_rate_lines(log)]
     channel = None if time is None else next((one for one in log.channels if one.name == time.only), None)
     if channel is not None and suggested_unit(channel.name, channel.unit) not in SECONDS:

@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import rates_among, scales_among
+from pipeline.rig_logs.attributes import rates_among, scales_among, starts_among
 from pipeline.rig_logs.channel_roles import is_called
 from pipeline.rig_logs.hdf5_attributes import (
     NUMBERS,
@@ -157,6 +157,7 @@ class Hdf5Source:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
         self.rates: dict[str, float] = {}
+        self.stated_starts: dict[str, float] = {}
         self._places: dict[str, tuple[Any, int | str | None, Packing | None]] = {}
         self._entries: list[Entry] = []
         self._file = open_hdf5(path)
@@ -165,6 +166,9 @@ class Hdf5Source:
         for name, dataset in walk(self._file):
             for holder in (self._file, dataset.parent, dataset):
                 self._note_rates(rates_among(holder.attrs, holder.name.strip("/")))
+                self.stated_starts |= starts_among(holder.attrs, holder.name.strip("/"))
+            if dataset.parent != self._file and len(dataset.parent) == 1:
+                self.notes += scales_among(dataset.parent.attrs, name)
             if not self._list(name, dataset):
                 others[name] = dataset.shape
         units = {entry.name: entry for entry in self._entries}

@@ -12,16 +12,20 @@ from pipeline.rig_logs.channel_roles import Suggestion, is_called, is_record, su
 from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
 from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import RecordedChannel, Recording
-from pipeline.rig_logs.remarks import Clock, Context, remarks_on
+from pipeline.rig_logs.remarks import Clock, Context, counted, remarks_on, stamped
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
 from pipeline.signals.dropouts import NONE, dropout_remarks, dropouts
 from pipeline.signals.missing import code_remarks, codes_in, masked
+from pipeline.signals.quality_gates import MOST_REPEATED
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 from pipeline.units import SECONDS
 
 _UNEVEN, _MOSTLY = 0.5, 0.95
 """Share of a step by which those of a clock may differ, and how many of them do not by more."""
+
+_SERIAL_DATES = ((35_000.0, 60_000.0), (725_000.0, 750_000.0))
+"""Days since 1900 and since the year 0, of the years 1995 to 2053."""
 
 NO_CHANNEL = "the log holds no vector of numbers"
 """Said where nothing can be drafted or examined."""
@@ -127,13 +131,14 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
             examined.append((channel, None, examine_signal(numbers, channel.samples, 1.0), "samples"))
     bare = {channel.name for channel in recording.channels if own_time and channel.time is None}
     inputs = {name for role in roles if role.role in ("v1", "v2") for name in role.candidates}
+    outputs = {name for role in roles if role.role == "q" for name in role.candidates}
     channels = []
     for channel, position, quality, own_clock in examined:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
         context = Context(own_clock, channel.name in inputs, max(alike, default=np.nan))
         own = codes.get(channel.name, {})
         remarks = () if channel.name in bare else (*code_remarks(own), *remarks_on(quality, context))
-        if position is not None and channel.name not in inputs:
+        if position is not None and channel.name in outputs:
             time = column if channel.time is None else channel.time
             remarks += _dropouts(time, channel.samples, quality, bases[position].step, channel.unit)
         channels.append(
@@ -209,7 +214,7 @@ def _counts_samples(samples: FloatArray) -> bool:
 
 def _rises_evenly(samples: FloatArray) -> bool:
     """Whether nearly all steps of a column are upwards and about as large, as those of a clock."""
-    steps = np.diff(samples[: 1 << 17])
+    steps = np.diff(samples[np.isfinite(samples)][: 1 << 17])
     usual = float(np.median(steps)) if steps.size > 1 else 0.0
     return usual > 0.0 and bool(np.mean(np.abs(steps - usual) <= _UNEVEN * usual) >= _MOSTLY)
 
@@ -226,6 +231,8 @@ def _time_column(
     channel = next(c for c in channels if c.name == name)
     unit = suggested_unit(channel.name, channel.unit)
     stated = f"in {unit}" if unit in SECONDS else "in s, of which the log says nothing"
+    if unit not in SECONDS and any(first <= np.nanmin(channel.samples) <= last for first, last in _SERIAL_DATES):
+        unit, stated = "day", "in days, as serial dates of a spreadsheet or MATLAB are"
     notes.append(f"described as if {name!r} were time {stated}; the settings decide")
     return channel.samples * SECONDS.get(unit, 1.0), "s" if unit in SECONDS else ""
 
@@ -240,6 +247,13 @@ def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuali
     except DataRefusedError as error:
         notes.append(str(error))
         return None
+    if quality.backward:
+        places = counted(quality.backward, "place")
+        at = stamped(quality.backward_at[0])
+        notes.append(f"time steps back at {places}, first after {at} s: ingest refuses it; see [ingest] time_reversal")
+    if quality.repeated > MOST_REPEATED * quality.n:
+        share = 100.0 * quality.repeated / quality.n
+        notes.append(f"{share:.0f} % of the time stamps repeat: too coarse a clock; set sample_rate in place of time")
     stamps.append(time)
     bases.append(quality)
     return len(bases) - 1

@@ -7,7 +7,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import is_unit, scales_among
+from pipeline.rig_logs.attributes import is_unit, scales_among, starts_among
 from pipeline.rig_logs.channel_roles import is_called
 from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
 from pipeline.rig_logs.mat_tables import TABLES, table_channels
@@ -55,6 +55,7 @@ class MatSource:
         self.notes: list[str] = []
         self.texts: dict[str, str] = {}
         self.rates: dict[str, float] = {}
+        self.stated_starts: dict[str, float] = {}
         self._channels: dict[str, MatChannel] = {}
         self._not_listed: dict[str, tuple[int, ...]] = {}
         recordings = [name for name, value in variables.items() if is_recorder(value) or is_simulink_log(value)]
@@ -149,6 +150,7 @@ class MatSource:
         if (rate := stated_rate(name, number)) is not None:
             self.rates[name] = rate = rate if stated_rate(name, 2.0) == 2.0 else rate / second
             self.notes.append(note_on_rate(name, number, rate))
+        self.stated_starts |= starts_among({name: number}, "")
         self.notes += scales_among({name: number})
 
 

@@ -1,5 +1,6 @@
-"""Parquet logs through pyarrow, page by page; units from the fields' metadata."""
+"""Parquet logs through pyarrow, page by page; units from the metadata of the fields or of the table."""
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from pipeline.arrow_columns import doubles
-from pipeline.rig_logs.attributes import plain, rates_among, scales_among, unit_among
+from pipeline.rig_logs.attributes import is_unit, plain, rates_among, scales_among, unit_among
 from pipeline.rig_logs.source import (
     EXACT,
     PART,
@@ -49,7 +50,10 @@ class ParquetSource:
         self.notes = left_out(self.texts)
         for name, field in self._fields.items():
             self.notes += scales_among(_texts(field.metadata), name)
-        stated = rates_among(_texts(self._file.schema_arrow.metadata), "")
+        of_table = _texts(self._file.schema_arrow.metadata)
+        of_table |= _document(of_table.get("PANDAS_ATTRS", ""))
+        self._units = {k: f"{v}" for key in filter(is_unit, of_table) for k, v in _document(of_table[key]).items()}
+        stated = rates_among(of_table, "")
         self.rates = {name: rate for name, (_, rate) in stated.items()}
         self.notes += [note_on_rate(name, *each) for name, each in stated.items()]
 
@@ -57,7 +61,7 @@ class ParquetSource:
         """Every column of numbers, of time stamps or of durations."""
         rows = self._file.metadata.num_rows
         return [
-            Entry(name, _unit(field), str(field.type), rows)
+            Entry(name, _unit(field) or self._units.get(name, ""), str(field.type), rows)
             for name, field in self._fields.items()
             if name not in self.texts
         ]
@@ -140,7 +144,16 @@ def _unit(field: Any) -> str:
     return unit_among(_texts(field.metadata))
 
 
-def _texts(metadata: Mapping[bytes, bytes] | None) -> dict[str, str]:
+def _document(value: Any) -> dict[str, Any]:
+    """A mapping, which may be written as JSON; empty for anything else."""
+    try:
+        read = json.loads(value) if isinstance(value, str) else value
+    except ValueError:
+        return {}
+    return read if isinstance(read, dict) else {}
+
+
+def _texts(metadata: Mapping[bytes, bytes] | None) -> dict[str, Any]:
     return {key.decode("utf-8", "replace"): f"{plain(value)}" for key, value in (metadata or {}).items()}
 
 

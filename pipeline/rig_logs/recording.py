@@ -18,6 +18,8 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.columns import column
 
 _MOST_LISTED = 30
+NOT_APPLIED = "not applied here"
+"""In a note on a number that looks like a calibration."""
 _NUMBERED = re.compile(r"column \d+")
 """Names of columns without a header."""
 
@@ -86,6 +88,12 @@ class Recording:
             if channel.name == name:
                 return channel
         raise InputError(missing_channel(self.path, name, self.listed))
+
+    def unapplied(self, name: str) -> list[str]:
+        """The notes on numbers beside a channel that look like its calibration."""
+        group = name.rpartition(".")[0]
+        notes = [note for note in self.notes if NOT_APPLIED in note]
+        return [note for note in notes if repr(name) in note or (group and note.startswith(f"{group}."))]
 
 
 def missing_channel(path: Path, name: str, listed: tuple[str, ...]) -> str:

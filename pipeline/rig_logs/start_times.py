@@ -1,5 +1,6 @@
 """Times of channels that begin one after another, by the start and the step that their log states for each."""
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -10,6 +11,8 @@ from numpy.typing import NDArray
 
 from pipeline.rig_logs.source import Entry, Source
 
+_GROUP_OF = re.compile(r"[./][^./]*$")
+
 
 class StartTimes:
     """A log in which each channel has its time: start + k · step, in s."""
@@ -17,16 +20,18 @@ class StartTimes:
     def __init__(self, source: Source, starts: dict[str, tuple[float, float]]) -> None:
         self._source = source
         self.format, self.texts, self.notes = source.format, source.texts, source.notes
-        self.one_pass = getattr(source, "one_pass", False)
+        self.one_pass, self.rates = getattr(source, "one_pass", False), getattr(source, "rates", {})
         clocks: dict[tuple[float, float], str] = {}
         self._time = {name: clocks.setdefault(clock, f"time of {name}") for name, clock in starts.items()}
         self._clocks = {time: clock for clock, time in clocks.items()}
-        self.notes.append(f"channels begin at {', '.join(f'{start:g}' for start, _ in clocks)} s: each has its own time")
+        begins = ", ".join(f"{start:g}" for start, _ in clocks)
+        self.notes.append(f"channels begin at {begins} s, as the log states: each has its own time")
 
     def entries(self) -> list[Entry]:
-        """The times, and the channels; a column of time, which is that of the first channel only, is left out."""
-        entries = [replace(each, time=self._time[each.name]) for each in self._source.entries() if each.name in self._time]
-        return [*(Entry(time, "s", "float64", entries[0].count) for time in self._clocks), *entries]
+        """The times, and the channels."""
+        entries = [replace(each, time=self._time.get(each.name, each.time)) for each in self._source.entries()]
+        counts = {each.time: each.count for each in entries}
+        return [*(Entry(time, "s", "float64", counts[time]) for time in self._clocks), *entries]
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Samples as the log gives them, and the times beside."""
@@ -37,12 +42,26 @@ class StartTimes:
             first, rows[name] = rows[name], rows[name] + samples.size
             if name in names:
                 yield name, samples
-            if beside.get(time := self._time[name]) == name and time in names:
+            if beside.get(time := self._time.get(name, "")) == name and time in names:
                 start, step = self._clocks[time]
                 yield time, start + step * np.arange(first, rows[name])
 
 
 def with_starts(source: Source) -> Source:
-    """The log itself, or with a time for each channel where it states several starts."""
-    starts = getattr(source, "starts", {})
-    return StartTimes(source, starts) if starts else source
+    """The log itself, or with a time for each channel where it states a rate and a start for each, and these differ."""
+    starts = getattr(source, "starts", {}) or _stated_beside(source)
+    return StartTimes(source, starts) if len(set(starts.values())) > 1 else source
+
+
+def _stated_beside(source: Source) -> dict[str, tuple[float, float]]:
+    """Start and step [s] that numbers beside a channel or its group state: ``q.t0`` and ``q.dt`` those of ``q.Y``."""
+    numbers: dict[str, float] = getattr(source, "stated_starts", {})
+    starts = {_GROUP_OF.sub("", name): start for name, start in numbers.items()}
+    rates = {_GROUP_OF.sub("", name): rate for name, rate in getattr(source, "rates", {}).items() if starts}
+    clocks = {}
+    for entry in source.entries() if starts else ():
+        places = (entry.name, _GROUP_OF.sub("", entry.name))
+        place = next((place for place in places if place in starts and place in rates), None)
+        if place is not None and entry.time is None and entry.name not in numbers:
+            clocks[entry.name] = (starts[place], 1.0 / rates[place])
+    return clocks

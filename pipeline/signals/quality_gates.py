@@ -18,13 +18,15 @@ from pipeline.signals.timebase import TimeQuality
 
 MOST_MISSING = 0.1
 """Share of a signal that may be missing."""
+MOST_REPEATED = 0.05
+"""Share of the time stamps that may repeat the one before."""
 _GATES = (
     (
         "masked", 0.5, "of the rows are masked (gaps, rails, spikes, lost target)",
         "record without gaps and within the sensor's range",
     ),
     ("missing", MOST_MISSING, "of the samples are not finite", "repair the recorder"),
-    ("repeated", 0.05, "of the time stamps repeat the one before",
+    ("repeated", MOST_REPEATED, "of the time stamps repeat the one before",
      "repair the clock, or where its stamps are too coarse leave `time` out and set [ingest] sample_rate"),
     ("dropped", 0.2, "of the samples are missing one by one", "record slower"),
     ("jitter", 0.3, "of the time step is its jitter (RMS)", "record by a hardware clock"),

@@ -1,0 +1,239 @@
+"""Files of instruments and programs: names, units and samples are those that were written, or the refusal says more."""
+
+import json
+import tarfile
+
+import h5py
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from scipy.io import savemat
+
+from pipeline.rig_logs import read_recording
+from pipeline.rig_logs.draft import toml_draft
+from pipeline.rig_logs.inspection import inspect_log
+from pipeline.rig_logs.source import UnreadableLogError
+from tests.rig_logs.small_logs import load, open_here
+
+N = 700
+TIME = 0.002 * np.arange(N)
+Q = np.round(9.0 * np.sin(7.0 * TIME), 4)
+V = np.round(np.where(TIME < 0.5, 0.0, 3000.0) + 0.5 * np.cos(TIME), 2)
+
+
+def _rows(form, *columns):
+    return "".join(form.format(*row) + "\n" for row in zip(*columns, strict=True))
+
+
+ROWS = _rows("{:.3f},{:.4f},{:.2f}", TIME, Q, V)
+YOKOGAWA = (
+    '"Model","DL850E"\n"TraceName","CH1  ","CH2  "\n"BlockSize",700,700\n"VUnit","mm","V"\n"SampleRate",500.0,500.0\n'
+    '"HResolution",2E-03,2E-03\n"Date","2026/11/27","2026/11/27"\n"HUnit","s","s"\n\n'
+)
+CATMAN = "HBM catman\nZeit\tWeg\tU_links\ns\tmm\tV\nDT=2.000 ms\tMX840A\tMX840A\n27.11.2026 10:11:12\t\t\n"
+COMSOL = "% Model: joint.mph\n% Time (s)          Displacement, x (mm)   Voltage left (V)\n"
+TWINCAT = "Name\tLaser\tName\tHV\nSampleTime[ms]\t2\tSampleTime[ms]\t2\nUnit\tmm\tUnit\tV\n\n"
+LAYOUTS = {
+    "yokogawa": (YOKOGAWA + _rows(",{:+.4E},{:+.6E}", Q, V), {"CH1": ("mm", Q), "CH2": ("V", V)}),
+    "catman": (
+        CATMAN + ROWS.replace(",", "\t").replace(".", ","),
+        {"Zeit": ("s", TIME), "Weg": ("mm", Q), "U_links": ("V", V)},
+    ),
+    "comsol": (
+        COMSOL + _rows("{:<20.3f}{:<23.4f}{:.2f}", TIME, Q, V),
+        {"Time": ("s", TIME), "Displacement, x": ("mm", Q), "Voltage left": ("V", V)},
+    ),
+    "twincat": (
+        TWINCAT + _rows("{:.0f}\t{:.4f}\t{:.0f}\t{:.2f}", 1e3 * TIME, Q, 1e3 * TIME, V),
+        {"Laser": ("mm", Q), "HV": ("V", V)},
+    ),
+    "serial plotter": (
+        _rows("t:{:.3f}\tq:{:.4f}\tv1:{:.2f}", TIME, Q, V),
+        {"t": ("", TIME), "q": ("", Q), "v1": ("", V)},
+    ),
+    "serial monitor with time stamps": (
+        _rows("10:11:{:06.3f} -> {:.4f},{:.2f}", 12 + TIME, Q, V),
+        {"column 1": ("s", TIME), "column 2": ("", Q), "column 3": ("", V)},
+    ),
+    "writetimetable of MATLAB": (
+        "Time,q,v\n" + _rows("{:g} sec,{:.4f},{:.2f}", TIME, Q, V),
+        {"Time": ("sec", TIME), "q": ("", Q), "v": ("", V)},
+    ),
+    "units in every cell": (
+        "t,q,v\n" + _rows("{:g} s,{:.4f} mm,{:.2f} V", TIME, Q, V),
+        {"t": ("s", TIME), "q": ("mm", Q), "v": ("V", V)},
+    ),
+    "write.table of R": (
+        '"t" "q" "v"\n' + _rows('"{}" {:.3f} {:.4f} {:.2f}', range(1, N + 1), TIME, Q, V),
+        {"t": ("", TIME), "q": ("", Q), "v": ("", V)},
+    ),
+    "two decimal marks": (
+        "t;q;v\n" + "".join(f"{t:.3f};{q:.4f};{v:.2f}\n".replace(".", ",", 3).replace(",", ".", 1) for t, q, v in
+                            zip(TIME, Q, V, strict=True)),
+        {"t": ("", TIME), "q": ("", Q), "v": ("", V)},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_names_units_and_samples(tmp_path, name):
+    text, expected = LAYOUTS[name]
+    path = tmp_path / "log.csv"
+    path.write_text(text)
+    source = open_here(path)
+    units = {entry.name: entry.unit for entry in source.entries()}
+    for channel, (unit, samples) in expected.items():
+        assert units[channel] == unit
+        np.testing.assert_allclose(load(source, channel), samples, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("encoding", "names"),
+    [
+        ("gb18030", "时间(s),位移(mm),左电压(V)"),
+        ("gb18030", "时间（s）,位移（mm）,左电压（V）"),
+        ("shift_jis", "時間[s],変位[mm],電圧左データ[V]"),
+        ("cp949", "시간[s],변위[mm],왼쪽 전압[V]"),
+        ("big5", "時間(s),位移(mm),左電壓(V)"),
+        ("cp1251", "Время[с],Перемещение[мм],Напряжение1[В]"),
+        ("latin-1", "Zeit [s],Weg größer [mm],U° [V]"),
+        ("cp1252", "Zeit [s],Weg – Größe [mm],U [V]"),
+        ("latin-1", "temps [s],déplacé côté [mm],tension créée [V]"),
+    ],
+)
+def test_names_in_the_encodings_of_other_scripts(tmp_path, encoding, names):
+    path = tmp_path / "log.csv"
+    path.write_bytes((names + "\n" + ROWS).encode(encoding))
+    source = open_here(path)
+    bare = [
+        cell.translate(str.maketrans("（）", "()")).replace("[", "(").split("(")[0].strip() for cell in names.split(",")
+    ]
+    assert [entry.name for entry in source.entries()] == bare
+    np.testing.assert_allclose(load(source, bare[1]), Q, atol=1e-9)
+
+
+def test_si_prefixes_behind_numbers_are_not_taken_for_a_unit(tmp_path):
+    path = tmp_path / "log.csv"
+    text = "t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, ["734.1m" if t < 0.5 else "2.8k" for t in TIME])
+    path.write_text(text)
+    source = open_here(path)
+    assert "v" in source.texts
+    assert "734.1m" in source.texts["v"]
+    path.write_text(text.replace("734.1m", "734.1"))
+    with pytest.raises(UnreadableLogError, match="in column .v. is no number"):
+        list(open_here(path).parts(["v"]))
+
+
+LVM = (
+    "LabVIEW Measurement\t\nX_Columns\t{}\n***End_of_Header***\t\n\t\nChannels\t2\t\t\nX_Dimension\tTime\tTime\t\n"
+    "X0\t0\t0.012\t\nDelta_X\t0.002\t0.002\t\n***End_of_Header***\t\t\t\nX_Value\tq\tv\tComment\n"
+)
+
+
+def _labview(path, columns):
+    path.write_text(LVM.format(columns) + _rows("{}\t{:.4f}\t{:.2f}\t", TIME if columns == "One" else [""] * N, Q, V))
+
+
+def _attributes(path, _):
+    with h5py.File(path, "w") as file:
+        for name, samples, start in (("q", Q, 0.0), ("v", V, 0.012)):
+            file[name] = samples
+            file[name].attrs.update(t0=start, dt=0.002)
+
+
+def _struct(path, _):
+    savemat(path, {name: {"t0": start, "dt": 0.002, "Y": y} for name, y, start in (("q", Q, 0.0), ("v", V, 0.012))})
+
+
+@pytest.mark.parametrize(
+    ("write", "how", "q", "v"),
+    [
+        (_labview, "One", "q", "v"), (_labview, "No", "q", "v"), (_attributes, "", "q", "v"),
+        (_struct, "", "q.Y", "v.Y"),
+    ],
+)  # fmt: skip
+def test_channels_begin_when_their_log_states(tmp_path, write, how, q, v):
+    write(tmp_path / "log", how)
+    recording = read_recording(tmp_path / "log", channels=[q, v])
+    np.testing.assert_allclose(recording.channel(q).time, TIME)
+    np.testing.assert_allclose(recording.channel(v).time, TIME + 0.012)
+    np.testing.assert_allclose(recording.channel(v).samples, V)
+    draft = toml_draft([inspect_log(tmp_path / "log")])
+    assert "carries its own time base" in draft
+    assert 'channel = "X_Value"' not in draft
+
+
+def test_columns_of_several_clocks_are_drafted_with_their_own(tmp_path):
+    half = [f"{t:.3f},{v:.2f}" for t, v in zip(TIME[::2] + 0.012, V[::2], strict=True)]
+    (tmp_path / "log.csv").write_text(
+        "X_Value,q [mm],X_Value,v1 [V]\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, [*half, *[","] * (N // 2)])
+    )
+    draft = toml_draft([inspect_log(tmp_path / "log.csv")])
+    assert 'v1 = { channel = "v1", unit = "V", time = { channel = "X_Value (2)"' in draft
+    assert 'q = { channel = "q", unit = "mm", time = { channel = "X_Value", ' in draft
+
+
+def test_structs_of_several_rates_are_drafted_with_their_own_clocks(tmp_path):
+    clocks = {"laser": TIME, "hv1": TIME[::2]}
+    fields = {"laser": {"data": Q, "unit": "mm"}, "hv1": {"data": V[::2], "unit": "V"}}
+    savemat(tmp_path / "log.mat", {name: {"time": clocks[name], **fields[name]} for name in clocks})
+    draft = toml_draft([inspect_log(tmp_path / "log.mat")])
+    assert 'v1 = { channel = "hv1.data", unit = "V", time = { channel = "hv1.time"' in draft
+
+
+@pytest.mark.parametrize(
+    ("stamps", "note"),
+    [
+        (np.r_[TIME[: N // 2], TIME[: N // 2]], "time steps back at 1 place, first after 0.698 s"),
+        (np.floor(10 * TIME) / 10, "time stamps repeat: too coarse a clock; set sample_rate"),
+        (46353 + TIME / 86400, "in days, as serial dates of a spreadsheet"),
+    ],
+)
+def test_what_is_wrong_with_a_clock_is_noted(tmp_path, stamps, note):
+    (tmp_path / "log.csv").write_text("t,q,v\n" + _rows("{:.10f},{:.4f},{:.2f}", stamps, Q, V))
+    inspection = inspect_log(tmp_path / "log.csv")
+    assert any(note in each for each in inspection.notes)
+    assert "sample_interval" not in toml_draft([inspection])
+    assert not any("buffer" in remark for channel in inspection.channels for remark in channel.remarks)
+
+
+def test_units_in_the_metadata_of_a_parquet_table(tmp_path):
+    units = {"t": "ms", "q": "mm", "v": "kV"}
+    table = pa.table({"t": TIME, "q": Q, "v": V})
+    for metadata in ({"units": json.dumps(units)}, {"PANDAS_ATTRS": json.dumps({"units": units})}):
+        pq.write_table(table.replace_schema_metadata(metadata), tmp_path / "log.parquet")
+        assert {entry.name: entry.unit for entry in open_here(tmp_path / "log.parquet").entries()} == units
+
+
+def test_the_increment_of_an_oscilloscope_in_hdf5_is_named(tmp_path):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        group = file.create_group("Waveforms/Channel 1")
+        group["data"] = (1000 * Q).astype(np.int16)
+        group.attrs.update(XInc=0.002, YInc=0.001, YOrg=0.0)
+    notes = "; ".join(open_here(tmp_path / "log.h5").notes)
+    assert "YInc = 0.001, not applied here to 'Waveforms/Channel 1/data'" in notes
+    assert "sample_rate = 500" in notes
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("# Created by Octave 8.4.0\n# name: data\n# type: matrix\n# rows: 700\n# columns: 3\n" + ROWS, "save -v7"),
+        ("    -1\n    58\nq\nNONE\n" + ROWS.replace(",", " "), "universal file"),
+        (json.dumps([[t, q] for t, q in zip(TIME, Q, strict=True)]), "JSON"),
+    ],
+)
+def test_texts_that_are_no_tables_are_refused_by_name(tmp_path, content, message):
+    (tmp_path / "log.txt").write_text(content)
+    with pytest.raises(UnreadableLogError, match=message):
+        open_here(tmp_path / "log.txt")
+
+
+@pytest.mark.parametrize("mode", ["w", "w:gz"])
+def test_a_tar_archive_is_to_be_unpacked(tmp_path, mode):
+    (tmp_path / "log.csv").write_text("t,q,v\n" + ROWS)
+    with tarfile.open(tmp_path / "log.tar", mode) as archive:
+        archive.add(tmp_path / "log.csv", "log.csv")
+    with pytest.raises(UnreadableLogError, match="archive; unpack it"):
+        open_here(tmp_path / "log.tar")
