@@ -111,20 +111,11 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     lines = _lines(start, encoding, whole=whole)
     options = _as_labview(lines, options)
     options, table = _with_counted_names(options, _find_table(lines, options))
-    width, header_row = len(table.numeric), options.header_row
+    width = len(table.numeric)
     _check_decimal_commas(table)
     open_marks = (False,) * width if options.decimal is not None else _open_marks(table)
     above, comments = _above(table, lines)
-    names_by_key, units_by_key = rows_by_key(above)
-    if header_row is None and names_by_key is not None and not _firsts(table)[0]:
-        header_row, units_row = names_by_key, units_by_key
-    elif header_row is None:
-        header_row, units_row = heading_rows(above, comments, table.numeric)
-    elif header_row >= table.first or not -1 <= width - len(above[header_row]) <= table.numeric[::-1].index(True):
-        raise UnreadableLogError(f"row {header_row} is no header: it must have the {width} cells of the rows below it")
-    else:
-        units_row = header_row + 1 if header_row + 1 < table.first else None
-    units_row = units_by_key if units_row is None else units_row
+    header_row, units_row = _header_rows(table, above, comments, options.header_row)
     _check_rows_below_header(table, above, header_row)
     header, units, headings = _headings(table, above, header_row, units_row)
     check_long_table(header, table.numeric, table.rows[table.first :])
@@ -152,6 +143,23 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         or (header_row is not None and len(above[header_row]) == width + 1),
         labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
     )
+
+
+def _header_rows(
+    table: "_Table", above: list[Sequence[str]], comments: Sequence[bool], row: int | None
+) -> tuple[int | None, int | None]:
+    """The rows of names and of units, the first of which may be set."""
+    width = len(table.numeric)
+    names, units = rows_by_key(above)
+    if row is None and names is not None and not _firsts(table)[0]:
+        return names, units
+    if row is None:
+        row, below = heading_rows(above, comments, table.numeric)
+    elif row >= table.first or not -1 <= width - len(above[row]) <= table.numeric[::-1].index(True):
+        raise UnreadableLogError(f"row {row} is no header: it must have the {width} cells of the rows below it")
+    else:
+        below = row + 1 if row + 1 < table.first else None
+    return row, units if below is None else below
 
 
 def _with_counted_names(options: CsvOptions, table: "_Table") -> tuple[CsvOptions, "_Table"]:

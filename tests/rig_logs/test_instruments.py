@@ -121,7 +121,7 @@ def test_si_prefixes_behind_numbers_are_not_taken_for_a_unit(tmp_path):
     assert "v" in source.texts
     assert "734.1m" in source.texts["v"]
     path.write_text(text.replace("734.1m", "734.1"))
-    with pytest.raises(UnreadableLogError, match="in column .v. is no number"):
+    with pytest.raises(UnreadableLogError, match="is no number with the decimal mark"):
         list(open_here(path).parts(["v"]))
 
 
