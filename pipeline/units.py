@@ -257,5 +257,5 @@ def curve_units(displacement: str, voltage: str, *, squared: bool, mass_known: b
 
 def column_suffix(symbol: str) -> str:
     """A unit as the end of a column's name: ``N·s/m`` → ``N_s_per_m``, ``m/(s²·V²)`` → ``m_per_s2_V2``."""
-    plain = symbol.replace("/", "_per_").replace("·", "_").replace("²", "2")
-    return plain.replace("(", "").replace(")", "")
+    plain = symbol.replace(")²", ")_squared").replace("/", "_per_").replace("·", "_")
+    return plain.translate(str.maketrans("²³⁴", "234", "^()"))

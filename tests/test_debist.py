@@ -1,5 +1,6 @@
 """`import debist`: models from arrays and DataFrames, the same as from a run of the same signals."""
 
+import dataclasses
 import json
 import warnings
 from unittest.mock import Mock
@@ -95,6 +96,16 @@ def test_a_free_run_is_a_table_with_units_and_a_status(model):
     assert list(free.columns) == ["t_s", "q_m", "qdot_m_per_s", "qddot_m_per_s2", "v1_V", "v2_V"]
     assert free.attrs == {"status": "ok", "diverged_at_s": None}
     assert list(model.curves([0.0, 0.01])) == ["q_m", "F_N", "d_N_s_per_m", "dC1_dq_F_per_m", "dC2_dq_F_per_m"]
+
+
+def test_scores_of_a_run_that_diverged_are_not_numbers(model, log, monkeypatch):
+    free = model.core.simulate(log.t_s.to_numpy(), log[["v1_V", "v2_V"]].to_numpy(), -0.0105, 0.0)
+    gone = {name: np.full(len(log), np.nan) for name in ("q", "qdot", "qddot")}
+    lost = dataclasses.replace(free, status="diverged", diverged_at_s=0.0, **gone)
+    monkeypatch.setattr("pipeline.tools.in_memory.free_run", lambda table, core: lost)
+    scores = model.score(log)
+    assert scores.nrmse.dtype == scores.fit_percent.dtype == np.float64
+    assert scores.nrmse.isna().all()
 
 
 def test_voltages_come_as_columns_or_as_a_table(model, log):

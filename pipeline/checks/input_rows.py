@@ -237,6 +237,13 @@ def _law_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     laws = ("squared", "linear") if declared.squared else ("linear", "squared")
     measured = f"{laws[0]} leaves {significant(100.0 * own, 2)} %, {laws[1]} {significant(100.0 * other, 2)} %"
     values = in_si(f"left_by_{laws[0]}", "1", own) | in_si(f"left_by_{laws[1]}", "1", other)
+    if fact.as_signed_monitor is not None and fact.as_signed_monitor < limits.OTHER_LAW * min(own, other):
+        measured += f", two membranes {significant(100.0 * fact.as_signed_monitor, 2)} %"
+        advice = (
+            'it looks like the signed monitor of two membranes: give it to v1 with part = "positive" and to v2 with '
+        )
+        advice += 'part = "negative", and set inputs = "squared" in [plant]'
+        return [CheckRow(fact.signals.name, "law of the inputs", measured, "", "note", None, advice, values=values)]
     fits = other >= (limits.OTHER_LAW if fact.both_signs else limits.OTHER_LAW_OF_ONE_SIGN) * own
     if fits:
         return (

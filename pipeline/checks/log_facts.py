@@ -1,7 +1,7 @@
 """What one log shows of its device without any model: pushes, delays, rests, ring-down, spans."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -175,6 +175,8 @@ class LogFacts:
     unexplained, under_other_law : float or None
         Share of the accelerations that the weak form leaves, and that it leaves where inputs act by their other law (in
         proportion for by their squares).
+    as_signed_monitor : float or None
+        The same where the one input is the signed monitor of two membranes; None unless it takes both signs.
     both_signs : bool
         Whether an input takes both signs.
     lag : float or None
@@ -197,6 +199,7 @@ class LogFacts:
     undriven: int
     unexplained: float | None = None
     under_other_law: float | None = None
+    as_signed_monitor: float | None = None
     both_signs: bool = False
     lag: float | None = None
     starts: tuple[float, ...] = ()
@@ -232,6 +235,9 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
         undriven=_undriven(q, v, every * log.interval, wells, natural, joint=joint),
         unexplained=None if terms is None else unexplained(terms),
         under_other_law=_unexplained_by(log, sample_interval, squared=not squared),
+        as_signed_monitor=_unexplained_by(_of_two(log), sample_interval, squared=True)
+        if both_signs and log.v.shape[1] == 1
+        else None,
         both_signs=both_signs,
         starts=undriven_starts(t, q, v),
         drift=rest_drift(t, q, v, every * log.interval, wells, joint=joint),
@@ -260,6 +266,11 @@ def _ring_step(log: LogSignals) -> int:
 def _rings(rests: RestFacts) -> list[RingDown]:
     """The ring-downs whose frequency counts."""
     return [ring for ring in (*rests.rings_left, *rests.rings_right) if ring.unexplained <= _CLEAR_RING]
+
+
+def _of_two(log: LogSignals) -> LogSignals:
+    """A log whose input of both signs is taken for the signed monitor of two membranes."""
+    return replace(log, v=np.hstack([np.maximum(log.v, 0.0), np.maximum(-log.v, 0.0)]))
 
 
 def _unexplained_by(log: LogSignals, sample_interval: float, *, squared: bool) -> float | None:

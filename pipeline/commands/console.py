@@ -10,7 +10,7 @@ import shutil
 import sys
 import textwrap
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
@@ -89,6 +89,14 @@ def printable(text: str) -> str:
 
 printed: list[Any] = []
 """JSON documents that the command has printed: there is one at most."""
+
+
+def with_units(values: Mapping[str, Any], units: Mapping[str, str]) -> dict[str, Any]:
+    """The values under keys that end in their units, where they have one: ``misfit_m``."""
+    from pipeline.units import column_suffix
+
+    suffixes = {key: column_suffix(unit) for key, unit in units.items() if unit not in ("", "1")}
+    return {f"{key}_{suffixes[key]}" if key in suffixes else key: value for key, value in values.items()}
 
 
 def emit_json(document: Any) -> None:

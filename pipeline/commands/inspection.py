@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text
+from pipeline.commands.console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
 from pipeline.si_prefix import quantity
 
 if TYPE_CHECKING:
@@ -87,10 +87,12 @@ def _counts(crossings: Sequence[int]) -> str:
     return " / ".join(map(str, crossings))
 
 
-_SECONDS = frozenset(
-    ("start", "stop", "step", "shortest", "longest", "jitter", "gap_limit", "repeated_at", "backward_at", "gaps_at")
+_OF_TIME_BASES = dict.fromkeys(
+    ("start", "stop", "step", "shortest", "longest", "jitter", "gap_limit", "repeated_at", "backward_at", "gaps_at"),
+    "s",
 )
-"""Times and durations of a time base, which get their unit in JSON."""
+_PLACES = ("not_finite_at", "longest_frozen", "frozen_at", "spikes_at")
+"""Times and durations of a time base and of a channel, which get their unit in JSON."""
 
 
 def inspection_document(inspection: "Inspection", excitation: "LogExcitation | str") -> Any:
@@ -100,14 +102,28 @@ def inspection_document(inspection: "Inspection", excitation: "LogExcitation | s
     if isinstance(excitation, str):
         coverage: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
     else:
-        shown = {name: value for name, value in asdict(excitation).items() if name not in ("factor", "unit", "joint")}
-        coverage = {"excitation": {"interval_s": shown.pop("interval"), **shown}}
+        coverage = {"excitation": _excitation_document(excitation)}
     document = asdict(inspection)
-    document["time_bases"] = [
-        {f"{key}_s" if key in _SECONDS else key: value for key, value in base.items()}
-        for base in document["time_bases"]
-    ]
+    document["time_bases"] = [with_units(base, _OF_TIME_BASES) for base in document["time_bases"]]
+    for channel in document["channels"]:
+        in_time = channel["time_base"] is not None  # else by the number of the sample
+        units = dict.fromkeys(_PLACES, "s" if in_time else "samples") | {"band": "Hz" if in_time else ""}
+        hum = [with_units(line, {"frequency": "Hz"}) for line in channel["quality"]["hum"]]
+        channel["quality"] = with_units(channel["quality"] | {"hum": hum}, units)
     return to_json(document | coverage)
+
+
+def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
+    """The excitation in SI, without the signals themselves."""
+    left_out = ("factor", "unit", "si", "joint", "excitation")
+    shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
+    q, v = excitation.si
+    found = asdict(excitation.excitation)
+    found["wells"] = with_units(found["wells"], dict.fromkeys(("left", "right", "barrier"), q))
+    values = {name: value for name, value in found.items() if name not in ("signals", "displacement")}
+    values |= {"bandwidth": excitation.excitation.bandwidth, "ringing": excitation.excitation.ringing}
+    units = {"centres": q, "largest": v, "interval": "s", "bandwidth": "Hz", "ringing": "Hz"}
+    return {"excitation": with_units(values, units)} | with_units(shown, units)
 
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:

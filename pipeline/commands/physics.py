@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pipeline.commands.boundary import group, with_options
-from pipeline.commands.console import Force, Quiet, emit_json, emit_table, progress_report
+from pipeline.commands.console import Force, Quiet, emit_json, emit_table, progress_report, with_units
 from pipeline.errors import InputError
 
 if TYPE_CHECKING:
@@ -128,7 +128,8 @@ def equilibria(
         energy = physics.energy_over_q(joint, v1=left, v2=right, force=pull)
         _draw(figure, "equilibria_figure", joint, held, energy)
     if as_json:
-        emit_json({"equilibria": [{"q": e.q, "phi": e.phi, "stable": e.stable, "energy": e.energy} for e in held]})
+        found = [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]
+        emit_json({"equilibria": found})
         return
     lowest = min((e.energy for e in held), default=0.0)
     rows = [
@@ -151,10 +152,10 @@ def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = Non
     path = result.paths["off"]
     _draw(figure, "characteristics_figure", result)
     if as_json:
-        limits = {"z_b_min": result.z_b_min, "z_b_max": result.z_b_max}
-        document = limits | {"switching_voltage": result.switching.both_ways}
-        arrays = {"q": path.q, "force": path.force, "C1": path.capacitance[:, 0], "C2": path.capacitance[:, 1]}
-        emit_json(document | arrays)
+        limits = {"z_b_min_m": result.z_b_min, "z_b_max_m": result.z_b_max}
+        document = limits | {"switching_voltage_V": result.switching.both_ways}
+        capacitances = {f"C{k}_F": column for k, column in enumerate(path.capacitance.T, start=1)}
+        emit_json(document | {"q_m": path.q, "force_N": path.force} | capacitances)
         return
     numbers = [
         ("bistable from z_b [mm]", _in(result.z_b_min, 1e3, 3)),
@@ -201,8 +202,10 @@ def simulate(joint: "JointParameters", motions: "Motions", figure: Path | None, 
     stop = motion.t.size if motion.diverged_at is None else int((motion.t < motion.diverged_at).sum())
     q = motion.q[:stop]
     if as_json:
-        names = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
-        emit_json({"diverged_at_s": motion.diverged_at} | {name: values[:stop] for name, values in names.items()})
+        values = {"t": motion.t, "q": motion.q, "qdot": motion.q_dot, "qddot": motion.q_ddot, "phi": motion.phi}
+        units = {"t": "s", "q": "m", "qdot": "m/s", "qddot": "m/s²", "phi": "rad"}
+        columns = with_units({name: column[:stop] for name, column in values.items()}, units)
+        emit_json({"diverged_at_s": motion.diverged_at} | columns)
         return
     rows = [
         ("duration [s]", f"{motion.t[-1] - motion.t[0]:.2f}"),
@@ -229,8 +232,8 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
     _draw(figure, "modes_figure", joint, result, motions.full.t)
     peaks = abs(result.amplitudes).max(axis=0)
     if as_json:
-        shares = {"energy_share": result.energy_share, "largest_amplitude": peaks}
-        emit_json(shares | {"x": result.x, "shapes": result.shapes})
+        shares = {"energy_share": result.energy_share, "largest_amplitude_m": peaks}
+        emit_json(shares | {"x_m": result.x, "shapes": result.shapes})
         return
     pairs = enumerate(zip(result.energy_share, peaks, strict=True), start=1)
     rows = [(str(number), f"{100 * share:.5f}", f"{1e3 * peak:.4f}") for number, (share, peak) in pairs]
@@ -246,7 +249,7 @@ def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as
     _draw(figure, "motion_figure", motions)
     if as_json:
         seconds = {"full": motions.full_seconds, "reduced": motions.reduced_seconds}
-        emit_json({"nrmse": motions.nrmse, "seconds": seconds})
+        emit_json({"nrmse": motions.nrmse, "processor_time_s": seconds})
         return
     rows = [(f"NRMSE of {name} [%]", _in(value, 100.0, 2)) for name, value in motions.nrmse.items()]
     rows += [

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from pipeline.commands.boundary import group
-from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
+from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of, with_units
 from pipeline.commands.outcome import emit_table_2
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.names import Target
@@ -18,6 +18,7 @@ from pipeline.si_prefix import percent
 
 if TYPE_CHECKING:
     from pipeline.tools.diff import Comparison, RunDifferences
+    from pipeline.tools.study import StudyResult
 
 _ALARMING = ("differs", "missing")
 _LONGEST = 60
@@ -270,27 +271,35 @@ def folds(
     NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
     from pipeline.reporting.short_tables import FOLD_EXPLANATION, fold_table
-    from pipeline.runs.manifest import to_json
     from pipeline.tools.folds import run_folds
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_folds(run, progress, by=by, folds=count, models=model or (), jobs=jobs)
     if as_json:
-        emit_json(to_json(vars(result)))
+        emit_json(_study_document(result))
         return
     emit_table(f"{result.notes['count']} folds over {result.notes['by']}", *fold_table(result.notes["summary"]))
     emit_text(f"{FOLD_EXPLANATION}\nfigure: {result.figure}")
 
 
+def _study_document(result: "StudyResult") -> Any:
+    """A study for `--json`, with units in the keys."""
+    from pipeline.runs.manifest import to_json
+
+    units = result.units
+    of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
+    columns, notes = with_units(result.columns, units), with_units(result.notes, of_notes)
+    return to_json({"columns": columns, "figure": result.figure, "notes": notes})
+
+
 def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
     from pipeline.reporting.short_tables import study_conclusion
-    from pipeline.runs.manifest import to_json
     from pipeline.tools.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_study(run, name, progress, jobs=jobs)
     if as_json:
-        emit_json(to_json(vars(result)))
+        emit_json(_study_document(result))
         return
     columns, conclusion = study_conclusion(name, result.columns, result.units, result.notes)
     rows = [[f"{value:.4g}" for value in row] for row in zip(*columns.values(), strict=True)]

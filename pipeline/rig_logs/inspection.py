@@ -14,7 +14,8 @@ from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import RecordedChannel, Recording
 from pipeline.rig_logs.remarks import Clock, Context, counted, remarks_on, stamped
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
-from pipeline.signals.dropouts import NONE, dropout_remarks, dropouts
+from pipeline.signals.columns import Signal
+from pipeline.signals.dropouts import NONE, Dropouts, dropout_remarks, dropouts
 from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import MOST_REPEATED
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
@@ -138,9 +139,10 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         context = Context(own_clock, channel.name in inputs, max(alike, default=np.nan))
         own = codes.get(channel.name, {})
         remarks = () if channel.name in bare else (*code_remarks(own), *remarks_on(quality, context))
-        if position is not None and channel.name in outputs:
-            time = column if channel.time is None else channel.time
-            remarks += _dropouts(time, channel.samples, quality, bases[position].step, channel.unit)
+        time = column if channel.time is None else channel.time
+        if position is not None and time is not None and channel.name in outputs:
+            found, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
+            remarks += tuple(dropout_remarks(found, unit=channel.unit))
         channels.append(
             InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks, tuple(own))
         )
@@ -150,12 +152,15 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     )
 
 
-def _dropouts(
-    time: FloatArray | None, samples: FloatArray, quality: SignalQuality, step: float, unit: str
-) -> tuple[str, ...]:
-    """What to say of samples of a channel that no motion reaches."""
-    found = NONE if time is None or quality.levels else dropouts((time, samples), (), quality, step)
-    return tuple(dropout_remarks(found, unit=unit))
+def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tuple[Dropouts, SignalQuality]:
+    """Samples of a channel that no motion reaches, and how fast it moves without them."""
+    found = NONE if quality.levels else dropouts(signal, (), quality, step)
+    if not found.spans.size:
+        return found, quality
+    samples = signal[1].copy()
+    for first, end in found.spans:
+        samples[first:end] = np.nan
+    return found, replace(quality, band=examine_signal(signal[0], samples, step).band)
 
 
 def _without_codes(recording: Recording) -> tuple[Recording, dict[str, dict[float, int]]]:

@@ -203,9 +203,15 @@ def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[s
     wells = believed_wells(wells_of([table], joint=plant.joint), model.name, rests, joint=plant.joint)
     compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
     return [
-        {"signal": row["signal"], "fit_percent": fit_percent(*pairs[row["signal"]]), "unit": row["unit"]} | row
+        {"signal": row["signal"], "fit_percent": _or_nan(fit_percent(*pairs[row["signal"]])), "unit": row["unit"]}
+        | {name: _or_nan(value) for name, value in row.items()}
         for row in score_rows(plant, table, compared, wells)
     ]
+
+
+def _or_nan(value: Any) -> Any:
+    """NaN in place of a number that is not defined, as after a divergence."""
+    return np.nan if value is None else value
 
 
 def column_name(name: str, displacement: str, inputs: str = "V") -> str:

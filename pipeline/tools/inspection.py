@@ -155,6 +155,8 @@ class LogExcitation:
         Interval [s] of the samples that were counted.
     factor, unit : float, str
         In what q is shown: `factor` × SI.
+    si : (str, str)
+        SI units of q and of the inputs.
     joint : bool
         Whether the device can be the bistable joint.
     """
@@ -166,6 +168,7 @@ class LogExcitation:
     interval: float
     factor: float
     unit: str
+    si: tuple[str, str]
     joint: bool
 
 
@@ -210,7 +213,8 @@ def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitat
     unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
     names = tuple(channel.channel for channel in prototype.channels.inputs)
     lacking = shortfalls(excitation, names, factor, unit, joint=plant.joint)
-    return LogExcitation(excitation, names, assumed, lacking, ingest.sample_interval, factor, unit, plant.joint)
+    si = plant.displacement.symbol, plant.inputs[0].symbol
+    return LogExcitation(excitation, names, assumed, lacking, ingest.sample_interval, factor, unit, si, plant.joint)
 
 
 def _supposed(inspection: Inspection) -> Prototype:

@@ -1,5 +1,6 @@
 """Logs against settings: honest logs pass, and every mistake of a first hour is caught, by its own name."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -11,6 +12,7 @@ from pipeline.checks.log_facts import log_facts
 from pipeline.checks.rest_level import rest_level
 from pipeline.checks.rows import CheckRow, findings
 from pipeline.checks.weak_form import LogSignals
+from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.scoring.wells import snaps
 from tests.double_well import DoubleWell
@@ -175,21 +177,33 @@ def test_a_laser_that_was_not_zeroed_is_told_and_refuses_nothing(pair: list[LogS
     assert {row.state for row in rows if row.what == "rests"} == {"note"} and not _wrong(rows)
 
 
-@pytest.mark.parametrize("squared", [True, False])
-def test_the_law_of_an_input_of_both_signs_is_told(squared: bool) -> None:
-    """A spring under a force that goes with the square of the input, or with the input."""
+def _law_of_a_spring(law: Callable[[FloatArray], FloatArray], *, squared: bool) -> CheckRow:
+    """The row on the law of one input of both signs that drives a spring by some law, under the one declared."""
     rng, h = np.random.default_rng(4), 1.0 / RATE
     u = np.repeat(rng.uniform(-1.0, 1.0, 300), 120)
     q, p, x = 0.0, 0.0, np.empty(u.size)
-    for i, force in enumerate(u * u if squared else u):
+    for i, force in enumerate(law(u)):
         x[i] = q
         p += h * (force - 40.0 * q - 2.0 * p)
         q += h * p
     log = LogSignals("training log", h * np.arange(u.size), 0.1 * x, u[:, None], h)
+    declared = Declared(squared=squared, displacement="m", inputs=("A",), mass=None, sample_interval=0.01)
+    (row,) = (row for row in check_logs([log], declared) if row.what == "law of the inputs")
+    return row
+
+
+@pytest.mark.parametrize("squared", [True, False])
+def test_the_law_of_an_input_of_both_signs_is_told(squared: bool) -> None:
     for said in (True, False):
-        declared = Declared(squared=said, displacement="m", inputs=("A",), mass=None, sample_interval=0.01)
-        (row,) = (row for row in check_logs([log], declared) if row.what == "law of the inputs")
+        row = _law_of_a_spring(np.square if squared else np.positive, squared=said)
         assert row.state == ("ok" if said == squared else "note"), row
+
+
+def test_a_signed_monitor_of_two_membranes_is_told() -> None:
+    for said in (True, False):
+        row = _law_of_a_spring(lambda u: u * np.abs(u), squared=said)
+        assert row.state == "note"
+        assert 'part = "positive"' in row.advice
 
 
 def test_a_ring_down_over_the_barrier_is_no_unnamed_input() -> None:

@@ -127,7 +127,7 @@ def test_what_a_log_excites_is_told_where_the_channels_are_clear(noisy_log, tmp_
     settings.write_text(draft + "\n[identify]\nbasis_functions = 6\n")
     named = CliRunner().invoke(app, ["inspect", str(noisy_log), "--settings", str(settings), "--json"])
     found = json.loads(named.stdout)["excitation"]
-    assert len(found["excitation"]["centres"]) == 6 and not found["assumed"]
+    assert len(found["excitation"]["centres_m"]) == 6 and not found["assumed"]
 
 
 @pytest.mark.parametrize(
@@ -297,6 +297,16 @@ def test_draft_asks_for_the_rate_of_a_log_without_time(tmp_path):
     text = toml_draft([inspect_log(_csv(tmp_path / "odd.csv", "angle [deg],motor [V],x7", *columns, np.cos(t)))])
     assert tomllib.loads(text)["channels"]["time"]["channel"] == FILL_IN
     assert f'# sample_rate = "{FILL_IN}"' in text
+
+
+def test_bursts_at_a_code_do_not_make_q_fast(tmp_path):
+    t = 0.005 * np.arange(6000)
+    q = 9.0 * np.sin(7.0 * t)
+    q[1000:1020] = q[3000:3005] = 500.0
+    _csv(tmp_path / "log.csv", "t [s],q [mm],v [V]", t, q, np.where(t % 4 < 1, 0.0, 3e3))
+    draft = _draft(tmp_path / "log.csv")
+    assert "2 bursts of 25 samples at 500 mm" in " ".join(inspect_log(tmp_path / "log.csv").channels[1].remarks)
+    assert "ingest" not in draft
 
 
 def test_draft_takes_the_step_of_a_slow_log_and_the_law_of_an_input_of_both_signs(tmp_path):

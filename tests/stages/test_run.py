@@ -172,13 +172,13 @@ def test_a_study_is_a_table_and_a_figure(copy: tuple[Path, Path], study: str, mo
     columns = {name: np.array(values) for name, values in json.loads(result.stdout)["columns"].items()}
     assert (copy[1] / "studies" / f"{study}.svg").read_text().startswith("<?xml")
     if study == "alpha":  # more regularisation: further from the record, and smoother
-        assert json.loads(result.stdout)["units"]["alpha"] == "mm·s^3"  # as the settings take it
-        np.testing.assert_allclose(columns["alpha"], stage.ALPHAS)
-        assert np.all(np.diff(columns["misfit"]) > 0.0)
-        assert np.all(np.diff(columns["roughness"]) < 0.0)
+        np.testing.assert_allclose(columns["alpha_mm_s3"], stage.ALPHAS)  # as the settings take it
+        assert np.all(np.diff(columns["misfit_m"]) > 0.0)
+        assert np.all(np.diff(columns["roughness_m_per_s2"]) < 0.0)
     elif study == "basis":  # more functions of one width over distance fit the training data better
         assert np.all(
-            columns["mse"][columns["basis_functions"] == 10] < columns["mse"][columns["basis_functions"] == 6]
+            columns["mse_m_per_s2_squared"][columns["basis_functions"] == 10]
+            < columns["mse_m_per_s2_squared"][columns["basis_functions"] == 6]
         )
     else:
         assert np.all(columns["nrmse_low"] <= columns["nrmse"])

@@ -30,15 +30,15 @@ def answer(*arguments: str) -> dict[str, object]:
 def test_equilibria_json_has_the_promised_keys() -> None:
     document = answer("equilibria", "--parameters", "table1", "--b", "23mm", "--force", "1 mN")
     found = document["equilibria"]
-    assert isinstance(found, list) and [set(e) for e in found] == [{"q", "phi", "stable", "energy"}] * 3
+    assert isinstance(found, list) and [set(e) for e in found] == [{"q_m", "phi_rad", "stable", "energy_J"}] * 3
     expected = equilibria(TABLE1, np.zeros(2), 1e-3)
-    assert [e["q"] for e in found] == pytest.approx([e.q for e in expected], abs=1e-12)
+    assert [e["q_m"] for e in found] == pytest.approx([e.q for e in expected], abs=1e-12)
 
 
 def test_curves_json_has_the_promised_keys(tmp_path: Path) -> None:
     document = answer("curves", "--set", "b=24 mm", "--figure", str(tmp_path / "curves.svg"))
-    assert set(document) == {"z_b_min", "z_b_max", "switching_voltage", "q", "force", "C1", "C2"}
-    assert 1e3 * document["z_b_min"] == pytest.approx(4.435, abs=1e-3)  # type: ignore[operator]
+    assert set(document) == {"z_b_min_m", "z_b_max_m", "switching_voltage_V", "q_m", "force_N", "C1_F", "C2_F"}
+    assert 1e3 * document["z_b_min_m"] == pytest.approx(4.435, abs=1e-3)  # type: ignore[operator]
     assert (tmp_path / "curves.svg").read_text(encoding="utf-8").startswith("<?xml")
 
 
