@@ -2,7 +2,7 @@
 
 import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Strict, Tag, field_validator, model_validator
 
@@ -80,6 +80,13 @@ class LogPart(SettingsTable):
     """Where the part begins, as "12 s"; left out, with the log."""
     stop: str | None = None
     """Where it ends, as "49.5 s"; left out, with the log."""
+
+    @field_validator("start", "stop", mode="before")
+    @classmethod
+    def _has_a_unit(cls, value: Any) -> Any:
+        if isinstance(value, int | float):
+            raise ValueError(f'needs its unit: "{value:g} s"')
+        return value
 
     @model_validator(mode="after")
     def _lasts(self) -> "LogPart":

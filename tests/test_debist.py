@@ -12,6 +12,7 @@ import pytest
 from scipy.signal import lfilter
 
 import debist
+from pipeline.loading.free_runs import free_run
 from pipeline.stages.run import run_prototype
 from tests.export.joints import paper, pulses
 
@@ -99,10 +100,12 @@ def test_a_free_run_is_a_table_with_units_and_a_status(model):
 
 
 def test_scores_of_a_run_that_diverged_are_not_numbers(model, log, monkeypatch):
-    free = model.core.simulate(log.t_s.to_numpy(), log[["v1_V", "v2_V"]].to_numpy(), -0.0105, 0.0)
-    gone = {name: np.full(len(log), np.nan) for name in ("q", "qdot", "qddot")}
-    lost = dataclasses.replace(free, status="diverged", diverged_at_s=0.0, **gone)
-    monkeypatch.setattr("pipeline.tools.in_memory.free_run", lambda table, core: lost)
+    def lost(table, core):
+        """A free run that diverged at once."""
+        gone = {name: np.full(len(table["t"]), np.nan) for name in ("q", "qdot", "qddot")}
+        return dataclasses.replace(free_run(table, core), status="diverged", diverged_at_s=0.0, **gone)
+
+    monkeypatch.setattr("pipeline.tools.in_memory.free_run", lost)
     scores = model.score(log)
     assert scores.nrmse.dtype == scores.fit_percent.dtype == np.float64
     assert scores.nrmse.isna().all()
