@@ -335,7 +335,8 @@ def identify(
     angle : bool
         Whether q is an angle; a column q_rad is one anyway.
     model : str
-        "auto" (hybrid or rbf, whichever predicts held-out training data better), "hybrid", "rbf" or "rbf-paper".
+        "auto" (hybrid or rbf, whichever predicts held-out training data better), or the name of a model: "hybrid",
+        "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical" or "analytical-calibrated".
     settings : mapping, optional
         Tables of a settings file, such as ``{"ingest": {"sample_interval": 0.005}, "identify": {"friction": "lag"}}``.
 
@@ -364,7 +365,7 @@ def identify(
     Examples
     --------
     >>> model = debist.identify(t, q, v1, v2, mass=0.0405, parameters="nominal")  # doctest: +SKIP
-    >>> model.simulate(t, v1, v2, q0=0.01).plot("t_s", "q_m")  # doctest: +SKIP
+    >>> model.simulate(t, np.column_stack([v1, v2]), q0=0.01).plot("t_s", "q_m")  # doctest: +SKIP
     """
     from pipeline.tools.in_memory import identify_signals
     from pipeline.tools.in_memory import settings as settings_of
@@ -380,10 +381,9 @@ def identify(
         inputs=count, angle=angle or unit == "rad", action=inputs, mass=mass, model=model,
         parameters=None if parameters is None else str(parameters), more=settings or {},
     )  # fmt: skip
-    models, notes, tables = identify_signals(logs, prototype)
+    core, notes, tables = identify_signals(logs, prototype, model)
     length = sum(float(table["t"][-1] - table["t"][0]) for table in tables)
     notes["training"] = f"trained on {len(logs)} log{'s' * (len(logs) > 1)} of {length:.4g} s"
-    core = next(iter(models.values()))
     return Model(core, prototype, notes, subject=lambda: subject_of(core, prototype, tables))
 
 

@@ -18,9 +18,10 @@ from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
-from pipeline.loading.trajectories import load_motion, motion
+from pipeline.loading.trajectories import load_motion, motion, training
+from pipeline.model_list import AUTO, ENTRIES, entry, names
 from pipeline.models.base import DynamicModel, real_numbers
-from pipeline.models.kind import StoredModel
+from pipeline.models.kind import StoredModel, kind
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import fit_percent
 from pipeline.runs.columns import TUBE_COLUMNS
@@ -85,7 +86,9 @@ def settings(
     if parameters is not None:
         plant["parameters"] = parameters
     document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
-    document["identify"] = {"models": [model]}
+    if entry(model) is None and model != AUTO:
+        raise InputError(f"no model {model!r}; there are {', '.join((AUTO, *(each.name for each in ENTRIES)))}")
+    document["identify"] = {"models": [model]} if model in (AUTO, *names("identify")) else {}
     for name, table in more.items():
         document[name] = {**document.get(name, {}), **table} if isinstance(table, Mapping) else table
     return parse_prototype(document, "debist.identify")
@@ -175,9 +178,9 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
 
 
 def identify_signals(
-    logs: Sequence[Signals], prototype: Prototype
-) -> tuple[dict[str, StoredModel], dict[str, Any], list[Table]]:
-    """Models by name, the headline first; notes on the fits; and the kinematics of the logs.
+    logs: Sequence[Signals], prototype: Prototype, name: str
+) -> tuple[StoredModel, dict[str, Any], list[Table]]:
+    """The model of that name, or the headline for `AUTO`; notes on the fits; and the kinematics of the logs.
 
     What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
     """
@@ -188,9 +191,15 @@ def identify_signals(
     contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
     for text in (*contradictions, *remarks(rows)):
         warnings.warn(f"debist: {text}", stacklevel=_CALLER)
-    models, notes = identified(tables, prototype, parameter_set(prototype, Path.cwd() / "settings.toml"))
+    parameters = parameter_set(prototype, Path.cwd() / "settings.toml")
+    if name in names("compare"):
+        model = kind(name).fit(training(tables, prototype, parameters))
+        notes: dict[str, Any] = {"warnings": [], name: model.describe()}
+    else:
+        models, notes = identified(tables, prototype, parameters)
+        model = next(iter(models.values()))
     remarks_of_all = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
-    return models, notes | {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}, tables
+    return model, notes | {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}, tables
 
 
 def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[str, Any]]:

@@ -25,3 +25,11 @@ for (const table of document.querySelectorAll("table.sortable")) {
     });
   });
 }
+// A page does not hold its own folder, so that equal runs have equal pages: where it was opened from is filled in here.
+const run = document.getElementById("run");
+if (run && location.protocol === "file:") {
+  const folder = decodeURIComponent(location.pathname).replace(/\/[^/]*$/, "").replace(/^\/(?=[A-Za-z]:)/, "");
+  const commands = document.getElementById("commands");
+  commands.textContent = commands.textContent.replaceAll("RUN", () => (/^[\w.\/:-]+$/.test(folder) ? folder : `"${folder}"`));
+  run.remove();
+}
