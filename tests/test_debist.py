@@ -99,6 +99,16 @@ def test_a_free_run_is_a_table_with_units_and_a_status(model):
     assert list(model.curves([0.0, 0.01])) == ["q_m", "F_N", "d_N_s_per_m", "dC1_dq_F_per_m", "dC2_dq_F_per_m"]
 
 
+@pytest.mark.parametrize("name", ["sindy", "narx"])
+def test_baselines_are_identified_and_saved_like_other_models(log, tmp_path, name):
+    model = debist.identify(log, mass=0.04, model=name)
+    assert model.name == name
+    again = debist.Model.load(model.save(tmp_path / "model.h5"))
+    pd.testing.assert_frame_equal(again.score(log), model.score(log))
+    with pytest.raises(debist.DebistError, match=r"no model 'foo'; there are auto, hybrid, .* narx"):
+        debist.identify(log, model="foo")
+
+
 def test_scores_of_a_run_that_diverged_are_not_numbers(model, log, monkeypatch):
     def lost(table, core):
         """A free run that diverged at once."""

@@ -138,7 +138,8 @@ def _wanted(
     found.update({entry.name: entry for entry in entries})
     for name in names:
         if name in texts:
-            raise _RefusedError(f"{path}: channel {name!r} holds no plain numbers, but {texts[name]}")
+            way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
+            raise _RefusedError(f"{path}: channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
         if name not in found:
             raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)))
     return [(name, found[name]) for name in names]

@@ -16,6 +16,8 @@ _BEGINS_AS_NUMBER = re.compile(r"[-+\u2212]?\s*(?!1[.]#)[.,]?\d")
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _FEW_CELLS = 3
+RULED = re.compile(r"(?=.*[+|])[|+]?(:?[-=]{2,}:?[|+]?)+")
+"""A line below a heading, or around a table, as databases draw it."""
 ARROW = " -> "
 """Stands between the time and the rest of a line that Arduino's serial monitor shows."""
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$")
@@ -54,9 +56,9 @@ def plain_number(cell: str, decimal: str) -> str:
     return _POWER.sub("e", cell).replace("\u2212", "-")
 
 
-def is_value(cell: str, decimal: str, delimiter: str = "") -> bool:
-    """Whether a cell is a number, a switch, missing, or a time stamp, which columns between blanks cannot be."""
-    if cell.lower() in MISSING or cell.lower() in SWITCH or (delimiter != " " and is_stamp(cell)):
+def is_value(cell: str, decimal: str) -> bool:
+    """Whether a cell is a number, a switch, missing, or a time stamp."""
+    if cell.lower() in MISSING or cell.lower() in SWITCH or is_stamp(cell):
         return True
     return bool(NUMBER.match(plain_number(cell, decimal)))
 
@@ -67,8 +69,8 @@ def is_word(cell: str) -> bool:
 
 
 def is_remark(line: str, cells: Sequence[str], names: Sequence[str]) -> bool:
-    """Whether a line among rows of numbers is none of them: a comment, an event, the names once more."""
-    if COMMENT.match(line) and cells[0].lower() not in MISSING:
+    """Whether a line among rows of numbers is none of them: a comment, an event, a ruled line, the names once more."""
+    if RULED.fullmatch(line.strip()) or (COMMENT.match(line) and cells[0].lower() not in MISSING):
         return True
     words = all(is_word(cell) and not is_stamp(cell) for cell in cells)
     return words and (len(cells) != len(names) or cells == [*names])

@@ -30,18 +30,18 @@ class Writing:
     mark: str = ""
 
 
-def writings(rows: Sequence[Sequence[str]], width: int, delimiter: str, decimal: str) -> tuple[Writing, ...]:
+def writings(rows: Sequence[Sequence[str]], width: int, decimal: str) -> tuple[Writing, ...]:
     """How each column of a sample is written; empty where all are written as numbers with the decimal mark."""
     fitting = [row for row in rows if len(row) >= width]
     columns = [[cell for cell in column if cell.lower() not in MISSING] for column in zip(*fitting, strict=False)]
     marked = any(is_before_decimals(cell, decimal) for column in columns[:width] for cell in column)
-    found = tuple(_writing(column[len(column) // 2 :], delimiter, decimal, marked=marked) for column in columns[:width])
+    found = tuple(_writing(column[len(column) // 2 :], decimal, marked=marked) for column in columns[:width])
     return found if any(each != Writing() for each in found) else ()
 
 
-def _writing(cells: Sequence[str], delimiter: str, decimal: str, *, marked: bool) -> Writing:
+def _writing(cells: Sequence[str], decimal: str, *, marked: bool) -> Writing:
     """How a column is written, by its later cells: the first ones may stand above the data."""
-    if len(cells) < _FEWEST or is_value(cells[-1], decimal, delimiter):
+    if len(cells) < _FEWEST or is_value(cells[-1], decimal):
         return Writing()
     other = "," if decimal == "." else "."
     numbers = all(is_value(cell, other) and not is_stamp(cell) for cell in cells)

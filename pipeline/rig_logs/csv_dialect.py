@@ -11,6 +11,7 @@ from pipeline.rig_logs.csv_cells import (
     ARROW,
     MISSING,
     NUMBER,
+    RULED,
     is_before_decimals,
     is_behind,
     is_stamp,
@@ -34,6 +35,7 @@ from pipeline.rig_logs.csv_heading import (
     rows_by_key,
     stated_rates,
     with_row_names,
+    with_whole_cells,
 )
 from pipeline.rig_logs.csv_tail import rows_of
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
@@ -209,7 +211,7 @@ def _firsts(table: "_Table") -> list[str]:
 def _first_text(table: "_Table", column: int) -> str:
     """The first cell below the header that is no number, with its line counted from 1 where that is not the first."""
     cells = ((line, row[column]) for line, row in enumerate(table.rows) if line >= table.first and len(row) > column)
-    texts = (each for each in cells if not is_value(each[1], table.decimal, table.delimiter))
+    texts = (each for each in cells if not is_value(each[1], table.decimal))
     line, cell = next(texts, (table.first, table.rows[table.first][column]))
     place = "" if line == table.first else f" in line {line + 1}"
     return "; ".join(filter(None, [f"{cell[:40]!r}{place}", marks_between_thousands(cell)]))
@@ -220,7 +222,9 @@ def _above(table: "_Table", lines: list[str]) -> tuple[list[Sequence[str]], list
     width, lines = len(table.numeric), lines[: table.first]
     rows: list[Sequence[str]] = []
     for line in lines:
-        cells = split_row(bare_line(line), table.delimiter)
+        cells = [] if RULED.fullmatch(line.strip()) else split_row(bare_line(line), table.delimiter)
+        while len(cells) > width and "=" in cells[-1]:  # as of an oscilloscope, behind the names
+            del cells[-1]
         wider = table.delimiter == " " or is_comment(line)
         rows.append(cells_above(line, cells, width) if wider else cells)
     if rows:
@@ -292,7 +296,7 @@ def _lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
     except UnicodeDecodeError as error:
         raise UnreadableLogError(f"not encoded as {encoding}: {error.reason} at byte {error.start}") from None
     lines = rows_of(text)
-    return lines if whole else lines[:-1]
+    return with_whole_cells(lines if whole else lines[:-1])
 
 
 def _find_table(lines: list[str], options: CsvOptions) -> _Table:
@@ -338,19 +342,17 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     rows = [split_row(line, delimiter) for line in lines[:_MOST_ROWS]]
     width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
     begin = 0 if header_row is None else header_row + 1
-    written = writings(rows[begin:], width, delimiter, decimal)
+    written = writings(rows[begin:], width, decimal)
     rows = [bare_cells(row, written, decimal) for row in rows]
     fits = [_fits(row, width, decimal) for row in rows]
     fitting = [i for i in range(begin, len(rows)) if fits[i]]
     if width < 2 or not fitting:
         return None
     later = fitting[len(fitting) // 2 :]
-    likely = [_mostly_values([rows[i][j] for i in later], decimal, delimiter) for j in range(width)]
+    likely = [_mostly_values([rows[i][j] for i in later], decimal) for j in range(width)]
     keys = likely[1] and not any(rows[i][0] for i in later)  # of an instrument, in the first column of its preamble
     data = [fit and not (keys and row[0]) for row, fit in zip(rows, fits, strict=True)]
-    filled = [
-        _filled(row, likely, decimal, delimiter) if is_data else 0 for row, is_data in zip(rows, data, strict=True)
-    ]
+    filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
     behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
     only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
     first = next((i for i in fitting if filled[i] >= 2 and i not in only_text), None)
@@ -361,7 +363,7 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     body = [rows[i][:width] for i in fitting if i >= first]
     columns = [[cell for cell in column if cell] for column in zip(*body, strict=True)]
     numeric = tuple(
-        wanted or (any(column) and all(is_value(cell, decimal, delimiter) for cell in column))
+        wanted or (any(column) and all(is_value(cell, decimal) for cell in column))
         for wanted, column in zip(likely, columns, strict=True)
     )
     marks = (cell for column, holds in zip(columns, numeric, strict=True) if holds for cell in column)
@@ -380,13 +382,13 @@ def _fits(row: Sequence[str], width: int, decimal: str) -> bool:
     return len(row) == width or (len(row) == width + 1 and is_behind(row[-1], decimal))
 
 
-def _filled(row: Sequence[str], likely: Sequence[bool], decimal: str, delimiter: str) -> int:
+def _filled(row: Sequence[str], likely: Sequence[bool], decimal: str) -> int:
     """How many columns of numbers hold one in this row, 0 where one of them holds something else."""
     cells = [cell for cell, wanted in zip(row, likely, strict=False) if wanted and cell]
-    return len(cells) if all(is_value(cell, decimal, delimiter) for cell in cells) else 0
+    return len(cells) if all(is_value(cell, decimal) for cell in cells) else 0
 
 
-def _mostly_values(cells: Sequence[str], decimal: str, delimiter: str) -> bool:
+def _mostly_values(cells: Sequence[str], decimal: str) -> bool:
     """Whether most cells are numbers, and there are such; empty cells leave it open."""
-    values = [is_value(cell, decimal, delimiter) for cell in cells if cell]
+    values = [is_value(cell, decimal) for cell in cells if cell]
     return 2 * sum(values) > len(values)

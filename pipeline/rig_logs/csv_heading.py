@@ -11,10 +11,13 @@ from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_nam
 from pipeline.units import parse_quantity, time_unit
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
+_UNIT_BEHIND_IN = re.compile(r"^(?P<name>.*\S)\s+in\s+(?P<unit>\S+)$")
 _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3}}$")
+_HEAD, _MOST_LINES = 100, 20
+"""Lines among which a heading stands, and over how many it may be written."""
 _PER_SECOND = re.compile(r"(?i)(s|sa|samples)/s(ec)?$|sps$")
 _KEY_END = re.compile(r"[:=;,\t]")
 _APART = re.compile(r"\s{2,}|\t")
@@ -34,6 +37,16 @@ def bare_line(line: str) -> str:
     """A line without the mark of a comment before it, as gnuplot, numpy and MATLAB set before headings."""
     match = COMMENT.match(line)
     return line[match.end() :] if match else line
+
+
+def with_whole_cells(lines: list[str]) -> list[str]:
+    """The lines, a heading whose quoted cells hold line ends in its first one, and nothing in the others of it."""
+    whole = list(lines)
+    for i, line in enumerate(lines[:_HEAD]):
+        if whole[i] and line.count('"') % 2:
+            count = next((k for k in range(2, _MOST_LINES) if "".join(lines[i : i + k]).count('"') % 2 == 0), 1)
+            whole[i : i + count] = [" ".join(lines[i : i + count]), *[""] * (count - 1)]
+    return whole
 
 
 def is_comment(line: str) -> bool:
@@ -155,7 +168,7 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     if not headings:
         return tuple(f"column {j + 1}" for j in range(width)), ("",) * width
     names, units = [], []
-    matches = [_UNIT_IN_NAME.match(heading) for heading in headings[:width]]
+    matches = [_UNIT_IN_NAME.match(heading) or _behind_in(heading) for heading in headings[:width]]
     bare = Counter(match["name"] if match else heading for match, heading in zip(matches, headings, strict=False))
     written = Counter(headings[:width])
     for j, (heading, match) in enumerate(zip(headings, matches, strict=False)):
@@ -165,6 +178,12 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
         names.append(match["name"] if match and not unit else heading or f"column {j + 1}")
         units.append(unit or (match["unit"].strip() if match else ""))
     return tuple(names), tuple(units)
+
+
+def _behind_in(heading: str) -> re.Match[str] | None:
+    """A name with its unit as in ``Weg in mm``; None for others."""
+    match = _UNIT_BEHIND_IN.match(heading)
+    return match if match and match["unit"].lower() in _UNITS else None
 
 
 _VERTICAL, _HORIZONTAL = "Vertical Units", "Horizontal Units"

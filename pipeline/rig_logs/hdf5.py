@@ -148,6 +148,10 @@ def _first_sentence(error: OSError) -> str:
     return str(error).split("(", 1)[-1].rstrip(")") or str(error)
 
 
+_Column = int | tuple[str] | tuple[str, int] | None
+"""Of a matrix its column or row; of a table the name of a field, and its column where it has several."""
+
+
 class Hdf5Source:
     """A plain HDF5 file; a dimension scale in s is the time base of a channel, else the settings name one."""
 
@@ -158,7 +162,7 @@ class Hdf5Source:
         self.texts: dict[str, str] = {}
         self.rates: dict[str, float] = {}
         self.stated_starts: dict[str, float] = {}
-        self._places: dict[str, tuple[Any, int | str | None, Packing | None]] = {}
+        self._places: dict[str, tuple[Any, _Column, Packing | None]] = {}
         self._entries: list[Entry] = []
         self._file = open_hdf5(path)
         self._filled = "_NCProperties" in self._file.attrs
@@ -188,8 +192,8 @@ class Hdf5Source:
             for first, last in ranges(dataset.shape[axis], rows_at_a_time(dataset, axis)):
                 if column is None:
                     part = flat(dataset, first, last, dataset.shape)
-                elif isinstance(column, str):
-                    part = flat(dataset.fields(column), first, last, dataset.shape)
+                elif isinstance(column, tuple):
+                    part = flat(dataset.fields(column[0]), first, last, dataset.shape)[(..., *column[1:])]
                 else:
                     part = dataset[first:last, column] if axis == 0 else dataset[column, first:last]
                 yield name, counted(name, part) if packing is None else packing.unpack(np.asarray(part))
@@ -204,7 +208,10 @@ class Hdf5Source:
             for field in dataset.dtype.names:
                 kind = dataset.dtype[field]
                 if kind.kind in NUMBERS and not kind.shape:
-                    self._add(f"{name}.{field}", kind, dataset.size, dataset, field)
+                    self._add(f"{name}.{field}", kind, dataset.size, dataset, (field,))
+                elif kind.base.kind in NUMBERS and len(kind.shape) == 1 and kind.shape[0] <= MOST_COLUMNS:
+                    for j in range(kind.shape[0]):
+                        self._add(f"{name}.{field}[:,{j}]", kind.base, dataset.size, dataset, (field, j))
                 else:
                     self.texts[f"{name}.{field}"] = f"{kind}"
         elif dataset.dtype.kind in NUMBERS and dataset.size and dataset.size == max(shape, default=0) > 1:
@@ -246,16 +253,17 @@ class Hdf5Source:
             self.notes += [] if name in self.rates else [note_on_rate(name, number, rate)]
             self.rates[name] = rate
 
-    def _add(self, name: str, dtype: np.dtype[Any], count: int, dataset: Any, column: int | str | None) -> None:
+    def _add(self, name: str, dtype: np.dtype[Any], count: int, dataset: Any, column: _Column) -> None:
         """List a channel, unless its attributes cannot be applied; what they say is noted."""
-        table = isinstance(column, str)  # its attributes are of all of its columns
+        table = isinstance(column, tuple)  # its attributes are of all of its columns
         try:
-            packing = None if isinstance(column, str) else packing_of(dataset, column, filled=self._filled)
+            packing = None if isinstance(column, tuple) else packing_of(dataset, column, filled=self._filled)
         except UnreadableLogError as error:
             self.texts[name] = f"{error}"
             return
         columns: Sequence[Any] = dataset.dtype.names or range(min(dataset.shape))
-        unit, since = unit_of(dataset.attrs, 0 if column is None else columns.index(column), len(columns))
+        place = columns.index(column[0]) if isinstance(column, tuple) else column or 0
+        unit, since = unit_of(dataset.attrs, place, len(columns))
         own = name if table else dataset.name.lstrip("/")
         said = {
             f"time of {own!r} counts from {since}": since,

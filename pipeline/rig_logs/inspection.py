@@ -28,6 +28,8 @@ _UNEVEN, _MOSTLY = 0.5, 0.95
 _SERIAL_DATES = ((35_000.0, 60_000.0), (725_000.0, 750_000.0))
 """Days since 1900 and since the year 0, of the years 1995 to 2053."""
 
+_WRITTEN_DATES = 1.95e13, 2.1e13
+
 NO_CHANNEL = "the log holds no vector of numbers"
 """Said where nothing can be drafted or examined."""
 
@@ -238,6 +240,8 @@ def _time_column(
     stated = f"in {unit}" if unit in SECONDS else "in s, of which the log says nothing"
     if unit not in SECONDS and any(first <= np.nanmin(channel.samples) <= last for first, last in _SERIAL_DATES):
         unit, stated = "day", "in days, as serial dates of a spreadsheet or MATLAB are"
+    elif unit not in SECONDS and _WRITTEN_DATES[0] <= np.nanmin(channel.samples) <= _WRITTEN_DATES[1]:
+        stated += ", though its digits look like a date (20260131235959.5): export seconds"
     notes.append(f"described as if {name!r} were time {stated}; the settings decide")
     return channel.samples * SECONDS.get(unit, 1.0), "s" if unit in SECONDS else ""
 

@@ -68,6 +68,26 @@ LAYOUTS = {
         '"t" "q" "v"\n' + _rows('"{}" {:.3f} {:.4f} {:.2f}', range(1, N + 1), TIME, Q, V),
         {"t": ("", TIME), "q": ("", Q), "v": ("", V)},
     ),
+    "date and time between blanks": (
+        "date time q v\n" + _rows("2026-11-27 10:11:{:06.3f} {:.4f} {:.2f}", 12 + TIME, Q, V),
+        {"time": ("s", TIME), "q": ("", Q), "v": ("", V)},
+    ),
+    "line ends within names": (
+        '"Time\n(s)","Position\n(mm)","HV\nleft (V)"\n' + ROWS,
+        {"Time": ("s", TIME), "Position": ("mm", Q), "HV left": ("V", V)},
+    ),
+    "ruled table of a database": (
+        "  t  |  q  |  v  \n-----+-----+-----\n" + ROWS.replace(",", " | ") + "(700 rows)\n",
+        {"t": ("", TIME), "q": ("", Q), "v": ("", V)},
+    ),
+    "units behind in": (
+        "Zeit in s,Weg in mm,U in V\n" + ROWS,
+        {"Zeit": ("s", TIME), "Weg": ("mm", Q), "U": ("V", V)},
+    ),
+    "rigol, start and step behind the names": (
+        "Time(s),CH1(V),CH2(V),t0 =-1.0s, tInc = 0.002\n" + ROWS,
+        {"Time": ("s", TIME), "CH1": ("V", Q), "CH2": ("V", V)},
+    ),
     "two decimal marks": (
         "t;q;v\n" + "".join(f"{t:.3f};{q:.4f};{v:.2f}\n".replace(".", ",", 3).replace(",", ".", 1) for t, q, v in
                             zip(TIME, Q, V, strict=True)),
@@ -188,6 +208,7 @@ def test_structs_of_several_rates_are_drafted_with_their_own_clocks(tmp_path):
         (np.r_[TIME[: N // 2], TIME[: N // 2]], "time steps back at 1 place, first after 0.698 s"),
         (np.floor(10 * TIME) / 10, "time stamps repeat: too coarse a clock; set sample_rate"),
         (46353 + TIME / 86400, "in days, as serial dates of a spreadsheet"),
+        (20261127101112 + 10 * TIME, "its digits look like a date"),
     ],
 )
 def test_what_is_wrong_with_a_clock_is_noted(tmp_path, stamps, note):
@@ -214,6 +235,18 @@ def test_the_increment_of_an_oscilloscope_in_hdf5_is_named(tmp_path):
     notes = "; ".join(open_here(tmp_path / "log.h5").notes)
     assert "YInc = 0.001, not applied here to 'Waveforms/Channel 1/data'" in notes
     assert "sample_rate = 500" in notes
+
+
+def test_columns_within_a_field_of_a_table_are_channels(tmp_path):
+    """As pandas writes a DataFrame."""
+    table = np.zeros(N, [("index", "f8"), ("values_block_0", "f8", (2,)), ("note", "S3", (2,))])
+    table["index"], table["values_block_0"] = TIME, np.c_[Q, V]
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file["log/table"] = table
+    source = open_here(tmp_path / "log.h5")
+    np.testing.assert_array_equal(load(source, "log/table.values_block_0[:,1]"), V)
+    np.testing.assert_array_equal(load(source, "log/table.index"), TIME)
+    assert list(source.texts) == ["log/table.note"]
 
 
 @pytest.mark.parametrize(
