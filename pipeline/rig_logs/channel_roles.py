@@ -5,7 +5,7 @@ Suggestions are for a person; nothing decides on them.
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from pipeline.units import SECONDS, time_unit
@@ -23,7 +23,7 @@ _SIGNAL = r"(^|[./]){}(_?(dat|data|id|ident|train|meas|val|valid|test)|(?-i:[A-Z
 """The output y and the input u of identification, such as ``data.ydat(:,1)``, ``yEst``, ``run/u``."""
 _WORDS: dict[str, re.Pattern[str]] = {
     "time": re.compile(
-        r"^(t|time|zeit|tempo|temps|timestamp|x[ _]value|время|时间|時間|시간)([ _.\[(/].*)?$", re.IGNORECASE
+        r"^(t|time|zeit|tempo|temps|timestamp|x[ _]value|время|时间|時間|시간)\d?([ _.\[(/].*)?$", re.IGNORECASE
     ),
     "q": re.compile(
         r"(laser|weg|dist|displ|pos|angle|angul|winkel|saida|ild|theta|phi|tilt|pitch|level|pegel|height|gap|stroke|"
@@ -42,6 +42,8 @@ _WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
 _LEFT = re.compile(r"(left|links|лев|左|왼쪽|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
 _RIGHT = re.compile(r"(right|rechts|прав|右|오른쪽|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
+_GROUP = re.compile(r"(?:^|[./])[^./]*$")
+"""What of a name does not stand for its group."""
 _NAME_SUFFIX = re.compile(r"(?:[_ ]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)$")
 
 
@@ -55,10 +57,13 @@ class Suggestion:
         The role in the settings.
     candidates : tuple of str
         Names of the channels that might be meant; exactly one if there is no doubt.
+    clock : str
+        Its own column of time, where the log has several; "" where it has not.
     """
 
     role: Role
     candidates: tuple[str, ...]
+    clock: str = ""
 
     @property
     def only(self) -> str | None:
@@ -106,13 +111,11 @@ def suggest(
     sizes = dict.fromkeys((name for name, _ in channels), 0) | dict(counts or {})
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
-    called = [name for name in names if is_called("time", name)]
-    times = tuple(name for name in called if units[name] in ("", *SECONDS))
-    times = times or tuple(name for name in names if units[name] in SECONDS)
-    times = tuple(name for name in times if name in rising) or times  # T beside t is a temperature
-    times = times or (tuple(name for name in rising if not units[name]) if len(rising) == 1 else ())
+    times = _times(channels, units, rising)
     clocks = _clocks(names, times, sizes)
-    times = tuple(name for name in times if name in clocks.values())
+    several = len(set(clocks.values())) > 1
+    spare = [time for time in times if time not in clocks.values() and sizes[time] in map(sizes.get, clocks.values())]
+    times = tuple(time for time in times if time in clocks.values() or time in spare)
     rest = [name for name in names if name in clocks and name not in rising and not _WANTED.search(name)]
     found = [] if own_time else [Suggestion("time", times)]
     q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
@@ -124,23 +127,38 @@ def suggest(
         q = left_over
     elif not inputs and len(left_over) <= _MOST_INPUTS and len(q) == 1:
         inputs = left_over
-    found.append(Suggestion("q", q))
     left = tuple(name for name in inputs if _LEFT.search(name) and not _RIGHT.search(name))
     right = tuple(name for name in inputs if _RIGHT.search(name) and not _LEFT.search(name))
     if len(left) == 1 and len(right) == 1 and (q or len(inputs) == _MOST_INPUTS):
-        return (*found, Suggestion("v1", left), Suggestion("v2", right))
-    return (*found, Suggestion("v1", inputs), Suggestion("v2", () if len(inputs) == 1 else inputs))
+        found += [Suggestion("q", q), Suggestion("v1", left), Suggestion("v2", right)]
+    else:
+        found += [Suggestion("q", q), Suggestion("v1", inputs), Suggestion("v2", () if len(inputs) == 1 else inputs)]
+    if not several or spare:
+        return tuple(found)
+    return tuple(replace(each, clock=clocks.get(each.only or "", "")) for each in found)
+
+
+def _times(channels: Sequence[tuple[str, str]], units: Mapping[str, str], rising: Sequence[str]) -> tuple[str, ...]:
+    """Columns that might be a time: by their names and units, where such rise; else a single one that rises."""
+    called = [
+        name
+        for name, unit in channels
+        if is_called("time", name) and (units[name] in ("", *SECONDS) or (name in rising and not unit))
+    ]
+    times = called or [name for name in units if units[name] in SECONDS]
+    times = [name for name in times if name in rising] or times  # T beside t is a temperature
+    return tuple(times or ([name for name in rising if not units[name]] if len(rising) == 1 else []))
 
 
 def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]) -> dict[str, str]:
-    """The time column over which each channel may run: the last one before it, of as many samples, else the first."""
-    longest = [time for time in times if sizes[time] == max(map(sizes.__getitem__, times))]
+    """The time column over which each channel may run, of as many samples: of its group, else the last before it."""
     clocks: dict[str, str] = {}
     for i, name in enumerate(names):
-        before = [time for time in times if time in names[:i]][-1:] + longest[:1]
-        clock = next((time for time in before if sizes[time] == sizes[name]), "" if not times else None)
-        if clock is not None and name not in times:
-            clocks[name] = clock
+        alike = [time for time in times if sizes[time] == sizes[name]]
+        grouped = [time for time in alike if _GROUP.sub("", name) and _GROUP.sub("", time) == _GROUP.sub("", name)]
+        before = [time for time in alike if time in names[:i]]
+        if name not in times and (alike or not times):
+            clocks[name] = (grouped[-1:] or before[-1:] or alike[:1] or [""])[0]
     return clocks
 
 

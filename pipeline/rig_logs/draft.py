@@ -241,39 +241,24 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
         entry = _entry(role, channel.name, unit)
         if channel.codes:
             entry = _with(entry, f"missing = [{', '.join(f'{code:.9g}' for code in channel.codes)}]")
-        if role != "time" and (time := _own_time(channel, log)):
-            entry = _with(entry, f"time = {time}")
+        if suggestion.clock:
+            time = by_name[suggestion.clock]
+            entry = _with(entry, f"time = {_entry('', time.name, _unit(time, 'time')[0]).removeprefix(' = ')}")
         if role in ("v1", "v2") and _seldom(channel, log):
             return [
                 f"{_with(entry, 'on_change = true')}  # suggested; unit {origin}; few samples, far apart: recorded "
                 "when it changed?"
             ]
         return [f"{entry}  # suggested; unit {origin}", *_signed_monitor(entry, channel, log)]
-    if role == "time" and names and all(_own_time(each, log) for each in log.channels if each.name in _suggested(log)):
+    if role == "time" and any(each.clock for each in log.suggestions):
         return [f"# time is left out: each channel has its own, of {', '.join(map(quoted, names))}"]
     found = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {found}"]
 
 
-def _suggested(log: Inspection) -> set[str]:
-    """The channels that are suggested for q and the inputs."""
-    return {each.only for each in log.suggestions if each.role != "time" and each.only is not None}
-
-
 def _with(entry: str, more: str) -> str:
     """An entry with one more key."""
     return entry.removesuffix(" }") + f", {more} }}"
-
-
-def _own_time(channel: InspectedChannel, log: Inspection) -> str:
-    """The last time column before a channel, where a table has several; "" where it does not."""
-    times = next((each.candidates for each in log.suggestions if each.role == "time"), ())
-    names = [each.name for each in log.channels]
-    before = [name for name in times if names.index(name) < names.index(channel.name)]
-    if len(times) < 2 or not before or channel.name in times:
-        return ""
-    time = next(each for each in log.channels if each.name == before[-1])
-    return _entry("", time.name, _unit(time, "time")[0]).removeprefix(" = ")
 
 
 def _signed_monitor(entry: str, channel: InspectedChannel, log: Inspection) -> list[str]:
@@ -288,6 +273,8 @@ def _signed_monitor(entry: str, channel: InspectedChannel, log: Inspection) -> l
 
 def _seldom(channel: InspectedChannel, log: Inspection) -> bool:
     """Whether a channel may have been recorded on change only."""
+    if channel.every > 1:
+        return False
     quality, base = channel.quality, None if channel.time_base is None else log.time_bases[channel.time_base]
     step, lasts = (1.0, quality.n) if base is None else (base.step, base.stop - base.start)
     finest = max(Ingest().sample_interval, min((each.step for each in log.time_bases), default=0.0))
@@ -298,7 +285,7 @@ def _seldom(channel: InspectedChannel, log: Inspection) -> bool:
 def _unit(channel: InspectedChannel, role: Role) -> tuple[str, str]:
     """The unit of a channel as far as it is known, and how."""
     unit = suggested_unit(channel.name, channel.unit)
-    if not unit:
+    if not unit or (role == "time" and unit not in SECONDS):
         return FILL_IN, "not stated"
     try:
         to_si(unit, DISPLACEMENT, role)

@@ -14,7 +14,7 @@ from pipeline.rig_logs.guarded import read_recording
 from pipeline.rig_logs.recording import RecordedChannel, Recording
 from pipeline.rig_logs.remarks import Clock, Context, counted, remarks_on, stamped
 from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
-from pipeline.signals.columns import Signal
+from pipeline.signals.columns import Signal, sparse
 from pipeline.signals.dropouts import NONE, Dropouts, dropout_remarks, dropouts
 from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import MOST_REPEATED
@@ -50,6 +50,8 @@ class InspectedChannel:
         What is noteworthy, in words with numbers.
     codes : tuple of float
         Numbers that seem to stand for no value; they are left out of `quality`.
+    every : int
+        Rows from one sample to the next, where blanks stand between.
     """
 
     name: str
@@ -59,6 +61,7 @@ class InspectedChannel:
     quality: SignalQuality
     remarks: tuple[str, ...]
     codes: tuple[float, ...] = ()
+    every: int = 1
 
 
 @dataclass(frozen=True)
@@ -146,7 +149,16 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
             found, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
             remarks += tuple(dropout_remarks(found, unit=channel.unit))
         channels.append(
-            InspectedChannel(channel.name, channel.unit, channel.dtype, position, quality, remarks, tuple(own))
+            InspectedChannel(
+                channel.name,
+                channel.unit,
+                channel.dtype,
+                position,
+                quality,
+                remarks,
+                tuple(own),
+                sparse((channel.samples, channel.samples))[1],
+            )
         )
     size = path.stat().st_size
     return Inspection(

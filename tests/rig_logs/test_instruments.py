@@ -2,6 +2,7 @@
 
 import json
 import tarfile
+import tomllib
 
 import h5py
 import numpy as np
@@ -79,6 +80,10 @@ LAYOUTS = {
     "ruled table of a database": (
         "  t  |  q  |  v  \n-----+-----+-----\n" + ROWS.replace(",", " | ") + "(700 rows)\n",
         {"t": ("", TIME), "q": ("", Q), "v": ("", V)},
+    ),
+    "units in words": (
+        "Time,Displacement,Voltage\nmilliseconds,millimeters,kilovolts\n" + ROWS,
+        {"Time": ("milliseconds", TIME), "Displacement": ("millimeters", Q), "Voltage": ("kilovolts", V)},
     ),
     "units behind in": (
         "Zeit in s,Weg in mm,U in V\n" + ROWS,
@@ -194,12 +199,36 @@ def test_columns_of_several_clocks_are_drafted_with_their_own(tmp_path):
     assert 'q = { channel = "q", unit = "mm", time = { channel = "X_Value", ' in draft
 
 
-def test_structs_of_several_rates_are_drafted_with_their_own_clocks(tmp_path):
-    clocks = {"laser": TIME, "hv1": TIME[::2]}
-    fields = {"laser": {"data": Q, "unit": "mm"}, "hv1": {"data": V[::2], "unit": "V"}}
-    savemat(tmp_path / "log.mat", {name: {"time": clocks[name], **fields[name]} for name in clocks})
-    draft = toml_draft([inspect_log(tmp_path / "log.mat")])
-    assert 'v1 = { channel = "hv1.data", unit = "V", time = { channel = "hv1.time"' in draft
+@pytest.mark.parametrize("step", [1, 2])
+@pytest.mark.parametrize("write", ["mat", "h5", "npz"])
+def test_channels_of_several_clocks_are_drafted_with_their_own(tmp_path, write, step):
+    """By their groups, in whatever order; else by the time before them. They may be as long as each other."""
+    path, late, v = tmp_path / f"log.{write}", TIME[::step] + 0.012, V[::step]
+    if write == "mat":
+        savemat(path, {"laser": {"time": TIME, "q": Q}, "hv": {"time": late, "v1": v}})
+        q, q_time, v1, v_time = "laser.q", "laser.time", "hv.v1", "hv.time"
+    elif write == "h5":
+        with h5py.File(path, "w") as file:
+            file["laser/t"], file["laser/q"], file["hv/t"], file["hv/v1"] = TIME, Q, late, v
+        q, q_time, v1, v_time = "laser/q", "laser/t", "hv/v1", "hv/t"
+    else:
+        np.savez(path, t1=TIME, q=Q, t2=late, v1=v)
+        q, q_time, v1, v_time = "q", "t1", "v1", "t2"
+    draft = tomllib.loads(toml_draft([inspect_log(path)]))["channels"]
+    assert "time" not in draft
+    assert (draft["q"]["channel"], draft["q"]["time"]["channel"]) == (q, q_time)
+    assert (draft["v1"]["channel"], draft["v1"]["time"]["channel"]) == (v1, v_time)
+
+
+def test_two_clocks_of_which_none_is_a_channels_own_are_left_open(tmp_path):
+    (tmp_path / "log.csv").write_text("t_laser,t_hv,q,v\n" + _rows("{:.3f},{:.3f},{},{}", TIME, TIME + 0.012, Q, V))
+    assert 'unit = "FILL IN" }  # one of "t_laser", "t_hv"' in toml_draft([inspect_log(tmp_path / "log.csv")])
+
+
+def test_blanks_between_samples_at_a_slower_rate_are_no_record_on_change(tmp_path):
+    slow = [f"{v:.2f}" if i % 5 == 0 else "" for i, v in enumerate(V)]
+    (tmp_path / "log.csv").write_text("t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, slow))
+    assert "on_change" not in toml_draft([inspect_log(tmp_path / "log.csv")])
 
 
 @pytest.mark.parametrize(
