@@ -25,8 +25,8 @@ _APART = re.compile(r"\s{2,}|\t")
 _SEPARATORS = re.compile(r"[,;|\t]|\s+")
 _KNOWN = (
     "s sec second seconds ms us µs μs ns min h m mm cm um µm μm nm deg degree degrees ° rad mrad v volt volts kv mv a "
-    "ampere ma n kn nm n·m mn·m % pct hz khz g kg pa kpa bar mbar k °c rpm 1 - sequence m/s mm/s deg/s rad/s m/s² m/s^2 "
-    "milliseconds microseconds meter meters metre metres millimeters millimetres micrometers kilovolts millivolts hertz"
+    "ampere ma n kn nm n·m mn·m % pct hz khz g kg pa kpa bar mbar k °c rpm 1 - sequence m/s mm/s deg/s rad/s m/s² "
+    "m/s^2 milliseconds microseconds meter meters metre metres millimeters millimetres micrometers kilovolts millivolts"
 )
 _UNITS = frozenset(_KNOWN.split())
 """Spellings by which a row of units is known."""

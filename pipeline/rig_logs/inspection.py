@@ -135,35 +135,35 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         else:  # a time base itself, or a channel without one: located by sample number
             numbers = np.arange(channel.samples.size, dtype=np.float64)
             examined.append((channel, None, examine_signal(numbers, channel.samples, 1.0), "samples"))
-    bare = {channel.name for channel in recording.channels if own_time and channel.time is None}
-    inputs = {name for role in roles if role.role in ("v1", "v2") for name in role.candidates}
-    outputs = {name for role in roles if role.role == "q" for name in role.candidates}
+    driving = {role.role: role.candidates for role in roles}
     channels = []
     for channel, position, quality, own_clock in examined:
         alike = [seen.span for other, _, seen, _ in examined if other.unit == channel.unit and other is not channel]
-        context = Context(own_clock, channel.name in inputs, max(alike, default=np.nan))
+        driven = channel.name in (*driving["v1"], *driving["v2"])
+        context = Context(own_clock, driven, max(alike, default=np.nan))
         own = codes.get(channel.name, {})
-        remarks = () if channel.name in bare else (*code_remarks(own), *remarks_on(quality, context))
+        remarks = (*code_remarks(own), *remarks_on(quality, context))
         time = column if channel.time is None else channel.time
-        if position is not None and time is not None and channel.name in outputs:
+        if position is not None and time is not None and channel.name in driving["q"]:
             found, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
             remarks += tuple(dropout_remarks(found, unit=channel.unit))
-        channels.append(
-            InspectedChannel(
-                channel.name,
-                channel.unit,
-                channel.dtype,
-                position,
-                quality,
-                remarks,
-                tuple(own),
-                sparse((channel.samples, channel.samples))[1],
-            )
-        )
+        remarks = () if own_time and channel.time is None else remarks
+        channels.append(_inspected(channel, position, quality, remarks, tuple(own)))
     size = path.stat().st_size
     return Inspection(
         path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes)
     )
+
+
+def _inspected(
+    channel: RecordedChannel,
+    base: int | None,
+    quality: SignalQuality,
+    remarks: tuple[str, ...],
+    codes: tuple[float, ...],
+) -> InspectedChannel:
+    every = sparse((channel.samples, channel.samples))[1]
+    return InspectedChannel(channel.name, channel.unit, channel.dtype, base, quality, remarks, codes, every)
 
 
 def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tuple[Dropouts, SignalQuality]:
