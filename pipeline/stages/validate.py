@@ -182,7 +182,8 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
 def _outcomes(
     table: Table, wells: "Wells | NoWells", ensemble: "FloatArray | None", *, joint: bool
 ) -> dict[str, Any] | None:
-    from pipeline.scoring.wells import places_of_rest, pulse_outcomes
+    from pipeline.scoring.outcomes import pulse_outcomes
+    from pipeline.scoring.wells import places_of_rest
 
     places, t = part_rows(table), table["t"]
     rests = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)

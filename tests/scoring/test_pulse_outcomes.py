@@ -1,7 +1,8 @@
 import numpy as np
 import pytest
 
-from pipeline.scoring.wells import Wells, pulse_outcomes
+from pipeline.scoring.outcomes import pulse_outcomes
+from pipeline.scoring.wells import Wells
 
 WELLS = Wells(left=-1.0, right=1.0, barrier=0.1)
 
