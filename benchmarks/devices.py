@@ -8,7 +8,8 @@ Nothing is fetched. FOLDER holds what you downloaded, under these names; what is
   quarter-drone/sinal2…4_*.csv                  a propeller on an arm (helonayala/sysid, data/quarter_drone)
   ball-and-hoop/*.mat                           a motor that turns a hoop (helonayala/sysid, data/ball_and_hoop)
   ball-and-beam/*.mat                           a ball on a tilting beam (helonayala/sysid at commit bf088ed, data)
-  ANYTHING/device.toml                          settings of any other device beside its logs, such as a soft actuator
+  ANYTHING/device.toml                          settings of any other device beside its logs, such as a soft actuator,
+                                                or those of simulated_devices.py
 
 Splits are the official ones (those of the `nonlinear_benchmarks` loader; for the drone its authors'; hoop and beam have
 none: training on random steps, the beam's first and its first multisine; tests on other records). Everything goes
@@ -148,7 +149,7 @@ DEVICES = {
 
 
 def run(prototype: Path, out: Path) -> tuple[dict[str, dict[str, float | None]], str]:
-    """Test RMSE in SI by model and log, and what was chosen."""
+    """Test RMSE in SI by model and log; what was chosen, and which share of the tests its tubes hold."""
     debist = [str(Path(sys.executable).parent / "debist")]
     quiet = subprocess.DEVNULL
     subprocess.run([*debist, "ingest", prototype.name, "-o", out], cwd=prototype.parent, check=True, stdout=quiet)
@@ -156,16 +157,19 @@ def run(prototype: Path, out: Path) -> tuple[dict[str, dict[str, float | None]],
         subprocess.run([*debist, stage, out], check=True, stdout=quiet)
     shown = subprocess.run([*debist, "validate", out, "--json"], check=True, capture_output=True)
     errors: dict[str, dict[str, float | None]] = {}
+    held = []
     for row in json.loads(shown.stdout)["scores"]:
         if row["role"] == "validation" and row["signal"] == "q":
             errors.setdefault(row["model"], {})[row["log"]] = row["rmse"] if row["status"] == "ok" else None
+            held += [] if row["in_tube"] is None else [f"{row['log']} {100.0 * row['in_tube']:.0f} %"]
     manifest = json.loads((out / "manifest.json").read_text(encoding="utf-8"))
     notes = manifest["artifacts"]["model.h5"]["notes"].get("rbf")
     if notes is None:
         return errors, "the joint's equations were chosen"
     seconds = notes["processor_time"]["fit_s"]
     converged = "converged" if notes["converged"] else "NOT converged"
-    return errors, f"{notes['chosen']}; {converged}; {seconds:.1f} s of processor time"
+    tubes = f"tubes hold {', '.join(held)}"
+    return errors, f"{notes['chosen']}; {converged}; {tubes}; {seconds:.1f} s of processor time"
 
 
 def table(name: str, unit: str, factor: float, errors: dict[str, dict[str, float | None]]) -> None:

@@ -1,7 +1,8 @@
-"""Coverage of the 90 % tubes of `hybrid`, and its error, on joints of three physics that are drawn anew.
+"""Coverage of the 90 % tubes of a model, and its error, on joints of three physics that are drawn anew.
 
-`python benchmarks/tube_coverage.py FOLDER [SEED] [COUNT]`: COUNT joints of each kind, without ``[plant]``, one training
-and one validation log each. Printed are a line for each joint and a table. About 30 s of processor time a joint.
+`python benchmarks/tube_coverage.py FOLDER [SEED] [COUNT] [MODEL]`: COUNT joints of each kind, without ``[plant]``, one
+training and one validation log each. Printed are a line for each joint and a table. About 30 s of processor time a
+joint.
 """
 
 import subprocess
@@ -16,29 +17,29 @@ from pipeline.rig.fleet import Experiment, simulate_prototype
 KINDS = ("same", "foreign", "worn")
 
 
-def measured(folder: Path, kind: str, seed: int) -> pd.Series:
+def measured(folder: Path, kind: str, seed: int, model: str) -> pd.Series:
     """Scores of q on the validation log of one joint."""
     home = folder / f"{kind}-{seed}"
     settings = simulate_prototype(home, home.name, Experiment(kind=kind, rate=10_000.0), seed=seed, force=True)
     text = settings.read_text(encoding="utf-8")
-    blind = text[: text.index("[plant]")] + '[identify]\nmodels = ["hybrid"]\n'
+    blind = text[: text.index("[plant]")] + f'[identify]\nmodels = ["{model}"]\n'
     settings.write_text(blind, encoding="utf-8")
     subprocess.run([str(Path(sys.executable).with_name("debist")), "run", str(settings), "-o", str(home / "run"), "-q"],
                    check=True, capture_output=True)  # fmt: skip
     scores = pd.read_parquet(home / "run" / "scores.parquet")
-    rows = scores[(scores.model == "hybrid") & (scores.signal == "q")].set_index("role")
+    rows = scores[(scores.model == model) & (scores.signal == "q")].set_index("role")
     row = rows.loc["validation"].copy()
     row["training"] = rows.loc["train", "nrmse"]
     return row
 
 
-def main(folder: Path, seed: int = 26112950, count: int = 6) -> None:
+def main(folder: Path, seed: int = 26112950, count: int = 6, model: str = "hybrid") -> None:
     print("| kind | joints | tube holds: mean, each | NRMSE of q: training, validation: median, each |")
     print("|---|---|---|---|")
     for number, kind in enumerate(KINDS):
         rows = []
         for i in range(count):
-            rows.append(measured(folder, kind, seed + 10 * number + i))
+            rows.append(measured(folder, kind, seed + 10 * number + i, model))
             print(kind, seed + 10 * number + i, f"{rows[-1].in_tube:.3f} {rows[-1].nrmse:.5f}", file=sys.stderr)
         held, errors, training = (100.0 * np.array([row[k] for row in rows]) for k in ("in_tube", "nrmse", "training"))
         each = ", ".join(f"{value:.0f}" for value in held)
@@ -47,4 +48,4 @@ def main(folder: Path, seed: int = 26112950, count: int = 6) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), *map(int, sys.argv[2:]))
+    main(Path(sys.argv[1]), *map(int, sys.argv[2:4]), *sys.argv[4:5])
