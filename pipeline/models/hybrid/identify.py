@@ -50,7 +50,8 @@ that end near the separatrix, held like this it is decided by all of them."""
 HARMFUL_RATIO = 1.5
 """Factor by which corrections must raise the held-out error to be left out: their prior is proper, and three quarters
 of a log show less of them than the whole. Simulated joints with rises of 4 to 22 % were predicted better, or equally
-well."""
+well. Siblings are set aside by the same factor, on held-out data or on what was fitted: the last seconds of a short log
+say little."""
 
 NOISE_INFLATION = 3.0
 """Noise is taken as this multiple of the residual's RMS: about ten samples in a row err together."""
@@ -103,8 +104,9 @@ def identify_hybrid(
     corrections : {"auto", "none", "always"}
         Whether corrections are fitted, and kept: as above, or never, or whatever they do on the rest of the logs.
     siblings : NormalPopulation, optional
-        The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`), and
-        the first parts of the logs predict the rest better with it.
+        The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`). It
+        is set aside where errors on the first parts of the logs, or on the rest, are `HARMFUL_RATIO` times as large
+        with it.
     keep : callable
         Keeps each level that is finished.
 
@@ -169,7 +171,7 @@ class _FirstFits:
     Attributes
     ----------
     search : _Search
-        Without siblings where the rest of the logs is predicted better without them.
+        Without siblings where these are harmful.
     levels : tuple of Level
         Of the equations alone.
     fits : dict of str to _Fitted
@@ -199,9 +201,10 @@ def _first_fits(search: "_Search", parameters: JointParameters, corrections: str
     alone, decision = search.early.fit(plain, first.theta, FREE, last=EARLY_STEPS), dict[str, Any]()
     if search.siblings is not None:
         without = search.without_siblings.early.fit(plain, first.theta, FREE, last=EARLY_STEPS)
-        errors = [search.held_out(plain, fit.theta).free if fit.levels else np.inf for fit in (alone, without)]
+        errors = [search.held_out(plain, fit.theta).coupled if fit.levels else np.inf for fit in (alone, without)]
         decision = {"siblings_held_out": dict(zip(("with", "without"), map(_finite, errors), strict=True))}
-        if errors[1] <= errors[0]:
+        pairs = errors, [_free_error(fit) for fit in (alone, without)]
+        if any(error > HARMFUL_RATIO * other for error, other in pairs):
             search, alone = search.without_siblings, without
     if not alone.levels:
         raise DataRefusedError(_NO_FIT)
