@@ -67,9 +67,9 @@ ROUNDS = 4
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is offered: the rest is for the fit of the chosen structure."""
 
-USUAL = 60
-"""Candidates that a search may judge, with those that it offers again; where they cost more than its share, those of an
-offer are screened first."""
+FEW_JUDGED = 20
+"""Candidates that a search must be able to judge within its share of the effort; else those of an offer are screened
+first. On three measured devices a search that can judge thirty finds better structures without that."""
 
 SCREENED = 3
 """Candidates of an offer that are judged then: those with the smallest error where they are held near the measurement,
@@ -276,14 +276,14 @@ def _preferred(new: _Judged, old: _Judged, *, smaller: bool) -> bool:
 
 
 def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged], bool]:
-    """The setting with the observer gain at which candidates are compared, the first one judged at it, and whether all
-    that a search may judge costs more than its share of the effort.
+    """The setting with the observer gain at which candidates are compared, the first one judged at it, and whether few
+    candidates cost more than the search's share of the effort.
 
     Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
     together, the better one errs less.
     """
     before, judgement = setting.effort.spent, _judge(records, setting, first, None)
-    dear = USUAL * (setting.effort.spent - before) > SEARCH_SHARE * setting.limit
+    dear = FEW_JUDGED * (setting.effort.spent - before) > SEARCH_SHARE * setting.limit
     if not judgement.chaotic:
         return setting, {first.label: judgement}, dear
     setting = replace(setting, coupled=COUPLED)
