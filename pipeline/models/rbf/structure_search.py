@@ -67,7 +67,7 @@ ROUNDS = 4
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is offered: the rest is for the fit of the chosen structure."""
 
-FEW_JUDGED = 20
+FEW_JUDGED = 8
 """Candidates that a search must be able to judge within its share of the effort; else those of an offer are screened
 first. On three measured devices a search that can judge thirty finds better structures without that."""
 
