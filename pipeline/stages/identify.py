@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from pipeline.models.kind import StoredModel, Training
     from pipeline.signals.quality_gates import Finding
 
-ALGORITHM = "53"
+ALGORITHM = "54"
 SEARCH_CUT = (
     "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
     "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"

@@ -1,6 +1,6 @@
 """Structure of a data-driven joint: candidates are fitted on a part of the training logs and judged on the rest."""
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -25,9 +25,6 @@ FITTED_SHARE = 0.65
 
 QUICK_GAINS = (3.0, 0.3, 0.03, 0.0)
 """Observer gains of the fits that only serve to compare candidates."""
-
-SCREENING_GAINS, SCREENING_STEPS = (3.0, COUPLED), 5
-"""Observer gains, and steps at the first of them, of fits that only serve to choose which candidates are judged."""
 
 NEAR_GAINS = (0.3, 0.0)
 """Gains where the fit of a similar structure gives the start."""
@@ -67,14 +64,6 @@ ROUNDS = 4
 SEARCH_SHARE = 0.6
 """Share of the effort after which nothing more is offered: the rest is for the fit of the chosen structure."""
 
-FEW_JUDGED = 8
-"""Candidates that a search must be able to judge within its share of the effort; else those of an offer are screened
-first. On three measured devices a search that can judge thirty finds better structures without that."""
-
-SCREENED = 3
-"""Candidates of an offer that are judged then: those with the smallest error where they are held near the measurement,
-after a fit that is as short as that: a tenth of the cost of a judgement."""
-
 IDLE = 0.01
 """Share of a sample interval below which a lag or a delay does nothing that the samples could tell."""
 
@@ -98,7 +87,7 @@ class SearchResult:
     held_out : dict of str to float
         RMS held-out error of each candidate that was tried, in the unit of q; empty if nothing was offered.
     complete : bool
-        Whether all was offered, and judged or screened, before `SEARCH_SHARE` of the effort was spent.
+        Whether all was offered and judged before `SEARCH_SHARE` of the effort was spent.
     """
 
     chosen: Candidate
@@ -207,8 +196,7 @@ def search(
     def size(option: Candidate) -> int:
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
-    turns, best, complete, expensive = [*once, *ROUNDS * tuple(again)], first, True, False
-    last_taken = len(once)
+    turns, best, complete, last_taken = [*once, *ROUNDS * tuple(again)], first, True, len(once)
     for number in range(len(turns)):
         if number - last_taken >= len(again) > 0:
             break
@@ -217,10 +205,7 @@ def search(
             break
         others = turns[number](best)
         if others and not tried:
-            setting, tried, expensive = _coupled(records, setting, first)
-            turns = _together_next(turns, number, len(once)) if expensive else turns
-        if expensive:
-            others = _screened(records, setting, others, tried)
+            setting, tried = _coupled(records, setting, first)
         affordable = _affordable(others, setting.effort, judged)
         complete = complete and len(affordable) == len(others)
         for option in sorted(affordable, key=lambda option: rms(judged(option).errors[-1])):
@@ -241,13 +226,6 @@ def _affordable(
         judge(option)
         judged.append(option)
     return judged
-
-
-def _together_next(turns: Sequence[Offer], number: int, once: int) -> list[Offer]:
-    """The last of so many offers, which has several elements at once, next: not all others can be judged."""
-    if number + 2 >= once:
-        return list(turns)
-    return [*turns[: number + 1], turns[once - 1], *turns[number + 1 : once - 1], *turns[once:]]
 
 
 @dataclass(frozen=True)
@@ -275,50 +253,17 @@ def _preferred(new: _Judged, old: _Judged, *, smaller: bool) -> bool:
     return rms(new.errors[-1]) < rms(old.errors[-1]) and any(surely_smaller(*pair) for pair in pairs)
 
 
-def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged], bool]:
-    """The setting with the observer gain at which candidates are compared, the first one judged at it, and whether few
-    candidates cost more than the search's share of the effort.
+def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
+    """The setting with the observer gain at which candidates are compared, and the first one judged at it.
 
     Free runs of a chaotic device part, so all candidates would be equally wrong; coupled as much as keeps them
     together, the better one errs less.
     """
-    before, judgement = setting.effort.spent, _judge(records, setting, first, None)
-    dear = FEW_JUDGED * (setting.effort.spent - before) > SEARCH_SHARE * setting.limit
-    if not judgement.chaotic:
-        return setting, {first.label: judgement}, dear
-    setting = replace(setting, coupled=COUPLED)
-    return setting, {first.label: _judge(records, setting, first, None)}, dear
-
-
-def _screened(
-    records: Sequence[Record], setting: Setting, options: Sequence[Candidate], tried: Collection[str]
-) -> list[Candidate]:
-    """Those that were tried, and of the others the `SCREENED` that err least while held near the measurement."""
-    fresh = [option for option in options if option.label not in tried]
-    if len(fresh) <= SCREENED:
-        return list(options)
-    fitted, judged, after = _folds(records)[0]
-
-    def error(option: Candidate) -> float:
-        """RMS of the held-out error, in the unit of q."""
-
-        def make() -> StoredResult:
-            """That error, after a short fit."""
-            p, start, prior = setting.begin(fitted, option)
-            problem = JointProblem(p, fitted, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-            short = Schedule(SCREENING_GAINS, SCREENING_STEPS, 2 * SCREENING_STEPS, 1e-3, option.noise_inflation)
-            theta = fit_homotopy(problem, start, prior, short).theta
-            rest = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-            return {"error": p.scales.half * rms(np.concatenate(rest.held_out(theta, GAINS[1], COUPLED)))}
-
-        return float(setting.stored(f"screened {option.label}", make)["error"])
-
-    errors = {}
-    for option in fresh:
-        if not setting.effort.exhausted(SEARCH_SHARE):
-            errors[option.label] = error(option)
-    nearest = sorted(errors, key=lambda label: errors[label])[:SCREENED]
-    return [option for option in options if option.label in tried or option.label in nearest]
+    judgement = _judge(records, setting, first, None)
+    if judgement.chaotic:
+        setting = replace(setting, coupled=COUPLED)
+        judgement = _judge(records, setting, first, None)
+    return setting, {first.label: judgement}
 
 
 def excerpts(records: Sequence[Record]) -> list[Record]:

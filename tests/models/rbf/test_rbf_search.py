@@ -1,7 +1,6 @@
 """Which answer the search takes, from errors that are given: white, so that every sample counts."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -81,33 +80,6 @@ def test_the_limit_of_a_search_grows_with_the_samples(samples, times):
     t = 0.01 * np.arange(samples)
     log = Record(t, np.sin(t), np.cos(t), -np.sin(t), np.cos(3.0 * t)[:, None], np.ones(samples, dtype=bool))
     assert identify._search_limit(20.0, [log]) == pytest.approx(times * 20.0)
-
-
-@pytest.mark.parametrize(("once", "order"), [(5, [0, 1, 4, 2, 3, 5, 6]), (3, [0, 1, 2, 3, 4, 5, 6])])
-def test_where_candidates_are_dear_the_offer_of_several_elements_is_next(once, order):
-    turns = [only(replaced(CURVED, basis_functions=5 + number)) for number in range(7)]
-    moved = structure_search._together_next(turns, 1, once)
-    assert [turns.index(offer) for offer in moved] == order
-
-
-def test_where_candidates_are_dear_only_the_nearest_of_an_offer_are_judged(monkeypatch):
-    """Errors near the measurement fall with the number of Gaussians; those that were tried stay."""
-    t = 0.01 * np.arange(400)
-    record = Record(t, np.sin(t), np.cos(t), -np.sin(t), np.cos(3.0 * t)[:, None], np.ones(400, dtype=bool))
-
-    class Problem:
-        def __init__(self, p, *_, **__):
-            self.p = p
-
-        def held_out(self, theta, gain, coupled):
-            return [np.full(10, 1.0 / self.p.structure.basis_functions)]
-
-    monkeypatch.setattr(structure_search, "JointProblem", Problem)
-    monkeypatch.setattr(structure_search, "fit_homotopy", lambda problem, start, *_: SimpleNamespace(theta=start))
-    options = [replaced(CURVED, basis_functions=m) for m in (5, 6, 7, 8, 9)]
-    chosen = structure_search._screened([record], Setting("linear", None), options, {options[0].label})
-    assert chosen == [options[0], *options[2:]]
-    assert structure_search._screened([record], Setting("linear", None), options[:3], ()) == options[:3]
 
 
 def only(one):
