@@ -39,13 +39,13 @@ def input_lag(log: LogSignals, terms: WeakTerms, sample_interval: float, reach: 
     step = samples_of(sample_interval, terms.interval)
     count = terms.push.shape[1]
     late = min(unexplained(terms, step * intervals * np.ones(count, dtype=np.int64)) for intervals in range(reach + 1))
-    found = np.array([_behind(log, lag * sample_interval, sample_interval, squared=squared) for lag in LAGS])
-    return LAGS[int(np.argmin(found))] * sample_interval if found.min() < SURELY * late else None
+    residuals = np.array([_behind(log, lag * sample_interval, sample_interval, squared=squared) for lag in LAGS])
+    return LAGS[int(np.argmin(residuals))] * sample_interval if residuals.min() < SURELY * late else None
 
 
 def _behind(log: LogSignals, lag: float, sample_interval: float, *, squared: bool) -> float:
     """The residual with inputs behind a lag [s]."""
-    v = np.column_stack([first_order_lag(np.ascontiguousarray(one), log.interval, lag)[0] for one in log.v.T])
+    v = np.column_stack([first_order_lag(np.ascontiguousarray(column), log.interval, lag)[0] for column in log.v.T])
     lagged = replace(log, v=v)
     terms = weak_terms(lagged, sample_interval, scales_of(lagged, squared=squared), squared=squared)
     return np.inf if terms is None else unexplained(terms)

@@ -127,8 +127,8 @@ def _pushes(terms: WeakTerms) -> list[Estimate]:
     design = terms.design()
     blocks = np.array_split(np.arange(terms.rows.size), BLOCKS)
     everything = np.arange(terms.rows.size)
-    found = [_push_of(terms, design, np.setdiff1d(everything, block)) for block in (np.empty(0, np.int64), *blocks)]
-    whole, parts = found[0], np.array(found[1:])
+    pushes = [_push_of(terms, design, np.setdiff1d(everything, block)) for block in (np.empty(0, np.int64), *blocks)]
+    whole, parts = pushes[0], np.array(pushes[1:])
     return [Estimate(float(w), float(e)) for w, e in zip(whole, _jackknife_error(parts), strict=True)]
 
 
@@ -254,7 +254,7 @@ def _lag(
     squared: bool,
 ) -> float | None:
     """See `LogFacts`: looked for only where an input acts remarkably late."""
-    late = any(one is not None and one.delay.value > limits.NOTED_DELAY * sample_interval for one in inputs)
+    late = any(fact is not None and fact.delay.value > limits.NOTED_DELAY * sample_interval for fact in inputs)
     return input_lag(log, terms, sample_interval, REACH, squared=squared) if late and terms is not None else None
 
 

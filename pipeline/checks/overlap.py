@@ -235,10 +235,10 @@ def _limit(first: LogSignals, second: LogSignals, t: FloatArray, offset: float) 
 
 def _detail(q: FloatArray) -> FloatArray:
     """Fourth differences of running means, in which noise outweighs the motion."""
-    found = np.diff(q, _ORDER)
+    differences = np.diff(q, _ORDER)
     for _ in range(_SMOOTHED):
-        found = found[1:] + found[:-1]
-    usable: FloatArray = found[np.isfinite(found)]
+        differences = differences[1:] + differences[:-1]
+    usable: FloatArray = differences[np.isfinite(differences)]
     return usable if usable.size else np.zeros(1)
 
 
@@ -246,8 +246,8 @@ def _agreeing(difference: FloatArray, limit: float, width: int) -> BoolArray:
     """Rows around which the difference, but for a constant, stays within three times the limit or is not known."""
     from scipy.ndimage import uniform_filter1d
 
-    known = ~np.isnan(difference)
-    square = np.where(known, difference - np.median(difference[known]), 0.0) ** 2
-    weight = uniform_filter1d(known.astype(np.float64), width)
+    measured = ~np.isnan(difference)
+    square = np.where(measured, difference - np.median(difference[measured]), 0.0) ** 2
+    weight = uniform_filter1d(measured.astype(np.float64), width)
     near: BoolArray = (uniform_filter1d(square, width) <= (3.0 * limit) ** 2 * weight) | (weight < 1e-9)
     return near

@@ -65,6 +65,6 @@ def rest_drift(
     left = place[taken] - design @ weights
     scatter = float(left @ left) / max(count - design.shape[1], 1)
     error = float(np.sqrt(scatter * np.linalg.pinv(design.T @ design)[-1, -1]))
-    found = RestDrift(float(weights[-1]), error, count)
-    sure = abs(found.rate) > _SURELY * error and abs(found.rate) * float(np.ptp(t)) > _REMARKABLE * reach
-    return found if sure else None
+    drift = RestDrift(float(weights[-1]), error, count)
+    sure = abs(drift.rate) > _SURELY * error and abs(drift.rate) * float(np.ptp(t)) > _REMARKABLE * reach
+    return drift if sure else None

@@ -89,13 +89,13 @@ def _cell(row: CheckRow | None) -> str:
 
 def findings(rows: Sequence[CheckRow]) -> list[Finding]:
     """What would make the model wrong: one finding for each gate, with the first row's number."""
-    found = []
+    collected = []
     for gate in dict.fromkeys(row.gate for row in rows if row.state == "wrong" and row.gate is not None):
         of_gate = [row for row in rows if row.gate == gate and row.state == "wrong"]
         first = of_gate[0]
         more = f", and {len(of_gate) - 1} more like it" if len(of_gate) > 1 else ""
-        found.append(Finding(gate, f"{first.sentence}{more}", first.advice))
-    return found
+        collected.append(Finding(gate, f"{first.sentence}{more}", first.advice))
+    return collected
 
 
 def remarks(rows: Sequence[CheckRow]) -> list[str]:

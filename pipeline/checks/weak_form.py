@@ -124,11 +124,11 @@ def weak_terms(log: LogSignals, sample_interval: float, scales: Scales, *, squar
     h = log.interval
     half = max(4, round(HALF_WIDTH * sample_interval / h))
     n = min(len(log.q), _MOST_SAMPLES)
-    known = np.isfinite(log.q[:n])
-    z = np.where(known, (log.q[:n] - scales.middle) / scales.size, 0.0)
+    measured = np.isfinite(log.q[:n])
+    z = np.where(measured, (log.q[:n] - scales.middle) / scales.size, 0.0)
     v = log.v[:n]
     e = (v**2 if squared else v) / scales.drive
-    rows = _usable(known, half)
+    rows = _usable(measured, half)
     if rows.size < _LEAST_ROWS:
         return None
     bump, slope, curvature = _bump(half, h)
@@ -150,10 +150,10 @@ def solve(design: FloatArray, inertia: FloatArray) -> FloatArray:
     return weights
 
 
-def _usable(known: BoolArray, half: int) -> IntArray:
+def _usable(measured: BoolArray, half: int) -> IntArray:
     """Middles of bumps that meet only measured samples."""
-    missing = np.concatenate(([0], np.cumsum(~known)))
-    middles = np.arange(half, len(known) - half, max(1, half // _BUMPS_PER_WIDTH))
+    missing = np.concatenate(([0], np.cumsum(~measured)))
+    middles = np.arange(half, len(measured) - half, max(1, half // _BUMPS_PER_WIDTH))
     usable: IntArray = middles[missing[middles + half + 1] == missing[middles - half]]
     return usable
 

@@ -118,9 +118,9 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
     left_out = ("factor", "unit", "si", "joint", "excitation")
     shown = {name: value for name, value in asdict(excitation).items() if name not in left_out}
     q, v = excitation.si
-    found = asdict(excitation.excitation)
-    found["wells"] = with_units(found["wells"], dict.fromkeys(("left", "right", "barrier"), q))
-    values = {name: value for name, value in found.items() if name not in ("signals", "displacement")}
+    facts = asdict(excitation.excitation)
+    facts["wells"] = with_units(facts["wells"], dict.fromkeys(("left", "right", "barrier"), q))
+    values = {name: value for name, value in facts.items() if name not in ("signals", "displacement")}
     values |= {"bandwidth": excitation.excitation.bandwidth, "ringing": excitation.excitation.ringing}
     units = {"centres": q, "largest": v, "interval": "s", "bandwidth": "Hz", "ringing": "Hz"}
     return {"excitation": with_units(values, units)} | with_units(shown, units)

@@ -128,8 +128,8 @@ def equilibria(
         energy = physics.energy_over_q(joint, v1=left, v2=right, force=pull)
         _draw(figure, "equilibria_figure", joint, held, energy)
     if as_json:
-        found = [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]
-        emit_json({"equilibria": found})
+        rests = [{"q_m": e.q, "phi_rad": e.phi, "stable": e.stable, "energy_J": e.energy} for e in held]
+        emit_json({"equilibria": rests})
         return
     lowest = min((e.energy for e in held), default=0.0)
     rows = [

@@ -82,10 +82,17 @@ def suggested_unit(name: str, unit: str) -> str:
 
 def _spelt(unit: str) -> str:
     """A unit that stands at the end of a name, in its right letters (KV is kV); "" where it is none."""
-    known = (*SECONDS, *_DISPLACEMENT_UNITS, *_INPUT_UNITS)
-    if unit in known:
+    units = (*SECONDS, *_DISPLACEMENT_UNITS, *_INPUT_UNITS)
+    if unit in units:
         return unit
-    return next((one for one in known if one.lower() == unit.lower() and (len(one) > 1 or one.isupper())), "")
+    return next(
+        (
+            spelling
+            for spelling in units
+            if spelling.lower() == unit.lower() and (len(spelling) > 1 or spelling.isupper())
+        ),
+        "",
+    )
 
 
 def suggest(
@@ -117,7 +124,7 @@ def suggest(
     spare = [time for time in times if time not in clocks.values() and sizes[time] in map(sizes.get, clocks.values())]
     times = tuple(time for time in times if time in clocks.values() or time in spare)
     rest = [name for name in names if name in clocks and name not in rising and not _WANTED.search(name)]
-    found = [] if own_time else [Suggestion("time", times)]
+    suggestions = [] if own_time else [Suggestion("time", times)]
     q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
     alike = [name for name in rest if len(q) == 1 and sizes[name] == sizes[q[0]]]
     rest = [name for name in rest if name in alike or not alike or clocks[name] != clocks[q[0]]]
@@ -130,12 +137,16 @@ def suggest(
     left = tuple(name for name in inputs if _LEFT.search(name) and not _RIGHT.search(name))
     right = tuple(name for name in inputs if _RIGHT.search(name) and not _LEFT.search(name))
     if len(left) == 1 and len(right) == 1 and (q or len(inputs) == _MOST_INPUTS):
-        found += [Suggestion("q", q), Suggestion("v1", left), Suggestion("v2", right)]
+        suggestions += [Suggestion("q", q), Suggestion("v1", left), Suggestion("v2", right)]
     else:
-        found += [Suggestion("q", q), Suggestion("v1", inputs), Suggestion("v2", () if len(inputs) == 1 else inputs)]
+        suggestions += [
+            Suggestion("q", q),
+            Suggestion("v1", inputs),
+            Suggestion("v2", () if len(inputs) == 1 else inputs),
+        ]
     if not several or spare:
-        return tuple(found)
-    return tuple(replace(each, clock=clocks.get(each.only or "", "")) for each in found)
+        return tuple(suggestions)
+    return tuple(replace(each, clock=clocks.get(each.only or "", "")) for each in suggestions)
 
 
 def _times(channels: Sequence[tuple[str, str]], units: Mapping[str, str], rising: Sequence[str]) -> tuple[str, ...]:

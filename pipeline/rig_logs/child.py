@@ -133,16 +133,16 @@ def _wanted(
         return [(entry.name, entry) for entry in entries]
     wild = [for_any_variable(entry.name) for entry in entries]
     times = Counter(wild)
-    found = {alias: entry for alias, entry in zip(wild, entries, strict=True) if times[alias] == 1}
-    found.update({alias: entry for entry in entries for alias in entry.aliases})
-    found.update({entry.name: entry for entry in entries})
+    by_alias = {alias: entry for alias, entry in zip(wild, entries, strict=True) if times[alias] == 1}
+    by_alias.update({alias: entry for entry in entries for alias in entry.aliases})
+    by_alias.update({entry.name: entry for entry in entries})
     for name in names:
         if name in texts:
             way_out = "" if ":" in texts[name] or ";" in texts[name] else "; export it as numbers"
             raise _RefusedError(f"{path}: channel {name!r} holds no plain numbers, but {texts[name]}{way_out}")
-        if name not in found:
+        if name not in by_alias:
             raise _RefusedError(missing_channel(path, name, tuple(entry.name for entry in entries)))
-    return [(name, found[name]) for name in names]
+    return [(name, by_alias[name]) for name in names]
 
 
 class _NoSpaceError(Exception):
@@ -275,7 +275,7 @@ def _is_matlab4(start: bytes) -> bool:
 
 def module_for(start: bytes) -> str:
     """The module of `pipeline.rig_logs` that reads a file which begins so."""
-    return next((known.module for known in FORMATS if known.begins(start)), "csv")
+    return next((form.module for form in FORMATS if form.begins(start)), "csv")
 
 
 def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:

@@ -35,7 +35,7 @@ def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
     UnreadableLogError
         No channels Y.
     """
-    axes, found = _time_axes(record, notes)
+    axes, recorded = _time_axes(record, notes)
     channels = record.get(0, "Y")
     if not is_struct(channels):
         raise UnreadableLogError("the ControlDesk struct has no channels Y")
@@ -57,14 +57,14 @@ def recorder_channels(record: MatStruct, notes: list[str]) -> list[MatChannel]:
         time = axis[0] if axis is not None and axis[1] == size else None
         unit = text_of(channels.get(i, "Unit")).strip()
         aliases = (path,) if path != name and paths.count(path) == 1 and path else ()
-        found.append(MatChannel(Entry(name, unit, data.dtype, size, time, aliases), data.read, data.step))
-    return found
+        recorded.append(MatChannel(Entry(name, unit, data.dtype, size, time, aliases), data.read, data.step))
+    return recorded
 
 
 def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int]], list[MatChannel]]:
     """Names and lengths of the time axes in the order that XIndex counts, and those that hold samples."""
     axes = record.get(0, "X")
-    found: list[tuple[str, int]] = []
+    lengths: list[tuple[str, int]] = []
     channels = []
     if is_struct(axes):
         names = []
@@ -74,7 +74,7 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
         for i, name in enumerate(unique_names(names)):
             data, unit = axes.get(i, "Data"), text_of(axes.get(i, "Unit")).strip() or "s"
             if not isinstance(data, MatArray) or not data.size:
-                found.append((name, 0))
+                lengths.append((name, 0))
                 continue
             factor = SECONDS.get(time_unit(unit))
             if factor is None:
@@ -84,8 +84,8 @@ def _time_axes(record: MatStruct, notes: list[str]) -> tuple[list[tuple[str, int
                 notes += [] if factor == 1.0 else [f"the time axis {name!r} counts in {unit} and is read in s"]
                 read = _scaled(data.read, factor)
                 channels.append(MatChannel(Entry(name, "s", data.dtype, data.size), read, data.step))
-            found.append((name, 0 if factor is None else data.size))
-    return (found, channels) if channels else _time_from_capture(record, notes)
+            lengths.append((name, 0 if factor is None else data.size))
+    return (lengths, channels) if channels else _time_from_capture(record, notes)
 
 
 def _scaled(read: Reader, factor: float) -> Reader:

@@ -87,11 +87,13 @@ class CsvSource:
 
     def _left_out(self) -> dict[str, str]:
         """What stands in the columns that are no numbers."""
-        found = {}
+        left_out = {}
         for name, text, cell in zip(self._columns, self._dialect.texts, self._firsts.values(), strict=True):
             if text or not cell or not is_value(cell, self._dialect.decimal):
-                found[name] = text or (repr(cell[:40]) if cell else "empty cells only; no sensor, or another channel?")
-        return found
+                left_out[name] = text or (
+                    repr(cell[:40]) if cell else "empty cells only; no sensor, or another channel?"
+                )
+        return left_out
 
     def _look_ahead(self, options: CsvOptions) -> dict[str, str]:
         """The first cells of the columns; what the sample leaves open is decided by the rows behind it."""
@@ -112,18 +114,18 @@ class CsvSource:
         import pyarrow as pa
         import pyarrow.compute as pc
 
-        found: dict[str, str] = {}
+        firsts: dict[str, str] = {}
         try:
             for batch in self._batches(names, dict.fromkeys(names, pa.string())):
                 for name, column in zip(names, batch.columns, strict=True):
-                    if name not in found:
+                    if name not in firsts:
                         cells = column.filter(pc.match_substring_regex(column, pattern))
-                        found |= {name: cells[0].as_py().strip()} if len(cells) else {}
-                if found and (pattern == _MARK or len(found) == len(names)):
+                        firsts |= {name: cells[0].as_py().strip()} if len(cells) else {}
+                if firsts and (pattern == _MARK or len(firsts) == len(names)):
                     break
         except (ValueError, UnicodeDecodeError):  # the reader of the column reports it
             pass
-        return found
+        return firsts
 
     def entries(self) -> list[Entry]:
         """The columns whose first rows are numbers; `count` is an estimate from the first rows."""

@@ -57,15 +57,15 @@ class Clock:
 
     def _onwards(self, times: NDArray[Any]) -> NDArray[Any]:
         """Times within a day (or an hour) from the first one on: back by more than half of it is the next one."""
-        known = np.flatnonzero(np.isfinite(times))
-        if not known.size:
+        filled = np.flatnonzero(np.isfinite(times))
+        if not filled.size:
             return times
-        self._origin = float(times[known[0]]) if np.isnan(self._origin) else self._origin
+        self._origin = float(times[filled[0]]) if np.isnan(self._origin) else self._origin
         seconds = times - self._origin
-        steps = np.diff(seconds[known], prepend=self._last % self._turn)
+        steps = np.diff(seconds[filled], prepend=self._last % self._turn)
         turns = np.floor(self._last / self._turn) + np.cumsum(steps < -self._turn / 2.0)
-        seconds[known] += self._turn * turns
-        self._last = float(seconds[known[-1]])
+        seconds[filled] += self._turn * turns
+        self._last = float(seconds[filled[-1]])
         return seconds
 
 

@@ -35,8 +35,8 @@ def writings(rows: Sequence[Sequence[str]], width: int, decimal: str) -> tuple[W
     fitting = [row for row in rows if len(row) >= width]
     columns = [[cell for cell in column if cell.lower() not in MISSING] for column in zip(*fitting, strict=False)]
     marked = any(is_before_decimals(cell, decimal) for column in columns[:width] for cell in column)
-    found = tuple(_writing(column[len(column) // 2 :], decimal, marked=marked) for column in columns[:width])
-    return found if any(each != Writing() for each in found) else ()
+    written = tuple(_writing(column[len(column) // 2 :], decimal, marked=marked) for column in columns[:width])
+    return written if any(each != Writing() for each in written) else ()
 
 
 def _writing(cells: Sequence[str], decimal: str, *, marked: bool) -> Writing:

@@ -304,8 +304,8 @@ def _find_table(lines: list[str], options: CsvOptions) -> _Table:
     tables = [
         _table(lines, delimiter, decimal, options.header_row) for delimiter, decimal in _candidates(lines, options)
     ]
-    found = [table for table in tables if table is not None]
-    if not found:
+    readable = [table for table in tables if table is not None]
+    if not readable:
         way_out = "if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
         if _is_single_column(lines):
             way_out = (
@@ -313,7 +313,7 @@ def _find_table(lines: list[str], options: CsvOptions) -> _Table:
                 "one file"
             )
         raise UnreadableLogError(f"no table of numbers with two columns or more found; {way_out}")
-    return max(found, key=lambda table: sum(table.numeric))
+    return max(readable, key=lambda table: sum(table.numeric))
 
 
 def _is_single_column(lines: list[str]) -> bool:
@@ -323,8 +323,8 @@ def _is_single_column(lines: list[str]) -> bool:
 
 
 def _candidates(lines: list[str], options: CsvOptions) -> list[tuple[str, str]]:
-    known = _CANDIDATES if any('"' in line for line in lines) else _CANDIDATES[:-1]
-    pairs = [pair for pair in known if options.delimiter in (None, pair[0]) and options.decimal in (None, pair[1])]
+    usual = _CANDIDATES if any('"' in line for line in lines) else _CANDIDATES[:-1]
+    pairs = [pair for pair in usual if options.delimiter in (None, pair[0]) and options.decimal in (None, pair[1])]
     if options.delimiter is not None and not pairs:
         pairs = [(options.delimiter, options.decimal or ".")]
     return pairs

@@ -128,8 +128,8 @@ def _labels(row: Row, numeric: Sequence[bool]) -> int:
 
 def _holds_units(row: Row) -> bool:
     cells = [cell for cell in row if cell and cell.lower() != "unit" and not NUMBER.match(cell)]
-    known = [bool(_BRACKETED.match(cell)) or cell.strip("[]() ").lower() in _UNITS for cell in cells]
-    return 2 * sum(known) > len(cells) > 0
+    are_units = [bool(_BRACKETED.match(cell)) or cell.strip("[]() ").lower() in _UNITS for cell in cells]
+    return 2 * sum(are_units) > len(cells) > 0
 
 
 def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float, float], ...]:

@@ -79,8 +79,8 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         lines.append("# time is left out: the format carries its own time base")
     for suggestion in first.suggestions:
         if suggestion.role == "time" and not suggestion.candidates and (first.rates or not _left_over(first)):
-            found = "states its sample rate" if first.rates else "has none"
-            lines.append(f"# time is left out: the log {found}; see sample_rate")
+            rate = "states its sample rate" if first.rates else "has none"
+            lines.append(f"# time is left out: the log {rate}; see sample_rate")
             continue
         lines += _role_lines(suggestion, by_name, first)
     lines += _velocity_lines(first)
@@ -130,10 +130,10 @@ def proposed_roles(logs: Sequence[str]) -> tuple[list[str], list[str]]:
     Where every log is called a test, only those validate that are called validation logs; where all are called so, all
     but the first.
     """
-    found = [purposes(true_name(log)) for log in logs]
-    called = [[log for log, each in zip(logs, found, strict=True) if each & wanted] for wanted in _HELD_OUT]
+    by_log = [purposes(true_name(log)) for log in logs]
+    called = [[log for log, each in zip(logs, by_log, strict=True) if each & wanted] for wanted in _HELD_OUT]
     validation = next((some for some in called if len(some) < len(logs)), list(logs[1:]))
-    if not validation and len(logs) > 1 and "train" not in found[-1]:
+    if not validation and len(logs) > 1 and "train" not in by_log[-1]:
         validation = [logs[-1]]
     return [log for log in logs if log not in validation], validation
 
@@ -144,12 +144,12 @@ def _plant_lines(log: Inspection) -> list[str]:
     An input that takes both signs may act by its square or in proportion; one that takes both alike hardly by its
     square, under which they would be the same.
     """
-    found = {suggestion.only for suggestion in log.suggestions if suggestion.role in ("v1", "v2")}
-    inputs = [channel.quality for channel in log.channels if channel.name in found]
-    largest = max((one.span for one in inputs), default=0.0)
-    inputs = [one for one in inputs if one.span > BOTH_SIGNS * largest]  # noise takes both signs too
-    both_signs = any(takes_both_signs(one.smallest, one.largest) for one in inputs)
-    alike = any(min(-one.smallest, one.largest) >= _ALIKE * max(-one.smallest, one.largest) for one in inputs)
+    names = {suggestion.only for suggestion in log.suggestions if suggestion.role in ("v1", "v2")}
+    inputs = [channel.quality for channel in log.channels if channel.name in names]
+    largest = max((each.span for each in inputs), default=0.0)
+    inputs = [each for each in inputs if each.span > BOTH_SIGNS * largest]  # noise takes both signs too
+    both_signs = any(takes_both_signs(each.smallest, each.largest) for each in inputs)
+    alike = any(min(-each.smallest, each.largest) >= _ALIKE * max(-each.smallest, each.largest) for each in inputs)
     law = "linear" if alike else "squared"
     why = "the input takes both signs: `debist check` compares the two" if both_signs else "a force-like input"
     return [
@@ -166,7 +166,7 @@ def _ingest_lines(log: Inspection) -> list[str]:
     coarse = any(base.repeated > MOST_REPEATED * base.n for base in log.time_bases)
     if coarse or (time is not None and not time.candidates):
         return ["", "[ingest]", *_rate_lines(log)]
-    channel = None if time is None else next((one for one in log.channels if one.name == time.only), None)
+    channel = None if time is None else next((each for each in log.channels if each.name == time.only), None)
     if channel is not None and suggested_unit(channel.name, channel.unit) not in SECONDS:
         return []
     lines = _interval_lines(log, min((base.step for base in log.time_bases), default=np.nan))
@@ -187,8 +187,8 @@ def _interval_lines(log: Inspection, step: float) -> list[str]:
 
 def _cycles_per_sample(log: Inspection) -> float:
     """How fast the channel moves that is suggested for q; NaN where none is, or it holds nothing but noise."""
-    found = next((suggestion.only for suggestion in log.suggestions if suggestion.role == "q"), None)
-    channel = next((one for one in log.channels if one.name == found), None)
+    q = next((suggestion.only for suggestion in log.suggestions if suggestion.role == "q"), None)
+    channel = next((each for each in log.channels if each.name == q), None)
     if channel is None or channel.quality.idle:
         return float("nan")
     return channel.quality.band.most * (1.0 if channel.time_base is None else log.time_bases[channel.time_base].step)
@@ -216,8 +216,8 @@ def _rates_beside(q: str, rates: Mapping[str, float]) -> Mapping[str, float]:
     group = q
     while group:
         group = _GROUP_OF.sub("", group)
-        if found := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
-            return found
+        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
+            return beside
     return rates
 
 
@@ -231,7 +231,7 @@ def _listing(channel: InspectedChannel) -> str:
 def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], log: Inspection) -> list[str]:
     names, role = suggestion.candidates, suggestion.role
     if role == "v2" and not names:
-        taken = {one.only for one in log.suggestions}.union(log.apart)
+        taken = {each.only for each in log.suggestions}.union(log.apart)
         others = [quoted(name) for name in by_name if name not in taken][:_MOST_NAMED]
         more = f" Other channels: {', '.join(others)}" if others else ""
         return [f"# v2 is left out: a device with one input?{more}"]
@@ -252,8 +252,8 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
         return [f"{entry}  # suggested; unit {origin}", *_signed_monitor(entry, channel, log)]
     if role == "time" and any(each.clock for each in log.suggestions):
         return [f"# time is left out: each channel has its own, of {', '.join(map(quoted, names))}"]
-    found = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
-    return [f"{_entry(role, FILL_IN, FILL_IN)}  # {found}"]
+    wanted = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
+    return [f"{_entry(role, FILL_IN, FILL_IN)}  # {wanted}"]
 
 
 def _with(entry: str, more: str) -> str:
@@ -264,7 +264,7 @@ def _with(entry: str, more: str) -> str:
 def _signed_monitor(entry: str, channel: InspectedChannel, log: Inspection) -> list[str]:
     """How a single input of both signs is given as those of two membranes; nothing for others."""
     quality = channel.quality
-    single = all(one.role != "v2" or not one.candidates for one in log.suggestions)
+    single = all(each.role != "v2" or not each.candidates for each in log.suggestions)
     if not entry.startswith("v1") or not single or not takes_both_signs(quality.smallest, quality.largest):
         return []
     left, right = (_with(entry, f'part = "{part}"') for part in ("positive", "negative"))

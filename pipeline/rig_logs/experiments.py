@@ -62,20 +62,20 @@ def _held_out(names: Sequence[str]) -> dict[str, str]:
             further[name] = signal
         elif purpose == "train" or signal not in first:
             first[signal] = name
-    found = {name: first[signal] for name, signal in further.items() if signal in first}
-    return found if len(set(found.values())) >= _FEWEST else {}
+    twins = {name: first[signal] for name, signal in further.items() if signal in first}
+    return twins if len(set(twins.values())) >= _FEWEST else {}
 
 
 def _signal_and_purpose(name: str) -> tuple[str, Purpose]:
     """A name without the words that say what it is for, and what the last of them says."""
-    left, found = list[str](), purpose_of("")
+    left, last = list[str](), purpose_of("")
     for part in _PARTS.split(name):
         purpose, signal = _word_purpose(part), ""
         if not purpose and (joined := _JOINED.fullmatch(part)):
             purpose, signal = _word_purpose(joined["purpose"]), joined["signal"]
         left.append(signal if purpose else part)
-        found = purpose or found
-    return _JOINTS.sub("", "".join(left)).casefold(), found
+        last = purpose or last
+    return _JOINTS.sub("", "".join(left)).casefold(), last
 
 
 def _word_purpose(word: str) -> Purpose:
@@ -87,10 +87,10 @@ def _repeated(names: Sequence[str], is_record: Callable[[Sequence[str]], bool]) 
     groups: dict[str, list[str]] = {}
     for match in filter(None, map(_GROUP.fullmatch, names)):
         groups.setdefault(match["group"], []).append(match["leaf"])
-    found: dict[str, str] = {}
+    twins: dict[str, str] = {}
     first: dict[frozenset[str], str] = {}
     for group, leaves in groups.items():
         earlier = first.setdefault(frozenset(leaves), group)
         if earlier != group and is_record(leaves):
-            found.update({group + leaf: earlier + leaf for leaf in leaves})
-    return found
+            twins.update({group + leaf: earlier + leaf for leaf in leaves})
+    return twins

@@ -265,13 +265,13 @@ class Hdf5Source:
         place = columns.index(column[0]) if isinstance(column, tuple) else column or 0
         unit, since = unit_of(dataset.attrs, place, len(columns))
         own = name if table else dataset.name.lstrip("/")
-        said = {
+        possible_notes = {
             f"time of {own!r} counts from {since}": since,
             f"{own!r} is unpacked by its attributes: {described(dataset)}": packing and described(dataset),
             f"{own!r} has {described(dataset)}, not applied here: export each column": table and described(dataset),
         }
         unapplied = {key: value for key, value in dataset.attrs.items() if key not in PACKING}
-        notes = [note for note, applies in said.items() if applies] + scales_among(unapplied, own)
+        notes = [note for note, applies in possible_notes.items() if applies] + scales_among(unapplied, own)
         self.notes += [note for note in notes if note not in self.notes]
         self._places[name] = (dataset, column, packing)
         self._entries.append(Entry(name, "s" if dtype.kind in "mM" else unit, dtype.name, int(count)))

@@ -145,8 +145,8 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
         remarks = (*code_remarks(own), *remarks_on(quality, context))
         time = column if channel.time is None else channel.time
         if position is not None and time is not None and channel.name in driving["q"]:
-            found, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
-            remarks += tuple(dropout_remarks(found, unit=channel.unit))
+            lost, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
+            remarks += tuple(dropout_remarks(lost, unit=channel.unit))
         remarks = () if own_time and channel.time is None else remarks
         channels.append(_inspected(channel, position, quality, remarks, tuple(own)))
     size = path.stat().st_size
@@ -168,13 +168,13 @@ def _inspected(
 
 def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tuple[Dropouts, SignalQuality]:
     """Samples of a channel that no motion reaches, and how fast it moves without them."""
-    found = NONE if quality.levels else dropouts(signal, (), quality, step)
-    if not found.spans.size:
-        return found, quality
+    lost = NONE if quality.levels else dropouts(signal, (), quality, step)
+    if not lost.spans.size:
+        return lost, quality
     samples = signal[1].copy()
-    for first, end in found.spans:
+    for first, end in lost.spans:
         samples[first:end] = np.nan
-    return found, replace(quality, band=examine_signal(signal[0], samples, step).band)
+    return lost, replace(quality, band=examine_signal(signal[0], samples, step).band)
 
 
 def _without_codes(recording: Recording) -> tuple[Recording, dict[str, dict[float, int]]]:
@@ -217,12 +217,12 @@ def _roles(
     left_out = far_shorter(counts).union(rates, (each.name for each in unnamed if _counts_samples(each.samples)))
     further = second_experiments([channel.name for channel in usual if channel.name not in left_out], is_record)
     notes += note_on(further)
-    kept = [channel for channel in usual if channel.name not in left_out and channel.name not in further]
-    rising = () if own_time else [channel.name for channel in kept if _rises_evenly(channel.samples)]
-    named = [(channel.name, channel.unit) for channel in kept]
+    offered = [channel for channel in usual if channel.name not in left_out and channel.name not in further]
+    rising = () if own_time else [channel.name for channel in offered if _rises_evenly(channel.samples)]
+    named = [(channel.name, channel.unit) for channel in offered]
     roles = suggest(named, own_time=own_time, rising=rising, counts=counts)
     time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
-    others = () if time is None else (channel.name for channel in kept if counts[channel.name] != counts[time])
+    others = () if time is None else (channel.name for channel in offered if counts[channel.name] != counts[time])
     return roles, (*sorted(left_out & counts.keys()), *further, *others)
 
 
@@ -260,8 +260,8 @@ def _time_column(
 
 def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuality], notes: list[str]) -> int | None:
     """Position of the time base among those seen so far; a new one is examined."""
-    for position, known in enumerate(stamps):
-        if known is time:
+    for position, seen in enumerate(stamps):
+        if seen is time:
             return position
     try:
         quality = examine(time)

@@ -97,12 +97,12 @@ class ParquetSource:
         stamps, origin = pa.types.is_timestamp(kind), None
         for column in self._chunks(name):
             ticks = column.cast(pa.int64(), safe=False)
-            if origin is None and len(known := column.drop_null()):
-                origin = known[0].value if stamps else known[0].as_py()
+            if origin is None and len(filled := column.drop_null()):
+                origin = filled[0].value if stamps else filled[0].as_py()
                 if not stamps and abs(origin) <= EXACT:
                     origin = 0
                 elif stamps or origin:
-                    self.notes.append(f"{'time of ' if stamps else ''}{name!r} counts from {known[0]}")
+                    self.notes.append(f"{'time of ' if stamps else ''}{name!r} counts from {filled[0]}")
             wrapped = ((origin or 0) + (1 << 63)) % (1 << 64) - (1 << 63)  # as the cast does with numbers without sign
             numbers = doubles(pc.subtract(ticks, wrapped).cast(pa.float64(), safe=False))
             yield name, numbers / _PER_SECOND[kind.unit] if stamps else numbers
@@ -135,7 +135,7 @@ def _is_span(kind: Any) -> bool:
 def _is_number(kind: Any) -> bool:
     """Whether numbers are read from a column; a switch that is on or off is 1 or 0."""
     kinds = (pa.types.is_integer, pa.types.is_floating, pa.types.is_decimal, pa.types.is_boolean)
-    return any(one(kind) for one in kinds)
+    return any(holds(kind) for holds in kinds)
 
 
 def _unit(field: Any) -> str:

@@ -21,7 +21,7 @@ def words(name: str) -> list[str]:
 
 def purpose_of(word: str) -> Purpose:
     """What a word says its data are for, "" for any other word."""
-    return next((purpose for purpose, known in _WORDS.items() if known.fullmatch(word)), "")
+    return next((purpose for purpose, pattern in _WORDS.items() if pattern.fullmatch(word)), "")
 
 
 def purposes(name: str) -> set[Purpose]:

@@ -15,24 +15,24 @@ def is_simulink_log(value: MatValue) -> bool:
 
 def simulink_channels(variable: str, log: MatStruct, notes: list[str]) -> list[MatChannel]:
     """Time, called ``variable.time``, and the signals by their labels; what is left out is added to `notes`."""
-    found, time, signals = [], log.get(0, "time"), log.get(0, "signals")
+    channels, time, signals = [], log.get(0, "time"), log.get(0, "signals")
     clock, rows = f"{variable}.time", 0
     if isinstance(time, MatArray) and time.size > 1:
         rows = time.size
-        found.append(MatChannel(Entry(clock, "s", time.dtype, rows), time.read, time.step))
+        channels.append(MatChannel(Entry(clock, "s", time.dtype, rows), time.read, time.step))
     else:
         notes.append(f"{variable} is a Simulink structure without time; set [ingest] sample_rate")
     if not is_struct(signals):
-        return found
+        return channels
     places = [f"{variable}.signals({i + 1}).values" for i in range(signals.count)]
     labels = [bare(text_of(signals.get(i, "label"))) or place for i, place in enumerate(places)]
     for i, (name, place) in enumerate(zip(unique_names(labels), places, strict=True)):
         values = signals.get(i, "values")
         if isinstance(values, MatArray):
-            found += _signal(name, place, values, clock if values.dims[0] == rows or values.size == rows else None)
+            channels += _signal(name, place, values, clock if values.dims[0] == rows or values.size == rows else None)
         if not isinstance(values, MatArray) or not (values.is_vector or len(values.dims) == 2):
             notes.append(f"{place} ({name!r}) is left out: it holds no real vector or matrix")
-    return found
+    return channels
 
 
 def _signal(name: str, place: str, values: MatArray, clock: str | None) -> list[MatChannel]:

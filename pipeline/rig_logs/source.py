@@ -215,7 +215,7 @@ def unique_names(names: list[str]) -> list[str]:
     for name in names:
         given = name
         if name in numbers:
-            given = next(one for i in numbers[name] if (one := f"{name} ({i})") not in taken)
+            given = next(numbered for i in numbers[name] if (numbered := f"{name} ({i})") not in taken)
             taken.add(given)
         numbers.setdefault(name, itertools.count(2))
         unique.append(given)
