@@ -116,5 +116,9 @@ LEAST_PER_PERIOD = 8.0
 MOST_RESOLUTION = 0.01
 """Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
 
+LENGTH_ERRORS = ((5.0, 0.91), (10.0, 0.45), (20.0, 0.21), (37.5, 0.16))
+"""Length of a training log [s], and median error of `hybrid` on another log after it [% of the range]: simulated joints
+of three physics (docs/measured/hybrid.md)."""
+
 DRAWN_MASS = NOMINAL.m
 """kg, moving mass of the joint as drawn."""

@@ -24,6 +24,8 @@ def motion_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     """The rows on the motion of a log."""
     rows = [*_unit_rows(fact, declared), _resolution_row(fact, declared), *_rate_rows(fact, declared)]
     rows += [*_wrapped_rows(fact, declared), _natural_row(fact, declared), _ring_row(fact), _rest_row(fact, declared)]
+    if declared.joint and isinstance(fact.wells, Wells):
+        rows.append(_length_row(fact))
     if fact.drift is not None:
         rows.append(_drift_row(fact, fact.drift, declared))
     if fact.undriven >= limits.UNDRIVEN_SNAPS:
@@ -167,6 +169,17 @@ def _wrapped_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
     advice = "unwrap it before it is logged or read (numpy.unwrap, MATLAB's unwrap): a turn is no motion of the device"
     measured = f"{jumps} by {short_quantity(fact.span, 'rad')}"
     return [CheckRow(fact.signals.name, "jumps of the angle", measured, "none", "wrong", "wrapped", advice)]
+
+
+def _length_row(fact: LogFacts) -> CheckRow:
+    """How long the log is, and the error that as much training leaves on simulated joints."""
+    length, (lengths, errors) = float(np.ptp(fact.signals.t)), np.transpose(limits.LENGTH_ERRORS)
+    expected = float(np.exp(np.interp(np.log(length), np.log(lengths), np.log(errors))))
+    measured, limit = (
+        f"{significant(s, 3)} s, {significant(e, 2)} %" for s, e in ((length, expected), limits.LENGTH_ERRORS[-1])
+    )
+    values = in_si("length", "s", length)
+    return CheckRow(fact.signals.name, "length; usual error with as much training", measured, limit, values=values)
 
 
 def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:

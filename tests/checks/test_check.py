@@ -8,6 +8,7 @@ import pytest
 
 from pipeline.checks.check import check_logs
 from pipeline.checks.declared import Declared
+from pipeline.checks.limits import LENGTH_ERRORS
 from pipeline.checks.log_facts import log_facts
 from pipeline.checks.rest_level import rest_level
 from pipeline.checks.rows import CheckRow, findings
@@ -61,6 +62,15 @@ def _beginning(log: LogSignals, seconds: float = 8.0) -> LogSignals:
 def test_honest_logs_of_one_device_pass(pair: list[LogSignals]) -> None:
     rows = check_logs(pair, JOINT)
     assert {row.state for row in rows} == {"ok"}, [row for row in rows if row.state != "ok"]
+
+
+def test_a_longer_log_promises_a_smaller_error(pair: list[LogSignals]) -> None:
+    what = "length; usual error with as much training"
+    shown = _numbers([*check_logs([_beginning(pair[0], 10.0)], JOINT), *check_logs(pair[:1], JOINT)], what)
+    lengths, errors = zip(*(cell.removesuffix(" %").split(" s, ") for cell in shown), strict=True)
+    assert list(map(float, lengths)) == [10.0, 37.5]
+    assert float(errors[0]) == LENGTH_ERRORS[1][1] and float(errors[1]) == LENGTH_ERRORS[3][1] < float(errors[0])
+    assert not _numbers(check_logs(pair, replace(JOINT, squared=False)), what)
 
 
 def test_a_field_above_the_limit_is_noted_of_a_joint_alone(pair: list[LogSignals]) -> None:
