@@ -179,7 +179,7 @@ def _length_row(fact: LogFacts) -> CheckRow:
         f"{significant(s, 3)} s, {significant(e, 2)} %" for s, e in ((length, expected), limits.LENGTH_ERRORS[-1])
     )
     values = in_si("length", "s", length)
-    return CheckRow(fact.signals.name, "length; usual error with as much training", measured, limit, values=values)
+    return CheckRow(fact.signals.name, "length, usual error", measured, limit, values=values)
 
 
 def _rest_row(fact: LogFacts, declared: Declared) -> CheckRow:

@@ -103,13 +103,17 @@ class HasCurveDraws(Protocol):
 
 
 @runtime_checkable
-class HasDraws(DynamicModel, Protocol):
+class HasDraws(Protocol):
     """A model that simulates draws from the posterior of its parameters."""
 
     def simulate_draws(
         self, t: FloatArray, v: FloatArray, q0: float, qdot0: float, *, count: int = 32
     ) -> tuple[FloatArray, FloatArray]:
         """Free runs of `count` draws, q of shape (count, N), and the draws."""
+
+
+class DrawnModel(DynamicModel, HasDraws, Protocol):
+    """A dynamic model with draws."""
 
 
 @runtime_checkable

@@ -7,7 +7,7 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field
 
-from pipeline.models.base import HasDraws
+from pipeline.models.base import DrawnModel
 from pipeline.models.model_file import FilePart
 from pipeline.scoring.tubes import TubeScale, tube_scale
 from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
@@ -27,14 +27,16 @@ class TubePart(FilePart):
         return TubeScale(**dict(self))
 
 
-def scale_on(records: Sequence[Record], model: HasDraws, floor: float, margin: float, least: float = 0.0) -> TubeScale:
+def scale_on(
+    records: Sequence[Record], model: DrawnModel, floor: float, margin: float, least: float = 0.0
+) -> TubeScale:
     """Scale of the tubes, from the errors on the training logs. Cost: 33 runs of each log.
 
     Parameters
     ----------
     records : sequence of Record
         The training logs.
-    model : HasDraws
+    model : DrawnModel
         What was fitted to them.
     floor : float
         RMS error of q [m or rad] on the training data.

@@ -65,7 +65,7 @@ def test_honest_logs_of_one_device_pass(pair: list[LogSignals]) -> None:
 
 
 def test_a_longer_log_promises_a_smaller_error(pair: list[LogSignals]) -> None:
-    what = "length; usual error with as much training"
+    what = "length, usual error"
     shown = _numbers([*check_logs([_beginning(pair[0], 10.0)], JOINT), *check_logs(pair[:1], JOINT)], what)
     lengths, errors = zip(*(cell.removesuffix(" %").split(" s, ") for cell in shown), strict=True)
     assert list(map(float, lengths)) == [10.0, 37.5]

@@ -12,6 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.models.kind import model_from_tree
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.runs.run_folder import RunFolder
 from pipeline.stages.run import run_status
@@ -53,7 +54,8 @@ def _rerun(prototype: Path, run: Path, *options: str) -> list[str]:
 
 def test_the_planted_curves_are_recovered(demo: tuple[Path, Path]) -> None:
     """Between the wells: force within 6 % of its largest value (RMS; narrow bells ripple), gains and damping 10 %."""
-    model = RbfPaperModel.from_tree(RunFolder.open(demo[1]).read_tree("model.h5", "rbf-paper"))
+    model = model_from_tree("rbf-paper", RunFolder.open(demo[1]).read_tree("model.h5", "rbf-paper"))
+    assert isinstance(model, RbfPaperModel)
     truth = DoubleWell()
     q = np.linspace(-truth.left_well, truth.right_well, 45)
     planted, found = truth.curves(q), model.curves(q)

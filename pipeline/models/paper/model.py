@@ -41,6 +41,8 @@ from pipeline.solvers.fixed_step import escape_bounds, run_status, steps_per_sam
 
 ROWS = 8192  # rows of the regressor that are held at once
 LAG_BOUNDS = (1e-4, 10.0)  # s
+_LARGEST = 1e300
+"""Magnitude of a weight: where hardly any data determine one, the pseudo-inverse has no bound."""
 SEED = 20251  # of the draws of weights: the same model gives the same bands
 
 
@@ -78,12 +80,12 @@ class RbfPaperModel(ModelFile):
     centres: Rising
     smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
     width: Positive = Field(default_factory=lambda data: basis_width(data["centres"], data["smoothing"]))
-    weights: Annotated[FloatArray, Table("R M")]
+    weights: Annotated[FloatArray, Table("R M", -_LARGEST, _LARGEST)]
     lag_s: Lag
     mass_kg: Positive = 1.0
     inputs: InputLaw = "squared"
     basis: str = "gaussian"
-    spread: Annotated[FloatArray, Table("W S")] = np.empty((0, 0))
+    spread: Annotated[FloatArray, Table("W S", -_LARGEST, _LARGEST)] = np.empty((0, 0))
 
     @model_validator(mode="after")
     def _named(self) -> Self:
