@@ -116,7 +116,7 @@ LEAST_PER_PERIOD = 8.0
 MOST_RESOLUTION = 0.01
 """Step of the converter, in ranges of q: beyond, velocities come in steps of a few per cent."""
 
-LENGTH_ERRORS = ((5.0, 0.91), (10.0, 0.45), (20.0, 0.21), (37.5, 0.16))
+LENGTH_ERRORS = ((5.0, 2.24), (10.0, 1.48), (20.0, 0.83), (37.5, 0.39))
 """Length of a training log [s], and median error of `hybrid` on another log after it [% of the range]: simulated joints
 of three physics (docs/measured/hybrid.md)."""
 
