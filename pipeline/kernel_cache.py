@@ -2,7 +2,7 @@
 
 numba keeps machine code and the index to it in files that it unpickles and runs without a check. So a folder that
 others can write to is refused, and a digest beside each file shows whether the file is whole. A file without its digest
-is deleted, and numba compiles that kernel anew; but a young one is kept, whose writer may still be compiling others.
+is deleted, and numba compiles that kernel anew. A young one is kept, because its writer may still be at work.
 """
 
 import hashlib

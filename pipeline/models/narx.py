@@ -145,6 +145,14 @@ class NarxModel(ModelFile):
         self._check(t)
         return self.run(v, float(seen[-1]), float(speed[-1]), seen)[0][len(seen) - 1 :]
 
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] of the one-step prediction along a gap-free path; `qdot` is not used."""
+        self._check(t)
+        theta, _, first = self.regression(q, v)
+        change = theta @ self.coefficients / self.interval_s**2
+        return np.pad(change, (first, 1), mode="edge")  # rows whose lags reach beyond the record repeat their neighbour
+
     def run(self, v: FloatArray, q0: float, qdot0: float, seen: FloatArray | None = None) -> tuple[FloatArray, int]:
         """Free run at the equation's own sample interval; before what was seen q followed a parabola of slope q̇0.
 
@@ -178,13 +186,21 @@ class NarxModel(ModelFile):
             delta[: past.size] = past
         return q, int(_run(*terms, self.scales, self.bounds, u, q, delta, begin))
 
-    def gram(self, x: Trajectory) -> FloatArray:
-        """Gram matrix of the terms and the target, shape (P + 1, P + 1), over the steps whose lags lie in a stretch."""
+    def regression(self, q: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray, int]:
+        """Terms, shape (R, P), and targets, shape (R,), of the steps whose lags lie in the record; the first of these.
+
+        Raises
+        ------
+        InputError
+            There are none.
+        """
         _, increments, input_lags, _ = self.structure.tolist()
-        n, delta = np.arange(max(increments, input_lags - 2), len(x.q) - 1), np.diff(x.q, prepend=x.q[0])
-        past = np.column_stack([x.q[n], *(delta[n - j] for j in range(increments)), self._lagged(x.v)[n]])
-        rows = np.column_stack([monomials(self.exponents, past / self.scales), delta[n + 1] - delta[n]])
-        return np.asarray(rows.T @ rows)
+        first = max(increments, input_lags - 2)
+        if len(q) < first + 2:
+            raise InputError(f"the record has {len(q)} samples; the lags of this NARX equation reach over {first + 2}")
+        n, delta = np.arange(first, len(q) - 1), np.diff(q, prepend=q[0])
+        x = np.column_stack([q[n], *(delta[n - j] for j in range(increments)), self._lagged(v)[n]])
+        return monomials(self.exponents, x / self.scales), delta[n + 1] - delta[n], first
 
     def _lagged(self, v: FloatArray) -> FloatArray:
         """Inputs as they act at each step, shape (N, K·M); lags that reach beyond the record repeat its ends."""
@@ -243,7 +259,7 @@ def identify_narx(
         if most is not None and len(errors) >= most:
             break
         library = _library(shape, trajectories, inputs)
-        grams = [(fold, library.gram(x)) for fold, x in parts if len(x.t) > 2 + max(shape[1:])]
+        grams = [(fold, _gram(library, x)) for fold, x in parts if len(x.t) > 2 + max(shape[1:])]
         paths = {f: _pursuit(library, [g for fold, g in grams if fold != f or len(folds) == 1]) for f in folds}
         for terms in set(TERMS).intersection(*paths.values()):
             held_out = [[_error(paths[f][terms], x, span) for fold, x in parts if fold == f] for f in folds]
@@ -283,6 +299,12 @@ def _library(shape: Shape, trajectories: Sequence[Trajectory], inputs: Literal["
         inputs=inputs,
         bounds=np.array(escape_bounds(*operating_range(trajectories))),
     )
+
+
+def _gram(library: NarxModel, x: Trajectory) -> FloatArray:
+    theta, target, _ = library.regression(x.q, x.v)
+    rows = np.column_stack([theta, target])
+    return rows.T @ rows
 
 
 def _pursuit(library: NarxModel, grams: Sequence[FloatArray]) -> dict[int, NarxModel]:

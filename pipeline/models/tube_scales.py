@@ -41,9 +41,9 @@ def scale_on(
     floor : float
         RMS error of q [m or rad] on the training data.
     margin : float
-        Times the quantile of the training data that another log needs.
+        Errors on another log over those on the training data.
     least : float
-        Of κ: where the draws are known to spread no more than other logs do.
+        Smallest κ.
     """
     parts = []
     for record in within(records, MOST_SAMPLES):

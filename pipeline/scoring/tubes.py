@@ -89,7 +89,7 @@ def tube_scale(
     floor : float
         s₀ [m or rad].
     margin : float
-        Times the quantile of the training data that another log needs.
+        Errors on another log over those on the training data.
     span : float
         Operating range [m or rad].
     """

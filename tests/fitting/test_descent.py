@@ -5,7 +5,7 @@ import pytest
 
 from pipeline.fitting import descent
 from pipeline.fitting.descent import ParallelDescent, Prior
-from pipeline.fitting.homotopy import Schedule, fit_homotopy
+from pipeline.fitting.homotopy import Callbacks, Schedule, fit_homotopy
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -72,3 +72,22 @@ def test_the_prior_decides_where_data_say_nothing() -> None:
     prior = Prior(1e-3 * np.eye(2), np.array([0.0, 1e-3 * 0.7]))
     fit = fit_homotopy(Blind(), np.zeros(2), prior, Schedule((0.0,), last_iterations=20), descent=ParallelDescent)
     np.testing.assert_allclose(fit.theta, [3.0, 0.7], atol=1e-3)
+
+
+@pytest.mark.parametrize(("lost_from", "levels", "reached"), [(9, 3, True), (2, 2, False), (1, 1, False)])
+def test_the_last_level_is_reached_only_where_a_run_comes_to_its_end(
+    lost_from: int, levels: int, reached: bool
+) -> None:
+    """Also where the last gain stands twice and the simulation is lost at the second of the two."""
+    begun: list[float] = []
+
+    class Lost(Valley):
+        def residual(self, theta: FloatArray, gain: float) -> FloatArray | None:
+            return None if len(begun) > lost_from else super().residual(theta, gain)
+
+    fit = fit_homotopy(
+        Lost(), np.array([0.5, 0.5]), Prior(1e-6 * np.eye(2), np.zeros(2)), Schedule((8.0, 0.0, 0.0)),
+        callbacks=Callbacks(begin=lambda theta, gain: begun.append(gain)),
+    )  # fmt: skip
+    assert (len(fit.levels), fit.reached_last) == (levels, reached)
+    assert not (fit.converged and not reached)

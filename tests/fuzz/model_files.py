@@ -138,6 +138,7 @@ def use(name: str, data: bytes, *, exported: bool = False) -> None:
     t, v = joints.pulses(1.0, model.input_count)
     run = model.simulate(t, v, 0.001, 0.0)
     q, qdot = 1e-3 * np.sin(t), 1e-3 * np.cos(t)
+    model.accelerate(t, v, q, qdot)
     predictor(model)(t, v, q[:20], qdot[:20])
     assert run.q.shape == t.shape
     about = model.describe()

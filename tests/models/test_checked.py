@@ -59,12 +59,17 @@ def test_voltages_between_the_samples_are_refused_where_none_are_taken():
         paper().simulate(T, np.zeros((100, 4, 2)), 0.01, 0.0)
 
 
+def test_a_path_of_another_length_is_refused():
+    with pytest.raises(InputError, match=r"qdot has the shape \(99,\); give a path of 100 samples"):
+        paper().accelerate(T, V, np.zeros(100), np.zeros(99))
+
+
 @pytest.mark.parametrize("name", [one.name for one in ENTRIES])
 def test_every_model_checks(name):
     read = kind(name).read
     model_class = getattr(read, "func", read).__self__
     assert isinstance(model_class.input_count, property)
-    for method in ("simulate", "simulate_draws"):
+    for method in ("simulate", "accelerate", "simulate_draws"):
         each = getattr(model_class, method, None)
         assert each is None or hasattr(each, "__wrapped__"), f"{name}.{method} is not `checked`"
 

@@ -66,6 +66,16 @@ class AnalyticalModel:
         status: Literal["ok", "diverged"] = "ok" if motion.diverged_at is None else "diverged"
         return FreeRun(t, q, qdot, qddot, status, motion.diverged_at)
 
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured motion, by the reduced model (eq. 26), shape (N,).
+
+        q does not determine the beam's other shapes, so they follow the static path here.
+        """
+        from pipeline.models.analytical.reduced_order import accelerate, reduce_joint
+
+        return accelerate(reduce_joint(self.parameters), t, v if v.ndim == 2 else v[:, 0], q, qdot)
+
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
 

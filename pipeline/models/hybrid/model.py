@@ -20,7 +20,7 @@ from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
 from pipeline.models.hybrid.kernels import CURVES
 from pipeline.models.hybrid.problem import CondensedJoint, age_at, simulate
-from pipeline.models.hybrid.runs import BATCH, Followed
+from pipeline.models.hybrid.runs import BATCH, Followed, follow_path
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.statics import static_curves, substeps
 from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table
@@ -167,6 +167,14 @@ class HybridModel:
     def simulate_many(self, t: FloatArray, v: FloatArray, starts: FloatArray) -> FloatArray:
         """Free runs from several states; see `pipeline.models.base.SimulatesMany`. Eight of them go at once."""
         return self._simulate(None, t, v, starts)[:, :, 0]
+
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured path; shape, Maxwell strains, creep and friction follow the path."""
+        joint, seen = self.joint, self.joint.instruments(self.theta)
+        k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
+        path = CubicSpline(t - t[0], np.column_stack([q - seen.offset, qdot]))(fine)
+        return follow_path(u, path, dt, steps, k, joint.basis, weights, age_at(t))
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14): F [N], d [N·s/m], dC1_dq, dC2_dq [F/m].
@@ -320,6 +328,17 @@ class HybridModel:
     def _built(self, thetas: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Constants and weights of several θ."""
         return self.joint.constants(thetas), self.joint.weights(thetas)
+
+    def _inputs(
+        self, theta: FloatArray, t: FloatArray, v: FloatArray
+    ) -> tuple[FloatArray, FloatArray, float, int, FloatArray, FloatArray]:
+        """Constants, weights, sample interval [s], steps in it, half steps [s] and squared voltages there."""
+        seen, k = self.joint.instruments(theta), self.joint.constants(theta)
+        dt = sample_interval(t)
+        steps = self.joint.substeps(theta, dt)
+        fine = np.linspace(0.0, dt * (len(t) - 1), 2 * steps * (len(t) - 1) + 1)
+        u = DrivingVoltages(v, dt).squared(steps, seen, self.joint.largest_voltage)
+        return k, self.joint.weights(theta), dt, steps, fine, u
 
     def _curves(self, theta: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
         joint = self.joint

@@ -1,4 +1,4 @@
-"""Runs of the condensed joint: free, or coupled to a measurement by an observer.
+"""Runs of the condensed joint: free, coupled to a measurement by an observer, or along a prescribed path.
 
 One joint runs alone; many run `BATCH` at a time, side by side in vector registers. The steps are those of
 `pipeline.solvers.fixed_step`; stop operators are exact in them.
@@ -33,9 +33,9 @@ class Joints(NamedTuple):
         Its length makes W known to the compiler.
     p : FloatArray, shape (PREPARED · W,)
         Prepared constants.
-    c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (3 W,), (2 W,), (1,)
-        Filled in a run: corrections, stop operators, (q, τ, β) at the start of the step, squared voltages [V²];
-        observer pole of the step.
+    c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (3 W,), (2 W,), (2,)
+        Filled in a run: corrections, stop operators, (q, τ, β) at the start of the step, squared voltages [V²]; half
+        step and observer pole of the step.
     squares : FloatArray, shape (V, H, 2)
         Squared voltages [V²] on the H half steps, as V different sets of instruments show them.
     variant, table : NDArray[int64], shape (W,)
@@ -48,6 +48,8 @@ class Joints(NamedTuple):
         Reading [m] that an observer follows and its pole L [1/s]; both (0,) in a free run.
     wall, lead : float
         Displacement [m] that confines the runs; dτ/dq [1/m] of slow motions.
+    path : FloatArray, shape (H, 2)
+        Prescribed q [m] and q̇ [m/s]; (0, 2) where the tip is free.
     """
 
     slots: tuple[int, ...]
@@ -67,6 +69,7 @@ class Joints(NamedTuple):
     pole: FloatArray
     wall: float
     lead: float
+    path: FloatArray
 
 
 @inlined
@@ -96,9 +99,12 @@ def _begin_of(w: int) -> Any:
 
     def begin(system, x, node):
         """Start of the step, from which the stop operators count the play."""
+        if len(system.path) > 0:
+            x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
             system.start[j], system.start[w + j], system.start[2 * w + j] = x[j], x[2 * w + j], x[4 * w + j]
-        system.now[0] = system.pole[node] if len(system.pole) > 0 else 0.0
+        system.now[0] = node
+        system.now[1] = system.pole[node] if len(system.pole) > 0 else 0.0
 
     return begin
 
@@ -109,6 +115,8 @@ def _rates_of(w: int) -> Any:
 
     def rates(system, x, node, dx, acceleration):
         """The law with the corrections at q, and the observer's pull."""
+        if len(system.path) > 0:
+            x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
             system.u[j] = system.squares[system.variant[j], node, 0]
             system.u[w + j] = system.squares[system.variant[j], node, 1]
@@ -118,7 +126,7 @@ def _rates_of(w: int) -> Any:
         equations((x, system.u, system.c, system.z, system.start, system.p, dx))
         for j in range(w):
             acceleration[j] = dx[w + j]
-        pole = system.now[0]
+        pole = system.now[1]
         if pole > 0.0:
             for j in range(w):
                 error = system.observed[node] - system.offset[j] - x[j]
@@ -137,6 +145,9 @@ def _finish_of(w: int) -> Any:
 
     def finish(system, x):
         """The wall holds the tip, and the stop operators move."""
+        if len(system.path) > 0:
+            node = int(system.now[0]) + 2
+            x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
             if abs(x[j]) > system.wall:
                 x[j] = system.wall if x[j] > 0.0 else -system.wall
@@ -255,10 +266,10 @@ def run_joints(
         shown_states = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), z,
-            np.zeros(3 * width), np.zeros(2 * width), np.zeros(1), driving.squares, driving.variant[chosen],
+            np.zeros(3 * width), np.zeros(2 * width), np.zeros(2), driving.squares, driving.variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
             driving.offset[chosen], followed.reading, poles,
-            stepping.wall, stepping.lead,
+            stepping.wall, stepping.lead, np.zeros((0, 2)),
         )  # fmt: skip
         _integrate(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
         filled = min(width, count - first)
@@ -267,6 +278,28 @@ def run_joints(
         out[np.logical_or.accumulate(~np.isfinite(out).all(axis=2), axis=1)] = np.nan
     out[:, :, 0] += driving.offset[:, None]
     return out
+
+
+def follow_path(
+    u: FloatArray, path: FloatArray, dt: float, substeps: int, k: FloatArray, basis: FloatArray, weights: FloatArray,
+    age: float,
+) -> FloatArray:  # fmt: skip
+    """Acceleration [m/s²] along a prescribed path, shape (N,): only the hidden states are integrated, from rest.
+
+    `path` holds q and q̇ on the half steps, shape (2 substeps (N−1) + 1, 2); `u` (2 substeps (N−1) + 1, 2) are the
+    squared voltages [V²] there; the path begins `age` [s] after the
+    recording did; the rest is as in `run_joints`, for one joint.
+    """
+    samples, none, p = (len(path) - 1) // (2 * substeps) + 1, np.zeros(0), prepare(k[None])[0]
+    x, z = rest_state(float(path[0, 0]), u[0], k, p, basis, weights, age)
+    only, out = np.zeros(1, dtype=np.int64), np.empty((samples, 3, 1))
+    system = Joints(
+        (0,), p, np.zeros(VALUES), z,
+        np.zeros(3), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
+        tabulate(basis, weights[None]), np.zeros(1), none, none, np.inf, 0.0, path,
+    )  # fmt: skip
+    _integrate(system, x, out, workspace(x), substeps, dt / substeps, -np.inf, np.inf)
+    return np.ascontiguousarray(out[:, 2, 0])
 
 
 def _rows(values: FloatArray) -> FloatArray:

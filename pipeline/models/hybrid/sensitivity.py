@@ -93,9 +93,9 @@ def sensitivities(
     x, z, starts, stops = _starts(laws, scale, active, widths, offset, driven)
     p, only = prepare_rates(k[None])[0], np.zeros(1, dtype=np.int64)
     system = Joints(
-        (0,), p, np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(1), driven.squares[None], only, only,
+        (0,), p, np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(2), driven.squares[None], only, only,
         table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), np.array([offset]), driven.observed,
-        driven.pole, wall, lead,
+        driven.pole, wall, lead, np.zeros((0, 2)),
     )  # fmt: skip
     points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
     _run(system, x, dt / substeps, points, slips)

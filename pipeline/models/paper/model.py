@@ -134,6 +134,7 @@ class RbfPaperModel(ModelFile):
         steps, bounds = steps_per_sample(interval, self.lag_s), escape_bounds(*self.centres[[0, -1]].tolist())
         return lagged_rbf_run(self.law, v, interval, steps, start, bounds)
 
+    @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
         z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)

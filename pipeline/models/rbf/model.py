@@ -6,6 +6,7 @@ from typing import Annotated, Any, ClassVar, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from pipeline.codegen.graph import trace
 from pipeline.errors import CorruptArtifactError
 from pipeline.fitting.posterior import first_order_curves, posterior_draws
 from pipeline.fitting.regression import InputLaw
@@ -13,6 +14,7 @@ from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table
 from pipeline.models.rbf.coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
+from pipeline.models.rbf.dynamics import free_rates
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import steps_per_sample
@@ -22,6 +24,7 @@ from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.solvers.fixed_step import run_status
 
+PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
 SEED = 20251  # of the posterior draws: the same model gives the same draws
 
 
@@ -176,6 +179,25 @@ class RbfModel:
         start = ((q0 - s.middle) / s.half, qdot0 / s.half)
         runs = [self._run(theta, t, v, still, 0.0, start)[0][:, 0] for theta in draws]
         return s.middle + s.half * np.array(runs), draws
+
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
+        p, s = self.parameters, self.parameters.scales
+        x, speed = (q - s.middle) / s.half, qdot / s.half
+        gain = PATH_OBSERVER_GAIN * s.frequency
+        states, _ = self._run(self.theta, t, v, x, gain, (float(x[0]), float(speed[0])))
+        c = p.coefficients(self.theta)
+        steps = steps_per_sample(p, sample_interval(t), self.theta)
+        u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
+        law = trace(
+            lambda x, slip, u: {"dx": free_rates(c, x, slip, u)},
+            x=2 + len(c.rates), slip=len(c.slip_force), u=len(p.signs),
+        )  # fmt: skip
+        hidden, slip = np.split(states[:, 3:], [len(c.rates)], axis=1)
+        rates = law.evaluate(x=np.column_stack([x, speed, hidden]), slip=slip, u=u[:: 2 * steps])["dx"]
+        acceleration: FloatArray = s.half * rates[:, 1]
+        return acceleration
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves at q [m], shape (n,) (fig. 14).

@@ -110,6 +110,14 @@ class SindyModel:
         path, _ = free_run(self.dynamics, v[last:], dt, float(seen[-1]), float(speed[-1]), z)
         return path[:, 0]
 
+    @checked
+    def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
+        """Acceleration [m/s²] along a measured gap-free path, lag states filtered from the measured signals."""
+        d = self.dynamics
+        library = monomials(d.exponents, scaled_variables(d, _at_samples(v), q, qdot, sample_interval(t)))
+        acceleration: FloatArray = library @ d.coefficients[1]
+        return acceleration
+
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
         """Characteristic curves on a grid of q [m], shape (n,) (fig. 14).
 

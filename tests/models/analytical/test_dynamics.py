@@ -20,6 +20,7 @@ from pipeline.models.analytical.full_order import (
 )
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.analytical.reduced_order import (
+    accelerate,
     beam_modes,
     beam_shapes,
     maxwell_strains,
@@ -136,6 +137,17 @@ def test_reduced_step_is_fine_enough_and_leaving_the_curves_is_divergence() -> N
     assert away.diverged_at is not None and np.isnan(away.q[-1])
 
 
+def test_acceleration_along_a_reduced_motion_is_its_own() -> None:
+    t, v = pulse_sequence(count=1, dt=1e-3)
+    reduced = reduce_joint(UNEQUAL)
+    motion = simulate_reduced(reduced, t, v, START, 0.0)
+    along = accelerate(reduced, t, v, motion.q, motion.q_dot)
+    assert along == pytest.approx(motion.q_ddot, abs=1e-3 * np.abs(motion.q_ddot).max())
+    gap = motion.q.copy()
+    gap[50:60] = np.nan
+    assert np.isnan(accelerate(reduced, t, v, gap, motion.q_dot)[50:60]).all()
+
+
 def test_maxwell_strain_of_a_ramp_is_the_exact_exponential() -> None:
     t = np.linspace(0.0, 1.0, 101)
     rate = np.array([3.0, 7.0])
@@ -162,6 +174,7 @@ def test_the_model_interface_starts_where_it_is_told() -> None:
     again = AnalyticalModel.from_tree(model.to_tree())
     assert again.parameters == model.parameters
     assert "E [Pa]" in model.describe()["parameters"]
+    assert np.isfinite(model.accelerate(t, v, run.q, run.qdot)).all()
     with pytest.raises(InputError, match="cannot be held"):
         model.simulate(t, v, 11.0, 0.0)
 

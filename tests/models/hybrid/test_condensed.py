@@ -43,7 +43,7 @@ from pipeline.models.hybrid.kernels import (
     tabulate,
 )
 from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
-from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, Stepping, run_joints
+from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, Stepping, follow_path, run_joints
 from pipeline.models.hybrid.statics import rest_state, static_curves, substeps
 from pipeline.numerics.arrays import FloatArray
 
@@ -201,6 +201,23 @@ def test_no_motion_in_any_direction_gains_energy_however_low_its_losses_are_corr
             joint_rates(x, np.zeros(2), c, np.zeros(STOPS), x[[0, 2, 4]], p, found)
         odd = matrix @ (rates[0] - rates[1])[[1, 3, 5]]
         assert speeds @ odd < 0.0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
+    k = deviating(seed)
+    k[INDEX["offset"]] = 0.0
+    samples, dt, steps = 1001, 0.01, 8
+    fine = np.linspace(0.0, dt * (samples - 1), 2 * steps * (samples - 1) + 1)
+    omega, amplitude = 2.0 * np.pi, 0.012
+    path = np.column_stack([amplitude * np.sin(omega * fine), amplitude * omega * np.cos(omega * fine)])
+    free = follow_path(np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS, 0.0)
+    q, p = path[:: 2 * steps].T
+    # Whoever holds the path gives its q̈ more than the joint's own; what the shape does besides is its own affair.
+    inertia = np.array([inertia_at(k, x, 0.0)[0, 0] for x in q])
+    holding = inertia * (-(omega**2) * q - free)
+    power = (holding * p)[500:900]  # four whole periods, after the transient
+    assert power.sum() * dt > 0.0
 
 
 @pytest.mark.parametrize("seed", [5, 9, 10, 14])  # those which stay within their range, as a joint on a rig does

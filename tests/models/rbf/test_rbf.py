@@ -64,6 +64,8 @@ def test_a_free_run_over_an_unseen_log_follows_the_truth(identified):
     run = identified.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
     assert run.status == "ok"
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 0.04 * np.ptp(fresh.q)
+    along = identified.accelerate(fresh.t, fresh.v, fresh.q, fresh.qdot)
+    assert np.sqrt(np.mean((along - fresh.qddot) ** 2)) < 0.02 * np.ptp(fresh.qddot)
 
 
 def test_planted_curves_lie_in_the_bands_and_bands_widen_where_an_input_never_acted(identified):
@@ -698,8 +700,8 @@ def test_the_equation_has_the_sign_of_the_drawn_force_and_only_the_terms_of_the_
     theta = np.zeros(p.count)
     theta[p.slices["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
     model, t = RbfModel(p, theta, *np.zeros((2, p.count, 1)), 0.04), INTERVAL * np.arange(50)
-    along = [model.simulate(t, np.zeros((50, 2)), each, 0.0).qddot[0] for each in q]
-    np.testing.assert_allclose(0.04 * np.array(along), -model.curves(q)["F"], atol=1e-9)
+    along = model.accelerate(t, np.zeros((50, 2)), q, np.zeros(50))
+    np.testing.assert_allclose(0.04 * along, -model.curves(q)["F"], atol=1e-9)
     assert model.describe()["structure"] == "q'' = -F - d q' + gains u"
     stops = _equation_of_motion(replace(bare, stops=True, drag=True))
     assert stops == "q'' = -F - (d + k |q'|) q' + gains u, F with end stops"
