@@ -179,15 +179,15 @@ def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, plac
     hold, acting, largest = moments
     stiff = function("max", slope("holding", place, n), largest * (LEAST_STIFF / n["size"]))
     steeper = function("max", stiff, slope("holding", place - 1.0, n))
-    moment, level = held_slowly(now, hold, (stiff, steeper), largest, n)
     (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
+    loaded = function("lt", STIFFENS * largest, function("abs", level_there))
+    moment, level = held_slowly(now, hold, (stiff, steeper + choose(loaded, stiffness, 0.0)), largest, n)
     integral = level_there - PERIOD / INTEGRAL * stiffness * (now["x"][0] - now["target"][0])
     level = clip(choose(calm, integral, level), -largest, largest)
     moment = choose(calm, hold - now["moment"][0] + level_there, moment)
     motion = regulated(now, acting, moment, place)
     # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
     outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
-    loaded = function("lt", STIFFENS * largest, function("abs", level_there))
     stays = function("or", function("or", calm, loaded), function("lt", outwards, -stiff * n["size"] * FREE))
     motion = choose(stays, motion, clip(motion, -largest, largest))
     fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
