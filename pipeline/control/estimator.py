@@ -48,8 +48,9 @@ MEMORY = 10.0
 OTHER = 1e-9
 """Least distance [m] between two targets; a smaller change is the same target."""
 LARGEST, PERSISTENT = 1e-3, 15.0
-"""Limit [m] of the innovation of a reading, and the periods of it after which the estimate begins
-anew."""
+"""Innovation [m] above which a reading corrects nothing, and the periods of such readings after which the estimate
+begins anew. Corrected by a part of so large an innovation, the shape's rates were wrong, and the Maxwell strains for
+seconds after them."""
 ANEW = (1e-9, 0.03, 1e-3, 1.0, 1e-3, 1.0, 1e-6)
 """Variances of the filter's numbers then."""
 ANEW_COUNTS = 0.25
@@ -153,7 +154,7 @@ def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
 def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """Estimate and covariance after a reading q [m]."""
     whole, largest = q - now["x"][0], LARGEST * n["size"]
-    miss = clip(whole, -largest, largest)
+    miss = choose(function("lt", largest, function("abs", whole)), 0.0, whole)
     column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
     share = [value / (column[0] + n["reading_variance"]) for value in column]
     bounds = [n[f"bound_{i}"] for i in range(FILTER)]
@@ -163,7 +164,7 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
     ]
     x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
     spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
-    missed = [function("max", function("abs", miss), FORGET * now["missed"][0])]
+    missed = [function("max", function("min", function("abs", whole), largest), FORGET * now["missed"][0])]
     strayed = choose(function("lt", largest, function("abs", whole)), now["strayed"][0] + 1.0, 0.0)
     return {
         "missed": missed,

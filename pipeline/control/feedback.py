@@ -29,6 +29,8 @@ STILL = 5e-3
 """Speed [m/s] below which a joint that is pumped has come to the end of its swing."""
 DWELL, PATIENCE = 80.0, 500.0
 """Periods that a push of the pump lasts at least, so that it gets the joint moving; the second past the saddle."""
+STALLED = 0.5
+"""Time [s] without coming near a target after which the joint is pumped although its model needs no pump."""
 PAST = 0.3
 """Share of the way from the saddle to the target on which a joint that is pumped is still pushed."""
 DEAD = 0.02
@@ -130,7 +132,8 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     fastest = braking_speed(place, function("abs", target - q), choose(right, 0.0, 1.0), n)
     braked = n["steepness"] * (fastest - towards * speed) * towards
     before, over = (n["saddle"] - q) * towards, (target - n["saddle"]) * towards
-    needed = function("lt", 0.5, choose(right, n["pumped_right"], n["pumped_left"]))
+    weak = function("lt", 0.5, choose(right, n["pumped_right"], n["pumped_left"]))
+    needed = function("or", weak, function("lt", STALLED, now["tried"][0]))
     pumped = _both(needed, function("lt", 0.0, before + PAST * over), function("lt", 0.0, over))
     phase, dwell = now["phase"][0], now["dwell"][0] + 1.0
     past = _both(function("lt", before, 0.0), function("lt", 0.0, phase))

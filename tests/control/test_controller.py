@@ -382,14 +382,40 @@ def test_a_target_that_is_not_reached_is_given_up_until_the_next_one() -> None:
     assert stuck.status == "lost signal"
 
 
-@pytest.mark.parametrize("load", [-1.5e-3, 0.0, 1.5e-3])
+def test_a_reading_far_from_the_estimate_moves_nothing_unless_it_lasts() -> None:
+    plant, law = designed()
+    left = wells_and_saddle(plant)[0].q
+    moved = Moved(law, law, left)
+    moved.run(left, 500)
+    before = moved.state[0]
+    rows = moved.run(left, 10, reading=left + 5e-3)
+    assert not np.any(rows[:, 1:])
+    assert moved.state[0] == pytest.approx(before, abs=1e-6)
+
+
+def test_a_barrier_that_is_higher_than_the_models_is_passed_by_swinging() -> None:
+    plant, _ = designed()
+    _, _, right = (each.q for each in wells_and_saddle(plant))
+    law, other = design(plant, Settings(1800.0, (3e-3, 3e-3))), plant_of(model(**{"log E": -0.2}))
+    softer, start = condensed_joint_law(other, (3e-3, 3e-3)), wells_and_saddle(other)[0].q
+    assert law.number("pumped_right") == 0.0
+    pushed = Moved(law, softer, start)
+    for _ in range(3000):
+        move(pushed.truth, np.array([1800.0, 0.0]), softer)
+        assert pushed.truth[0] < 0.0
+    moved = Moved(law, softer, start)
+    moved.run(right, 2500)
+    assert abs(moved.truth[0] - right) < 0.1e-3
+
+
+@pytest.mark.parametrize("load", [-3e-3, -1.5e-3, 0.0, 1.5e-3, 3e-3])
 @pytest.mark.parametrize("side", [0, 2])
 def test_a_well_takes_no_voltage_at_rest_and_a_load_there_is_balanced(side: int, load: float) -> None:
     plant, law = designed()
     well = wells_and_saddle(plant)[side].q
     moved = Moved(law, law, well)
     moved.push(load)
-    rows = moved.run(well, 8000)
+    rows = moved.run(well, 4000)
     assert np.abs(rows[-1000:, 0] - well).max() < 0.1e-3
     assert np.all(rows[-1000:, 1:].max(axis=1) > 0.0) if load else not np.any(rows[-1000:, 1:])
     assert np.abs(np.diff(rows[-1000:, 1:], axis=0)).max(initial=0.0) < 5.0
