@@ -2,14 +2,13 @@
 
 `python benchmarks/control_disturbances.py RIG=RUN …`: for each folder of `debist rig simulate` and the run that was
 identified from it, the controller of the run against the joint itself, with its own converters and laser. Printed are a
-line for each joint with its misses, and the table. About 20 s of processor time a joint. `control_fleet.py` runs it
-too. On a joint of another size (`debist rig simulate --size`) forces grow with the third power of the size and lengths
-with the first.
+line for each joint with its misses, and the table. About 20 s of processor time a joint. On a joint of another size
+(`debist rig simulate --size`) forces grow with the third power of the size and lengths with the first.
 """
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -17,10 +16,13 @@ import numpy as np
 
 from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
+from pipeline.control.ensemble import Converters
 from pipeline.control.law import Law
 from pipeline.control.linear import wells_and_saddle
+from pipeline.control.plant import ControlledJoint
 from pipeline.control.step_metrics import one_step
 from pipeline.errors import DebistError
+from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.joint import rest
 from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
@@ -36,11 +38,18 @@ GAINS = (0.85, 1.15)
 STIFFER = (-0.1, -0.05, 0.05)  # share of the beam's stiffness, which moves the wells
 
 
+Row = tuple[str, float, bool]
+"""Name, number and verdict."""
+
+
 @dataclass(frozen=True)
 class Tested:
     """A joint, its controller, and the readings [m] of left well, saddle and right well of its model."""
 
     joint: VirtualJoint
+    model: HybridModel
+    plant: ControlledJoint
+    converters: Converters
     law: Law
     places: tuple[float, float, float]
     starts: dict[tuple[int, float], FloatArray]
@@ -64,11 +73,13 @@ class Tested:
 
 
 def tested(rig: Path, run: Path) -> Tested:
-    found = control_run(run)
-    law = design_law(found.plant, Settings(min(3000.0, found.limit), found.converters(ControlSettings())[0].lags))
-    left, saddle, right = (each.q for each in wells_and_saddle(found.plant))
+    controlled = control_run(run)
+    plant, converters = controlled.plant, controlled.converters(ControlSettings())[0]
+    law = design_law(plant, Settings(min(3000.0, controlled.limit), converters.lags))
+    left, saddle, right = (each.q for each in wells_and_saddle(plant))
     size = json.loads((rig / "truth/truth.json").read_text(encoding="utf-8"))["experiment"].get("size", 1.0)
-    return Tested(virtual_joint(str(rig)), law, (left, saddle, right), {}, size)
+    joint = virtual_joint(str(rig))
+    return Tested(joint, controlled.model, plant, converters, law, (left, saddle, right), {}, size)
 
 
 def off(run: ClosedLoop, last: float = 1.0) -> FloatArray:
@@ -77,11 +88,11 @@ def off(run: ClosedLoop, last: float = 1.0) -> FloatArray:
     return np.asarray((run.true_q - run.target)[late])
 
 
-def saddles(one: Tested) -> Iterator[tuple[str, float, bool]]:
+def saddles(one: Tested) -> Iterator[Row]:
     """What is held at the saddle: largest distance [m] in the last second."""
     left, saddle, _ = one.places
 
-    def held(name: str, **other: object) -> tuple[str, float, bool]:
+    def held(name: str, **other: object) -> Row:
         far = float(np.abs(off(one.run({0.0: left, 0.3: saddle}, 5.5, **other))).max())
         return name, far, far < HELD * one.size
 
@@ -115,7 +126,7 @@ def saddles(one: Tested) -> Iterator[tuple[str, float, bool]]:
         )
 
 
-def ramps(one: Tested) -> Iterator[tuple[str, float, bool]]:
+def ramps(one: Tested) -> Iterator[Row]:
     """RMS error [m] along a ramp of 12 s from well to well."""
     left, _, right = one.places
     reference = dict(zip(np.linspace(0.5, 12.5, 400).tolist(), np.linspace(left, right, 400).tolist(), strict=True))
@@ -125,7 +136,7 @@ def ramps(one: Tested) -> Iterator[tuple[str, float, bool]]:
         yield f"ramp, friction {friction:g}", error, error < TRACKED * one.size
 
 
-def wells(one: Tested) -> Iterator[tuple[str, float, bool]]:
+def wells(one: Tested) -> Iterator[Row]:
     """Settling [s], voltage at rest [V], and what loads leave [m]."""
     left, _, right = one.places
     run = one.run({0.0: left, **{0.3 + 2.0 * i: (right, left)[i % 2] for i in range(6)}}, 12.3)
@@ -148,7 +159,7 @@ def wells(one: Tested) -> Iterator[tuple[str, float, bool]]:
             yield f"{name} well, load {1e3 * force:g} mN", far, far < LEFT * one.size or none
 
 
-def drifts(one: Tested) -> Iterator[tuple[str, float, bool]]:
+def drifts(one: Tested) -> Iterator[Row]:
     """Slowest settling [s] of four snaps after the beam's stiffness has changed, which moves the wells."""
     left, _, right = one.places
     for change in STIFFER:
@@ -163,39 +174,36 @@ def drifts(one: Tested) -> Iterator[tuple[str, float, bool]]:
         yield f"snaps, beam {100 * change:+g} % stiff, slowest settling", max(times), max(times) <= DRIFTED
 
 
-def disturbances(one: Tested) -> dict[str, tuple[float, bool]]:
-    """Number and verdict of each disturbance."""
-    return {name: (value, good) for some in (wells, saddles, ramps, drifts) for name, value, good in some(one)}
-
-
-def told(found: dict[str, dict[str, tuple[float, bool]]]) -> None:
-    """Print the table: medians and worst numbers of both physics, in mm, s or V; and every miss."""
+def print_table(joints: dict[str, dict[str, tuple[float, bool]]]) -> None:
+    """Print the table: medians and worst numbers of both physics, in mm where they are lengths."""
     kinds = ("same", "foreign")
-    print("| disturbance | right | " + " | ".join(f"{kind}: median, worst" for kind in kinds) + " |\n|---|---|---|---|")
-    for name in next(iter(found.values()), {}):
-        scale = 1.0 if "settling" in name or "slowest" in name or "voltage at" in name else 1e3
+    print("| | right | " + " | ".join(f"{kind}: median, worst" for kind in kinds) + " |\n|---|---|---|---|")
+    for name in dict.fromkeys(name for rows in joints.values() for name in rows):
+        scale = 1e3 if name.startswith(("saddle", "ramp")) or ", load" in name else 1.0
+        those = {joint: rows[name] for joint, rows in joints.items() if name in rows}
         cells = []
         for kind in kinds:
-            values = scale * np.array([each[name][0] for joint, each in found.items() if kind in joint])
+            values = scale * np.array([value for joint, (value, _) in those.items() if kind in joint])
             cells.append(f"{np.median(values):.3f}, {values.max():.3f}" if values.size else "")
-        good = sum(each[name][1] for each in found.values())
-        print(f"| {name} | {good} of {len(found)} | " + " | ".join(cells) + " |")
+        print(f"| {name} | {sum(good for _, good in those.values())} of {len(those)} | " + " | ".join(cells) + " |")
 
 
-def main() -> None:
-    found = {}
+def main(measures: tuple[Callable[[Tested], Iterator[Row]], ...]) -> None:
+    joints = {}
     for pair in sys.argv[1:]:
         rig, _, run = pair.partition("=")
         name = Path(rig).name
         try:
-            found[name] = disturbances(tested(Path(rig), Path(run)))
+            one = tested(Path(rig), Path(run))
         except DebistError as error:
             print(f"{name}: no controller: {error}", flush=True)
             continue
-        misses = "".join(f"; {what} {value:.3g}" for what, (value, good) in found[name].items() if not good)
-        print(f"{name}: {sum(good for _, good in found[name].values())} of {len(found[name])}{misses}", flush=True)
-    told(found)
+        rows = {what: (value, good) for some in measures for what, value, good in some(one)}
+        joints[name] = rows
+        misses = "".join(f"; {what} {value:.3g}" for what, (value, good) in rows.items() if not good)
+        print(f"{name}: {sum(good for _, good in rows.values())} of {len(rows)}{misses}", flush=True)
+    print_table(joints)
 
 
 if __name__ == "__main__":
-    main()
+    main((wells, saddles, ramps, drifts))

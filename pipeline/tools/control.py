@@ -85,7 +85,7 @@ def pulse(
         left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
-        joint = _with_draws(joint_run.model, converters, (left, saddle, right), to)
+        joint = with_draws(joint_run.model, converters, (left, saddle, right), to)
         snap = design_pulse(joint, begin, end, right - left, highest, goal)
         low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
         return {
@@ -113,7 +113,7 @@ def pulse(
     return kept_document(root, f"pulse-to-{to}", chosen, observer, work)
 
 
-def _with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
+def with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
     """The joint with draws whose voltages err as the lowest one that switches it to a well may."""
     return uncertain(ensemble_of(model, DRAWS, converters), [lowest_voltage(model, converters, places, to, TYPICAL)])
 
