@@ -16,7 +16,7 @@ from pipeline.control.linear import wells_and_saddle
 from pipeline.control.margins import Margins, margins
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import BAND, step_metrics
-from pipeline.control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, uncertain
+from pipeline.control.switching_map import OF_SETTLING, PULSES, TYPICAL, lowest_voltage, switching_map, uncertain
 from pipeline.errors import InputError
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.names import Goal, Well
@@ -114,8 +114,9 @@ def pulse(
 
 
 def with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
-    """The joint with draws whose voltages err as the lowest one that switches it to a well may."""
-    return uncertain(ensemble_of(model, DRAWS, converters), [lowest_voltage(model, converters, places, to, TYPICAL)])
+    """The joint with the draws that judge a pulse to a well: their voltages err as its settling may."""
+    lowest = lowest_voltage(model, converters, places, to, TYPICAL)
+    return uncertain(ensemble_of(model, DRAWS, converters), [lowest], OF_SETTLING)
 
 
 def _finite(value: float) -> float | None:
