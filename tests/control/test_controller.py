@@ -29,6 +29,10 @@ from pipeline.models.hybrid.parameters import NAMES
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.numerics.arrays import FloatArray
 
+GCC = [
+    "gcc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wdouble-promotion",
+    "-Wfloat-equal", "-Werror", "-O2", "-shared", "-fPIC",
+]  # fmt: skip
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
 
 anything = st.one_of(
@@ -139,9 +143,8 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
     places = tuple(each.q for each in wells_and_saddle(plant))
     subject = ControllerSubject("P*/1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (places[0], places[1], places[2]))
     header, source = write_controller(subject, tmp_path).written[:2]
-    flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wshadow", "-Wfloat-equal", "-Werror", "-O2"]
     library = tmp_path / "controller.so"
-    subprocess.run(["gcc", *flags, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"], check=True)
+    subprocess.run([*GCC, str(source), "-o", str(library), "-lm"], check=True)
     text = source.read_text(encoding="utf-8")
     assert not any(word in text for word in ("alloc", "printf", "stdio", "stdlib"))
     kinds = [line.split()[-2] for line in nm(library) if not line.split()[-1].startswith(("_", "completed", "__"))]
@@ -186,9 +189,7 @@ def test_single_precision_controls_as_double_does(tmp_path: Path) -> None:
     left, saddle, right = (each.q for each in wells_and_saddle(plant))
     subject = ControllerSubject("P1", "hybrid", "0" * 64, law, (3e-3, 3e-3), (left, saddle, right))
     source, library = write_controller(subject, tmp_path).written[1], tmp_path / "single.so"
-    flags = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wdouble-promotion", "-Werror", "-O2"]
-    flags += ["-DDEBIST_CONTROLLER_SINGLE", "-shared", "-fPIC"]
-    subprocess.run(["gcc", *flags, str(source), "-o", str(library), "-lm"], check=True)
+    subprocess.run([*GCC, "-DDEBIST_CONTROLLER_SINGLE", str(source), "-o", str(library), "-lm"], check=True)
     loaded, highest = ctypes.CDLL(str(library)), law.number("highest")
     loaded.debist_controller_size.restype = ctypes.c_size_t
     assert loaded.debist_controller_size() == 4 * CONTROLLER_STATE
