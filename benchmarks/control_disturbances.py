@@ -31,6 +31,7 @@ from pipeline.tools.closed_loop import VirtualJoint, designed, virtual_joint
 from pipeline.tools.controlled_run import ControlSettings, control_run
 
 HELD, TRACKED, LEFT, SETTLED, DRIFTED = 0.5e-3, 0.15e-3, 0.1e-3, 0.3, 1.0  # m, m RMS, m, s, s
+RATE = 10.0  # kV/s, path of a voltage in the last second under a load; limit cycles were 18 and more
 BUMPS = {f"{1e3 * impulse:g} mN s": impulse for impulse in (0.5e-3, -0.5e-3, 1e-3, 3e-3)}
 STEPS = {f"{1e3 * force:g} mN": force for force in (5e-3, -5e-3)}
 FRICTIONS = (1.0, 0.1)
@@ -147,16 +148,20 @@ def wells(one: Tested) -> Iterator[Row]:
         times.append(np.inf if step.settling_s is None else step.settling_s)
     yield "snaps, median settling", float(np.median(times)), float(np.median(times)) <= SETTLED
     yield "snaps, slowest", max(times), max(times) <= SETTLED
+    rates = []
     for well, side in ((left, -1), (right, 1)):
         name = "left" if side < 0 else "right"
         run = one.run({0.0: well}, 8.0, side)
-        volts = float(np.maximum(run.command1, run.command2)[run.t > 7.0].mean())
-        yield f"{name} well, voltage at rest", volts, volts == 0.0
+        rest_volts = float(np.maximum(run.command1, run.command2)[run.t > 7.0].mean())
+        yield f"{name} well, voltage at rest", rest_volts, rest_volts == 0.0
         for force in (10e-3, -10e-3, 20e-3, -20e-3):
             run = one.run({0.0: well}, 8.0, side, pushes=((0.5, force * one.newton, 9.0),))
             far, late = float(np.abs(off(run)).max()), run.t > 7.0
-            none = bool(np.maximum(run.command1, run.command2)[late].max() == 0.0)
+            volts = np.maximum(run.command1, run.command2)[late]
+            none = bool(volts.max() == 0.0)
+            rates.append(1e-3 * float(np.abs(np.diff(volts)).sum()))
             yield f"{name} well, load {1e3 * force:g} mN", far, far < LEFT * one.size or none
+    yield "wells under these loads, fastest voltage, kV/s", max(rates), max(rates) < RATE
 
 
 def drifts(one: Tested) -> Iterator[Row]:
