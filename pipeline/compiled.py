@@ -44,6 +44,11 @@ def compiled(function: Any = None, /, *, with_module_of: type | None = None, **o
     return _kernel(function, with_module_of, options)
 
 
+def inner(function: Kernel) -> Kernel:
+    """For a function that kernels alone call: a wrapper for Python would be up to half of what it costs to compile."""
+    return compiled(no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)  # type: ignore[no-any-return]
+
+
 def shared(function: Kernel) -> Kernel:
     """For a law that kernels call, and that plain Python calls with traced values."""
     return inlinable(error_model="numpy", _nrt=False)(function)  # type: ignore[no-any-return]

@@ -5,18 +5,18 @@
 
 from typing import TYPE_CHECKING
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 
-@compiled
+@inner
 def copy_into(target: FloatArray, source: FloatArray) -> None:
     """target[:] = source, shapes (n,): an assignment of slices compiles seconds longer, for what it could raise."""
     for i in range(len(target)):
         target[i] = source[i]
 
 
-@compiled
+@inner
 def factorise(matrix: FloatArray, pivots: IntArray) -> bool:
     """LU with partial pivoting, in place; False if a pivot vanishes or is not finite.
 

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -39,7 +39,7 @@ def start_covariance(weights: FloatArray, first_variance: float) -> FloatArray:
     return covariance
 
 
-@compiled
+@inner
 def advance_covariance(covariance: FloatArray, variance: float, gains: FloatArray) -> float:
     """One sample: predict with noise of `variance`, measure; write the m + 1 gains, return 1/(innovation variance)."""
     order = covariance.shape[0] - 1

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import RigParameters
@@ -74,7 +74,7 @@ def _behind_electrodes(v: FloatArray, left: float) -> FloatArray:
     return out
 
 
-@compiled
+@inner
 def charged(v: float, asked: float, decay: float, rate: float, power: float, dt: float) -> float:
     """The converter's voltage [V] `dt` [s] after it was v; `decay` is 1 − e^(−dt/lag), `power` that over C."""
     up = min(rate, power / max(v, _POWER_FLOOR)) * dt

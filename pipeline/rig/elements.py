@@ -23,7 +23,7 @@ import math
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.parameters import (
     BOUC_WEN,
@@ -108,7 +108,7 @@ def inertia(x: FloatArray, v: FloatArray, p: RigParameters, matrix: FloatArray, 
     matrix[n - 1, n - 1] += p.frame_inertia
 
 
-@compiled
+@inner
 def _lever(i: int, j: int, n: int, link: float, p: RigParameters) -> float:
     """Σ of mass × lever of link i × lever of link j over the lumped masses: half links at each node, and the frame."""
     outer = max(i, j)
@@ -162,7 +162,7 @@ def elastic(x: FloatArray, v: FloatArray, p: RigParameters, force: FloatArray) -
     return float(energy + weight * (np.cos(x[n - 1]) - 1.0))
 
 
-@compiled
+@inner
 def hinge_angle(x: FloatArray, i: int) -> float:
     """Angle [rad] by which link i of a chain is turned against the one before."""
     return float(x[i] - x[i - 1] if i > 0 else x[i])
@@ -249,7 +249,7 @@ def rubber_energy(stretch_1: float, side: int, p: RigParameters) -> float:
     return energy
 
 
-@compiled
+@inner
 def viscous_strain(stretch_1: float, p: RigParameters) -> tuple[float, float]:
     """The strain that the viscous branches see, and its derivative by λ1: λ3 = λ1^(−1/2), or ln λ1."""
     if p.strain == THICKNESS:

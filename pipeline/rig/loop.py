@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from llvmlite import ir
 
-from pipeline.compiled import compiled, intrinsic, types
+from pipeline.compiled import compiled, inner, intrinsic, types
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.bench import Bench, Converter, Laser, Probe, bent, charge_left, charged
@@ -88,7 +88,7 @@ def _call_step(context, address, q, target, v):  # type: ignore[no-untyped-def] 
 call_step: Any = intrinsic(_call_step)
 
 
-@compiled
+@inner
 def _charge(
     v: FloatArray, membranes: FloatArray, command: FloatArray, h: float, around: Surroundings, charge: FloatArray
 ) -> None:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.elements import (
     elastic,
@@ -69,7 +69,7 @@ class _Work(NamedTuple):
     layers: FloatArray  # (layers, n) at the end of what was asked last
 
 
-@compiled
+@inner
 def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: _Work, out: FloatArray) -> None:
     """Fill `out`, shape (n,), with the residual of the midpoint rule at the midpoint velocity `vm`."""
     n, x = vm.size, work.x
@@ -103,7 +103,7 @@ def _imbalance(vm: FloatArray, h: float, state: _State, p: RigParameters, work: 
             out[j] += work.matrix[j, k] * (2.0 / h) * (vm[k] - state.v[k])
 
 
-@compiled
+@inner
 def _membrane_load(dt: float, state: _State, p: RigParameters, work: _Work) -> None:
     """Fill `work.load` with the membranes' forces along (q, u_y, φ), `dt` after the state; and `work.branches`."""
     work.load[0] = work.load[1] = work.load[2] = 0.0
@@ -125,7 +125,7 @@ def _membrane_load(dt: float, state: _State, p: RigParameters, work: _Work) -> N
             work.load[c] += conjugate * work.gradient[c]
 
 
-@compiled
+@inner
 def _invert(a: FloatArray, inverse: FloatArray) -> None:
     """Fill `inverse` with the inverse of the small matrix `a`, which is destroyed: Gauss–Jordan with row pivots."""
     n = a.shape[0]
@@ -152,7 +152,7 @@ def _invert(a: FloatArray, inverse: FloatArray) -> None:
                     inverse[i, j] -= factor * inverse[c, j]
 
 
-@compiled
+@inner
 def _newton(
     vm: FloatArray, h: float, renew: bool, state: _State, p: RigParameters, work: _Work, inverse: FloatArray
 ) -> int:
@@ -189,7 +189,7 @@ def _newton(
     return -1
 
 
-@compiled
+@inner
 def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
     """Trapezoidal mean of `e` over the step of `stride` samples that begins at `first`; the last value is held."""
     total, last = 0.0, e.shape[0] - 1
@@ -198,7 +198,7 @@ def _mean(e: FloatArray, side: int, first: int, stride: int) -> float:
     return total / stride
 
 
-@compiled
+@inner
 def at_rest(p: RigParameters, start: FloatArray) -> _State:
     """The joint at rest at the coordinates `start`, shape (n,), its viscous branches and friction relaxed."""
     n, branches, elements = start.size, p.branch_modulus.shape, p.slip_force.size
@@ -214,7 +214,7 @@ def at_rest(p: RigParameters, start: FloatArray) -> _State:
     return state
 
 
-@compiled
+@inner
 def workspace(p: RigParameters, n: int) -> _Work:
     """Arrays for the steps of a joint with `n` coordinates."""
     return _Work(
@@ -224,7 +224,7 @@ def workspace(p: RigParameters, n: int) -> _Work:
     )  # fmt: skip
 
 
-@compiled
+@inner
 def read_tip(state: _State, p: RigParameters, work: _Work, pose: FloatArray, rate: FloatArray) -> None:
     """Fill `pose` and `rate`, shape (2,), with (q, φ) and their rates; `work.pose` is that of the state."""
     tip(state.x, p, work.pose, work.jacobian)
@@ -235,7 +235,7 @@ def read_tip(state: _State, p: RigParameters, work: _Work, pose: FloatArray, rat
             rate[row] += work.jacobian[2 * row, j] * state.v[j]
 
 
-@compiled
+@inner
 def advance(
     h: float, renew: bool, state: _State, p: RigParameters, work: _Work, inverse: FloatArray, vm: FloatArray
 ) -> int:

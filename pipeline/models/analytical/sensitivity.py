@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.generated.analytical_joint import MOTION, motion_slopes
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.inner_loops import copy_into
@@ -112,7 +112,7 @@ def _tabulate(solution: _Solution, points: FloatArray, steps: FloatArray, tables
                         masses[k, i, m] = mass[i, m, 0]
 
 
-@compiled
+@inner
 def _between(solution: _Solution, k: int, x: FloatArray, a: FloatArray, squares: FloatArray) -> None:
     """State (11,), accelerations (4,) and squared voltages (2,) at sample k / 2, or halfway to the next one."""
     t, v, states, rates = solution
@@ -139,7 +139,7 @@ class _Variation(NamedTuple):
     source: FloatArray
 
 
-@compiled
+@inner
 def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     """Matrices at a stage, and its right-hand side ``at / (γ h)`` plus ∂f/∂p."""
     w, shift, source = 0.5 * (system.half + SDIRK3.nodes[stage]), 1.0 / (SDIRK3.gamma * h), system.source
@@ -173,7 +173,7 @@ def integrate_sensitivities(
         copy_into(out[n + 1], x)
 
 
-@compiled
+@inner
 def _parabola(w: float, points: FloatArray, row: int, values: FloatArray) -> None:
     """At the share w of a sample interval, the parabolas through the three tabulated rows of `points` from `row` on."""
     first, middle, last = (1.0 - w) * (1.0 - 2.0 * w), 4.0 * w * (1.0 - w), w * (2.0 * w - 1.0)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.device_parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
@@ -60,7 +60,7 @@ def length_scales(length: float) -> FloatArray:
     return np.array([length**-2, length**-3, length**-4, 1.0])
 
 
-@compiled
+@inner
 def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: FloatArray, iterations: int) -> bool:
     """Newton on ∂U/∂q_m = F ∂q/∂q_m from `qm`, in place; True if it converged.
 

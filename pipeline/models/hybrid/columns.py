@@ -19,12 +19,12 @@ from numpy.typing import NDArray
 
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
 from pipeline.codegen.numba_writer import formula, kernel
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOP_DIRECTIONS, STOP_ELEMENTS, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
 from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
 from pipeline.models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES
-from pipeline.models.hybrid.runs import observer
+from pipeline.models.hybrid.runs import Laws, Stepping, observer
 from pipeline.numerics.arrays import FloatArray, SingleArray
 from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
 
@@ -162,14 +162,35 @@ def blocks(count: int) -> int:
     return -(-count // BATCH)
 
 
+class Path(NamedTuple):
+    """A run of one joint, about which the columns are linear.
+
+    Attributes
+    ----------
+    points : FloatArray, shape (steps + 1, 4, STATES)
+        States at all stages.
+    slips : FloatArray, shape (steps + 1, STOPS)
+        Stop operators at the start of each step.
+    squares, by_instruments, pole : FloatArray
+        As in `pipeline.models.hybrid.sensitivity.Driven`.
+    """
+
+    points: FloatArray
+    slips: FloatArray
+    squares: FloatArray
+    by_instruments: FloatArray
+    pole: FloatArray
+
+
 @compiled
 def propagate(
-    points: FloatArray, slips: FloatArray, k: FloatArray, basis: FloatArray, weights: FloatArray, squares: FloatArray,
-    by_instruments: FloatArray, pole: FloatArray, h: float, substeps: int, wall: float, lead: float,
-    columns: Columns, starts: SingleArray, stops: SingleArray, displacements: FloatArray,
+    path: Path, laws: Laws, stepping: Stepping, columns: Columns,
+    starts: SingleArray, stops: SingleArray, displacements: FloatArray,
 ) -> None:  # fmt: skip
     """Derivatives of q at the samples by all columns, `displacements` (N, columns), from those at the start."""
     sources, targets, own, instruments, corrected = columns
+    points, slips, squares, by_instruments, pole = path
+    (k, weights, basis), (dt, substeps, wall, lead) = laws, stepping
     steps, centres, prepared = len(points) - 1, weights.shape[1], np.empty(_PREPARED)
     x, u, z = _zeros(STATES * STAGES), _zeros(2 * STAGES), _zeros(STOPS * STAGES)
     c, c_q = _zeros(VALUES * STAGES), _zeros(VALUES * STAGES)
@@ -180,11 +201,12 @@ def propagate(
     for i in range(_PREPARED * STAGES):
         p[i] = prepared[i // STAGES]
     bells = np.zeros((STAGES, 2, max(centres, 1)))
+    w[:, 0], w[:, 1], w[:, 2] = k[_ARM], dt / substeps, k[_LENGTH]
     for column in range(displacements.shape[1]):
         displacements[0, column] = starts[column // BATCH, 0, column % BATCH]
     for first in range(0, steps, 2):
         for slot in range(_SLOTS):
-            _act_by_play(points, slips, first, slot, k, h, z, w, drive, own)
+            _act_by_play((points, slips), first, slot, k, z, w, drive, own)
         for stage_lane in range(STAGES):
             step, stage = min(first + stage_lane // STEP_STAGES, steps - 1), stage_lane % STEP_STAGES
             for i in range(STATES):
@@ -201,14 +223,14 @@ def propagate(
                 drive[target + (stage_lane + stage_lane // STEP_STAGES) * BATCH] = by_k[source + stage_lane]
         for stage_lane in range(STAGES):
             step, stage = min(first + stage_lane // STEP_STAGES, steps - 1), stage_lane % STEP_STAGES
-            node = 2 * step + STAGE_NODES[stage]
-            _act_by_instruments(by_instruments, pole, lead, 2 * step, node, stage_lane, instruments, a, b, drive)
+            pull, node = observer(-1.0, pole[2 * step] if len(pole) > 0 else 0.0, lead), 2 * step + STAGE_NODES[stage]
+            _act_by_instruments(by_instruments[:, node], pull, stage_lane, instruments, a, b, drive)
             if centres > 0:
                 _act_by_weights(bells, by_c, stage_lane, centres, corrected, drive)
         _advance(first, min(first + 2, steps), points, wall, substeps, a, w, drive, starts, stops, displacements)
 
 
-@compiled
+@inner
 def _zeros(count: int) -> SingleArray:
     return np.zeros(count, dtype=np.float32)
 
@@ -238,16 +260,16 @@ def _advance(
 
 @compiled(inline="always")
 def _act_by_play(
-    points: FloatArray, slips: FloatArray, first: int, slot: int, k: FloatArray, h: float, z: SingleArray,
-    w: SingleArray, drive: SingleArray, own: NDArray[np.int64],
+    run: tuple[FloatArray, FloatArray], first: int, slot: int, k: FloatArray, z: SingleArray, w: SingleArray,
+    drive: SingleArray, own: NDArray[np.int64],
 ) -> None:  # fmt: skip
     """Weights of a slot, its stop operators, and how travels, arm and length act on these themselves."""
+    points, slips = run
     half, stage = slot // _STEP_SLOTS, slot % _STEP_SLOTS
     step = min(first + half, len(points) - 2)
     at = (step, stage) if stage < STEP_STAGES else (step + 1, 0)
     moved = points[at[0], at[1], 0] - points[step, 0, 0]
     turned, bowed = points[at[0], at[1], 2] - points[step, 0, 2], points[at[0], at[1], 4] - points[step, 0, 4]
-    w[half, 0], w[half, 1], w[half, 2] = k[_ARM], h, k[_LENGTH]
     for i in range(STOPS):
         place, element = 3 + 2 * STOPS * stage + i, _ELEMENT[i]
         by_arm, by_length = _DIRECTION[i, 1] * turned, _DIRECTION[i, 2] * turned + _DIRECTION[i, 3] * bowed
@@ -286,12 +308,14 @@ def _corrections(
 
 @compiled(inline="always")
 def _act_by_instruments(
-    by_instruments: FloatArray, pole: FloatArray, lead: float, begins: int, node: int, stage_lane: int,
-    places: NDArray[np.int64], a: SingleArray, b: SingleArray, drive: SingleArray,
+    inputs: FloatArray, pull: tuple[float, float, float, float], stage_lane: int, places: NDArray[np.int64],
+    a: SingleArray, b: SingleArray, drive: SingleArray,
 ) -> None:  # fmt: skip
-    """Add the observer's terms to ∂f/∂x, and the derivatives of the rates by the instruments."""
-    strength = pole[begins] if len(pole) > 0 else 0.0
-    q, speed, tau, turning = observer(-1.0, strength, lead)
+    """Add the observer's terms to ∂f/∂x, and the derivatives of the rates by the instruments.
+
+    `inputs` (4, 2) are those of the squared voltages; `pull` is the observer's, on each rate for 1 m.
+    """
+    q, speed, tau, turning = pull
     a[stage_lane], a[2 * _ALL * STAGES + stage_lane] = q, tau
     a[_ALL * STAGES + stage_lane] += speed
     a[3 * _ALL * STAGES + stage_lane] += turning
@@ -301,7 +325,7 @@ def _act_by_instruments(
             drive[at], drive[at + _ROW] = q, speed
             drive[at + 2 * _ROW], drive[at + 3 * _ROW] = tau, turning
         else:
-            left, right = by_instruments[i - 1, node, 0], by_instruments[i - 1, node, 1]
+            left, right = inputs[i - 1, 0], inputs[i - 1, 1]
             for row in range(FIRST_STRAIN):
                 drive[at + row * _ROW] = (
                     left * b[2 * row * STAGES + stage_lane] + right * b[(2 * row + 1) * STAGES + stage_lane]

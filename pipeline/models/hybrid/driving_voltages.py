@@ -7,7 +7,7 @@ its voltage V under the measured v, from rest under the first one. What pulls is
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.errors import InputError
 from pipeline.models.hybrid.parameters import Instruments
 from pipeline.numerics.arrays import FloatArray
@@ -102,7 +102,7 @@ def _spline_squares(
     return out
 
 
-@compiled
+@inner
 def _shares(ratio: float) -> tuple[float, float]:
     """Remaining share of a lagged value after `ratio` time constants, and the mean share until then.
 

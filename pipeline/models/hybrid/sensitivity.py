@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import STATES, STOPS
-from pipeline.models.hybrid.columns import BATCH, INSTRUMENTS, blocks, columns_of, propagate
+from pipeline.models.hybrid.columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
 from pipeline.models.hybrid.kernels import CURVES, VALUES, table_span, tabulate
 from pipeline.models.hybrid.kernels import prepare as prepare_rates
 from pipeline.models.hybrid.runs import Joints, Laws, Stepping
@@ -100,10 +100,8 @@ def sensitivities(
     points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
     _run(system, x, dt / substeps, points, slips)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
-    propagate(
-        points, slips, k, basis, weights, driven.squares, driven.by_instruments, driven.pole,
-        dt / substeps, substeps, wall, lead, columns_of(active), starts, stops, displacements,
-    )  # fmt: skip
+    path = Path(points, slips, driven.squares, driven.by_instruments, driven.pole)
+    propagate(path, laws, stepping, columns_of(active), starts, stops, displacements)
     first, count = len(active) + INSTRUMENTS, weights.shape[1]
     by_weights = displacements[:, first : first + CURVES * count].reshape(len(displacements), CURVES, count)
     return Sensitivity(points[::substeps, 0, 0], displacements[:, :first], by_weights)

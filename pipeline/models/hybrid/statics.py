@@ -5,7 +5,7 @@ Characteristic curves are taken along the path on which the shape is at rest.
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, inner
 from pipeline.generated.condensed_joint import (
     AT_REST,
     BENDS,
@@ -44,7 +44,7 @@ _FARTHEST = (0.05, 0.15)
 """Largest changes of τ and β in an iteration."""
 
 
-@compiled
+@inner
 def held_shape(
     q: float, softened: float, u: FloatArray, c: FloatArray, k: FloatArray, p: FloatArray
 ) -> tuple[float, float, float]:
@@ -191,7 +191,7 @@ def _shape_slopes(
     return (by[3] * by_q2 - by[5] * by_q1) / determinant, (by[4] * by_q1 - by[2] * by_q2) / determinant
 
 
-@compiled
+@inner
 def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c: FloatArray, p: FloatArray) -> float:
     """Generalised force [N] on q, τ and β along the path at a speed [m/s], without voltage, friction and creep."""
     u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(3), np.empty(STATES), np.empty(6)
