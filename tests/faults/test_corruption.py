@@ -1,5 +1,6 @@
 """Flipped bits, truncations, edits: every read and `verify` find them; set aside, named, and rebuilt."""
 
+import contextlib
 import json
 import random
 
@@ -44,9 +45,20 @@ def test_no_damage_of_the_manifest_is_silent(bench):
     rng, path = random.Random(9), bench.run / MANIFEST
     good = path.read_bytes()
     for i in range(48):
-        path.write_bytes(damaged(good, rng, "flip" if i < 40 else "cut"))
+        spoilt = damaged(good, rng, "flip" if i < 40 else "cut")
+        path.write_bytes(spoilt)
+        if _content(spoilt) == _content(good):  # an E for an e, or a 17th digit that no double has
+            load_manifest(bench.run)
+            continue
         with pytest.raises(CorruptArtifactError, match=MANIFEST):
             load_manifest(bench.run)
+
+
+def _content(text: bytes) -> object:
+    """What a manifest means; None where it is no JSON."""
+    with contextlib.suppress(ValueError):
+        return json.loads(text)
+    return None
 
 
 def _forged(path, change) -> None:

@@ -148,13 +148,12 @@ def test_trees_hash_by_path_and_value() -> None:
     assert tree_hash(tree) != tree_hash({**tree, "units": {"q": "rad"}})
 
 
-@pytest.mark.parametrize(
-    "column", [pa.nulls(10**8, pa.float64()), pa.DictionaryArray.from_arrays(np.zeros(10**5, "i4"), ["x" * 10**4])]
-)
-def test_a_table_that_declares_more_than_it_holds_is_refused_unread(tmp_path, column):
+@pytest.mark.parametrize("kind", ["nulls", "one long text"])
+def test_a_table_that_declares_more_than_it_holds_is_refused_unread(tmp_path: Path, kind: str) -> None:
     """Nulls, and rows that all name one long text, take next to no bytes."""
     path = tmp_path / "t.parquet"
-    pq.write_table(pa.table({"x": column}), path)
+    text = pa.DictionaryArray.from_arrays(np.zeros(10**5, "i4"), ["x" * 10**4])
+    pq.write_table(pa.table({"x": pa.nulls(10**8, pa.float64()) if kind == "nulls" else text}), path)
     assert path.stat().st_size < 10**6
     with pytest.raises(CorruptArtifactError, match=r"t\.parquet: damaged \(declares .* MB in a file of"):
         tables.read_table(path)
