@@ -86,6 +86,7 @@ def test_damaged_kernels_are_compiled_anew(package: Path, damages: int) -> None:
         assert _words(package) == ["7.0", "1"], (file, number % 5)
 
 
+@pytest.mark.long
 def test_kernels_without_digest_are_used_while_another_process_may_write_them(package: Path) -> None:
     _words(package)
     kernels = package.parent / "kernels"

@@ -84,7 +84,7 @@ def test_a_field_above_the_limit_is_noted_of_a_joint_alone(pair: list[LogSignals
     assert "largest field" not in {r.what for r in check_logs([strong], replace(JOINT, squared=False))}
 
 
-@pytest.mark.parametrize("samples", [-18, 13])
+@pytest.mark.parametrize("samples", [-18, pytest.param(13, marks=pytest.mark.long)])
 def test_a_log_of_another_clock_is_told_beside_the_first(pair: list[LogSignals], samples: int) -> None:
     """Though alone its delay is no remark: sensors and drives of honest logs are as late, or early."""
     first = _later(pair[0], 8)

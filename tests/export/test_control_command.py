@@ -57,6 +57,7 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     assert names == {f"controller.{ending}" for ending in ("h", "c", "m", "fmu")}
 
 
+@pytest.mark.long
 def test_limits_on_rate_and_mean_are_kept_in_the_design_and_its_exports(planted_run: Path, tmp_path: Path) -> None:
     shutil.copytree(planted_run, tmp_path / "run")
     limits = ("--slew", "0.2kV/ms", "--average-voltage", "150V")

@@ -30,7 +30,9 @@ def debist(*arguments: object, **options):
     )
 
 
-@pytest.mark.parametrize("arguments", [("--help",), ("status", "{run}"), ("status", "{run}", "--json")])
+@pytest.mark.parametrize(
+    "arguments", [("--help",), pytest.param(("status", "{run}"), marks=pytest.mark.long), ("status", "{run}", "--json")]
+)
 def test_a_reader_that_has_gone_ends_a_command_as_other_programs(bench, arguments):
     """`debist show RUN | head -1`: no message, and the exit code of SIGPIPE."""
     bench.start("intact")

@@ -301,6 +301,7 @@ def test_on_paper_no_table_is_wider_than_the_sheet(browser: Any, pages: dict[str
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
 
+@pytest.mark.long
 def test_a_large_fleet_shows_the_rows_in_sight(browser: Any, tmp_path: Path) -> None:
     from selenium.webdriver.common.by import By
 

@@ -50,7 +50,10 @@ def _write(kind: str, path: Path) -> None:
             mdf.save(path, overwrite=True, compression=1)
 
 
-@pytest.fixture(scope="module", params=["mat", "packed.mat", "mat73", "csv", "blanks", "parquet", "h5", "mf4"])
+_SLOW = pytest.param("blanks", marks=pytest.mark.long)
+
+
+@pytest.fixture(scope="module", params=["mat", "packed.mat", "mat73", "csv", _SLOW, "parquet", "h5", "mf4"])
 def log(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("streaming") / f"log.{request.param}"
     _write(request.param, path)
@@ -58,9 +61,9 @@ def log(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 
 
 def test_no_part_is_much_longer_than_agreed(log: Path) -> None:
-    sizes = [samples.size for _, samples in open_here(log).parts(["q"])]
-    assert sum(sizes) == ROWS and len(sizes) > 1 and max(sizes) < 2 * PART
-    np.testing.assert_array_equal(load(open_here(log), "q"), Q)
+    parts = [samples for _, samples in open_here(log).parts(["q"])]
+    assert len(parts) > 1 and max(samples.size for samples in parts) < 2 * PART
+    np.testing.assert_array_equal(np.concatenate(parts), Q)
 
 
 @pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="open files are listed on Linux only")

@@ -251,6 +251,7 @@ def test_the_record_comes_in_pieces(interval):
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="memory without pages of files is known on Linux")
+@pytest.mark.long
 def test_a_long_log_is_never_in_memory_as_a_whole(tmp_path):
     """Eight million rows, of which some are left out in each column, take 64 MB a column."""
     program = """

@@ -176,6 +176,7 @@ def arm(seed, *, n=700, interval=0.03):
     return Record(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
 
 
+@pytest.mark.long
 def test_the_lag_of_a_propeller_is_found_by_inner_validation():
     model = identify_rbf([arm(1, n=420)], angle=True, choice=RbfChoice("maxwell-slip", 6, 1.0))
     assert "lagged input" in model.diagnostics["chosen"]
