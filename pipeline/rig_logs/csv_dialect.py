@@ -195,7 +195,7 @@ def _headings(
     padded = [*above[header_row], *[""] * width][:width]
     names, units = names_and_units(padded, () if units_row is None else above[units_row], width)
     units = (
-        tuple(unit or each.unit for unit, each in zip(units, table.columns, strict=True)) if table.columns else units
+        tuple(each.unit or unit for unit, each in zip(units, table.columns, strict=True)) if table.columns else units
     )
     as_written = table.rows[header_row][:width]
     return names, units, tuple(as_written if len(as_written) == len(above[header_row][:width]) == width else padded)

@@ -138,16 +138,28 @@ def test_names_in_the_encodings_of_other_scripts(tmp_path, encoding, names):
     np.testing.assert_allclose(load(source, bare[1]), Q, atol=1e-9)
 
 
-def test_si_prefixes_behind_numbers_are_not_taken_for_a_unit(tmp_path):
+@pytest.mark.parametrize(
+    ("high", "low", "unit", "value"),
+    [
+        ("2,8k", "734,1m", "", 0.7341), ("2,8k", "0", "", 0.0), ("2,8K", "734,1", "", 734.1),
+        ("2,8 kV", "734 V", "V", 734.0), ("2,8e3 V", "734,1mV", "V", 0.7341),
+    ],
+)  # fmt: skip
+def test_si_prefixes_behind_numbers_are_applied(tmp_path, high, low, unit, value):
     path = tmp_path / "log.csv"
-    text = "t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, ["734.1m" if t < 0.5 else "2.8k" for t in TIME])
-    path.write_text(text)
+    rows = _rows("{:.3f};{:.4f};{}", TIME, Q, [low if t < 0.5 else high for t in TIME])
+    path.write_text(("t;q;v [mA]\n" if unit else "t;q;v\n") + rows.replace(".", ","))
     source = open_here(path)
-    assert "v" in source.texts
-    assert "734.1m" in source.texts["v"]
-    path.write_text(text.replace("734.1m", "734.1"))
-    with pytest.raises(UnreadableLogError, match="is no number with the decimal mark"):
-        list(open_here(path).parts(["v"]))
+    assert {entry.name: entry.unit for entry in source.entries()}["v"] == unit
+    np.testing.assert_allclose(load(source, "v"), np.where(TIME < 0.5, value, 2800.0), rtol=1e-12)
+    assert any("SI prefixes" in note for note in source.notes) == (not unit)
+
+
+@pytest.mark.parametrize(("high", "low"), [("2.8K", "0K"), ("2.8 kV", "3 mA")])
+def test_a_letter_that_may_be_a_unit_or_a_prefix_is_left_out(tmp_path, high, low):
+    path = tmp_path / "log.csv"
+    path.write_text("t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, [low if t < 0.5 else high for t in TIME]))
+    assert "v" in open_here(path).texts
 
 
 LVM = (
