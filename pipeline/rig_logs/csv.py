@@ -207,9 +207,9 @@ class CsvSource:
 
     def _plain_cell(self, cell: str, column: str, line: int) -> str:
         """A cell as Arrow reads it."""
-        number, is_time = plain_number(cell, self._dialect.decimal), is_stamp(cell)
-        if NUMBER.match(number):
+        if NUMBER.match(number := plain_number(cell, self._dialect.decimal)):
             return number
+        is_time = is_stamp(cell)
         if cell.lower() in MISSING or (is_time and column in self._stamped) or cell.lower() in SWITCH:
             return cell
         if is_time or not is_word(cell):

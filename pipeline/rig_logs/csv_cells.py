@@ -8,11 +8,15 @@ from pipeline.rig_logs.source import UnreadableLogError
 
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _GROUPED = re.compile(
-    r"[-+\u2212]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
+    r"[-+]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
 )
 _POWER = re.compile(r"(?<=[\d.])[dD](?=[+-]?\d)")
-_SIGN_APART = re.compile(r"(?<=^[-+\u2212])\s+(?=[\d.,])")
-_BEGINS_AS_NUMBER = re.compile(r"[-+\u2212]?\s*(?!1[.]#)[.,]?\d")
+_SIGN_APART = re.compile(r"(?<=^[-+])\s+(?=[\d.,])")
+_MINUS = re.compile(r"(?<![^\s;,|:=\"])[\u2212\u2013\ufe63\uff0d](?=\s*[\d.,])")
+"""The minus of typesetting, a dash, and those of East Asian scripts, before a number."""
+_ACCOUNTED = re.compile(r"\(([\d.,]+)\)")
+"""A negative number in the format of accounts."""
+_BEGINS_AS_NUMBER = re.compile(r"[-+]?\s*(?!1[.]#)[.,]?\d")
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _FEW_CELLS = 3
@@ -30,30 +34,41 @@ MISSING = frozenset(
 SWITCH = frozenset({"true", "false"})
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-]\d\d:?\d\d)?")
 """Date and time of day by ISO 8601."""
-CLOCK = (
-    r"^(?:[^:]*[T ,])?"
-    r"(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9})?)"
+_DATE = r"(?:19|20)\d\d(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])"
+CLOCKS = (
+    r"^\[?(?:(?:[^:]*?(?:[T ,]|\d[_-]))|\d{3}:)??"
+    r"(?:(?P<before>[AaPp][.]? ?[Mm][.]?|上午|下午|午前|午後|오전|오후) ?)?"
+    r"(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9}| \d{3})?)"
     r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))"
-    r"(?: ?(?P<half>[AaPp])[.]?[Mm][.]?)?(?: ?[+-]\d\d:?\d\d| [A-Z]{1,5}| \d{4})*$"
+    r"(?:[ \x{a0}\x{202f}]?(?P<half>[AaPp][.]? ?[Mm][.]?))?(?: ?[+-]\d\d:?\d\d| [A-Z]{1,5}|Z| \d{4})*\]?$",
+    rf"^{_DATE}[T _-]?(?P<h>[01]\d|2[0-3])(?P<m>[0-5]\d)(?P<s>[0-5]\d(?:[.,]?\d{{1,9}})?)(?:Z|[+-]\d\d:?\d\d)?$",
+    r"^(?:[^:]*(?:[T ,_]|\d-))?(?P<h>\d\d)[.h-](?P<m>\d\d)[.m-](?P<s>\d\d[.,]\d{1,9})s?$",
 )
-"""Time of day, whatever date stands before it, or minutes and seconds with a fraction; zones and years behind it."""
-_CLOCK = re.compile(CLOCK)
+"""Time of day with colons, whatever date stands before it, or minutes and seconds with a fraction, zones and years
+behind it; date and time in one number; time of day with other marks and a fraction. As Arrow's expressions."""
+_CLOCKS = [re.compile(re.sub(r"\\x{(\w+)}", lambda code: chr(int(code[1], 16)), form)) for form in CLOCKS]
+
+
+def clock_of(cell: str) -> tuple[str, re.Match[str]] | None:
+    """How a time of day is written, of `CLOCKS`, and its parts; None for any other cell."""
+    matches = ((form, own.match(cell)) for form, own in zip(CLOCKS, _CLOCKS, strict=True))
+    return next(((form, match) for form, match in matches if match), None)
 
 
 def is_stamp(cell: str) -> bool:
     """Whether a cell is a time of day, with or without a date."""
-    return bool(STAMP.fullmatch(cell) or _CLOCK.match(cell))
+    return bool(STAMP.fullmatch(cell)) or clock_of(cell) is not None
 
 
 def plain_number(cell: str, decimal: str) -> str:
     """A number with a decimal point, without marks between thousands, e before its power; other cells as they are."""
-    cell = _SIGN_APART.sub("", cell)
+    cell = _SIGN_APART.sub("", _ACCOUNTED.sub(r"-\1", cell) if cell.startswith("(") else cell)
     match = _GROUPED.fullmatch(cell)
     if match and match["mark"] != decimal and (match["mark"] not in ".," or match["fraction"]):
         cell = re.sub(r"[\s'’]|" + re.escape("," if decimal == "." else "."), "", cell)
     if decimal != ".":
         cell = cell.replace(".", "x").replace(decimal, ".")
-    return _POWER.sub("e", cell).replace("\u2212", "-")
+    return _POWER.sub("e", cell)
 
 
 def is_value(cell: str, decimal: str) -> bool:
@@ -88,7 +103,8 @@ def is_behind(cell: str, decimal: str) -> bool:
 
 
 def split_row(line: str, delimiter: str) -> list[str]:
-    """Cells of a line; quotes around a cell protect delimiters in it."""
+    """Cells of a line, with a plain minus before numbers; quotes around a cell protect delimiters in it."""
+    line = line if line.isascii() else _MINUS.sub("-", line)
     if delimiter == " ":
         return next(csv.reader([" ".join(line.split())], delimiter=" "), []) if '"' in line else line.split()
     line = line.replace(ARROW, delimiter)

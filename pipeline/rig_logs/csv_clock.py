@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_cells import CLOCK, NUMBER
+from pipeline.rig_logs.csv_cells import NUMBER, clock_of
 
 _HOUR, _DAY = 3600.0, 86_400.0
 
@@ -23,8 +23,9 @@ class Clock:
     def __init__(self, first: str) -> None:
         self._turn = _DAY if first.count(":") > 1 else _HOUR
         self._origin, self._last = np.nan, 0.0
-        dated = "" if first[:3].partition(":")[1] else "; its date is not used"
-        self.note = f"counts from {first}{dated}"
+        self._form, match = clock_of(first) or ("", None)
+        begins = min((match.start(part) for part, text in match.groupdict().items() if text), default=0) if match else 0
+        self.note = f"counts from {first}" + ("; its date is not used" if begins > 1 else "")
 
     def seconds(self, cells: Any) -> NDArray[Any]:
         """The seconds of a part of the column since its first cell, NaN where a cell is empty.
@@ -39,20 +40,26 @@ class Clock:
 
         from pipeline.arrow_columns import doubles
 
-        matched = pc.extract_regex(cells, CLOCK)
+        matched = pc.extract_regex(cells, self._form)
         if matched.null_count > cells.null_count:
             raise ValueError("a time cannot be read")
+        parts = {each.name for each in matched.type}
 
-        def part(field: str) -> Any:
+        def part(name: str) -> Any:
             """The numbers of one part, 0 where it is not written."""
-            text = pc.replace_substring_regex(pc.struct_field(matched, field), "[,:]", ".")
+            if name not in parts:
+                return 0.0
+            text = pc.replace_substring_regex(pc.struct_field(matched, name), "[,: ]", ".")
+            text = pc.replace_substring_regex(text, r"^(\d\d)(\d)", r"\1.\2")  # as in 20261127101500123
             return doubles(pc.if_else(pc.equal(text, ""), "0", text).cast(pa.float64()))
 
-        half = pc.utf8_lower(pc.struct_field(matched, "half"))
-        of_twelve, after_noon = (
-            doubles(flags.cast(pa.float64())) for flags in (pc.not_equal(half, ""), pc.equal(half, "p"))
-        )
-        hours = np.where(of_twelve > 0.0, part("h") % 12.0 + 12.0 * after_noon, part("h"))
+        hours = part("h")
+        for name in {"half", "before"} & parts:
+            half = pc.struct_field(matched, name)
+            of_twelve, after_noon = (
+                doubles(pc.match_substring_regex(half, form).cast(pa.float64())) for form in (".", "[Pp下後후]")
+            )
+            hours = np.where(of_twelve > 0.0, hours % 12.0 + 12.0 * after_noon, hours)
         return self._onwards(3600.0 * hours + 60.0 * (part("m") + part("mm")) + part("s") + part("ss"))
 
     def _onwards(self, times: NDArray[Any]) -> NDArray[Any]:

@@ -8,7 +8,7 @@ from functools import cache
 from pipeline.rig_logs.csv_cells import MISSING, is_before_decimals, is_stamp, is_value
 
 _AROUND = re.compile(
-    r"(?:(?P<label>[^\W\d_][^:=]{0,40}?) ?[:=] ?)?(?P<number>[-+\u2212]?(?:\d[\d.,]*|[.,]\d+)(?:[eE][-+]?\d+)?)"
+    r"(?:(?P<label>[^\W\d_][^:=]{0,40}?) ?[:=] ?)?(?P<number>[-+]?(?:\d[\d.,]*|[.,]\d+)(?:[eE][-+]?\d+)?)"
     r"(?: ?(?P<unit>[^\W\d_°%][^\W_]{0,7}(?:[/*^·][\w²³]{1,4})?|°C?|%))?"
 )
 _FEWEST = 3

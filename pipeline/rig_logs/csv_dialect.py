@@ -355,10 +355,11 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
     behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
     only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
-    first = next((i for i in fitting if filled[i] >= 2 and i not in only_text), None)
+    blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
+    first = next((i for i in fitting if filled[i] >= 2 and i not in only_text | blank), None)
     if first is None:
         return None
-    while first > begin and filled[first - 1] and _same_kinds(rows[first - 1], rows[first]):
+    while first > begin and filled[first - 1] and first - 1 not in blank and _same_kinds(rows[first - 1], rows[first]):
         first -= 1  # as of a channel that begins later, beside the time
     body = [rows[i][:width] for i in fitting if i >= first]
     columns = [[cell for cell in column if cell] for column in zip(*body, strict=True)]

@@ -11,13 +11,15 @@ from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_nam
 from pipeline.units import parse_quantity, time_unit
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
-_UNIT_BEHIND_IN = re.compile(r"^(?P<name>.*\S)\s+in\s+(?P<unit>\S+)$")
+_UNIT_BEHIND = re.compile(r"^(?P<name>.*\S)(?:\s+in\s+|\s+/\s*|,\s+|\s*(?=[<{]))[<{]?(?P<unit>[^\s<>{}]+)[>}]?$")
 _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
 _QUANTITY = re.compile(rf"{NUMBER.pattern.removesuffix('$')} ?[A-Za-zµμ%]{{0,3}}$")
 _HEAD, _MOST_LINES = 100, 20
 """Lines among which a heading stands, and over how many it may be written."""
+_ROW_KEY = re.compile(r"(?i)(units?|names?|channels?|labels?|einheit(en)?)\s*[:=]\s*(?=\S)")
+"""Before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
 _PER_SECOND = re.compile(r"(?i)(s|sa|samples)/s(ec)?$|sps$")
 _KEY_END = re.compile(r"[:=;,\t]")
 _APART = re.compile(r"\s{2,}|\t")
@@ -58,7 +60,7 @@ def is_comment(line: str) -> bool:
 def cells_above(line: str, cells: Row, width: int) -> Row:
     """Cells of a line above rows of `width` cells, which often is separated otherwise than those."""
     if len(cells) == width:
-        return cells
+        return [_ROW_KEY.sub("", cells[0]), *(cell.lstrip("#% ") or cell for cell in cells[1:])]
     bare = bare_line(line).strip()
     apart = [_APART.split(bare)]
     if is_comment(line):
@@ -169,7 +171,7 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     if not headings:
         return tuple(f"column {j + 1}" for j in range(width)), ("",) * width
     names, units = [], []
-    matches = [_UNIT_IN_NAME.match(heading) or _behind_in(heading) for heading in headings[:width]]
+    matches = [_UNIT_IN_NAME.match(heading) or _unit_behind(heading) for heading in headings[:width]]
     bare = Counter(match["name"] if match else heading for match, heading in zip(matches, headings, strict=False))
     written = Counter(headings[:width])
     for j, (heading, match) in enumerate(zip(headings, matches, strict=False)):
@@ -181,10 +183,10 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     return tuple(names), tuple(units)
 
 
-def _behind_in(heading: str) -> re.Match[str] | None:
-    """A name with its unit as in ``Weg in mm``; None for others."""
-    match = _UNIT_BEHIND_IN.match(heading)
-    return match if match and match["unit"].lower() in _UNITS else None
+def _unit_behind(heading: str) -> re.Match[str] | None:
+    """A name with its unit as in ``Weg in mm``, ``Weg / mm``, ``Weg, mm`` or ``Weg <mm>``; None for others."""
+    match = _UNIT_BEHIND.match(heading)
+    return match if match and match["unit"].lower() in _UNITS - {"1"} else None
 
 
 _VERTICAL, _HORIZONTAL = "Vertical Units", "Horizontal Units"
