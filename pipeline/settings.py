@@ -93,7 +93,7 @@ class Ingest(SettingsTable):
     """What happens where q jumps to a constant level far outside the rest for 50 ms or more, as when a laser loses its
     target, or shows bursts at one level, a value that is held, or lost rows: "mask" (lost rows: split) or "keep"."""
     spikes: Literal["mask", "keep"] = "mask"
-    """What happens to single samples of q far off neighbours that agree: "mask" or "keep"."""
+    """What happens to single samples far off neighbours that agree: "mask" (inputs: a line across) or "keep"."""
     csv: Csv = Csv()
     """How to read CSV logs."""
 

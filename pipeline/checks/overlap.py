@@ -1,8 +1,8 @@
-"""Whether two logs hold one recording: the same motion down to its noise, at any offset, rate or rounding."""
+"""Whether two logs hold one recording: the motion of q or -q down to its noise, at any offset, rate or rounding."""
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -50,17 +50,21 @@ class Overlap:
         The span [s] in the clock of the first and of the second log.
     share : float
         Share of the second log that it is.
+    mirrored : bool
+        Whether q has the other sign in one of them.
     """
 
     here: tuple[float, float]
     there: tuple[float, float]
     share: float
+    mirrored: bool = False
 
     @property
     def spans(self) -> str:
         """Both spans, that in the second log first."""
         here, there = (f"{start:.4g} to {stop:.4g} s" for start, stop in (self.here, self.there))
-        return f"{there} is {here} of it" if here != there else here
+        mirrored = ", with q of the other sign" if self.mirrored else ""
+        return (f"{there} is {here} of it" if here != there else here) + mirrored
 
 
 def shared_recordings(logs: Sequence[LogSignals], sample_interval: float) -> list[tuple[int, int, Overlap]]:
@@ -84,18 +88,20 @@ def overlap(first: LogSignals, second: LogSignals, sample_interval: float) -> Ov
     Excerpts of the shorter log that move are looked for in the longer one on the grid of the identification. The
     offset is then refined on the finer records, and the difference compared with the noise of both.
 
-    Cost: up to 64 Fourier transforms of the longer log: 0.1 to 1.3 s for two
+    Cost: up to 128 Fourier transforms of the longer log: 0.2 to 2.6 s for two
     logs of 37.5 s at 10 ms, most of it for places where the device moves alike.
     """
     if np.isfinite(second.q).sum() * second.interval > np.isfinite(first.q).sum() * first.interval:
         turned = overlap(second, first, sample_interval)
         share = 0.0 if turned is None else (turned.here[1] - turned.here[0]) / float(np.ptp(second.t))
-        return None if turned is None else Overlap(turned.there, turned.here, min(share, 1.0))
-    for place, offset in _candidates(first, second, sample_interval):
-        if (span := _agreement(first, second, place, offset, sample_interval)) is not None:
-            begin, end, exact = span
-            share = (end - begin) / float(np.ptp(second.t))
-            return Overlap((begin + exact, end + exact), (begin, end), min(share, 1.0))
+        return None if turned is None else Overlap(turned.there, turned.here, min(share, 1.0), turned.mirrored)
+    for mirrored in (False, True):
+        other = replace(second, q=-second.q) if mirrored else second
+        for place, offset in _candidates(first, other, sample_interval):
+            if (span := _agreement(first, other, place, offset, sample_interval)) is not None:
+                begin, end, exact = span
+                share = (end - begin) / float(np.ptp(second.t))
+                return Overlap((begin + exact, end + exact), (begin, end), min(share, 1.0), mirrored)
     return None
 
 

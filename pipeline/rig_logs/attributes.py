@@ -2,14 +2,17 @@
 
 import re
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 
+from pipeline.errors import InputError
 from pipeline.rig_logs.recording import NOT_APPLIED
 from pipeline.rig_logs.source import stated_rate
+from pipeline.units import parse_quantity, time_unit
 
-_UNIT = re.compile(r"(?i)units?|unit[ _]?(string|label|text)|ni_unitdescription|einheit(en)?")
+_UNIT = re.compile(r"(?i)(eng(ineering)?[ _]?)?units?|unit[ _]?(string|label|text)|ni_unitdescription|einheit(en)?")
 _OFFSET = "offset|intercept|y_?(org|origin|off|zero)"
 _SCALE = re.compile(
     rf"(?i)(.*[./_])?((scale|scaling|conversion|calibration)([ _]?(factor|coefficient|slope|{_OFFSET}))?|gain|slope|"
@@ -39,7 +42,7 @@ def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[fl
     """Numbers among attributes that state a sample rate, and that [Hz], by their names; `place` stands before these."""
     rates = {}
     for name in attributes:
-        number = _number(attributes[name]) if stated_rate(name, 1.0) is not None else None
+        number = _number(attributes[name], quantity=True) if stated_rate(name, 1.0) is not None else None
         if number is not None and (rate := stated_rate(name, number)) is not None:
             rates[f"{place}.{name}" if place else name] = (number, rate)
     return rates
@@ -66,8 +69,27 @@ def scales_among(attributes: Mapping[str, Any], channel: str = "") -> list[str]:
     return [f"{what}: see scale and offset in [channels]"] if named else []
 
 
-def _number(value: Any) -> float | None:
+def _number(value: Any, *, quantity: bool = False) -> float | None:
+    """A number, which may be a text; as a quantity also one with a unit of frequency or time, in Hz or s."""
+    text = plain(value)
+    if quantity and isinstance(text, str):
+        return number_with_unit(text, "") or None
     try:
-        return float(plain(value))
+        return float(text)
     except (ValueError, TypeError):
         return None
+
+
+_PER_SECOND = re.compile(r"(?i)(s|sa|samples)/s(ec)?$|sps$")
+
+
+def number_with_unit(text: str, unit: str) -> float:
+    """A number, in Hz or s where it has a unit, of its own or of its name; 0 for anything else."""
+    bare = _PER_SECOND.sub("Hz", text.strip().replace(",", "."))
+    for written in (f"{bare} {time_unit(unit) or unit}", bare):
+        with suppress(InputError):
+            return parse_quantity(written, ("Hz", "s"), "")
+    try:
+        return float(bare)
+    except ValueError:
+        return 0.0

@@ -76,7 +76,9 @@ class CsvSource:
         self.notes = [dialect.describe(), *(note_on_rate(*each) for each in dialect.rates), *self.notes]
         self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
         prefixed = [name for name, each in zip(self._columns, dialect.columns, strict=False) if each.prefixed]
-        self.notes += [f"SI prefixes behind numbers are applied in {', '.join(map(repr, prefixed))}"] if prefixed else []
+        self.notes += (
+            [f"SI prefixes behind numbers are applied in {', '.join(map(repr, prefixed))}"] if prefixed else []
+        )
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
         headed = dict(zip(self._columns, dialect.headings, strict=True))

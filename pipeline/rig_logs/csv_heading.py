@@ -3,12 +3,10 @@
 import re
 from collections import Counter
 from collections.abc import Sequence
-from contextlib import suppress
 
-from pipeline.errors import InputError
+from pipeline.rig_logs.attributes import number_with_unit
 from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, split_row
 from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_names
-from pipeline.units import parse_quantity, time_unit
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
 _UNIT_BEHIND = re.compile(r"^(?P<name>.*\S)(?:\s+in\s+|\s+/\s*|,\s+|\s*(?=[<{]))[<{]?(?P<unit>[^\s<>{}]+)[>}]?$")
@@ -20,7 +18,6 @@ _HEAD, _MOST_LINES = 100, 20
 """Lines among which a heading stands, and over how many it may be written."""
 _ROW_KEY = re.compile(r"(?i)(units?|names?|channels?|labels?|einheit(en)?)\s*[:=]\s*(?=\S)")
 """Before a row of units or names, as in ``#UNITS:s,V,V`` of Hantek."""
-_PER_SECOND = re.compile(r"(?i)(s|sa|samples)/s(ec)?$|sps$")
 _KEY_END = re.compile(r"[:=;,\t]")
 _APART = re.compile(r"\s{2,}|\t")
 """Between names of several words above columns between blanks."""
@@ -149,21 +146,12 @@ def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float
                 continue
             whole = _KEY_END.split(bare_line(lines[i]), maxsplit=1)[-1] if j == 0 else own  # a comma may be decimal
             below = rows[i + 1][j : j + 1] if i + 1 < len(rows) else []
-            numbers = [_number(text, unit) for text in (whole, own, *row[j + 1 :], *below)]
+            numbers = [number_with_unit(text, unit) for text in (whole, own, *row[j + 1 :], *below)]
             numbers = numbers[:1] if numbers[0] else numbers
             stated = dict.fromkeys((number, rate) for number in numbers if (rate := stated_rate(name, number)))
             for own_name, each in zip(unique_names([name] * len(stated)), stated, strict=True):
                 rates[own_name] = (own_name, *each)
     return tuple(rates.values())
-
-
-def _number(text: str, unit: str) -> float:
-    """A number, in Hz or s where it has a unit, of its own or of its name; 0 for anything else."""
-    bare = _PER_SECOND.sub("Hz", text.strip().replace(",", "."))
-    for written in (f"{bare} {time_unit(unit) or unit}", bare) if NUMBER.match(bare) else (bare,):
-        with suppress(InputError):
-            return parse_quantity(written, ("Hz", "s"), "")
-    return float(bare) if NUMBER.match(bare) else 0.0
 
 
 def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[str, ...], tuple[str, ...]]:

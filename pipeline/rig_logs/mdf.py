@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.source import (
+    Counted,
     CsvOptions,
     Entry,
     Limits,
@@ -69,6 +70,7 @@ class MdfSource:
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some channels in their physical units, NaN where the log marks them invalid."""
+        counted = Counted()
         for name in names:
             group, index = self._places[name]
             expected = int(self._mdf.groups[group].channel_group.cycles_nr)
@@ -76,10 +78,11 @@ class MdfSource:
             for first, last in ranges(expected):
                 samples = self._samples(name, group, index, first, last - first)
                 held += len(samples)
-                yield name, samples
+                yield name, counted(name, samples)
                 self._let_go()
             if held != expected:
                 raise UnreadableLogError(f"channel {name!r} has {held} of {expected} samples: truncated")
+        self.notes += counted.notes()
 
     def _let_go(self) -> None:
         """Give back the pages of the log that were read; asammdf maps all of it."""

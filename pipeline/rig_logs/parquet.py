@@ -54,6 +54,7 @@ class ParquetSource:
         of_table |= _document(of_table.get("PANDAS_ATTRS", ""))
         self._units = {k: f"{v}" for key in filter(is_unit, of_table) for k, v in _document(of_table[key]).items()}
         stated = rates_among(of_table, "")
+        self.notes += scales_among(of_table)
         self.rates = {name: rate for name, (_, rate) in stated.items()}
         self.notes += [note_on_rate(name, *each) for name, each in stated.items()]
 

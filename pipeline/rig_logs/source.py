@@ -171,7 +171,7 @@ def ranges(count: int, step: int = PART) -> Iterator[tuple[int, int]]:
 _SAMPLING = "(sampl(e|ing)|scan|acquisition|abtast|measuring)[_ ]?"
 _RATE = re.compile(rf"(?i)(.*[./])?(f_?s|{_SAMPLING}(rate|freq(uency)?|frequenz))")
 _STEP = re.compile(
-    rf"(?i)(.*[./])?(t_?s|dt|delta[_ ][xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|time[_ ]?(step|interval)|"
+    rf"(?i)(.*[./])?(t_?s|dt|delta[_ ][xt]|((x|wf)[_ ]?)?increment|[tx]_?inc|t(ime)?[_ ]?(step|interval)|"
     rf"{_SAMPLING}(time|interval|period|step|cycle|intervall|zeit))"
 )
 """Names of single numbers that say how often a log was sampled."""

@@ -1,5 +1,6 @@
 """TDMS logs of LabVIEW through npTDMS: channels in their scaled units, with the time of their waveform."""
 
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -7,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import unit_among
+from pipeline.rig_logs.attributes import rates_among, scales_among, unit_among
 from pipeline.rig_logs.source import (
     Counted,
     CsvOptions,
@@ -16,10 +17,26 @@ from pipeline.rig_logs.source import (
     Source,
     UnreadableLogError,
     left_out,
+    note_on_rate,
     ranges,
     unique_names,
 )
 from pipeline.units import SECONDS, time_unit
+
+_SCALE_TYPE = re.compile(r"NI_Scale\[\d+\]_Scale_Type")
+_SCALES = {
+    "Linear",
+    "Polynomial",
+    "RTD",
+    "Strain",
+    "Table",
+    "Thermistor",
+    "Thermocouple",
+    "Add",
+    "Subtract",
+    "AdvancedAPI",
+}
+"""Types of scales that npTDMS applies; of others it gives raw numbers."""
 
 
 class TdmsSource:
@@ -44,8 +61,15 @@ class TdmsSource:
         names = [channel.name for channel in channels]
         named = [n if names.count(n) == 1 else f"{c.group_name}/{n}" for n, c in zip(names, channels, strict=True)]
         self._channels = dict(zip(unique_names(named), channels, strict=True))
+        self.rates: dict[str, float] = {}
         self.texts = {name: _kind(each) for name, each in self._channels.items() if _kind(each) and len(each)}
         self.notes = left_out(self.texts)
+        for place, holder in {"": self._file, **{g.name: g for g in self._file.groups()}, **self._channels}.items():
+            for name, (number, rate) in rates_among(holder.properties, place).items():
+                self.notes += [note_on_rate(name, number, rate)] if name not in self.rates else []
+                self.rates[name] = rate
+            own = {key: value for key, value in holder.properties.items() if not key.startswith("NI_")}
+            self.notes += scales_among(own, place)
         self._first = min(filter(None, map(_start, channels)), default=None)
         self._times: dict[tuple[float, float, int], str] = {}
         self._entries = [self._entry(name, each) for name, each in self._channels.items() if not _kind(each)]
@@ -94,8 +118,13 @@ def _start(channel: Any) -> Any:
 
 
 def _kind(channel: Any) -> str:
-    """What a channel holds that is no number; "" for numbers and time stamps."""
-    return "" if channel.dtype is not None and channel.dtype.kind in "fiubM" else "text or complex"
+    """What a channel holds that is no number, or no value; "" for numbers and time stamps."""
+    if channel.dtype is None or channel.dtype.kind not in "fiubM":
+        return "text or complex"
+    scales = {text for key, text in channel.properties.items() if _SCALE_TYPE.fullmatch(key)} - _SCALES
+    return f"raw numbers with a scale that is not read, {', '.join(map(str, scales))}: export it as numbers" * bool(
+        scales
+    )
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:

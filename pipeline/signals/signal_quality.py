@@ -143,7 +143,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     (smallest, largest), roughness = span(values), noise_level(values)
     frozen, start = _longest_run(values)
     began, ended = stamps[[start, start + frozen - 1]].tolist()
-    spikes, first_spikes = _spikes(values, roughness)
+    spikes, first_spikes = single_spikes(values, roughness)
     usual, noise = usual_span(values), min(roughness, high_difference_level(values))
     return SignalQuality(
         n=samples.size,
@@ -166,7 +166,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         spikes=spikes,
         spikes_at=tuple(stamps[first_spikes].tolist()),
         hum=tuple(line for f in MAINS if (line := hum(values[:EXCERPT], step, f)) is not None),
-        band=bandwidth(_bridged(values, roughness) if spikes else values, step, noise),
+        band=bandwidth(bridged(values, roughness) if spikes else values, step, noise),
     )
 
 
@@ -210,7 +210,7 @@ def _first_not_taken(taken: BoolArray) -> IntArray:
     return np.fromiter(islice(chain.from_iterable(parts), LOCATED), np.int64)
 
 
-def _spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:
+def single_spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:
     """Single samples far off the line between neighbours that agree with each other: how many, and the first ones."""
     count, first = 0, np.empty(0, dtype=np.int64)
     for rows in chunks(values.size):
@@ -223,7 +223,7 @@ def _spikes(values: FloatArray, noise: float) -> tuple[int, IntArray]:
     return count, first
 
 
-def _bridged(values: FloatArray, noise: float) -> FloatArray:
+def bridged(values: FloatArray, noise: float) -> FloatArray:
     """The values with each spike on the line between its neighbours, since none is motion."""
 
     def parts() -> Iterator[FloatArray]:
@@ -244,10 +244,11 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
     Two samples further on either side lie on that line too; beside a turning point, of which a slow log has few
     samples, they bend away from it.
     """
-    off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))
-    apart = np.abs(part[2:] - part[:-2])
-    bend = np.zeros_like(off)
-    bend[1:-1] = 0.5 * np.abs(part[:-4] + part[4:] - part[1:-3] - part[3:-1])
+    with np.errstate(invalid="ignore"):  # infinite samples
+        off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))
+        apart = np.abs(part[2:] - part[:-2])
+        bend = np.zeros_like(off)
+        bend[1:-1] = 0.5 * np.abs(part[:-4] + part[4:] - part[1:-3] - part[3:-1])
     spikes: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * np.maximum(apart, bend)) & (noise > 0.0)
     return spikes
 

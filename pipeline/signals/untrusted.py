@@ -8,9 +8,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import Signal, chunks, column
+from pipeline.signals.columns import Signal, chunks, column, finite, select
 from pipeline.signals.dropouts import NONE, Dropouts, answer_inputs, dropouts
-from pipeline.signals.signal_quality import BESIDE_SPIKE, SignalQuality, examine_signal, spikes_in, three_in_a_row
+from pipeline.signals.noise import noise_level
+from pipeline.signals.signal_quality import (
+    BESIDE_SPIKE,
+    SignalQuality,
+    bridged,
+    examine_signal,
+    single_spikes,
+    spikes_in,
+    three_in_a_row,
+)
 
 _LOST_FOR = 0.05
 """Least mean time [s] that a sensor stays at the level of a lost target."""
@@ -26,6 +35,26 @@ _JUMP = 2
 """Samples that the jumps to it and back may show between the two."""
 
 UNBOUNDED = (-np.inf, np.inf)
+_SHORTEST_PULSE, _SELDOM = 3.0, 0.01
+"""Samples a sample interval from which on one of them is no pulse, and share of the samples that spikes may be."""
+
+
+def without_spikes(signal: Signal, step: float, interval: float) -> tuple[Signal, int, float]:
+    """An input with its single samples far off neighbours that agree on the line between these; how many, and the
+    stamp [s] of the first.
+
+    Nothing is changed where a sample interval has less than three steps [s], where such samples are frequent, and in
+    a command without noise: there pulses may be as short.
+    """
+    time, samples = signal
+    usable = finite(samples)
+    values = select(samples, usable)
+    noise = noise_level(values) if _SHORTEST_PULSE * step <= interval and values.size else 0.0
+    count, first = single_spikes(values, noise)
+    if not 0 < count <= _SELDOM * values.size:
+        return signal, 0, np.nan
+    at = float(select(time, usable)[first[0]])
+    return (time, bridged(samples, noise)), count, at
 
 
 def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: float) -> tuple[float, float]:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
     from pipeline.signals.untrusted import Trusted
 
-ALGORITHM = "13"
+ALGORITHM = "14"
 
 _MOST_EMPTY = 1000.0  # times what a log holds, beyond which it is not brought to one grid
 _FEWEST_ROWS = 10
@@ -117,8 +117,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     settings = prototype.ingest
     try:
         raw_step = nominal_step(signals.q[0])
+        signals, spikes = _without_spikes(signals, settings)
         trusted = _trusted(signals, prototype, raw_step)
-        warnings = [*signals.notes, *_warnings(signals, prototype, trusted)]
+        warnings = [*signals.notes, *spikes, *_warnings(signals, prototype, trusted)]
         usable = survey(
             (signals.q[0], trusted.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal,
             cuts=trusted.dropouts.cuts[:, 0],
@@ -127,8 +128,10 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         raise DataRefusedError(f"{where}: {error}") from error
     quality, left_out = trusted.quality, _left_out(trusted, warnings, prototype)
     _refuse_no_record(where, usable.span, settings.sample_interval, usable.raw_rows * raw_step)
-    masked = Resampling(usable, settings.sample_interval).report
     clock = examine(signals.q[0])
+    if raw_step > _MOST_EMPTY * settings.sample_interval:  # a record would hardly be one
+        judge(where, rate_findings(clock, quality, settings.sample_interval), prototype.quality)
+    masked = Resampling(usable, settings.sample_interval).report
     lacking, findings = _lacking(signals, settings.sample_interval)
     unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
     warnings += [
@@ -149,6 +152,21 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     notes = {"warnings": [*warnings, *accepted], "accepted": accepted, "gaps_in_time": clock.gaps + clock.backward}
     notes |= left_out | {"cut_off_s": ends, UNKNOWN: _with_cuts(unknown, trusted, settings.sample_interval)}
     return Examined(usable, raw_step, notes | _sensor(signals, quality))
+
+
+def _without_spikes(signals: SiLog, settings: Ingest) -> tuple[SiLog, list[str]]:
+    """The log with its inputs' single-sample spikes bridged, and what to say of them."""
+    from pipeline.rig_logs.remarks import counted, stamped
+    from pipeline.signals.timebase import nominal_step
+    from pipeline.signals.untrusted import without_spikes
+
+    texts, inputs = list[str](), []
+    for k, signal in enumerate(signals.inputs if settings.spikes == "mask" else (), start=1):
+        bridged, count, first = without_spikes(signal, nominal_step(signal[0]), settings.sample_interval)
+        what = f"v{k}: {counted(count, 'single-sample spike')}, the first at {stamped(first)} s: bridged"
+        texts += [f"{what} ([ingest] spikes)"] if count else []
+        inputs.append(bridged)
+    return (replace(signals, inputs=tuple(inputs)) if texts else signals), texts
 
 
 def _trusted(signals: SiLog, prototype: Prototype, raw_step: float) -> "Trusted":
@@ -255,6 +273,10 @@ def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[
             (before, after), several = places[0], "the first " if count > 1 else ""
             place = f"{several}from {stamped(before)} to {stamped(after)} s"
             texts.append(f"{counted(count, 'gap')} {what}, {place}: {then}")
+    if clock.gaps_at and all(
+        begin % 100.0 >= 59.0 and abs((end - begin) % 100.0 - 40.0) < 1.0 for begin, end in clock.gaps_at
+    ):
+        texts.append("time jumps from 59 to 100 s only, as stamps written hhmmss do: write them as hh:mm:ss")
     return texts
 
 

@@ -1,5 +1,6 @@
 """Every mistake of the first week is told, in every format, and honest logs are told nothing of."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -28,6 +29,26 @@ def test_nothing_is_said_of_honest_logs():
     assert told([log(1), log(3)]) == []
     halves = [rows(log(1), slice(0, 10_000)), rows(log(1), slice(10_000, None))]
     assert not [text for text in told(halves) if "shared" in text or "gain" in text]
+
+
+def _at_zero(one: Log) -> Log:
+    """The probe of v1 loses its contact for one sample at some hundred places."""
+    v = one.v.copy()
+    v[50::190, 0] = 0.0
+    return Log(one.t, one.q, v)
+
+
+@pytest.mark.parametrize(
+    ("second", "part"),
+    [
+        (lambda one: Log(one.t[3000:] + 7.0, -one.q[3000:], one.v[3000:, ::-1]), "with q of the other sign"),
+        (_at_zero, "single-sample spikes, the first at"),
+        (lambda one: Log(1e6 * one.t, one.q, one.v), "correct the unit of time"),
+        (lambda one: Log(101550.0 + one.t + 40.0 * (one.t >= 10.0), one.q, one.v), "write them as hh:mm:ss"),
+    ],
+)
+def test_their_siblings_are_told(second: Callable[[Log], Log], part: str) -> None:
+    assert any(part in text for text in told([log(1), second(log(1))]))
 
 
 @pytest.mark.parametrize(("every", "digits"), [(1, 1e-5), (2, 1e-6), (5, None), (10, 1e-5)])

@@ -171,6 +171,9 @@ ROWS = [f"{i / 8:.3f},{-i * 1.5:.1f},{i}" for i in range(50)]
         ("Points,2\n\nFormat,Y,\nUnits,S,\n\nTIME,CH1,CH2", ",", ("TIME", "CH1", "CH2"), ("", "", "")),
         ("Clock,Position,Force\n,of cart,of motor\ns,mm,N", ",", ("Clock", "Position", "Force"), ("s", "mm", "N")),
         ("X_Value\tWeg\tKraft\tComment", "\t", ("X_Value", "Weg", "Kraft"), ("", "", "")),  # LabVIEW
+        ("#Time,#CH1,#CH2\n#UNITS:s,V,mV", ",", ("Time", "CH1", "CH2"), ("s", "V", "mV")),  # Hantek
+        ("t / s;Weg, mm;U <kV>", ";", ("t", "Weg", "U"), ("s", "mm", "kV")),
+        ("| t | q | v |\n|---|---|---|", "|", ("t", "q", "v"), ("", "", "")),
     ],
 )
 def test_headings_of_other_programs(above, delimiter, names, units):
@@ -324,6 +327,8 @@ def test_lines_that_are_no_rows_of_numbers_are_left_out_and_named(tmp_path, line
         ("2\u00a0800,5", 2800.5, ";", ","),
         ("2 800,5", 2800.5, "\t", ","),
         ("\u2212280.5", -280.5, ",", "."),
+        ("\u2013280.5", -280.5, ",", "."),
+        ("(280.5)", -280.5, ",", "."),
         ("2.805D+02", 280.5, ",", "."),
     ],
 )

@@ -203,11 +203,12 @@ def test_units_in_structs_of_matlab(tmp_path):
 def test_a_rate_in_attributes_is_told(tmp_path, holder):
     with h5py.File(tmp_path / "log.h5", "w") as file:
         file["rig/q"] = Q
-        file[f"/{holder}"].attrs["sampling_rate"] = np.array([500.0])
+        file[f"/{holder}"].attrs["sampling_rate"] = np.array([500.0]) if holder else "0.5 kHz"
     assert list(open_here(tmp_path / "log.h5").rates.values()) == [500.0]
-    table = pa.table({"q": Q}).replace_schema_metadata({"dt": "0.002"})
+    table = pa.table({"q": Q}).replace_schema_metadata({"dt": "2 ms", "q_gain": "2.5"})
     pq.write_table(table, tmp_path / "log.parquet")
-    assert open_here(tmp_path / "log.parquet").rates == {"dt": 500.0}
+    source = open_here(tmp_path / "log.parquet")
+    assert source.rates == {"dt": 500.0} and "q_gain = 2.5, not applied" in " ".join(source.notes)
 
 
 def test_what_netcdf_never_wrote_is_missing(tmp_path):

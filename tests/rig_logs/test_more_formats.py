@@ -178,6 +178,17 @@ def test_the_time_of_waveforms_of_tdms(tmp_path, properties, time):
     assert (q is None and "over Frequency in Hz" in recording.notes[0]) if time is None else np.allclose(q, time)
 
 
+def test_what_tdms_states_beside_the_numbers_is_noted_or_the_channel_left_out(tmp_path):
+    nptdms = pytest.importorskip("nptdms")
+    raw = {"NI_Scale[0]_Scale_Type": "Foo", "NI_Number_Of_Scales": 1}
+    with nptdms.TdmsWriter(tmp_path / "log.tdms") as writer:
+        named = (("q", Q, {"gain": 0.5}), ("v", V, {"fs": "1 kHz"}), ("raw", np.arange(Q.size), raw))
+        writer.write_segment([nptdms.ChannelObject("rig", name, data, of) for name, data, of in named])
+    source = open_here(tmp_path / "log.tdms")
+    assert source.rates == {"v.fs": 1000.0} and "Foo" in source.texts["raw"]
+    assert any("gain = 0.5, not applied here to 'q'" in note for note in source.notes)
+
+
 @pytest.mark.parametrize(
     ("start", "word"),
     [
