@@ -78,6 +78,12 @@ class TimeQuality:
         return 1.0 / self.step
 
     @property
+    def written_as_minutes(self) -> bool:
+        """Whether time goes on from 59 to 100 at each gap, as numbers written ``hhmmss`` do."""
+        jumps = ((begin % 100.0, (end - begin) % 100.0) for begin, end in self.gaps_at)
+        return bool(self.gaps_at) and all(begin >= 59.0 and abs(jump - 40.0) < 1.0 for begin, jump in jumps)
+
+    @property
     def regular(self) -> bool:
         """Whether nothing but the stamps' spacing may be remarked on."""
         return not (self.not_finite or self.repeated or self.backward or self.gaps)

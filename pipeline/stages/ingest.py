@@ -129,6 +129,11 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     quality, left_out = trusted.quality, _left_out(trusted, warnings, prototype)
     _refuse_no_record(where, usable.span, settings.sample_interval, usable.raw_rows * raw_step)
     clock = examine(signals.q[0])
+    if clock.written_as_minutes:
+        raise DataRefusedError(
+            f"{where}: time jumps by 40 s at each of its minutes, as stamps written hhmmss do: write them as hh:mm:ss, "
+            "or give what lies on both sides of such a gap as logs of their own"
+        )
     if raw_step > _MOST_EMPTY * settings.sample_interval:  # a record would hardly be one
         judge(where, rate_findings(clock, quality, settings.sample_interval), prototype.quality)
     masked = Resampling(usable, settings.sample_interval).report
@@ -273,10 +278,6 @@ def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[
             (before, after), several = places[0], "the first " if count > 1 else ""
             place = f"{several}from {stamped(before)} to {stamped(after)} s"
             texts.append(f"{counted(count, 'gap')} {what}, {place}: {then}")
-    if clock.gaps_at and all(
-        begin % 100.0 >= 59.0 and abs((end - begin) % 100.0 - 40.0) < 1.0 for begin, end in clock.gaps_at
-    ):
-        texts.append("time jumps from 59 to 100 s only, as stamps written hhmmss do: write them as hh:mm:ss")
     return texts
 
 

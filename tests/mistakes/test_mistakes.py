@@ -44,7 +44,7 @@ def _at_zero(one: Log) -> Log:
         (lambda one: Log(one.t[3000:] + 7.0, -one.q[3000:], one.v[3000:, ::-1]), "with q of the other sign"),
         (_at_zero, "single-sample spikes, the first at"),
         (lambda one: Log(1e6 * one.t, one.q, one.v), "correct the unit of time"),
-        (lambda one: Log(101550.0 + one.t + 40.0 * (one.t >= 10.0), one.q, one.v), "write them as hh:mm:ss"),
+        (lambda one: Log(101550.0 + one.t + 40.0 * (one.t >= 10.0), one.q, one.v), "as stamps written hhmmss do"),
     ],
 )
 def test_their_siblings_are_told(second: Callable[[Log], Log], part: str) -> None:
