@@ -136,8 +136,8 @@ def compare(models: Sequence[Model], log: Any) -> "pd.DataFrame":
     """
     import pandas as pd
 
-    if not models:
-        raise InputError("models is empty; give the models that are compared, as [first, second]")
+    if not isinstance(models, Sequence) or not models or not all(isinstance(model, Model) for model in models):
+        raise InputError(f"models is {models!r}; give a list of the models that are compared, as [first, second]")
     tables = [model.score(log) for model in models]
     for model, table in zip(models, tables, strict=True):
         table.insert(0, "model", model.name)

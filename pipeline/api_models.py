@@ -2,6 +2,7 @@
 
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from numbers import Integral, Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from pipeline.tools.in_memory import Signals
 
 _CALLER = 4  # frames from a warning up to who called `Model.score`
+_COARSEST = 30.0  # times the sample interval that a step of times may be: 1 kHz in ms has 100
 
 
 class Model:
@@ -131,6 +133,13 @@ class Model:
         self._check_columns(volts.shape[1], None)
         if q0 is None:
             raise InputError("q0 is missing; give the displacement at the first sample")
+        if not all(isinstance(number, Real) for number in (q0, qdot0)):
+            raise InputError("q0 and qdot0 are one number each: the displacement and the velocity at the first sample")
+        step, usual = float(times[-1] - times[0]) / max(1, times.size - 1), self._prototype.ingest.sample_interval
+        if step > _COARSEST * usual:
+            raise InputError(
+                f"t has a step of {step:g} s, and the model was fitted to steps of {usual:g} s: give t in s"
+            )
         refuse_other_units({"q0": abs(q0), "v": float(abs(volts).max(initial=0.0))}, self._prototype)
         run = self.core.simulate(times, volts, q0, qdot0)
         columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
@@ -213,7 +222,7 @@ class Model:
         from pipeline.tools.in_memory import frame
 
         table = self._measured(t, q, v1, v2)
-        if not 1 <= ahead < len(table["t"]):
+        if not isinstance(ahead, Integral) or not 1 <= ahead < len(table["t"]):
             raise InputError(f"ahead is {ahead}; give 1 to {len(table['t']) - 1} samples")
         path, predict = measured_path(table, self.core)
         columns = {"t": table["t"], "q": predicted(predict, path, ahead), "q_measured": table["q"]}
@@ -257,14 +266,16 @@ class Model:
         import pandas as pd
 
         from pipeline.loading.device import device
-        from pipeline.models.base import HasCurves
+        from pipeline.models.base import HasCurves, real_numbers
+        from pipeline.tools.in_memory import refuse_other_units
         from pipeline.units import column_suffix
 
         if not isinstance(self.core, HasCurves):
             raise InputError(f"the model {self.name} has no characteristic curves")
-        places = np.atleast_1d(np.asarray(q, dtype=np.float64))
+        places = np.atleast_1d(real_numbers(q, "q"))
         if places.ndim != 1:
             raise InputError(f"q has the shape {places.shape}; give one column of displacements, shape (n,)")
+        refuse_other_units({"q": float(abs(places).max(initial=0.0))}, self._prototype)
         units = device(self._prototype).curve_units
         columns = {
             f"{name}_{column_suffix(units[name.split('_')[0].rstrip('12')])}": curve
@@ -284,8 +295,9 @@ class Model:
         return si_symbols(self._prototype)
 
     def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Table":
-        from pipeline.tools.in_memory import cleaned, kinematics_of
+        from pipeline.tools.in_memory import as_pandas, cleaned, kinematics_of
 
+        t = as_pandas(t)
         if q is None and (table := kinematics_of(t)) is not None:
             count, unit = sum(name in table for name in ("v1", "v2")), "m" if "q_m" in t else "rad"
             self._check_columns(count, unit)
@@ -388,8 +400,9 @@ def identify(
 
 
 def _logs(t: Any, q: Any, v1: Any, v2: Any) -> "list[Signals]":
-    from pipeline.tools.in_memory import arrays_of, signals_of
+    from pipeline.tools.in_memory import arrays_of, as_pandas, signals_of
 
+    t = [as_pandas(table) for table in t] if isinstance(t, list | tuple) else as_pandas(t)
     if q is not None:
         if v1 is None:
             raise InputError("v1 is missing; give t, q and v1 (and v2), or one DataFrame")

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import pyarrow as pa
 import pytest
 
 import debist
@@ -54,8 +55,38 @@ def test_models_are_compared_on_one_log(folder: Path, model: debist.Model) -> No
     assert list(both.columns[:2]) == ["model", "signal"] and len(both) == 6
     for rows in (both[:3], both[3:]):
         pd.testing.assert_frame_equal(rows.drop(columns="model").reset_index(drop=True), model.score(log))
-    with pytest.raises(debist.DebistError, match="models is empty"):
-        debist.compare([], log)
+    for wrong in ([], model, ["rbf-paper"]):
+        with pytest.raises(debist.DebistError, match="give a list of the models"):
+            debist.compare(wrong, log)
+
+
+def test_times_and_tables_of_other_libraries_are_read(folder: Path, model: debist.Model) -> None:
+    log = debist.read_log(folder / "other.csv", folder / "P.toml")
+    stamps = np.datetime64("2026-11-27T10:15") + (1e9 * log.t_s.to_numpy()).round().astype("m8[ns]")
+    for other in (pa.table(log), log.assign(t_s=stamps)):
+        assert model.score(other).nrmse[0] == pytest.approx(model.score(log).nrmse[0], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("call", "match"),
+    [
+        (lambda m, t: debist.identify(None, t.q_m, t.v1_V), "t is missing"),
+        (lambda m, t: debist.identify(t[:0]), "t is empty"),
+        (lambda m, t: debist.identify(t.rename(columns={"v2_V": "v2_kV"})), "v2_kV; call it v2_V"),
+        (lambda m, t: debist.identify(t, settings="P.toml"), "give a mapping of tables"),
+        (lambda m, t: debist.identify(t, settings={"channels": {}}), "settings has channels"),
+        (lambda m, t: m.simulate(t.t_s, t[["v1_V", "v2_V"]].to_numpy().T, 0.01), r"np\.column_stack"),
+        (lambda m, t: m.simulate(1e3 * t.t_s, t[["v1_V", "v2_V"]], 0.01), "give t in s"),
+        (lambda m, t: m.simulate(t.t_s, t[["v1_V", "v2_V"]], t.q_m), "one number each"),
+        (lambda m, t: m.predict(t, ahead=1.5), "ahead is 1.5"),
+        (lambda m, t: m.curves([5.0]), "1000 times too large"),
+        (lambda m, t: m.curves("a"), "q does not consist of numbers"),
+    ],
+)
+def test_wrong_arguments_are_named(folder: Path, model: debist.Model, call, match) -> None:
+    log = debist.read_log(folder / "other.csv", folder / "P.toml")
+    with pytest.raises(debist.DebistError, match=match):
+        call(model, log)
 
 
 def test_a_prediction_ahead_is_a_restart_from_the_measurement(folder: Path, model: debist.Model) -> None:

@@ -204,7 +204,7 @@ def checked(method: MethodT) -> MethodT:
 
 
 def real_numbers(values: Any, name: str) -> FloatArray:
-    """Anything that consists of real numbers as an array; NaN where it is masked.
+    """Anything that consists of real numbers as an array; NaN where it is masked. Time stamps become s since the first.
 
     Raises
     ------
@@ -214,6 +214,11 @@ def real_numbers(values: Any, name: str) -> FloatArray:
     try:
         if np.iscomplexobj(values):
             raise TypeError
+        if (kind := getattr(getattr(values, "dtype", None), "kind", "")) in ("m", "M"):
+            stamps = np.asarray(values)
+            return np.asarray(
+                (stamps - stamps[0] if kind == "M" else stamps) / np.timedelta64(1, "s"), dtype=np.float64
+            )
         numbers: FloatArray = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan)
     except (TypeError, ValueError):
         raise InputError(f"{name} does not consist of numbers") from None

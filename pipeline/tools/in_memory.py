@@ -89,6 +89,12 @@ def settings(
     if entry(model) is None and model != AUTO:
         raise InputError(f"no model {model!r}; there are {', '.join((AUTO, *(each.name for each in ENTRIES)))}")
     document["identify"] = {"models": [model]} if model in (AUTO, *names("identify")) else {}
+    if not isinstance(more, Mapping):
+        raise InputError(
+            f"settings is {more!r}; give a mapping of tables, as {{'ingest': {{'sample_interval': 0.005}}}}"
+        )
+    if taken := sorted(more.keys() & {"name", "logs", "channels"}):
+        raise InputError(f"settings has {', '.join(taken)}; the arguments give these: signals in SI units")
     for name, table in more.items():
         document[name] = {**document.get(name, {}), **table} if isinstance(table, Mapping) else table
     return parse_prototype(document, "debist.identify")
@@ -238,6 +244,11 @@ def frame(columns: Mapping[str, Any], displacement: str, inputs: str = "V") -> "
     return pd.DataFrame({column_name(name, displacement, inputs): values for name, values in columns.items()})
 
 
+def as_pandas(t: Any) -> Any:
+    """A table of another library, such as polars or pyarrow, as one of pandas; anything else as it is."""
+    return t.to_pandas() if hasattr(t, "columns") and hasattr(t, "to_pandas") else t
+
+
 def signals_of(table: "pd.DataFrame") -> Signals:
     """The signals of a DataFrame with the columns t_s, q_m or q_rad, v1_V and, with two inputs, v2_V.
 
@@ -252,6 +263,8 @@ def signals_of(table: "pd.DataFrame") -> Signals:
             f"the DataFrame has the columns {', '.join(map(str, table.columns))}; "
             "give t_s, q_m (or q_rad), v1_V and, with two inputs, v2_V, in SI units"
         )
+    if other := [name for name in table.columns if "v2_V" not in table and f"{name}".lower().startswith("v2")]:
+        raise InputError(f"the DataFrame has the column {other[0]}; call it v2_V and give it in V, or leave it out")
     voltages = [table[name] for name in ("v1_V", "v2_V") if name in table]
     return replace(arrays_of(table["t_s"], table[displacement], *voltages), unit=displacement.removeprefix("q_"))
 
@@ -276,6 +289,7 @@ def voltages_of(t: Any, v: Any) -> tuple[FloatArray, FloatArray]:
     InputError
         A column is missing or no column of finite numbers, or they differ in length.
     """
+    t = as_pandas(t)
     if hasattr(t, "columns"):
         if v is not None or "t_s" not in t or "v1_V" not in t:
             raise InputError("give one DataFrame with t_s, v1_V and, with two inputs, v2_V, or t and v")
@@ -286,6 +300,8 @@ def voltages_of(t: Any, v: Any) -> tuple[FloatArray, FloatArray]:
     table = table[:, None] if table.ndim == 1 else table
     if table.ndim != 2:
         raise InputError(f"v has the shape {table.shape}; give one column for each voltage, shape (N, K)")
+    if len(table) != (size := np.size(t)) and table.shape[1] == size:
+        raise InputError(f"v has the shape {table.shape}; give one column for each voltage: np.column_stack([v1, v2])")
     columns = _columns({"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}})
     return columns.pop("t"), np.column_stack(list(columns.values()))
 
@@ -296,11 +312,15 @@ def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
     for name, values in given.items():
         if values is None:
             continue
+        if not columns and name != "t":
+            raise InputError("t is missing; give the times [s]")
         columns[name] = real_numbers(values, name)
         if columns[name].ndim != 1:
             raise InputError(f"{name} has the shape {columns[name].shape}; give one column, shape (N,)")
         if len(columns[name]) != len(columns["t"]):
             raise InputError(f"{name} has {len(columns[name])} samples, but t has {len(columns['t'])}")
+        if not columns[name].size:
+            raise InputError(f"{name} is empty")
         if len(bad := np.flatnonzero(~np.isfinite(columns[name]))):
             raise InputError(f"{name} is not finite at sample {bad[0]}; leave out such rows: a gap in t is no harm")
     return columns
