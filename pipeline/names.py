@@ -26,7 +26,11 @@ def check_name(name: str, longest: int = _LONGEST) -> str:
         It is empty or longer than `longest`, holds what leaves a folder, a line, a table or a shell, or is reserved.
     """
     # Windows leaves a dot at the end out
-    writable = name.isprintable() and not _NOT_WRITABLE & {*name}
+    writable = not _NOT_WRITABLE & {*name}
+    if not name.isprintable():
+        raise ValueError(
+            f"{name!r} is no usable name: a sign of it is no letter; write paths with / or between single quotes"
+        )
     if not writable or not 0 < len(name) <= longest or name[0] in " =+@" or name[-1] in " .":
         raise ValueError(
             f"{name!r} is no usable name: 1 to {longest} visible characters without {' '.join(sorted(_NOT_WRITABLE))}, "

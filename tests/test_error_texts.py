@@ -227,9 +227,9 @@ MISTAKES = {
     ),
     "no such curves": (
         RUN,
-        {"P.toml": TOML + '[plant]\nmass = { value = 50, unit = "g" }\ncurves = "F.csv"\n'},
+        {"P.toml": TOML + '[plant]\nmass = { value = 50, unit = "g" }\ncurves = "F.csv"\n', "f.CSV": ""},
         2,
-        ["F.csv: no such log or table"],
+        ["F.csv: no such log or table; did you mean 'f.CSV'? correct its name"],
     ),
     "no such parameter set": (
         RUN,

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.reporting.tables import BEST, HEADINGS, TIED, ScoreRow, notes_of
+from pipeline.reporting.tables import BEST, HEADINGS, TIED, ScoreRow, notes_of, notes_on
 from pipeline.runs.columns import SCORE_COLUMNS, Column
 from pipeline.scoring.cross_validation import NRMSE_COLUMNS
 from pipeline.units import ALPHA_UNIT
@@ -45,7 +45,8 @@ class Headline:
     def explanation(self) -> str:
         """What its columns mean; that of errors is a line of its own."""
         errors = "NRMSE in % of the measured range, free run from the first sample, worst log."
-        return "\n".join(part for part in (errors, " ".join(notes_of(self.extras))) if part)
+        notes = [*notes_of(self.extras), *notes_on(row[0] for row in self.rows)]
+        return "\n".join(part for part in (errors, " ".join(notes)) if part)
 
 
 def headline_table(scores: Sequence[ScoreRow]) -> Headline:

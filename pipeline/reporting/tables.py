@@ -36,11 +36,20 @@ _HORIZONS = (
     "before."
 )
 TIED, BEST = " ≈", " *"
+_OF_ROWS = {
+    "sindy-default": "sindy-default is pysindy with its defaults: quadratic terms, the strong form, no hidden state and "
+    "no choice by free runs; sindy is the attempt at a good model."
+}
 
 
 def notes_of(columns: Iterable[Column]) -> list[str]:
     """The sentences that explain these columns, each once."""
     return list(dict.fromkeys(column.cell.note for column in columns if column.cell and column.cell.note))
+
+
+def notes_on(models: Iterable[str]) -> list[str]:
+    """The sentences that explain rows of models that are no attempt at a good one."""
+    return [_OF_ROWS[model] for model in dict.fromkeys(models) if model in _OF_ROWS]
 
 
 def _columns(table: str, rows: Sequence[ScoreRow] | None = None) -> tuple[Column, ...]:
@@ -96,7 +105,8 @@ class NrmseTable:
     @property
     def explanation(self) -> str:
         """What its columns mean."""
-        return " ".join([_ERRORS if self.signals else _HORIZONS, *notes_of(self.extras)])
+        notes = [*notes_of(self.extras), *notes_on(row.model for row in self.rows)]
+        return " ".join([_ERRORS if self.signals else _HORIZONS, *notes])
 
 
 def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None = None) -> NrmseTable:

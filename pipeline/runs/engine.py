@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
@@ -187,7 +188,10 @@ def _recipe(run: RunFolder, task: Task) -> Recipe:
 
 def missing_source(path: Path, task: Task) -> str:
     """That a raw log or table of a task is not there."""
-    return f"{path}: no such log or table; correct its name in {task.named_in}"
+    beside = {other.name.casefold(): other.name for other in path.parent.iterdir()} if path.parent.is_dir() else {}
+    close = get_close_matches(path.name.casefold(), beside, n=1)
+    hint = f"did you mean {beside[close[0]]!r}? " if close else ""
+    return f"{path}: no such log or table; {hint}correct its name in {task.named_in}"
 
 
 def unreadable_source(path: Path, error: OSError) -> str:

@@ -112,6 +112,9 @@ def test_how_many_basis_functions_act_stands_beside_the_errors() -> None:
     assert [row[-1] for row in short.rows] == ["0", "12", "–"] == [row.cells[-1].text for row in long.rows]
     assert short.heading[-1] == "RBFs" and long.extras[-1].heading == "RBFs [per curve]"
     assert "equations alone" in short.explanation and "equations alone" in long.explanation
+    assert "pysindy" not in short.explanation
+    rows.append(record("sindy-default", 0.4))
+    assert all("pysindy with its defaults" in table(rows).explanation for table in (headline_table, nrmse_table))
 
 
 @pytest.mark.parametrize("form", ["latex", "markdown"])
