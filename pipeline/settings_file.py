@@ -122,6 +122,8 @@ def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
     for error in (*unknown, *(error for error in errors if error["type"] != "extra_forbidden")):
         if error["type"] == "missing" and (error["loc"][:-1], error["loc"][-1]) in typed:
             continue
+        if error["type"] == "too_short" and error["input"]:  # its entries have mistakes of their own
+            continue
         key = ".".join(_location(error))
         texts.setdefault(key or str(error["msg"]), explain(error, settings))
     return list(texts.values())

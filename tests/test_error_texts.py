@@ -63,6 +63,12 @@ MISTAKES = {
         2,
         ["log.csv: no settings file", "`debist init"],
     ),
+    "a part without a unit": (
+        RUN,
+        {"P.toml": TOML.replace('"log.csv"', '{ file = "log.csv", stop = 5 }')},
+        2,
+        ['debist: P.toml: logs.train.0.stop: needs its unit: "5 s"'],
+    ),
     "an empty list": (RUN, {"P.toml": TOML.replace('["log.csv"]', "[]")}, 2, ["logs.train: needs at least 1 entry"]),
     "not UTF-8": (RUN, {"P.toml": b'name = "\xff"'}, 2, ["P.toml: not UTF-8; save it as UTF-8"]),
     "unknown key": (RUN, {"P.toml": TOML.replace("train", "trian")}, 2, ["'logs.trian'", "did you mean 'train'?"]),

@@ -37,7 +37,7 @@ _HORIZONS = (
 )
 TIED, BEST = " ≈", " *"
 _OF_ROWS = {
-    "sindy-default": "sindy-default is pysindy with its defaults: quadratic terms, the strong form, no hidden state and "
+    "sindy-default": "sindy-default is pysindy with its defaults: quadratic terms, the strong form, no hidden state, "
     "no choice by free runs; sindy is the attempt at a good model."
 }
 
