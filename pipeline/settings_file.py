@@ -171,7 +171,7 @@ def _hint(location: list[str], settings: type[BaseModel]) -> str:
     keys = _fields_at(section, settings)
     if close := difflib.get_close_matches(key, keys, n=1, cutoff=0.5):
         return f"did you mean {close[0]!r}?"
-    elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings)]
+    elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings) and len(section) < 2]
     if elsewhere:
         return f"it belongs into [{elsewhere[0]}]"
     return f"known here: {', '.join(keys)}"

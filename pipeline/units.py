@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -49,6 +50,7 @@ PLAIN = {
     "h": (3600.0, "s"),
     "V": (1.0, "V"),
     "kV": (1e3, "V"),
+    "mV": (1e-3, "V"),
     "kg": (1.0, "kg"),
     "g": (1e-3, "kg"),
     "V/um": (1e6, "V/m"),
@@ -156,16 +158,14 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
     if unit in _MISLEADING:
         raise InputError(f"{where}: unit {unit!r} is not clear; {_MISLEADING[unit]}")
     if len(unit) > _LONGEST or not _UNIT.fullmatch(unit):
-        raise InputError(
-            f"{where}: unknown unit {unit[:_LONGEST]!r}; write names and whole powers as in 'mm', 'kV', 'N*s/m**2'"
-        )
+        way = _meant(unit[:_LONGEST], allowed) or "write names and whole powers as in 'mm', 'kV', 'N*s/m**2'"
+        raise InputError(f"{where}: unknown unit {unit[:_LONGEST]!r}; {way}")
     registry = _registry()
     try:
         parsed = registry.Unit(unit)
         factor, base = registry.get_base_units(parsed)
     except Exception as error:  # pint raises its own errors, AttributeError and tokenizer errors alike
-        close = _in_lower_case(unit, allowed)
-        way = f"did you mean {close!r}?" if close else "write it as in 'mm', 'kV', 's', 'deg', '%'"
+        way = _meant(unit, allowed) or "write it as in 'mm', 'kV', 's', 'deg', '%'"
         raise InputError(f"{where}: unknown unit {unit!r}; {way}") from error
     for symbol in allowed:
         target_factor, target_base = registry.get_base_units(registry.Unit(symbol))
@@ -173,17 +173,27 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
             return SiUnit(float(factor / target_factor), symbol)
     needed = f"unit {unit!r} does not measure what is needed here ({' or '.join(dict.fromkeys(allowed))})"
     velocity = any(base == registry.get_base_units(registry.Unit(rate))[1] for rate in VELOCITY.values())
-    raise InputError(f"{where}: {needed}{_instead(unit, allowed, velocity=velocity)}")
+    meant = _meant(unit, allowed)
+    raise InputError(f"{where}: {needed}{f'; {meant}' if meant else _instead(unit, allowed, velocity=velocity)}")
 
 
-def _in_lower_case(unit: str, allowed: tuple[str, ...]) -> str | None:
-    """The unit in small letters, as Volt for volt, if it is one of those then; else None."""
-    if unit == unit.lower():
-        return None
-    try:
-        return unit.lower() if to_si(unit.lower(), allowed, "") else None
-    except InputError:
-        return None
+def _meant(unit: str, allowed: tuple[str, ...]) -> str:
+    """The question for a unit of these that is written otherwise, as Volt, KV, [mm] or Sekunden; "" without one."""
+    bare = re.sub(r"^[\[(](.*)[\])]$", r"\1", unit).strip(". ")
+    alike = [known for known in PLAIN if known.casefold() == bare.casefold()]
+    others = (other for other in (bare, time_unit(bare), *alike, bare.lower()) if other not in ("", unit))
+    return next((f"did you mean {other!r}?" for other in others if _measures(other, allowed)), "")
+
+
+def _measures(unit: str, allowed: tuple[str, ...]) -> bool:
+    """Whether this is a unit of one of these SI units."""
+    if unit in PLAIN or not _UNIT.fullmatch(unit):
+        return unit in PLAIN and PLAIN[unit][1] in allowed
+    with suppress(Exception):  # pint raises its own errors, AttributeError and tokenizer errors alike
+        registry = _registry()
+        bases = [registry.get_base_units(registry.Unit(symbol))[1] for symbol in allowed]
+        return registry.get_base_units(registry.Unit(unit))[1] in bases
+    return False
 
 
 def _instead(unit: str, allowed: tuple[str, ...], *, velocity: bool) -> str:

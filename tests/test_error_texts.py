@@ -127,6 +127,12 @@ MISTAKES = {
         3,
         ["log.csv: lasts ", " steps of [ingest] sample_interval", "correct the unit of the time"],
     ),
+    "a key that a channel does not have": (
+        RUN,
+        {"P.toml": TOML.replace('unit = "V"', 'unit = "V", gain = 2', 1)},
+        2,
+        ["unknown key 'channels.v1.gain'; known here: channel, unit, scale, offset"],
+    ),
     "a key in another section": (RUN, {"P.toml": TOML + "alpha = 0.01\n"}, 2, ["belongs into [differentiate]"]),
     "a number with its unit": (
         RUN,

@@ -155,6 +155,10 @@ def test_powers_of_kg_m_s_and_v_are_those_of_pint(unit: str) -> None:
         ("px", DISPLACEMENT, "a pixel has no length of its own"),  # pint: a 96th of an inch
         ("Volt", INPUT, "did you mean 'volt'"),
         ("Millimeter", DISPLACEMENT, "did you mean 'millimeter'"),
+        ("KV", INPUT, "did you mean 'kV'"),
+        ("MM", DISPLACEMENT, "did you mean 'mm'"),
+        ("[mm]", DISPLACEMENT, "did you mean 'mm'"),
+        ("Sekunden", TIME, "did you mean 's'"),
         (FILL_IN, DISPLACEMENT, "is still to be filled in, as with 'mm'"),
         ("counts", DISPLACEMENT, "give `scale` too"),
         ("mm/s", DISPLACEMENT, "integrate it, or give it as `qdot` beside a measured q"),
