@@ -73,7 +73,12 @@ class CsvSource:
         local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
         self._clocks = {name: Clock(self._firsts[name]) for name in local}
         dialect = self._dialect
-        self.notes = [dialect.describe(), *(note_on_rate(*each) for each in dialect.rates), *self.notes]
+        self.notes = [
+            dialect.describe(),
+            *(note_on_rate(*each) for each in dialect.rates),
+            *dialect.scales,
+            *self.notes,
+        ]
         self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
         prefixed = [name for name, each in zip(self._columns, dialect.columns, strict=False) if each.prefixed]
         self.notes += (
@@ -212,7 +217,8 @@ class CsvSource:
         if NUMBER.match(number := plain_number(cell, self._dialect.decimal)):
             return number
         is_time = is_stamp(cell)
-        if cell.lower() in MISSING or (is_time and column in self._stamped) or cell.lower() in SWITCH:
+        is_switch = {cell.lower(), self._firsts[column].lower()} <= SWITCH
+        if cell.lower() in MISSING or (is_time and column in self._stamped) or is_switch:
             return cell
         if is_time or not is_word(cell):
             text = no_number(cell, column, self._dialect.decimal)

@@ -1,11 +1,8 @@
 """Finding out how a CSV file is written: encoding, delimiter, decimal mark, preamble, header and units rows."""
 
-import codecs
 import re
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 from pipeline.rig_logs.csv_cells import (
     ARROW,
@@ -13,15 +10,13 @@ from pipeline.rig_logs.csv_cells import (
     NUMBER,
     RULED,
     is_before_decimals,
-    is_behind,
-    is_stamp,
     is_value,
     mark_is_open,
     marks_between_thousands,
     split_row,
 )
 from pipeline.rig_logs.csv_clock import labview_starts
-from pipeline.rig_logs.csv_columns import Writing, bare_cells, writings
+from pipeline.rig_logs.csv_columns import Writing, bare_cells
 from pipeline.rig_logs.csv_encoding import text_encoding
 from pipeline.rig_logs.csv_heading import (
     bare_line,
@@ -34,20 +29,15 @@ from pipeline.rig_logs.csv_heading import (
     names_beside,
     rows_by_key,
     stated_rates,
+    stated_scales,
     with_row_names,
-    with_whole_cells,
 )
-from pipeline.rig_logs.csv_tail import rows_of
+from pipeline.rig_logs.csv_table import Table, find_table, sample_lines
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
 SAMPLE_BYTES = 1 << 16
-_MOST_ROWS = 400
 _KEY = re.compile(r"[^\W\d]{2}\D*")
 """A word before a value that an instrument states for each channel, and no damaged number."""
-_CANDIDATES = (
-    (";", ","), (";", "."), ("\t", ","), ("\t", "."), (",", "."), ("|", "."), ("|", ","), (" ", "."), (",", ","),
-)  # fmt: skip
-"""Delimiters and decimal marks; of two that fit alike the first is taken. A comma may be both between quotes only."""
 
 
 @dataclass(frozen=True)
@@ -68,6 +58,8 @@ class Dialect:
     """Whether a decimal mark was seen at all."""
     rates: tuple[tuple[str, float, float], ...]
     """Names and numbers in the preamble that state a sample rate, and it [Hz]."""
+    scales: tuple[str, ...]
+    """Notes on numbers in the preamble that look like a calibration."""
     open_marks: tuple[bool, ...]
     """Of which columns it is open yet whether `decimal` stands before decimals or between thousands."""
     texts: tuple[str, ...]
@@ -110,9 +102,9 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         Binary, undecodable, or no rows of numbers in a table.
     """
     encoding = options.encoding or text_encoding(start)
-    lines = _lines(start, encoding, whole=whole)
+    lines = sample_lines(start, encoding, whole=whole)
     options = _as_labview(lines, options)
-    options, table = _with_counted_names(options, _find_table(lines, options))
+    options, table = _with_counted_names(options, find_table(lines, options))
     width = len(table.numeric)
     _check_decimal_commas(table)
     open_marks = (False,) * width if options.decimal is not None else _open_marks(table)
@@ -138,6 +130,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         firsts,
         options.decimal is not None or table.has_marks,
         stated_rates(lines[: table.first], table.delimiter),
+        tuple(stated_scales(lines[: table.first], table.delimiter)),
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.columns,
@@ -148,7 +141,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
 
 
 def _header_rows(
-    table: "_Table", above: list[Sequence[str]], comments: Sequence[bool], row: int | None
+    table: Table, above: list[Sequence[str]], comments: Sequence[bool], row: int | None
 ) -> tuple[int | None, int | None]:
     """The rows of names and of units, the first of which may be set."""
     width = len(table.numeric)
@@ -164,7 +157,7 @@ def _header_rows(
     return row, units if below is None else below
 
 
-def _with_counted_names(options: CsvOptions, table: "_Table") -> tuple[CsvOptions, "_Table"]:
+def _with_counted_names(options: CsvOptions, table: Table) -> tuple[CsvOptions, Table]:
     """The numbers of the columns that pandas writes in place of names are no row of data."""
     if options.header_row is not None or not is_counted(table.rows[table.first]):
         return options, table
@@ -183,7 +176,7 @@ def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
 
 
 def _headings(
-    table: "_Table", above: Sequence[Sequence[str]], header_row: int | None, units_row: int | None
+    table: Table, above: Sequence[Sequence[str]], header_row: int | None, units_row: int | None
 ) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
     """Names and units of the columns, and the cells above them as they are written."""
     width = len(table.numeric)
@@ -201,14 +194,14 @@ def _headings(
     return names, units, tuple(as_written if len(as_written) == len(above[header_row][:width]) == width else padded)
 
 
-def _firsts(table: "_Table") -> list[str]:
+def _firsts(table: Table) -> list[str]:
     """The first cell of each column that is not empty, "" where there is none."""
     width = len(table.numeric)
     body = [row[:width] for row in table.rows[table.first :] if len(row) >= width]
     return [next(filter(None, column), "") for column in zip(*body, strict=True)]
 
 
-def _first_text(table: "_Table", column: int) -> str:
+def _first_text(table: Table, column: int) -> str:
     """The first cell below the header that is no number, with its line counted from 1 where that is not the first."""
     cells = ((line, row[column]) for line, row in enumerate(table.rows) if line >= table.first and len(row) > column)
     texts = (each for each in cells if not is_value(each[1], table.decimal))
@@ -217,7 +210,7 @@ def _first_text(table: "_Table", column: int) -> str:
     return "; ".join(filter(None, [f"{cell[:40]!r}{place}", marks_between_thousands(cell)]))
 
 
-def _above(table: "_Table", lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
+def _above(table: Table, lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
     """The rows above the data without marks of comments, and which had one."""
     width, lines = len(table.numeric), lines[: table.first]
     rows: list[Sequence[str]] = []
@@ -232,7 +225,7 @@ def _above(table: "_Table", lines: list[str]) -> tuple[list[Sequence[str]], list
     return rows, [is_comment(line) for line in lines]
 
 
-def _check_decimal_commas(table: "_Table") -> None:
+def _check_decimal_commas(table: Table) -> None:
     """Commas that separate and are decimal marks too: more cells than names, at most twice as many."""
     above = table.rows[table.first - 1] if table.first else []
     names, cells = len(above), len(table.numeric) - [*map(bool, _firsts(table))][::-1].index(True)
@@ -243,7 +236,7 @@ def _check_decimal_commas(table: "_Table") -> None:
         )
 
 
-def _open_marks(table: "_Table") -> tuple[bool, ...]:
+def _open_marks(table: Table) -> tuple[bool, ...]:
     """In which columns the rows that were seen do not tell whether the mark is for decimals; see `mark_is_open`.
 
     A file has one decimal mark, so that a cell of any column decides for all.
@@ -258,7 +251,7 @@ def _open_marks(table: "_Table") -> tuple[bool, ...]:
     )
 
 
-def _check_rows_below_header(table: "_Table", above: Sequence[Sequence[str]], header_row: int | None) -> None:
+def _check_rows_below_header(table: Table, above: Sequence[Sequence[str]], header_row: int | None) -> None:
     """Units may stand between the names and the data, numbers may not: they are a damaged row of data."""
     for i in range(max(table.first - 1, 0) if header_row is None else header_row + 1, table.first):
         cells = [cell for cell, numeric in zip(above[i], table.numeric, strict=False) if numeric]
@@ -271,125 +264,3 @@ def _check_rows_below_header(table: "_Table", above: Sequence[Sequence[str]], he
                 f"row {i} (counted from 0){where} stands above the data with the number {numbers[0]!r} in it: repair "
                 "or delete that row"
             )
-
-
-@dataclass(frozen=True)
-class _Table:
-    """The sample under one reading: its cells, its first row of data, and which columns are numbers."""
-
-    delimiter: str
-    decimal: str
-    rows: list[list[str]]
-    first: int
-    numeric: tuple[bool, ...]
-    """Which columns have numbers in the sample."""
-    has_marks: bool
-    ragged: bool
-    columns: tuple[Writing, ...]
-
-
-def _lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
-    try:
-        text = codecs.getincrementaldecoder(encoding)().decode(start)
-    except LookupError:
-        raise UnreadableLogError(f"unknown text encoding {encoding!r}") from None
-    except UnicodeDecodeError as error:
-        raise UnreadableLogError(f"not encoded as {encoding}: {error.reason} at byte {error.start}") from None
-    lines = rows_of(text)
-    return with_whole_cells(lines if whole else lines[:-1])
-
-
-def _find_table(lines: list[str], options: CsvOptions) -> _Table:
-    """The reading of the sample that gives the most columns of numbers."""
-    tables = [
-        _table(lines, delimiter, decimal, options.header_row) for delimiter, decimal in _candidates(lines, options)
-    ]
-    readable = [table for table in tables if table is not None]
-    if not readable:
-        way_out = "if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
-        if _is_single_column(lines):
-            way_out = (
-                "it holds a single one; if input and displacement stand in files of their own, join them as columns of "
-                "one file"
-            )
-        raise UnreadableLogError(f"no table of numbers with two columns or more found; {way_out}")
-    return max(readable, key=lambda table: sum(table.numeric))
-
-
-def _is_single_column(lines: list[str]) -> bool:
-    """Whether most lines are one number each."""
-    cells = [line.strip(' \t"') for line in lines[:_MOST_ROWS] if line.strip()]
-    return 2 * sum(is_value(cell, ".") for cell in cells) > len(cells)
-
-
-def _candidates(lines: list[str], options: CsvOptions) -> list[tuple[str, str]]:
-    usual = _CANDIDATES if any('"' in line for line in lines) else _CANDIDATES[:-1]
-    pairs = [pair for pair in usual if options.delimiter in (None, pair[0]) and options.decimal in (None, pair[1])]
-    if options.delimiter is not None and not pairs:
-        pairs = [(options.delimiter, options.decimal or ".")]
-    return pairs
-
-
-def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | None) -> _Table | None:
-    """The sample as a table, None if it is none.
-
-    The width is the most frequent one. A column holds numbers if most of its cells do, of those that are not empty in
-    the second half. Data begin with the first row of two numbers or more in which those columns hold nothing else; of a
-    column that is empty in the second half, every cell from there on must be a number. Numbers above a row of texts are
-    part of the preamble. A later row that does not fit
-    is no preamble but an error, which the parser reports.
-    """
-    rows = [split_row(line, delimiter) for line in lines[:_MOST_ROWS]]
-    width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
-    begin = 0 if header_row is None else header_row + 1
-    written = writings(rows[begin:], width, decimal)
-    rows = [bare_cells(row, written, decimal) for row in rows]
-    fits = [_fits(row, width, decimal) for row in rows]
-    fitting = [i for i in range(begin, len(rows)) if fits[i]]
-    if width < 2 or not fitting:
-        return None
-    later = fitting[len(fitting) // 2 :]
-    likely = [_mostly_values([rows[i][j] for i in later], decimal) for j in range(width)]
-    keys = likely[1] and not any(rows[i][0] for i in later)  # of an instrument, in the first column of its preamble
-    data = [fit and not (keys and row[0]) for row, fit in zip(rows, fits, strict=True)]
-    filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
-    behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
-    only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
-    blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
-    first = next((i for i in fitting if filled[i] >= 2 and i not in only_text | blank), None)
-    if first is None:
-        return None
-    while first > begin and filled[first - 1] and first - 1 not in blank and _same_kinds(rows[first - 1], rows[first]):
-        first -= 1  # as of a channel that begins later, beside the time
-    body = [rows[i][:width] for i in fitting if i >= first]
-    columns = [[cell for cell in column if cell] for column in zip(*body, strict=True)]
-    numeric = tuple(
-        wanted or (any(column) and all(is_value(cell, decimal) for cell in column))
-        for wanted, column in zip(likely, columns, strict=True)
-    )
-    marks = (cell for column, holds in zip(columns, numeric, strict=True) if holds for cell in column)
-    has_marks = any(decimal in cell and not is_stamp(cell) for cell in marks)
-    ragged = any(len(rows[i]) > width for i in fitting if i >= first)
-    return _Table(delimiter, decimal, rows, first, numeric, has_marks, ragged, written)
-
-
-def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
-    """Whether two rows have time stamps in the same columns, as far as both are filled."""
-    return all(is_stamp(cell) == is_stamp(lower) for cell, lower in zip(row, below, strict=False) if cell and lower)
-
-
-def _fits(row: Sequence[str], width: int, decimal: str) -> bool:
-    """Whether a row has so many cells, or one more that is empty or a comment."""
-    return len(row) == width or (len(row) == width + 1 and is_behind(row[-1], decimal))
-
-
-def _filled(row: Sequence[str], likely: Sequence[bool], decimal: str) -> int:
-    """How many columns of numbers hold one in this row, 0 where one of them holds something else."""
-    cells = [cell for cell, wanted in zip(row, likely, strict=False) if wanted and cell]
-    return len(cells) if all(is_value(cell, decimal) for cell in cells) else 0
-
-
-def _mostly_values(cells: Sequence[str], decimal: str) -> bool:
-    """Whether most cells are numbers, and there are such; empty cells leave it open."""
-    values = [is_value(cell, decimal) for cell in cells if cell]
-    return 2 * sum(values) > len(values)

@@ -4,7 +4,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 
-from pipeline.rig_logs.attributes import number_with_unit
+from pipeline.rig_logs.attributes import number_with_unit, scales_among
 from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, split_row
 from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_names
 
@@ -152,6 +152,21 @@ def stated_rates(lines: Sequence[str], delimiter: str) -> tuple[tuple[str, float
             for own_name, each in zip(unique_names([name] * len(stated)), stated, strict=True):
                 rates[own_name] = (own_name, *each)
     return tuple(rates.values())
+
+
+_DISPLAY = re.compile(r"(?i)(vertical|horizontal|probe|trigger|time|x)\b")
+"""Before a scale or an offset of an oscilloscope's display."""
+
+
+def stated_scales(lines: Sequence[str], delimiter: str) -> list[str]:
+    """Notes on numbers, behind names in lines above the data, that look like a calibration."""
+    numbers = {}
+    for row in (split_row(bare_line(line), delimiter) for line in lines):
+        key, _, own = _KEY_END.sub(":", row[0] if row else "").partition(":")
+        stated = [float(cell) for cell in (own.strip(), *row[1:]) if NUMBER.match(cell)]
+        if stated and not _DISPLAY.match(key.strip(" #%")):
+            numbers["_".join(key.strip(" #%").split())] = next((x for x in stated if x not in (0.0, 1.0)), stated[0])
+    return scales_among(numbers)
 
 
 def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[str, ...], tuple[str, ...]]:

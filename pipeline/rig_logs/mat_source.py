@@ -134,9 +134,11 @@ class MatSource:
         for field, member in members.items():
             if is_unit(field):
                 continue
+            info = members.get(f"{field}Info")  # as of a timeseries that was saved as a struct
             unit = text_of(
+                info.get(0, "Units") if is_struct(info) else
                 units.get(0, field) if is_struct(units) else "" if several and is_called("time", field) else units
-            )
+            )  # fmt: skip
             for channel in self._plain(f"{place}.{field}", member, depth, second):
                 own = replace(channel.entry, unit=channel.entry.unit or unit.strip())
                 channels.append(replace(channel, entry=own))

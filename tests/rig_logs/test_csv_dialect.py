@@ -342,6 +342,13 @@ def test_numbers_as_they_are_written_in_other_places(tmp_path, cell, number, del
     assert q[row] == number and q[-1] == 8_099.5 and q.size == 8_100
 
 
+def test_a_switch_among_numbers_is_a_missing_value(tmp_path):
+    (tmp_path / "log.csv").write_text("t,q\n" + "".join(f"{i},{'TRUE' if i == 50 else i / 8}\n" for i in range(100)))
+    source = open_here(tmp_path / "log.csv")
+    assert np.flatnonzero(np.isnan(load(source, "q"))).tolist() == [50]
+    assert "'TRUE' in 'q' (1 times, the first in line 52)" in source.notes[-1]
+
+
 @pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be", "utf-16", "utf-8-sig"])
 def test_text_of_two_bytes_may_lack_its_mark(tmp_path, encoding):
     path = tmp_path / "log.csv"

@@ -163,6 +163,21 @@ def test_a_rate_above_the_data_is_told(tmp_path, above, rate):
     assert list(open_here(tmp_path / "log.csv").rates.values()) == pytest.approx([rate])
 
 
+@pytest.mark.parametrize(
+    ("above", "note"),
+    [
+        ("# Scale factor: 0.5\n\nt,q,v", "Scale_factor = 0.5, not applied"),
+        ("Gain,1,2.5\nt,q,v", "Gain = 2.5, not applied"),
+        ("Vertical Scale,0.5\nt,q,v", ""),
+        ("Offset: 0\nt,q,v", ""),
+    ],
+)
+def test_a_calibration_above_the_data_is_told(tmp_path, above, note):
+    (tmp_path / "log.csv").write_text(f"{above}\n{_plain()}")
+    notes = [text for text in open_here(tmp_path / "log.csv").notes if "not applied" in text]
+    assert (note in notes[0]) if note else not notes
+
+
 def test_rates_that_differ_are_all_told(tmp_path):
     (tmp_path / "log.lvm").write_text(LVM.replace("0.002\t0.002", "0.002\t0.004") + _plain("\t"))
     assert open_here(tmp_path / "log.lvm").rates == pytest.approx({"Delta_X": 500.0, "Delta_X (2)": 250.0})

@@ -192,10 +192,17 @@ def test_units_in_attributes_however_they_are_written(tmp_path, name, text):
 def test_units_in_structs_of_matlab(tmp_path):
     log = {"t": {"data": TIME, "unit": "ms"}, "q": {"time": TIME, "Value": Q, "Unit": "mm", "scale": 0.5}}
     both = {"t": TIME, "q": Q, "units": {"t": "ms", "q": "mm"}}
-    savemat(tmp_path / "log.mat", {**log, "all": both, "id": {"y": Q, "Ts": 2.0, "TimeUnit": "milliseconds"}})
+    series = {"Time": 1e3 * TIME, "Data": Q, "TimeInfo": {"Units": "milliseconds"}, "DataInfo": {"Units": "mm"}}
+    savemat(
+        tmp_path / "log.mat",
+        {**log, "series": series, "all": both, "id": {"y": Q, "Ts": 2.0, "TimeUnit": "milliseconds"}},
+    )
     source = open_here(tmp_path / "log.mat")
     units = {entry.name: entry.unit for entry in source.entries()}
-    assert units == {"t.data": "ms", "q.time": "", "q.Value": "mm", "all.t": "ms", "all.q": "mm", "id.y": ""}
+    assert units == {"t.data": "ms", "q.time": "", "q.Value": "mm", "all.t": "ms", "all.q": "mm", "id.y": ""} | {
+        "series.Time": "milliseconds",
+        "series.Data": "mm",
+    }
     assert source.rates == {"id.Ts": 500.0} and "q.scale = 0.5, not applied" in source.notes[0]
 
 
