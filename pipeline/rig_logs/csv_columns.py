@@ -64,8 +64,9 @@ def _writing(cells: Sequence[str], decimal: str, *, marked: bool) -> Writing:
     labels = {each["label"] for each in around}
     units = {each["unit"] for each in around if each["number"].strip("+-0.,")} or {each["unit"] for each in around}
     unit = _common_unit(units)
-    alike = len(labels) == 1 and unit is not None
-    return Writing(labels.pop(), unit, prefixed=not unit and units != {""}) if alike else Writing()
+    if len(labels) > 1 or unit is None:
+        return Writing()
+    return Writing(labels.pop(), unit, prefixed=not unit and units != {""})
 
 
 def _common_unit(units: set[str]) -> str | None:

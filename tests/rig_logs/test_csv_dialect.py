@@ -173,7 +173,7 @@ ROWS = [f"{i / 8:.3f},{-i * 1.5:.1f},{i}" for i in range(50)]
         ("X_Value\tWeg\tKraft\tComment", "\t", ("X_Value", "Weg", "Kraft"), ("", "", "")),  # LabVIEW
         ("#Time,#CH1,#CH2\n#UNITS:s,V,mV", ",", ("Time", "CH1", "CH2"), ("s", "V", "mV")),  # Hantek
         ("t / s;Weg, mm;U <kV>", ";", ("t", "Weg", "U"), ("s", "mm", "kV")),
-        ("| t | q | v |\n|---|---|---|", "|", ("t", "q", "v"), ("", "", "")),
+        ("t | q | v\n---|---|---", "|", ("t", "q", "v"), ("", "", "")),
     ],
 )
 def test_headings_of_other_programs(above, delimiter, names, units):
