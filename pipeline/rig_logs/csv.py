@@ -1,6 +1,5 @@
 """CSV logs: Arrow's reader under the dialect that was found or configured."""
 
-import mmap
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -28,7 +27,7 @@ from pipeline.rig_logs.csv_cells import (
 )
 from pipeline.rig_logs.csv_clock import Clock
 from pipeline.rig_logs.csv_dialect import SAMPLE_BYTES, find_dialect
-from pipeline.rig_logs.csv_tail import is_whole, last_rows
+from pipeline.rig_logs.csv_tail import whole_rows
 from pipeline.rig_logs.csv_text import as_utf8, text_of, written
 from pipeline.rig_logs.source import (
     CsvOptions,
@@ -68,7 +67,8 @@ class CsvSource:
         self.rates = {name: rate for name, _, rate in self._dialect.rates}
         self._rewritten = self._dialect.rewritten
         self._words, self._remarks = dict[str, list[int]](), list[str]()
-        self._firsts = self._look_ahead(options)
+        self._firsts = dict(zip(self._columns, self._dialect.firsts, strict=True))
+        self._look_ahead()
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
         local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
         self._clocks = {name: Clock(self._firsts[name]) for name in local}
@@ -104,19 +104,17 @@ class CsvSource:
                 )
         return left_out
 
-    def _look_ahead(self, options: CsvOptions) -> dict[str, str]:
-        """The first cells of the columns; what the sample leaves open is decided by the rows behind it."""
-        firsts = dict(zip(self._columns, self._dialect.firsts, strict=True))
+    def _look_ahead(self) -> None:
+        """Find first cells of columns, and the decimal mark, that the sample leaves open in the rows behind it."""
         numeric = [name for name, holds in zip(self._columns, self._dialect.numeric, strict=True) if holds]
-        marked = [name for name in numeric if not is_stamp(firsts[name])]
+        marked = [name for name in numeric if not is_stamp(self._firsts[name])]
         if not self._dialect.has_marks and self._dialect.delimiter not in ", ":
             cells = self._first_cells(marked, _MARK)
             if cells:
                 mark = "," if "," in next(iter(cells.values())) else "."
                 self._dialect = replace(self._dialect, decimal=mark)
-        empty = [name for name in numeric if not firsts[name]]
-        firsts |= self._first_cells(empty, "[0-9A-Za-z]") if empty else {}
-        return firsts
+        empty = [name for name in numeric if not self._firsts[name]]
+        self._firsts |= self._first_cells(empty, "[0-9A-Za-z]") if empty else {}
 
     def _first_cells(self, names: Sequence[str], pattern: str) -> dict[str, str]:
         """The first cell of each column that matches, from the block of rows on that holds the first of any."""
@@ -320,35 +318,12 @@ class CsvSource:
         return since / 1e9 if name in self._stamped else since
 
     def _complete_rows(self) -> int:
-        """Bytes of the file without a last row that has no line end, unless that is seen to be whole.
-
-        Raises
-        ------
-        UnreadableLogError
-            That row lacks cells, or a character is cut in two: the file is truncated.
-        """
-        with self._path.open("rb") as file:
-            whole = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        try:
-            rows, length = last_rows(whole, self._dialect.encoding)
-        except UnicodeDecodeError as error:
-            raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
-        if not length:
-            return len(whole)
-        *before, last = [self._dialect.split(row) for row in rows]
-        if is_remark(rows[-1], last, self._dialect.headings):
-            return len(whole)
-        if len(last) < len(self._columns):
-            raise UnreadableLogError(
-                f"truncated: it ends within a row ({len(last)} of {len(self._columns)} cells); "
-                "delete that row if the log shall be used up to there"
-            )
-        end = len(self._columns) - 1
-        if is_whole(last[end], [row[end] for row in before if len(row) > end]):
-            self._note("the last row has no line end; it is kept, its last number has as many digits as others")
-            return len(whole)
-        self._note("the last row has no line end and may be cut off within a number: left out")
-        return len(whole) - length
+        """Bytes of the file that are whole rows."""
+        dialect = self._dialect
+        length, note = whole_rows(self._path, dialect.encoding, dialect.split, dialect.headings)
+        if note:
+            self._note(note)
+        return length
 
     def _note(self, note: str) -> None:
         self.notes += [] if note in self.notes else [note]
