@@ -65,10 +65,10 @@ class TdmsSource:
         self.texts = {name: _kind(each) for name, each in self._channels.items() if _kind(each) and len(each)}
         self.notes = left_out(self.texts)
         for place, holder in {"": self._file, **{g.name: g for g in self._file.groups()}, **self._channels}.items():
-            for name, (number, rate) in rates_among(holder.properties, place).items():
+            own = {key: value for key, value in holder.properties.items() if not key.startswith(("NI_", "wf_"))}
+            for name, (number, rate) in rates_among(own, place).items():
                 self.notes += [note_on_rate(name, number, rate)] if name not in self.rates else []
                 self.rates[name] = rate
-            own = {key: value for key, value in holder.properties.items() if not key.startswith("NI_")}
             self.notes += scales_among(own, place)
         self._first = min(filter(None, map(_start, channels)), default=None)
         self._times: dict[tuple[float, float, int], str] = {}

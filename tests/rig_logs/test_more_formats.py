@@ -184,9 +184,10 @@ def test_what_tdms_states_beside_the_numbers_is_noted_or_the_channel_left_out(tm
     with nptdms.TdmsWriter(tmp_path / "log.tdms") as writer:
         named = (("q", Q, {"gain": 0.5}), ("v", V, {"fs": "1 kHz"}), ("raw", np.arange(Q.size), raw))
         writer.write_segment([nptdms.ChannelObject("rig", name, data, of) for name, data, of in named])
-    source = open_here(tmp_path / "log.tdms")
-    assert source.rates == {"v.fs": 1000.0} and "Foo" in source.texts["raw"]
-    assert any("gain = 0.5, not applied here to 'q'" in note for note in source.notes)
+    recording = read_recording(tmp_path / "log.tdms")
+    assert recording.rates == {"v.fs": 1000.0} and recording.listed == ("q", "v")
+    assert "'raw' (raw numbers with a scale that is not read, Foo" in recording.notes[0]
+    assert any("gain = 0.5, not applied here to 'q'" in note for note in recording.notes)
 
 
 @pytest.mark.parametrize(
