@@ -2,7 +2,7 @@
 
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from numbers import Integral, Real
+from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -222,10 +222,10 @@ class Model:
         from pipeline.tools.in_memory import frame
 
         table = self._measured(t, q, v1, v2)
-        if not isinstance(ahead, Integral) or not 1 <= ahead < len(table["t"]):
+        if ahead not in range(1, len(table["t"])):
             raise InputError(f"ahead is {ahead}; give 1 to {len(table['t']) - 1} samples")
         path, predict = measured_path(table, self.core)
-        columns = {"t": table["t"], "q": predicted(predict, path, ahead), "q_measured": table["q"]}
+        columns = {"t": table["t"], "q": predicted(predict, path, int(ahead)), "q_measured": table["q"]}
         return frame(columns, *self._units)
 
     def plot(

@@ -117,9 +117,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     settings = prototype.ingest
     try:
         raw_step = nominal_step(signals.q[0])
-        signals, spikes = _without_spikes(signals, settings)
+        signals = _without_spikes(signals, settings)
         trusted = _trusted(signals, prototype, raw_step)
-        warnings = [*signals.notes, *spikes, *_warnings(signals, prototype, trusted)]
+        warnings = [*signals.notes, *_warnings(signals, prototype, trusted)]
         usable = survey(
             (signals.q[0], trusted.samples), signals.beside, gaps=settings.gaps, time_reversal=settings.time_reversal,
             cuts=trusted.dropouts.cuts[:, 0],
@@ -128,14 +128,7 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
         raise DataRefusedError(f"{where}: {error}") from error
     quality, left_out = trusted.quality, _left_out(trusted, warnings, prototype)
     _refuse_no_record(where, usable.span, settings.sample_interval, usable.raw_rows * raw_step)
-    clock = examine(signals.q[0])
-    if clock.written_as_minutes:
-        raise DataRefusedError(
-            f"{where}: time jumps by 40 s at each of its minutes, as stamps written hhmmss do: write them as hh:mm:ss, "
-            "or give what lies on both sides of such a gap as logs of their own"
-        )
-    if raw_step > _MOST_EMPTY * settings.sample_interval:  # a record would hardly be one
-        judge(where, rate_findings(clock, quality, settings.sample_interval), prototype.quality)
+    _refuse_other_clock(where, clock := examine(signals.q[0]), quality, prototype)
     masked = Resampling(usable, settings.sample_interval).report
     lacking, findings = _lacking(signals, settings.sample_interval)
     unknown = inputs_unknown(usable, LONGEST_BRIDGE * settings.sample_interval)
@@ -159,8 +152,8 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     return Examined(usable, raw_step, notes | _sensor(signals, quality))
 
 
-def _without_spikes(signals: SiLog, settings: Ingest) -> tuple[SiLog, list[str]]:
-    """The log with its inputs' single-sample spikes bridged, and what to say of them."""
+def _without_spikes(signals: SiLog, settings: Ingest) -> SiLog:
+    """The log with its inputs' single-sample spikes bridged, and noted."""
     from pipeline.rig_logs.remarks import counted, stamped
     from pipeline.signals.timebase import nominal_step
     from pipeline.signals.untrusted import without_spikes
@@ -171,7 +164,7 @@ def _without_spikes(signals: SiLog, settings: Ingest) -> tuple[SiLog, list[str]]
         what = f"v{k}: {counted(count, 'single-sample spike')}, the first at {stamped(first)} s: bridged"
         texts += [f"{what} ([ingest] spikes)"] if count else []
         inputs.append(bridged)
-    return (replace(signals, inputs=tuple(inputs)) if texts else signals), texts
+    return replace(signals, inputs=tuple(inputs), notes=(*signals.notes, *texts)) if texts else signals
 
 
 def _trusted(signals: SiLog, prototype: Prototype, raw_step: float) -> "Trusted":
@@ -210,6 +203,20 @@ def _refuse_no_record(where: str, span: tuple[float, float], interval: float, co
             f"{where}: holds {covered:.4g} s of samples within {rows * interval:.4g} s; give what lies on both sides "
             "of its gaps as logs of their own, or correct the time stamps"
         )
+
+
+def _refuse_other_clock(where: str, clock: "TimeQuality", quality: "SignalQuality", prototype: Prototype) -> None:
+    """Refuse stamps that are no seconds, before a record is made of them."""
+    from pipeline.signals.quality_gates import rate_findings
+
+    interval = prototype.ingest.sample_interval
+    if clock.written_as_minutes:
+        raise DataRefusedError(
+            f"{where}: time jumps by 40 s at each of its minutes, as stamps written hhmmss do: write them as hh:mm:ss, "
+            "or give what lies on both sides of such a gap as logs of their own"
+        )
+    if clock.step > _MOST_EMPTY * interval:  # a record would hardly be one
+        judge(where, rate_findings(clock, quality, interval), prototype.quality)
 
 
 def _sensor(signals: SiLog, quality: "SignalQuality") -> dict[str, Any]:
