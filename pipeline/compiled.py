@@ -49,7 +49,7 @@ def compiled(function: Any = None, /, *, with_module_of: type | None = None, **o
 
 def inner(function: Kernel) -> Kernel:
     """For a function that kernels alone call: a wrapper for Python would be up to half of what it costs to compile."""
-    return compiled(no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)  # type: ignore[no-any-return]
+    return compiled(no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)
 
 
 def shared(function: Kernel) -> Kernel:

@@ -24,7 +24,8 @@ RULED = re.compile(r"(?=.*[+|])[|+]?(:?[-=]{2,}:?[|+]?)+")
 """A line below a heading, or around a table, as databases draw it."""
 ARROW = " -> "
 """Stands between the time and the rest of a line that Arduino's serial monitor shows."""
-NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$")
+_DIGITS = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+NUMBER = re.compile(rf"[+-]?{_DIGITS}$")
 MISSING = frozenset(
     {"", "nan", "-nan", "nan(ind)", "-nan(ind)", "na", "n/a", "null", "none", "-", "--", "---", "."}
     | {"#n/a", "#nv", "#value!", "#wert!", "#div/0!", "#ref!", "#num!", "#name?", "#null!"}
@@ -81,6 +82,12 @@ def is_value(cell: str, decimal: str) -> bool:
 def is_word(cell: str) -> bool:
     """Whether a cell is a word in place of a number, as ``OVER``, ``----`` and C's ``1.#INF``."""
     return not _BEGINS_AS_NUMBER.match(cell)
+
+
+def plain_row(delimiter: str, width: int) -> re.Pattern[str]:
+    """What a line matches that is `width` numbers as Arrow reads them, which knows no plus, and nothing else."""
+    between = r"[ \t]+" if delimiter == " " else rf"[ \t]*{re.escape(delimiter)}[ \t]*"
+    return re.compile(rf"\s*-?{_DIGITS}(?:{between}-?{_DIGITS}){{{width - 1}}}\s*")
 
 
 def is_remark(line: str, cells: Sequence[str], names: Sequence[str]) -> bool:
