@@ -29,7 +29,7 @@ def check_name(name: str, longest: int = _LONGEST) -> str:
     writable = not _NOT_WRITABLE & {*name}
     if not name.isprintable():
         raise ValueError(
-            f"{name!r} is no usable name: a sign of it is no letter; write paths with / or between single quotes"
+            f"{name!r} is no usable name: a character of it cannot be printed; write paths with / or in single quotes"
         )
     if not writable or not 0 < len(name) <= longest or name[0] in " =+@" or name[-1] in " .":
         raise ValueError(

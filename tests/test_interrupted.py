@@ -52,6 +52,7 @@ def logs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.long
 def test_a_run_and_its_study_keep_finished_steps(logs: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(logs)
     said = _interrupted(logs, _RUN, "validation log: done")

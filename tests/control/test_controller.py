@@ -183,6 +183,7 @@ def test_c_equals_python_is_clean_and_keeps_no_state_of_its_own(tmp_path: Path) 
 
 
 @needs_gcc
+@pytest.mark.long
 def test_single_precision_controls_as_double_does(tmp_path: Path) -> None:
     """Snaps both ways and the unstable equilibrium, on the joint of the model; limits kept whatever is read."""
     plant, law = designed()

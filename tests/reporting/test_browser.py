@@ -203,6 +203,7 @@ def test_one_finger_pans_and_two_fingers_zoom(browser: Any, pages: dict[str, str
         browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
 
 
+@pytest.mark.long
 def test_a_long_record_is_drawn_from_its_extremes(
     browser: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -116,6 +116,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     return folder
 
 
+@pytest.mark.long
 def test_the_report_of_seven_models_stays_in_the_budget(run: RunFolder) -> None:
     """Its processor time is a row of `benchmarks/bench_speed.py`."""
     result = CliRunner().invoke(app, ["report", str(run.root), "--quiet"])

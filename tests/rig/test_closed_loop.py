@@ -97,9 +97,9 @@ def test_without_friction_a_joint_rings_longer_and_a_frozen_laser_gives_its_last
 @pytest.mark.parametrize(
     ("family", "seed"),
     [
-        pytest.param("same", 3, marks=pytest.mark.long),
+        ("same", 3),
         pytest.param("foreign", 7, marks=pytest.mark.long),
-        ("foreign", 5),
+        pytest.param("foreign", 5, marks=pytest.mark.long),
     ],  # from a second start
 )
 def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_from_json(

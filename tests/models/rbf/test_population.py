@@ -132,6 +132,7 @@ def test_it_knows_its_own_structure_only(tmp_path: Path) -> None:
         assert dict(zip(held["blocks"].tolist(), held["lengths"].tolist(), strict=True))["damping"] == 5
 
 
+@pytest.mark.long
 def test_a_joint_that_is_like_others_is_predicted_better_for_it() -> None:
     """From 12 s of log, free runs over another one: half the error that smooth curves leave (geometric mean)."""
     errors = []
