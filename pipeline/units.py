@@ -180,7 +180,7 @@ def to_si(unit: str, allowed: tuple[str, ...], where: str) -> SiUnit:
 def _meant(unit: str, allowed: tuple[str, ...]) -> str:
     """The question for a unit of these that is written otherwise, as Volt, KV, [mm] or Sekunden; "" without one."""
     bare = re.sub(r"^[\[(]([^\s\[\]()]*)[\])]$", r"\1", unit).strip(". ")
-    alike = [known for known in PLAIN if known.casefold() == bare.casefold()]
+    alike = [plain for plain in PLAIN if plain.casefold() == bare.casefold()]
     others = (other for other in (bare, time_unit(bare), *alike, bare.lower()) if other not in ("", unit))
     return next((f"did you mean {other!r}?" for other in others if _measures(other, allowed)), "")
 

@@ -32,7 +32,7 @@ from pipeline.rig_logs.csv_heading import (
     stated_scales,
     with_row_names,
 )
-from pipeline.rig_logs.csv_table import Table, find_table, sample_lines
+from pipeline.rig_logs.csv_table import SampleTable, find_table, sample_lines
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
 SAMPLE_BYTES = 1 << 16
@@ -141,7 +141,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
 
 
 def _header_rows(
-    table: Table, above: list[Sequence[str]], comments: Sequence[bool], row: int | None
+    table: SampleTable, above: list[Sequence[str]], comments: Sequence[bool], row: int | None
 ) -> tuple[int | None, int | None]:
     """The rows of names and of units, the first of which may be set."""
     width = len(table.numeric)
@@ -157,7 +157,7 @@ def _header_rows(
     return row, units if below is None else below
 
 
-def _with_counted_names(options: CsvOptions, table: Table) -> tuple[CsvOptions, Table]:
+def _with_counted_names(options: CsvOptions, table: SampleTable) -> tuple[CsvOptions, SampleTable]:
     """The numbers of the columns that pandas writes in place of names are no row of data."""
     if options.header_row is not None or not is_counted(table.rows[table.first]):
         return options, table
@@ -176,7 +176,7 @@ def _as_labview(lines: Sequence[str], options: CsvOptions) -> CsvOptions:
 
 
 def _headings(
-    table: Table, above: Sequence[Sequence[str]], header_row: int | None, units_row: int | None
+    table: SampleTable, above: Sequence[Sequence[str]], header_row: int | None, units_row: int | None
 ) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
     """Names and units of the columns, and the cells above them as they are written."""
     width = len(table.numeric)
@@ -194,14 +194,14 @@ def _headings(
     return names, units, tuple(as_written if len(as_written) == len(above[header_row][:width]) == width else padded)
 
 
-def _firsts(table: Table) -> list[str]:
+def _firsts(table: SampleTable) -> list[str]:
     """The first cell of each column that is not empty, "" where there is none."""
     width = len(table.numeric)
     body = [row[:width] for row in table.rows[table.first :] if len(row) >= width]
     return [next(filter(None, column), "") for column in zip(*body, strict=True)]
 
 
-def _first_text(table: Table, column: int) -> str:
+def _first_text(table: SampleTable, column: int) -> str:
     """The first cell below the header that is no number, with its line counted from 1 where that is not the first."""
     cells = ((line, row[column]) for line, row in enumerate(table.rows) if line >= table.first and len(row) > column)
     texts = (each for each in cells if not is_value(each[1], table.decimal))
@@ -210,7 +210,7 @@ def _first_text(table: Table, column: int) -> str:
     return "; ".join(filter(None, [f"{cell[:40]!r}{place}", marks_between_thousands(cell)]))
 
 
-def _above(table: Table, lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
+def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], list[bool]]:
     """The rows above the data without marks of comments, and which had one."""
     width, lines = len(table.numeric), lines[: table.first]
     rows: list[Sequence[str]] = []
@@ -225,7 +225,7 @@ def _above(table: Table, lines: list[str]) -> tuple[list[Sequence[str]], list[bo
     return rows, [is_comment(line) for line in lines]
 
 
-def _check_decimal_commas(table: Table) -> None:
+def _check_decimal_commas(table: SampleTable) -> None:
     """Commas that separate and are decimal marks too: more cells than names, at most twice as many."""
     above = table.rows[table.first - 1] if table.first else []
     names, cells = len(above), len(table.numeric) - [*map(bool, _firsts(table))][::-1].index(True)
@@ -236,7 +236,7 @@ def _check_decimal_commas(table: Table) -> None:
         )
 
 
-def _open_marks(table: Table) -> tuple[bool, ...]:
+def _open_marks(table: SampleTable) -> tuple[bool, ...]:
     """In which columns the rows that were seen do not tell whether the mark is for decimals; see `mark_is_open`.
 
     A file has one decimal mark, so that a cell of any column decides for all.
@@ -251,7 +251,7 @@ def _open_marks(table: Table) -> tuple[bool, ...]:
     )
 
 
-def _check_rows_below_header(table: Table, above: Sequence[Sequence[str]], header_row: int | None) -> None:
+def _check_rows_below_header(table: SampleTable, above: Sequence[Sequence[str]], header_row: int | None) -> None:
     """Units may stand between the names and the data, numbers may not: they are a damaged row of data."""
     for i in range(max(table.first - 1, 0) if header_row is None else header_row + 1, table.first):
         cells = [cell for cell, numeric in zip(above[i], table.numeric, strict=False) if numeric]

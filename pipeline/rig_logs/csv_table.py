@@ -20,7 +20,7 @@ _CANDIDATES = (
 
 
 @dataclass(frozen=True)
-class Table:
+class SampleTable:
     """The sample under one reading: its cells, its first row of data, and which columns are numbers."""
 
     delimiter: str
@@ -52,7 +52,7 @@ def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
     return with_whole_cells(lines if whole else lines[:-1])
 
 
-def find_table(lines: list[str], options: CsvOptions) -> Table:
+def find_table(lines: list[str], options: CsvOptions) -> SampleTable:
     """The reading of the sample that gives the most columns of numbers."""
     tables = [
         _table(lines, delimiter, decimal, options.header_row) for delimiter, decimal in _candidates(lines, options)
@@ -83,7 +83,7 @@ def _candidates(lines: list[str], options: CsvOptions) -> list[tuple[str, str]]:
     return pairs
 
 
-def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | None) -> Table | None:
+def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | None) -> SampleTable | None:
     """The sample as a table, None if it is none.
 
     The width is the most frequent one. A column holds numbers if most of its cells do, of those that are not empty in
@@ -123,7 +123,7 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     marks = (cell for column, holds in zip(columns, numeric, strict=True) if holds for cell in column)
     has_marks = any(decimal in cell and not is_stamp(cell) for cell in marks)
     ragged = any(len(rows[i]) > width for i in fitting if i >= first)
-    return Table(delimiter, decimal, rows, first, numeric, has_marks, ragged, written)
+    return SampleTable(delimiter, decimal, rows, first, numeric, has_marks, ragged, written)
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
