@@ -25,7 +25,7 @@ test: $(VENV)/.dev-ready
 quick: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest tests/numerics tests/codegen tests/models/analytical tests/models/hybrid/test_condensed.py \
 	    tests/runs tests/rig_logs/test_readers.py \
-	    tests/test_compiled.py tests/test_isolation.py tests/test_debist.py tests/test_cli.py
+	    tests/test_compiled.py tests/faults/test_isolation.py tests/test_debist.py tests/test_cli.py
 
 test-long: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile -m "long or not long"
