@@ -73,3 +73,9 @@ def test_no_temporary_file_is_opened_by_its_name_while_it_is_open() -> None:
     texts = {path: path.read_text(encoding="utf-8") for path in (ROOT / "pipeline").rglob("*.py")}
     assert len(texts) > 100
     assert not [path for path, text in texts.items() if "NamedTemporaryFile" in text]
+
+
+def test_the_makefile_names_files_that_are_there() -> None:
+    named = re.findall(r"\b(?:tests|benchmarks)/[\w/]+(?:\.py)?", (ROOT / "Makefile").read_text(encoding="utf-8"))
+    files = [name for name in named if not name.endswith("_")]  # but patterns such as bench_*.py
+    assert files and not [name for name in files if not (ROOT / name).exists()]
