@@ -85,9 +85,9 @@ def is_word(cell: str) -> bool:
 
 
 def plain_row(delimiter: str, width: int) -> re.Pattern[str]:
-    """What a line matches that is `width` numbers as Arrow reads them, which knows no plus, and nothing else."""
-    between = r"[ \t]+" if delimiter == " " else rf"[ \t]*{re.escape(delimiter)}[ \t]*"
-    return re.compile(rf"\s*-?{_DIGITS}(?:{between}-?{_DIGITS}){{{width - 1}}}\s*")
+    """What a line matches that is `width` numbers and nothing else, each as Arrow reads it, which knows no plus."""
+    edge, between = ("[ \t]*", "[ \t]+") if delimiter == " " else (" *", f" *{re.escape(delimiter)} *")
+    return re.compile(rf"{edge}-?{_DIGITS}(?:{between}-?{_DIGITS}){{{width - 1}}}{edge}")
 
 
 def is_remark(line: str, cells: Sequence[str], names: Sequence[str]) -> bool:

@@ -1,9 +1,14 @@
 """How a CSV file is written is found out, or said by the user, and never guessed over an error."""
 
+import re
+
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, example, given, settings
+from hypothesis import strategies as st
 
 from pipeline.errors import InputError
+from pipeline.rig_logs import csv as csv_source
 from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.csv_dialect import find_dialect
@@ -367,3 +372,33 @@ def test_a_single_column_says_to_join_the_files(form, header):
 
 def test_a_preamble_of_more_cells_is_no_heading():
     assert _find("Rig 7; run 3; Monday; 2 kHz\n0,0;1,5\n0,5;2,5\n").header == ("column 1", "column 2")
+
+
+_CELLS = st.sampled_from(["1", "-2.5", ".5", "5.", "-1E-3", "", "", "", "+3", "x", "1 000", "--5", "1.2.3"])
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    delimiter=st.sampled_from([" ", "\t", ";", ","]),
+    rows=st.lists(st.lists(_CELLS, min_size=2, max_size=5), min_size=1, max_size=3),
+    space=st.sampled_from(["", " "]),
+)
+@example("\t", [["1", "", "2", "3"]], "")
+@example("\t", [["", "1", "2", "3"]], "")
+def test_rows_of_plain_numbers_are_read_as_all_rows_are(tmp_path, monkeypatch, delimiter, rows, space):
+    """A comment has all rows looked at; those of plain numbers may pass without, and nothing else may."""
+    plain = [f"{i / 8}{delimiter}{space}{i}.5{delimiter}{-i}" for i in range(30)]
+    text = "\n".join([f"t{delimiter}q{delimiter}v", *plain, "# note", *map(delimiter.join, rows), *plain[:5]])
+    (tmp_path / "log.csv").write_text(text + "\n")
+
+    def outcome() -> object:
+        try:
+            source = open_here(tmp_path / "log.csv")
+            return *(load(source, name).tolist() for name in ("t", "q", "v")), source.notes
+        except UnreadableLogError as error:
+            return str(error)
+
+    quickly = outcome()
+    with monkeypatch.context() as patched:
+        patched.setattr(csv_source, "plain_row", lambda delimiter, width: re.compile("(?!)"))
+        assert repr(quickly) == repr(outcome())
