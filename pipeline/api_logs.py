@@ -113,8 +113,9 @@ def differentiate(
 
     from pipeline.models.base import real_numbers
     from pipeline.signals.differentiate import differentiate as differentiated
+    from pipeline.tools.in_memory import seconds
 
-    times, samples = real_numbers(t, "t"), real_numbers(q, "q")
+    times, samples = seconds(t), real_numbers(q, "q")
     if times.ndim != 1 or times.shape != samples.shape or times.size < 2:
         raise InputError(f"t has the shape {times.shape}, q {samples.shape}; give columns of one length, shape (N,)")
     interval = float(times[-1] - times[0]) / (times.size - 1)

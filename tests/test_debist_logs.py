@@ -71,6 +71,12 @@ def test_times_and_tables_of_other_libraries_are_read(folder: Path, model: debis
     ("call", "match"),
     [
         (lambda m, t: debist.identify(None, t.q_m, t.v1_V), "t is missing"),
+        (lambda m, t: debist.identify(np.array([], "M8[ns]"), t.q_m, t.v1_V), "t is empty"),
+        (lambda m, t: debist.identify(np.datetime64("2026-11-27"), t.q_m, t.v1_V), "but t has 1"),
+        (
+            lambda m, t: debist.identify(t.t_s, t.t_s.to_numpy().astype("M8[s]"), t.v1_V),
+            "q does not consist of numbers",
+        ),
         (lambda m, t: debist.identify(t[:0]), "t is empty"),
         (lambda m, t: debist.identify(t.rename(columns={"v2_V": "v2_kV"})), "v2_kV; call it v2_V"),
         (lambda m, t: debist.identify(t, settings="P.toml"), "give a mapping of tables"),

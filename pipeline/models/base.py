@@ -203,22 +203,22 @@ def checked(method: MethodT) -> MethodT:
     return cast(MethodT, call)
 
 
+def kind_of(values: Any) -> str:
+    """NumPy's letter for the kind of values, as m of durations and M of time stamps; " " where they have none."""
+    return str(getattr(getattr(values, "dtype", None), "kind", " "))
+
+
 def real_numbers(values: Any, name: str) -> FloatArray:
-    """Anything that consists of real numbers as an array; NaN where it is masked. Time stamps become s since the first.
+    """Anything that consists of real numbers as an array; NaN where it is masked.
 
     Raises
     ------
     InputError
-        Text, complex numbers, rows of unlike length.
+        Text, complex numbers, time stamps, rows of unlike length.
     """
     try:
-        if np.iscomplexobj(values):
+        if np.iscomplexobj(values) or kind_of(values) in "mM":
             raise TypeError
-        if (kind := getattr(getattr(values, "dtype", None), "kind", "")) in ("m", "M"):
-            stamps = np.asarray(values)
-            return np.asarray(
-                (stamps - stamps[0] if kind == "M" else stamps) / np.timedelta64(1, "s"), dtype=np.float64
-            )
         numbers: FloatArray = np.ma.filled(np.ma.asarray(values, dtype=np.float64), np.nan)
     except (TypeError, ValueError):
         raise InputError(f"{name} does not consist of numbers") from None

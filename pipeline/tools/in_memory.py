@@ -20,7 +20,7 @@ from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import SiLog
 from pipeline.loading.trajectories import load_motion, motion, training
 from pipeline.model_list import AUTO, ENTRIES, entry, names
-from pipeline.models.base import DynamicModel, real_numbers
+from pipeline.models.base import DynamicModel, kind_of, real_numbers
 from pipeline.models.kind import StoredModel, kind
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import fit_percent
@@ -306,6 +306,21 @@ def voltages_of(t: Any, v: Any) -> tuple[FloatArray, FloatArray]:
     return columns.pop("t"), np.column_stack(list(columns.values()))
 
 
+def seconds(t: Any) -> FloatArray:
+    """Times [s]: time stamps count from the first, durations and numbers from zero.
+
+    Raises
+    ------
+    InputError
+        None of these.
+    """
+    if (kind := kind_of(t)) not in "mM":
+        return real_numbers(t, "t")
+    stamps = np.asarray(t)
+    since = stamps - stamps.ravel()[:1] if kind == "M" else stamps
+    return np.asarray(since / np.timedelta64(1, "s"), dtype=np.float64)
+
+
 def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
     """Columns of finite numbers, all as long as t; those that are None are left out."""
     columns: dict[str, FloatArray] = {}
@@ -314,7 +329,7 @@ def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
             continue
         if not columns and name != "t":
             raise InputError("t is missing; give the times [s]")
-        columns[name] = real_numbers(values, name)
+        columns[name] = seconds(values) if name == "t" else real_numbers(values, name)
         if columns[name].ndim != 1:
             raise InputError(f"{name} has the shape {columns[name].shape}; give one column, shape (N,)")
         if len(columns[name]) != len(columns["t"]):
