@@ -2,7 +2,6 @@
 
 import atexit
 import inspect
-import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -11,8 +10,6 @@ from typing import Any, TypeVar, overload
 from pipeline.kernel_cache import certify, folder_for
 from pipeline.machine import import_configured
 
-# The third level costs a fifth more time to compile; the results are the same, and kernels are as fast.
-os.environ.setdefault("NUMBA_OPT", "2")
 numba: Any = import_configured("numba")
 # numba reads the file again at each compilation, by a name that is relative to the current folder.
 numba.config._config_fname = str(Path(__file__).with_name("numba.yaml"))
