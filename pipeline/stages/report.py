@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 
-ALGORITHM = "32"
+ALGORITHM = "33"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
