@@ -13,7 +13,7 @@ from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.verify import verify_everything
 
-FLIPS, CUTS = 150, 30
+FLIPS, CUTS = 300, 60
 
 
 def damaged(content: bytes, rng: random.Random, kind: str) -> bytes:

@@ -50,10 +50,7 @@ def _write(kind: str, path: Path) -> None:
             mdf.save(path, overwrite=True, compression=1)
 
 
-_SLOW = pytest.param("blanks", marks=pytest.mark.long)
-
-
-@pytest.fixture(scope="module", params=["mat", "packed.mat", "mat73", "csv", _SLOW, "parquet", "h5", "mf4"])
+@pytest.fixture(scope="module", params=["mat", "packed.mat", "mat73", "csv", "blanks", "parquet", "h5", "mf4"])
 def log(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("streaming") / f"log.{request.param}"
     _write(request.param, path)
