@@ -16,8 +16,6 @@ from pipeline.rig_logs.csv_cells import (
     STAMP,
     SWITCH,
     is_behind,
-    is_other_heading,
-    is_remark,
     is_stamp,
     is_value,
     is_word,
@@ -199,7 +197,7 @@ class CsvSource:
                 yield "\t".join(line.replace(dialect.delimiter, " ").split()) + "\n"
                 continue
             cells = dialect.split(line)
-            if is_remark(line, cells, dialect.headings):
+            if dialect.is_remark(line, cells):
                 self._remarks.append(f"line {number}: {line.strip()[:40]!r}")
                 continue
             if len(cells) == width + 1 and is_behind(cells[-1], dialect.decimal):
@@ -209,7 +207,7 @@ class CsvSource:
                     f"a row does not fit the table: row {number} has {len(cells)} cells, not {width}: repair or delete "
                     "that row"
                 )
-            if is_other_heading(cells, dialect.headings):
+            if dialect.begins_another(cells):
                 raise UnreadableLogError(
                     f"row {number} begins another table, of {', '.join(cells)}: save each table in a file of its own"
                 )
@@ -257,8 +255,11 @@ class CsvSource:
         from pipeline.arrow_columns import doubles
 
         clocks = {name: Clock(self._firsts[name]) for name in self._clocks}
-        for batch in self._batches(names, {name: self._kind(name) for name in names}):
-            for name, column in zip(names, batch.columns, strict=True):
+        looked_at = self._dialect.numeric[0] and not self._rewritten
+        first = [name for name in self._columns[:1] if looked_at and name not in names]
+        every = [*names, *first]  # words in the first column show that a row is none of numbers
+        for batch in self._batches(every, {name: self._kind(name) for name in every}):
+            for name, column in zip(names, batch.columns, strict=False):
                 samples = pa.chunked_array([column])
                 if name in clocks:
                     yield name, clocks[name].seconds(samples)
@@ -327,9 +328,8 @@ class CsvSource:
 
     def _complete_rows(self) -> int:
         """Bytes of the file that are whole rows."""
-        dialect = self._dialect
-        length, note = whole_rows(self._path, dialect.encoding, dialect.split, dialect.headings)
-        if note:
+        length, notes = whole_rows(self._path, self._dialect)
+        for note in notes:
             self._note(note)
         return length
 

@@ -20,10 +20,14 @@ _BEGINS_AS_NUMBER = re.compile(r"[-+]?\s*(?!1[.]#)[.,]?\d")
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _FEW_CELLS = 3
+_ROW_END = re.compile(r"\r\n|\r|\n")
 RULED = re.compile(r"(?=.*[+|])[|+]?(:?[-=]{2,}:?[|+]?)+")
 """A line below a heading, or around a table, as databases draw it."""
-ARROW = " -> "
-"""Stands between the time and the rest of a line that Arduino's serial monitor shows."""
+_TERMINAL = re.compile(
+    r"^(?P<stamp>\S*:\d\d\S*(?= -?> )|\[[^\]]*\d:\d\d[^\]]*\](?= )"
+    r"|\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\S*(?= (?!\d{3}\D|[+-]\d{4}\D)[+-]?[\d.]))(?: -?>)? "
+)
+"""A time that a serial terminal sets before each line: Arduino's with an arrow, others in brackets or by itself."""
 _DIGITS = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 NUMBER = re.compile(rf"[+-]?{_DIGITS}$")
 MISSING = frozenset(
@@ -90,23 +94,15 @@ def plain_row(delimiter: str, width: int) -> re.Pattern[str]:
     return re.compile(rf"{edge}-?{_DIGITS}(?:{between}-?{_DIGITS}){{{width - 1}}}{edge}")
 
 
-def is_remark(line: str, cells: Sequence[str], names: Sequence[str]) -> bool:
-    """Whether a line among rows of numbers is none of them: a comment, an event, a ruled line, the names once more."""
-    if RULED.fullmatch(line.strip()) or (COMMENT.match(line) and cells[0].lower() not in MISSING):
-        return True
-    words = all(is_word(cell) and not is_stamp(cell) for cell in cells)
-    return words and (len(cells) != len(names) or cells == [*names])
-
-
-def is_other_heading(cells: Sequence[str], names: Sequence[str]) -> bool:
-    """Whether a row of words, in place of numbers, is the heading of another table: some names, but not those."""
-    named = {name for name in names if name}
-    return cells != [*names] and all(is_word(cell) for cell in cells) and any(cell in named for cell in cells)
-
-
 def is_behind(cell: str, decimal: str) -> bool:
     """Whether a cell beyond the last column may be left out: it is empty, or a comment."""
     return not cell or not is_value(cell, decimal)
+
+
+def rows_of(text: str) -> list[str]:
+    """Its rows; those of `str.splitlines` end at characters, too, which may stand within a cell."""
+    rows = _ROW_END.split(text)
+    return rows if rows[-1] else rows[:-1]
 
 
 def split_row(line: str, delimiter: str) -> list[str]:
@@ -114,10 +110,16 @@ def split_row(line: str, delimiter: str) -> list[str]:
     line = line if line.isascii() else _MINUS.sub("-", line)
     if delimiter == " ":
         return next(csv.reader([" ".join(line.split())], delimiter=" "), []) if '"' in line else line.split()
-    line = line.replace(ARROW, delimiter)
+    line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", line)
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)]
+    line = line.replace('="', '"')  # as of a spreadsheet that shall take numbers for text
     return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])]
+
+
+def is_of_terminal(line: str) -> bool:
+    """Whether a serial terminal has set a time before a line."""
+    return bool(_TERMINAL.match(line))
 
 
 def is_before_decimals(cell: str, decimal: str) -> bool:

@@ -9,7 +9,7 @@ from pipeline.rig_logs.csv_cells import MISSING, is_before_decimals, is_stamp, i
 
 _AROUND = re.compile(
     r"(?:(?P<label>[^\W\d_][^:=]{0,40}?) ?[:=] ?)?(?P<number>[-+]?(?:\d[\d.,]*|[.,]\d+)(?:[eE][-+]?\d+)?)"
-    r"(?: ?(?P<unit>[^\W\d_°%][^\W_]{0,7}(?:[/*^·][\w²³]{1,4})?|°C?|%))?"
+    r"(?: ?(?P<unit>[^\W\d_°%][^\W_]{0,7}(?:[/*^·][\w²³]{1,4})?|°C?|%)(?: [AD]C)?)?"
 )
 _FEWEST = 3
 _POWERS = {"": 0, "k": 3, "K": 3, "M": 6, "Meg": 6, "MEG": 6, "G": 9, "m": -3, "u": -6, "µ": -6, "μ": -6, "n": -9}

@@ -5,12 +5,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from pipeline.rig_logs.csv_cells import (
-    ARROW,
+    COMMENT,
     MISSING,
     NUMBER,
     RULED,
     is_before_decimals,
+    is_of_terminal,
+    is_stamp,
     is_value,
+    is_word,
     mark_is_open,
     marks_between_thousands,
     split_row,
@@ -38,6 +41,10 @@ from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 SAMPLE_BYTES = 1 << 16
 _KEY = re.compile(r"[^\W\d]{2}\D*")
 """A word before a value that an instrument states for each channel, and no damaged number."""
+_STATISTIC = re.compile(r"(?i)(min|max|mean|avg|average|median|std|stdev|stddev|rms|sum|total|count)(imum|\.|:)*:?")
+"""Before what a program works out of each column."""
+_STATEMENT = re.compile(r"[:=]")
+_SENTENCE = re.compile(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}")
 
 
 @dataclass(frozen=True)
@@ -70,10 +77,30 @@ class Dialect:
     """Whether rows need more than to be split at the delimiter, as where some have a comment behind them."""
     starts: tuple[tuple[float, float], ...]
     """When each column begins, and its step [s], where these differ; see `labview_starts`."""
+    above: frozenset[tuple[str, ...]]
+    """The rows of names and units, which a logger may write once more where it begins anew."""
 
     def split(self, line: str) -> list[str]:
         """The cells of a row of data, as numbers with the file's decimal mark."""
         return bare_cells(split_row(line, self.delimiter), self.columns, self.decimal)
+
+    def is_remark(self, line: str, cells: Sequence[str]) -> bool:
+        """Whether a line among rows of numbers is none of them: a comment, an event, a statistic, a row from above."""
+        if RULED.fullmatch(line.strip()) or (COMMENT.match(line) and cells[0].lower() not in MISSING):
+            return True
+        if tuple(cells) in self.above or (self.numeric[0] and _STATISTIC.fullmatch(cells[0])):
+            return True
+        words = all(is_word(cell) and not (is_stamp(cell) and any(map(is_stamp, self.firsts))) for cell in cells)
+        if len(cells) == len(self.headings):
+            return words and any(map(_STATEMENT.search, cells))
+        return words or (len(cells) == 1 and bool(_SENTENCE.search(line)))
+
+    def begins_another(self, cells: Sequence[str]) -> bool:
+        """Whether a row of words in place of numbers is the heading of another table."""
+        if not all(is_word(cell) and not is_stamp(cell) for cell in cells):
+            return False
+        names = len(set(cells)) == len(cells) > 2 and all(cell[:1].isalpha() for cell in cells)
+        return names or not {*filter(None, self.headings)}.isdisjoint(cells)
 
     def describe(self) -> str:
         """The dialect in one line."""
@@ -134,9 +161,11 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.columns,
-        bool(table.delimiter == " " or table.columns or table.ragged or any(ARROW in line for line in lines))
+        bool(table.delimiter == " " or table.columns or table.ragged or any(map(is_of_terminal, lines)))
         or (header_row is not None and len(above[header_row]) == width + 1),
         labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
+        frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
+        - {("",) * width},
     )
 
 
@@ -216,6 +245,8 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
     rows: list[Sequence[str]] = []
     for line in lines:
         cells = [] if RULED.fullmatch(line.strip()) else split_row(bare_line(line), table.delimiter)
+        if len(cells) == width and _STATISTIC.fullmatch(cells[0]) and all(map(NUMBER.match, cells[1:])):
+            cells = []
         while len(cells) > width and "=" in cells[-1]:  # as of an oscilloscope, behind the names
             del cells[-1]
         wider = table.delimiter == " " or is_comment(line)

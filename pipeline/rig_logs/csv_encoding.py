@@ -31,6 +31,7 @@ def text_encoding(start: bytes) -> str:
     for parity, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):  # of numbers, every other byte is zero
         if b"\0" not in start[1 - parity :: 2] and 2 * start[parity::2].count(0) > len(start[parity::2]):
             return encoding
+    start = start.strip(b"\0")
     if b"\0" in start:
         raise UnreadableLogError(_NO_TEXT)
     try:

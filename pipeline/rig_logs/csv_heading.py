@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from pipeline.rig_logs.attributes import number_with_unit, scales_among
-from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, split_row
+from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, is_stamp, split_row
 from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_names
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
@@ -88,6 +88,8 @@ def heading_rows(
     used = len(numeric) - [*numeric][::-1].index(True)
     for i in range(len(above) - 1, -1, -1):
         row = _trimmed(above[i])
+        if not block and row and row[0].startswith(";"):  # a comment below the names
+            continue
         if not row and (not block or len(above[i]) < used):
             if block:
                 break
@@ -104,8 +106,9 @@ def heading_rows(
     units = next((i for i in reversed(block[1:]) if _holds_units(above[i])), None)
     labels = {i: _labels(above[i], numeric) for i in block if units is None or i < units}
     names = [i for i in labels if labels[i] and labels[i] == max(labels.values())]
-    if not names and units is not None:
-        return units - 1, units  # of numbers, as an oscilloscope numbers its channels
+    if not names and units is not None:  # of numbers, as an oscilloscope numbers its channels
+        numbered = all(cell.isdecimal() for cell in above[units - 1][1:] if cell)
+        return (units - 1, units) if numbered else (units, None)
     if not names:
         return None, None
     with_time = [i for i in names if any(map(_TIME.match, above[i]))]
@@ -121,13 +124,13 @@ def _trimmed(row: Row) -> Row:
 def _labels(row: Row, numeric: Sequence[bool]) -> int:
     """How many columns of numbers a row labels, 0 where more of its cells are numbers."""
     cells = [cell for cell, wanted in zip(row, numeric, strict=False) if wanted and cell]
-    numbers = sum(bool(_QUANTITY.match(cell.replace(",", "."))) for cell in cells)
+    numbers = sum(bool(_QUANTITY.match(cell.replace(",", "."))) or is_stamp(cell) for cell in cells)
     return len(cells) - numbers if 2 * numbers <= len(cells) else 0
 
 
 def _holds_units(row: Row) -> bool:
     cells = [cell for cell in row if cell and cell.lower() != "unit" and not NUMBER.match(cell)]
-    are_units = [bool(_BRACKETED.match(cell)) or cell.strip("[]() ").lower() in _UNITS for cell in cells]
+    are_units = [bool(_BRACKETED.match(cell)) or cell.strip("[]() '").lower() in _UNITS for cell in cells]
     return 2 * sum(are_units) > len(cells) > 0
 
 
@@ -178,9 +181,9 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     bare = Counter(match["name"] if match else heading for match, heading in zip(matches, headings, strict=False))
     written = Counter(headings[:width])
     for j, (heading, match) in enumerate(zip(headings, matches, strict=False)):
-        if match and bare[match["name"]] > written[heading] and match["unit"].lower() not in _UNITS:
-            match = None  # as V(q) and V(v1): what tells channels apart is no unit
-        unit = units_row[j].strip("[]() ") if j < len(units_row) else ""
+        if match and bare[match["name"]] > written[heading] and match["unit"].lower() not in _UNITS - {"1"}:
+            match = None  # as V(q) and V(v1), Y[0] and Y[1]: what tells channels apart is no unit
+        unit = units_row[j].strip("[]() '") if j < len(units_row) else ""
         names.append(match["name"] if match and not unit else heading or f"column {j + 1}")
         units.append(unit or (match["unit"].strip() if match else ""))
     return tuple(names), tuple(units)

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from pipeline.rig_logs.csv_cells import MISSING, NUMBER, is_behind, is_stamp, is_value, split_row
+from pipeline.rig_logs.csv_cells import MISSING, NUMBER, is_behind, is_stamp, is_value, rows_of, split_row
 from pipeline.rig_logs.csv_columns import Writing, bare_cells, writings
 from pipeline.rig_logs.csv_heading import with_whole_cells
-from pipeline.rig_logs.csv_tail import rows_of
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
 _MOST_ROWS = 400
@@ -48,7 +47,7 @@ def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
         raise UnreadableLogError(f"unknown text encoding {encoding!r}") from None
     except UnicodeDecodeError as error:
         raise UnreadableLogError(f"not encoded as {encoding}: {error.reason} at byte {error.start}") from None
-    lines = rows_of(text)
+    lines = rows_of(text.strip("\0\ufeff"))
     return with_whole_cells(lines if whole else lines[:-1])
 
 
@@ -103,11 +102,13 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
         return None
     later = fitting[len(fitting) // 2 :]
     likely = [_mostly_values([rows[i][j] for i in later], decimal) for j in range(width)]
+    clocks = [not wanted or any(is_stamp(rows[i][j]) for i in later) for j, wanted in enumerate(likely)]
     keys = likely[1] and not any(rows[i][0] for i in later)  # of an instrument, in the first column of its preamble
-    data = [fit and not (keys and row[0]) for row, fit in zip(rows, fits, strict=True)]
+    data = [fit and not (keys and row[0]) and _in_place(row, clocks) for row, fit in zip(rows, fits, strict=True)]
     filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
     behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}
     only_text = {i for i, row in behind.items() if any(row) and not any(map(NUMBER.match, row))}
+    only_text |= {i for i, row in enumerate(rows[1:]) if len(row) == 1 and row[0].endswith(":")}  # a key
     blank = {i for i in fitting if all(cell.lower() in MISSING for cell in rows[i])}  # or a line below the heading
     first = next((i for i in fitting if filled[i] >= 2 and i not in only_text | blank), None)
     if first is None:
@@ -129,6 +130,11 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:
     """Whether two rows have time stamps in the same columns, as far as both are filled."""
     return all(is_stamp(cell) == is_stamp(lower) for cell, lower in zip(row, below, strict=False) if cell and lower)
+
+
+def _in_place(row: Sequence[str], clocks: Sequence[bool]) -> bool:
+    """Whether time stamps of a row stand in columns of such only."""
+    return all(clock or not is_stamp(cell) for cell, clock in zip(row, clocks, strict=False))
 
 
 def _fits(row: Sequence[str], width: int, decimal: str) -> bool:

@@ -3,31 +3,27 @@
 import codecs
 import mmap
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-from pipeline.rig_logs.csv_cells import is_remark
+from pipeline.rig_logs.csv_cells import rows_of
+from pipeline.rig_logs.csv_dialect import Dialect
 from pipeline.rig_logs.source import UnreadableLogError
 
 _TAIL_BYTES = 1 << 16
 _FEWEST = 10
-_ROW_END = re.compile(r"\r\n|\r|\n")
 _DIGITS = re.compile(r"[+-]?\d*(?:[.,](?P<fraction>\d+))?(?:[eE][+-]?(?P<exponent>\d+))?$")
 
 
-def rows_of(text: str) -> list[str]:
-    """Its rows; those of `str.splitlines` end at characters, too, which may stand within a cell."""
-    rows = _ROW_END.split(text)
-    return rows if rows[-1] else rows[:-1]
-
-
-def _last_rows(content: bytes | mmap.mmap, encoding: str) -> tuple[list[str], int]:
+def _last_rows(content: bytes | mmap.mmap, end: int, encoding: str) -> tuple[list[str], int]:
     """The rows in the last 64 kB of a file, and how many bytes at its end belong to a row without line end.
 
     Parameters
     ----------
     content : bytes-like
         The whole file.
+    end : int
+        Its bytes that are text.
     encoding : str
         Its text encoding.
 
@@ -40,14 +36,23 @@ def _last_rows(content: bytes | mmap.mmap, encoding: str) -> tuple[list[str], in
     if encoding == "utf-16":
         codec = "utf-16-be" if content[:2] == codecs.BOM_UTF16_BE else "utf-16-le"
     width = len("0".encode(codec)) if codec != "utf-8-sig" else 1
-    start = max(0, len(content) - _TAIL_BYTES)
+    start = max(0, end - _TAIL_BYTES)
     start -= start % width
-    tail = content[start:]
+    tail = content[start:end]
     if width == 1:  # line ends are single bytes in all of these, whatever stands between them
         codec = "latin-1"
     text = tail.decode(codec)
-    end = max(text.rfind("\n"), text.rfind("\r")) + 1
-    return rows_of(text), len(text[end:].encode(codec))
+    last = max(text.rfind("\n"), text.rfind("\r")) + 1
+    return rows_of(text), len(text[last:].encode(codec))
+
+
+def _written(content: bytes | mmap.mmap) -> int:
+    """Bytes of a file before the zeros at its end, which stay where a logger that took space lost its power."""
+    end = len(content)
+    while end and content[end - 1] == 0:
+        begin = max(0, end - _TAIL_BYTES)
+        end = begin + len(content[begin:end].rstrip(b"\0"))
+    return end
 
 
 def _is_whole(cell: str, before: Sequence[str]) -> bool:
@@ -69,21 +74,9 @@ def _form(cell: str) -> tuple[int, int] | None:
     return match and (len(match["fraction"] or ""), len(match["exponent"] or ""))
 
 
-def whole_rows(
-    path: Path, encoding: str, split: Callable[[str], list[str]], headings: Sequence[str]
-) -> tuple[int, str]:
-    """Bytes of a file without a last row that has no line end, unless that is seen to be whole; and a note on that row.
-
-    Parameters
-    ----------
-    path : Path
-        The log.
-    encoding : str
-        Its text encoding.
-    split : callable
-        Gives the cells of a row.
-    headings : sequence of str
-        The cells above the columns.
+def whole_rows(path: Path, dialect: Dialect) -> tuple[int, list[str]]:
+    """Bytes of a file without zeros, and without a last row that has no line end, unless that is seen to be whole; and
+    notes on what is left out.
 
     Raises
     ------
@@ -92,21 +85,24 @@ def whole_rows(
     """
     with path.open("rb") as file:
         content = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+    size, notes = len(content), list[str]()
+    if not dialect.encoding.startswith("utf-16") and (size := _written(content)) < len(content):
+        notes.append(f"{len(content) - size} zero bytes at the end are left out; did the recorder lose its power?")
     try:
-        rows, length = _last_rows(content, encoding)
+        rows, length = _last_rows(content, size, dialect.encoding)
     except UnicodeDecodeError as error:
         raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
     if not length:
-        return len(content), ""
-    *before, last = [split(row) for row in rows]
-    if is_remark(rows[-1], last, headings):
-        return len(content), ""
-    width = len(headings)
+        return size, notes
+    *before, last = [dialect.split(row) for row in rows]
+    if dialect.is_remark(rows[-1], last):
+        return size, notes
+    width = len(dialect.headings)
     if len(last) < width:
         raise UnreadableLogError(
             f"truncated: it ends within a row ({len(last)} of {width} cells); "
             "delete that row if the log shall be used up to there"
         )
     if _is_whole(last[width - 1], [row[width - 1] for row in before if len(row) >= width]):
-        return len(content), "the last row has no line end; it is kept, its last number has as many digits as others"
-    return len(content) - length, "the last row has no line end and may be cut off within a number: left out"
+        return size, [*notes, "the last row has no line end; it is kept, its last number has as many digits as others"]
+    return size - length, [*notes, "the last row has no line end and may be cut off within a number: left out"]
