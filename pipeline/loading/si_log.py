@@ -1,6 +1,7 @@
 """A raw log by the settings: displacement and inputs in SI units, each with its time base."""
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -245,17 +246,22 @@ def _counted(size: int, rate: float) -> FloatArray:
     return column(size, (np.arange(rows.start, rows.stop) / rate for rows in chunks(size)), np.float64)
 
 
+_UNIT_IN_NAME = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]$")
+
+
 def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUnit) -> None:
     """Refuse a log whose own unit contradicts the settings; a unit the log words in its own way is let pass."""
-    bare = stated.strip("[]() ")
+    in_name = _UNIT_IN_NAME.search(channel)
+    bare = stated.strip("[]() ") or (in_name["unit"] if in_name else "")
     if not bare:
         return
     try:
         own = to_si(bare, (*DISPLACEMENT, *INPUT, *TIME, *VELOCITY.values()), "")
     except InputError:
         return
-    if own.symbol != resolved.symbol or not np.isclose(own.factor, resolved.factor, rtol=1e-9):
+    other_kind = own.symbol != resolved.symbol
+    if (other_kind and stated) or not (other_kind or np.isclose(own.factor, resolved.factor, rtol=1e-9)):
         raise InputError(
-            f"{path}: channel {channel!r} is in {stated} by the log, but in {unit} by the settings; "
-            "correct the unit in [channels]"
+            f"{path}: channel {channel!r} is in {bare} by {'the log' if stated else 'its name'}, but in {unit} by the "
+            "settings; correct the unit in [channels]"
         )

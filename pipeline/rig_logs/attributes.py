@@ -34,7 +34,7 @@ def unit_among(attributes: Mapping[str, Any], column: int = 0, columns: int = 1)
         value = attributes[name]
         text = plain(np.asarray(value).reshape(-1)[column] if np.size(value) == columns > 1 else value)
         if isinstance(text, str):
-            return text
+            return str(text)
     return ""
 
 

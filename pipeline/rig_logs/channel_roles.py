@@ -44,7 +44,7 @@ _RIGHT = re.compile(r"(right|rechts|прав|右|오른쪽|[^\d]2([^\d]|$)|[ _.-
 _MOST_INPUTS = 2
 _GROUP = re.compile(r"(?:^|[./])[^./]*$")
 """What of a name does not stand for its group."""
-_NAME_SUFFIX = re.compile(r"(?:[_ ]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)$")
+_NAME_SUFFIX = re.compile(r"(?:[_ \[(]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)[\])]?$")
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Suggestion:
 
 
 def suggested_unit(name: str, unit: str) -> str:
-    """The log's unit, or what a suffix of the name says (``angulo_deg``), in pint's notation; "" if neither does."""
+    """The log's unit, or what stands behind the name (``angulo_deg``, ``q [mm]``), in pint's notation; "" if neither does."""
     bare = unit.strip("[]() ")
     if not bare:
         match = _NAME_SUFFIX.search(name)

@@ -11,6 +11,7 @@ Which reader a file needs its first bytes say; the suffix is only a hint in mess
 import errno
 import importlib
 import os
+import re
 import struct
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -251,6 +252,7 @@ FORMATS = (
     Format("MAT v5", "matlab5", lambda start: start[126:128] in (b"IM", b"MI") and start[124:126] in _VERSION_1),
 )
 """Tried in this order; what none of them takes is read as CSV."""
+_COMTRADE = re.compile(rb"[^\n]*\n *\d+, *\d+A, *\d+D")
 START = 1024  # bytes that tell the format
 
 
@@ -295,6 +297,10 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
             raise UnreadableLogError(f"this is {what}")
     if module == "csv" and start[257:262] == b"ustar":
         raise UnreadableLogError("this is an archive; unpack it")
+    if module == "csv" and _COMTRADE.match(start):
+        raise UnreadableLogError(
+            "this is the configuration of a COMTRADE record; export the record with its scale factors applied as CSV"
+        )
     if module == "csv" and start.startswith(b"MATLAB"):
         raise UnreadableLogError("it begins like a MAT file, and the rest is damaged or missing")
     if module == "csv" and _is_matlab4(start):

@@ -1,15 +1,21 @@
-"""One clock from two columns: whole seconds, and the nano-, micro- or milliseconds since them, as ROS writes stamps."""
+"""One clock from two columns: whole seconds, and the nano-, micro- or milliseconds since them.
+
+ROS writes ``stamp.sec`` and ``stamp.nanosec``; recorders write a time of day and ``ms`` behind it.
+"""
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.rig_logs.source import Entry, Source, UnreadableChannelError, unique_names
+from pipeline.units import time_unit
 
 _PARTS = {"n": 1e9, "nano": 1e9, "u": 1e6, "µ": 1e6, "micro": 1e6, "m": 1e3, "milli": 1e3}
+_BEHIND = {"ms": 1e3, "us": 1e6, "ns": 1e9}
 _NAME = re.compile(r"(?i)(?P<stem>.*?)(?P<part>nano|micro|milli|[nuµm])?(secs?|seconds?)")
 
 
@@ -50,6 +56,8 @@ class ClockPairs:
         if np.any((fraction < 0.0) | (fraction >= per_second)):
             raise UnreadableChannelError(f"{part.name!r} is not always less than a second, so it is no part of a clock")
         finite = seconds[np.isfinite(seconds)]
+        if np.any(np.trunc(finite) != finite):
+            raise UnreadableChannelError(f"{part.name!r} stands beside a time that is not in whole seconds")
         clock: NDArray[np.float64] = seconds - (finite[0] if finite.size else 0.0) + fraction / per_second
         return clock
 
@@ -64,6 +72,9 @@ def with_clocks(source: Source) -> Source:
         whole = wholes.get(match["stem"].casefold()) if match["part"] else None
         if whole is not None and whole.count == entry.count and whole.time == entry.time:
             made.append((f"{match['stem']}time", (whole, entry, _PARTS[match["part"].casefold()])))
+    for whole, entry in pairwise(entries):
+        if whole.name in getattr(source, "whole_seconds", ()) and time_unit(entry.name) in _BEHIND:
+            made.append((f"time of {whole.name} and {entry.name}", (whole, entry, _BEHIND[time_unit(entry.name)])))
     if not made:
         return source
     names = unique_names([entry.name for entry in entries] + [name for name, _ in made])[len(entries) :]

@@ -44,6 +44,8 @@ _BLOCK_BYTES = 1 << 20
 _LARGEST_HEAD, _FEWEST_LINES, _MOST_NAMED = 1 << 24, 20, 3
 _COUNT = re.compile(r"[+-]?\d{16,19}")
 """Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
+_WHOLE_SECONDS = re.compile(r":\d\d:\d\d\b(?![.,:]\d| \d{3}\b)")
+"""In a time of day without parts of a second."""
 _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 
 
@@ -71,6 +73,7 @@ class CsvSource:
         self._stamped = {name for name, cell in self._firsts.items() if is_stamp(cell)}
         local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
         self._clocks = {name: Clock(self._firsts[name]) for name in local}
+        self.whole_seconds = {name for name in self._stamped if _WHOLE_SECONDS.search(self._firsts[name])}
         dialect = self._dialect
         self.notes = [
             dialect.describe(),

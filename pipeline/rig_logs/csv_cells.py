@@ -2,7 +2,7 @@
 
 import csv
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from pipeline.rig_logs.source import UnreadableLogError
 
@@ -23,6 +23,8 @@ _FEW_CELLS = 3
 _ROW_END = re.compile(r"\r\n|\r|\n")
 RULED = re.compile(r"(?=.*[+|])[|+]?(:?[-=]{2,}:?[|+]?)+")
 """A line below a heading, or around a table, as databases draw it."""
+_CHECKSUM = re.compile(r"(?<=[^*\s])\*[0-9A-F]{2}$")
+"""Behind a line of NMEA 0183."""
 _TERMINAL = re.compile(
     r"^(?P<stamp>\S*:\d\d\S*(?= -?> )|\[[^\]]*\d:\d\d[^\]]*\](?= )"
     r"|\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\S*(?= (?!\d{3}\D|[+-]\d{4}\D)[+-]?[\d.]))(?: -?>)? "
@@ -45,7 +47,7 @@ CLOCKS = (
     r"(?:(?P<before>[AaPp][.]? ?[Mm][.]?|上午|下午|午前|午後|오전|오후) ?)?"
     r"(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9}| \d{3})?)"
     r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))"
-    r"(?:[ \x{a0}\x{202f}]?(?P<half>[AaPp][.]? ?[Mm][.]?))?(?: ?[+-]\d\d:?\d\d| [A-Z]{1,5}|Z| \d{4})*\]?$",
+    r"(?:[ \x{a0}\x{202f}]?(?P<half>[AaPp][.]? ?[Mm][.]?))?(?: ?[+-]\d\d:?\d\d| [A-Z]{1,5}|Z| \d{4}| \d{1,4}[./-]\d\d?[./-]\d{2,4})*\]?$",
     rf"^{_DATE}[T _-]?(?P<h>[01]\d|2[0-3])(?P<m>[0-5]\d)(?P<s>[0-5]\d(?:[.,]?\d{{1,9}})?)(?:Z|[+-]\d\d:?\d\d)?$",
     r"^(?:[^:]*(?:[T ,_]|\d-))?(?P<h>\d\d)[.h-](?P<m>\d\d)[.m-](?P<s>\d\d[.,]\d{1,9})s?$",
 )
@@ -110,7 +112,7 @@ def split_row(line: str, delimiter: str) -> list[str]:
     line = line if line.isascii() else _MINUS.sub("-", line)
     if delimiter == " ":
         return next(csv.reader([" ".join(line.split())], delimiter=" "), []) if '"' in line else line.split()
-    line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", line)
+    line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", _CHECKSUM.sub("", line) if "*" in line else line)
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)]
     line = line.replace('="', '"')  # as of a spreadsheet that shall take numbers for text

@@ -21,9 +21,9 @@ class Clock:
     """
 
     def __init__(self, first: str) -> None:
-        self._turn = _DAY if first.count(":") > 1 else _HOUR
         self._origin, self._last = np.nan, 0.0
         self._form, match = clock_of(first) or ("", None)
+        self._turn = _DAY if match and match["h"] else _HOUR
         begins = min((match.start(part) for part, text in match.groupdict().items() if text), default=0) if match else 0
         self.note = f"counts from {first}" + ("; its date is not used" if begins > 1 else "")
 

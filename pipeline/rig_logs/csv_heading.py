@@ -7,9 +7,11 @@ from collections.abc import Sequence
 from pipeline.rig_logs.attributes import number_with_unit, scales_among
 from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, is_stamp, split_row
 from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_names
+from pipeline.units import PLAIN
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
 _UNIT_BEHIND = re.compile(r"^(?P<name>.*\S)(?:\s+in\s+|\s+/\s*|,\s+|\s*(?=[<{]))[<{]?(?P<unit>[^\s<>{}]+)[>}]?$")
+_BEHIND_STROKE = re.compile(r"^(?P<name>[^/]+)/(?P<unit>[^/]+)$")
 _BEFORE_BRACKET = re.compile(r"\s+(?=[\[(])")
 _BRACKETED = re.compile(r"[\[(][^\[\]()]*[\])]$")
 _TIME = re.compile(r"(t|time|zeit|timestamp|x|x_value)\b", re.IGNORECASE)
@@ -59,9 +61,7 @@ def cells_above(line: str, cells: Row, width: int) -> Row:
     if len(cells) == width:
         return [_ROW_KEY.sub("", cells[0]), *(cell.lstrip("#% ") or cell for cell in cells[1:])]
     bare = bare_line(line).strip()
-    apart = [_APART.split(bare)]
-    if is_comment(line):
-        apart.append([cell for cell in _SEPARATORS.split(_BEFORE_BRACKET.sub("", bare)) if cell])
+    apart = [_APART.split(bare), [cell for cell in _SEPARATORS.split(_BEFORE_BRACKET.sub("", bare)) if cell]]
     return next((others for others in apart if len(others) == width), cells)
 
 
@@ -91,7 +91,7 @@ def heading_rows(
         if not block and row and row[0].startswith(";"):  # a comment below the names
             continue
         if not row and (not block or len(above[i]) < used):
-            if block:
+            if block and not _holds_units(above[block[0]]):
                 break
             continue
         beyond = 1 if not block else 2 if len(block) == 1 and _holds_units(above[block[0]]) else 0
@@ -107,7 +107,7 @@ def heading_rows(
     labels = {i: _labels(above[i], numeric) for i in block if units is None or i < units}
     names = [i for i in labels if labels[i] and labels[i] == max(labels.values())]
     if not names and units is not None:  # of numbers, as an oscilloscope numbers its channels
-        numbered = all(cell.isdecimal() for cell in above[units - 1][1:] if cell)
+        numbered = all(cell.isdecimal() for cell in above[units - 1] if NUMBER.match(cell))
         return (units - 1, units) if numbered else (units, None)
     if not names:
         return None, None
@@ -177,7 +177,8 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     if not headings:
         return tuple(f"column {j + 1}" for j in range(width)), ("",) * width
     names, units = [], []
-    matches = [_UNIT_IN_NAME.match(heading) or _unit_behind(heading) for heading in headings[:width]]
+    by_strokes = _with_units_behind_strokes(headings)
+    matches = [_UNIT_IN_NAME.match(heading) or _unit_behind(heading, by_strokes) for heading in headings[:width]]
     bare = Counter(match["name"] if match else heading for match, heading in zip(matches, headings, strict=False))
     written = Counter(headings[:width])
     for j, (heading, match) in enumerate(zip(headings, matches, strict=False)):
@@ -189,10 +190,16 @@ def names_and_units(headings: Row, units_row: Row, width: int) -> tuple[tuple[st
     return tuple(names), tuple(units)
 
 
-def _unit_behind(heading: str) -> re.Match[str] | None:
+def _unit_behind(heading: str, by_strokes: bool) -> re.Match[str] | None:
     """A name with its unit as in ``Weg in mm``, ``Weg / mm``, ``Weg, mm`` or ``Weg <mm>``; None for others."""
-    match = _UNIT_BEHIND.match(heading)
+    match = _UNIT_BEHIND.match(heading) or (_BEHIND_STROKE.match(heading) if by_strokes else None)
     return match if match and match["unit"].lower() in _UNITS - {"1"} else None
+
+
+def _with_units_behind_strokes(headings: Row) -> bool:
+    """Whether headings are as ``t/s``, ``Weg/mm``, and no paths of channels."""
+    units = [match["unit"] for match in map(_BEHIND_STROKE.match, headings) if match]
+    return len(units) > 1 and all(unit in PLAIN or unit.lower() in _UNITS - {"v", "a", "k"} for unit in units)
 
 
 _VERTICAL, _HORIZONTAL = "Vertical Units", "Horizontal Units"

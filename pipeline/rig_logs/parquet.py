@@ -48,11 +48,13 @@ class ParquetSource:
         self._fields = {label: field for label, (_, _, field) in zip(unique, leaves, strict=True)}
         self.texts = {name: f"{field.type}" for name, field in self._fields.items() if not _is_read(field.type)}
         self.notes = left_out(self.texts)
-        for name, field in self._fields.items():
-            self.notes += scales_among(_texts(field.metadata), name)
         of_table = _texts(self._file.schema_arrow.metadata)
-        of_table |= _document(of_table.get("PANDAS_ATTRS", ""))
-        self._units = {k: f"{v}" for key in filter(is_unit, of_table) for k, v in _document(of_table[key]).items()}
+        of_table |= _mapping(of_table.get("PANDAS_ATTRS"))
+        self._units = {k: f"{v}" for key in filter(is_unit, of_table) for k, v in _mapping(of_table[key]).items()}
+        for name, field in self._fields.items():
+            own = _texts(field.metadata) | _of_column(name, of_table)
+            self._units.setdefault(name, unit_among(own))
+            self.notes += scales_among(own, name)
         stated = rates_among(of_table, "")
         self.notes += scales_among(of_table)
         self.rates = {name: rate for name, (_, rate) in stated.items()}
@@ -62,7 +64,7 @@ class ParquetSource:
         """Every column of numbers, of time stamps or of durations."""
         rows = self._file.metadata.num_rows
         return [
-            Entry(name, _unit(field) or self._units.get(name, ""), str(field.type), rows)
+            Entry(name, "s" if _is_time(field.type) else self._units[name], str(field.type), rows)
             for name, field in self._fields.items()
             if name not in self.texts
         ]
@@ -125,7 +127,12 @@ _PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}
 
 
 def _is_read(kind: Any) -> bool:
-    return _is_number(kind) or bool(pa.types.is_timestamp(kind)) or _is_span(kind)
+    return _is_number(kind) or _is_time(kind)
+
+
+def _is_time(kind: Any) -> bool:
+    """Whether a column holds time stamps, durations, or times of day, which are read in s."""
+    return bool(pa.types.is_timestamp(kind)) or _is_span(kind)
 
 
 def _is_span(kind: Any) -> bool:
@@ -139,18 +146,30 @@ def _is_number(kind: Any) -> bool:
     return any(holds(kind) for holds in kinds)
 
 
-def _unit(field: Any) -> str:
-    if pa.types.is_timestamp(field.type) or _is_span(field.type):
-        return "s"
-    return unit_among(_texts(field.metadata))
-
-
-def _document(value: Any) -> dict[str, Any]:
-    """A mapping, which may be written as JSON; empty for anything else."""
-    try:
-        read = json.loads(value) if isinstance(value, str) else value
-    except ValueError:
+def _of_column(name: str, of_table: Any) -> dict[str, Any]:
+    """What the metadata of a table hold on a column, in mappings by its name or lists of columns, at any depth."""
+    read = _document(of_table)
+    if isinstance(read, list):
+        read = {f"{each['name']}": each for each in read if isinstance(each, dict) and "name" in each}
+    if not isinstance(read, dict):
         return {}
+    own = _document(read.get(name))
+    if isinstance(own, dict):
+        return own
+    return next(filter(None, (_of_column(name, each) for each in read.values())), {})
+
+
+def _document(value: Any) -> Any:
+    """What a text of JSON holds; anything else as it is."""
+    try:
+        return json.loads(value) if isinstance(value, str) else value
+    except (ValueError, RecursionError):
+        return value
+
+
+def _mapping(value: Any) -> dict[str, Any]:
+    """A mapping, which may be written as JSON; empty for anything else."""
+    read = _document(value)
     return read if isinstance(read, dict) else {}
 
 
