@@ -63,6 +63,7 @@ ALPHA_UNIT = {"m": ("mm", 1e-3), "rad": ("deg", math.pi / 180.0), "V": ("mV", 1e
 
 _MISLEADING = {
     **dict.fromkeys(("grad", "Grad"), "write 'deg' for degrees (360 to a turn), or 'gradian' for gons (400)"),
+    **dict.fromkeys(("dB", "dBV", "dBm", "Np"), "a level is no linear measure; export V, A or another unit"),
     "gr": "write 'g' for grams, or 'grain' for grains (64.8 mg)",
     **dict.fromkeys(("px", "pixel"), "a pixel has no length of its own; give one as `scale`, in a unit such as 'mm'"),
 }

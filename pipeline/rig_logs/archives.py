@@ -6,19 +6,17 @@ import lzma
 import re
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, BinaryIO
-
-from numpy.typing import NDArray
 
 from pipeline.rig_logs.source import (
     PART,
     CsvOptions,
-    Entry,
     Limits,
     Source,
     UnreadableLogError,
+    View,
     read_start,
     temporary_path,
 )
@@ -28,7 +26,7 @@ _HIDDEN = re.compile(r"/$|^__MACOSX|(^|/)\.")
 _OPENERS: dict[bytes, Callable[[Path], Any]] = {b"\x1f\x8b": gzip.open, b"BZ": bz2.open, b"\xfd7": lzma.open}
 
 
-class UnpackedSource:
+class UnpackedSource(View):
     """A log that lies unpacked in a temporary file as long as this exists."""
 
     def __init__(self, path: Path, packed: BinaryIO, csv: CsvOptions, limits: Limits) -> None:
@@ -46,19 +44,8 @@ class UnpackedSource:
             if getattr(error, "errno", None):  # of the disk, as when it is full
                 raise
             raise UnreadableLogError(f"truncated or damaged ({error})") from error
-        self._log = open_source(unpacked, csv, limits)
-        self.format = f"{self._log.format}, compressed"
-        self.notes, self.texts = self._log.notes, self._log.texts
-        self.rates: dict[str, float] = getattr(self._log, "rates", {})
-        self.one_pass = getattr(self._log, "one_pass", False)
-
-    def entries(self) -> list[Entry]:
-        """The channels of the log."""
-        return self._log.entries()
-
-    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
-        """The samples of the log."""
-        return self._log.parts(names)
+        super().__init__(open_source(unpacked, csv, limits))
+        self.format = f"{self.format}, compressed"
 
 
 def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:

@@ -72,7 +72,7 @@ class Suggestion:
 
 
 def suggested_unit(name: str, unit: str) -> str:
-    """The log's unit, or what stands behind the name (``angulo_deg``, ``q [mm]``), in pint's notation; "" if neither does."""
+    """The log's unit, or what stands behind the name (``q_mm``, ``q [mm]``), in pint's notation; "" if neither does."""
     bare = unit.strip("[]() ")
     if not bare:
         match = _NAME_SUFFIX.search(name)

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
 from pipeline.isolation import Send, limit
-from pipeline.rig_logs.clock_pairs import with_clocks
+from pipeline.rig_logs.clocks import with_clocks, with_starts
 from pipeline.rig_logs.recording import for_any_variable, missing_channel
 from pipeline.rig_logs.source import (
     CsvOptions,
@@ -37,7 +37,6 @@ from pipeline.rig_logs.source import (
     left_out,
     read_start,
 )
-from pipeline.rig_logs.start_times import with_starts
 
 _LONGEST_ERROR = 2000
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
@@ -93,7 +92,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     bases = {entry.time: by_name[entry.time] for _, entry in wanted if entry.time is not None}
     needed = {entry.name: entry for entry in (*bases.values(), *(entry for _, entry in wanted))}
     declared = sum(entry.count for entry in needed.values()) * 8
-    alone = request["channels"] is None and not getattr(source, "one_pass", False)
+    alone = request["channels"] is None and not source.one_pass
     failed: dict[str, Exception] = {}
     with Path(request["samples"]).open("wb", buffering=0) as file:
         spool = _Spool(path, file, declared, limits)
@@ -111,7 +110,7 @@ def _read(path: Path, request: dict[str, Any], limits: Limits, send: Send) -> di
     return {
         "format": source.format,
         "notes": [*source.notes, *left_out({name: f"{error}" for name, error in failed.items()})],
-        "rates": getattr(source, "rates", {}),
+        "rates": source.rates,
         "listed": [entry.name for entry in entries if entry.name not in failed],
         "channels": [
             {

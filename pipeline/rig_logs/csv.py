@@ -49,13 +49,14 @@ _WHOLE_SECONDS = re.compile(r":\d\d:\d\d\b(?![.,:]\d| \d{3}\b)")
 _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 
 
-class CsvSource:
+class CsvSource(Source):
     """A CSV log, parsed in blocks of rows, all wanted columns in one pass."""
 
     format, one_pass = "CSV", True
 
     def __init__(self, path: Path, options: CsvOptions) -> None:
-        self._path, self.notes = path, list[str]()
+        super().__init__()
+        self._path = path
         size = SAMPLE_BYTES
         start = read_start(path, size)
         while len(start) == size < _LARGEST_HEAD and start.count(b"\n") + start.count(b"\r") < _FEWEST_LINES:

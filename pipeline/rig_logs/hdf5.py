@@ -26,6 +26,7 @@ from pipeline.rig_logs.hdf5_attributes import (
     scales_of_axis,
     unit_of,
     why_unread,
+    written_chunks,
 )
 from pipeline.rig_logs.source import (
     MOST_COLUMNS,
@@ -152,16 +153,13 @@ _Column = int | tuple[str] | tuple[str, int] | None
 """Of a matrix its column or row; of a table the name of a field, and its column where it has several."""
 
 
-class Hdf5Source:
+class Hdf5Source(Source):
     """A plain HDF5 file; a dimension scale in s is the time base of a channel, else the settings name one."""
 
     format = "HDF5"
 
     def __init__(self, path: Path) -> None:
-        self.notes: list[str] = []
-        self.texts: dict[str, str] = {}
-        self.rates: dict[str, float] = {}
-        self.stated_starts: dict[str, float] = {}
+        super().__init__()
         self._places: dict[str, tuple[Any, _Column, Packing | None]] = {}
         self._entries: list[Entry] = []
         self._file = open_hdf5(path)
@@ -189,6 +187,11 @@ class Hdf5Source:
         for name in names:
             dataset, column, packing = self._places[name]
             axis = int(np.argmax(dataset.shape))
+            written = written_chunks(dataset, axis)
+            if written is not None:
+                self.notes.append(
+                    f"{name!r}: {np.sum(~written)} of {written.size} chunks were never written, no values"
+                )
             for first, last in ranges(dataset.shape[axis], rows_at_a_time(dataset, axis)):
                 if column is None:
                     part = flat(dataset, first, last, dataset.shape)
@@ -196,7 +199,10 @@ class Hdf5Source:
                     part = flat(dataset.fields(column[0]), first, last, dataset.shape)[(..., *column[1:])]
                 else:
                     part = dataset[first:last, column] if axis == 0 else dataset[column, first:last]
-                yield name, counted(name, part) if packing is None else packing.unpack(np.asarray(part))
+                samples = counted(name, part) if packing is None else packing.unpack(np.asarray(part))
+                if written is not None:
+                    samples = np.where(written[np.arange(first, last) // dataset.chunks[axis]], samples, np.nan)
+                yield name, samples
         self.notes += counted.notes()
 
     def _list(self, name: str, dataset: Any) -> bool:

@@ -1,5 +1,6 @@
 """What the attributes, the type and the filters of an HDF5 dataset say of its numbers, by the conventions of netCDF."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -139,6 +140,22 @@ def _scalar(numbers: Any, name: str, column: int | None) -> float:
     if not np.isfinite(number) or (name == "scale_factor" and number == 0.0):
         raise UnreadableLogError(f"{name} = {number:g} cannot be applied")
     return number
+
+
+def written_chunks(dataset: Any, axis: int) -> NDArray[np.bool_] | None:
+    """Which chunks along an axis hold numbers that were written; None where all do, or there are no chunks."""
+    if dataset.chunks is None:
+        return None
+    counts = [-(-size // chunk) for size, chunk in zip(dataset.shape, dataset.chunks, strict=True)]
+    if dataset.id.get_num_chunks() == math.prod(counts):
+        return None
+    written = np.zeros(counts[axis], dtype=np.bool_)
+
+    def mark(chunk: Any) -> None:
+        written[chunk.chunk_offset[axis] // dataset.chunks[axis]] = True
+
+    dataset.id.chunk_iter(mark)
+    return written
 
 
 _NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"

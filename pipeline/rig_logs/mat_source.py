@@ -26,6 +26,7 @@ from pipeline.rig_logs.source import (
     MOST_COLUMNS,
     Counted,
     Entry,
+    Source,
     UnreadableLogError,
     left_out,
     not_listed,
@@ -48,14 +49,11 @@ _WAYS_OUT = {
 """What to do with what is not read, by its class."""
 
 
-class MatSource:
+class MatSource(Source):
     """The numeric channels among the variables of a MAT file."""
 
     def __init__(self, version: str, variables: dict[str, MatValue], path: Path) -> None:
-        self.notes: list[str] = []
-        self.texts: dict[str, str] = {}
-        self.rates: dict[str, float] = {}
-        self.stated_starts: dict[str, float] = {}
+        super().__init__()
         self._channels: dict[str, MatChannel] = {}
         self._not_listed: dict[str, tuple[int, ...]] = {}
         recordings = [name for name, value in variables.items() if is_recorder(value) or is_simulink_log(value)]

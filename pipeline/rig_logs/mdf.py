@@ -39,7 +39,7 @@ def _has_formula(conversion: Any) -> bool:
     return any(_has_formula(block) for block in inner if hasattr(block, "conversion_type"))
 
 
-class MdfSource:
+class MdfSource(Source):
     """An MDF log. No channel is brought onto another one's raster, so no sample is invented."""
 
     def __init__(self, path: Path) -> None:
@@ -55,9 +55,8 @@ class MdfSource:
         except Exception as error:  # asammdf lets errors of many kinds through on damaged files
             raise UnreadableLogError(f"truncated or damaged (asammdf: {type(error).__name__}: {error})") from error
         weakref.finalize(self, self._mdf.close).atexit = False  # its objects refer to each other, and would wait
+        super().__init__()
         self.format = f"MDF {self._mdf.version}"
-        self.notes: list[str] = []
-        self.texts: dict[str, str] = {}
         self._places: dict[str, tuple[int, int]] = {}
         self._entries: list[Entry] = []
         self._timeless: set[int] = set()

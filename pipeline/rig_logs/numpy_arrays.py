@@ -25,13 +25,11 @@ from pipeline.rig_logs.source import (
 )
 
 
-class NumpySource:
+class NumpySource(Source):
     """NPY or NPZ; pickled objects in it are never loaded."""
 
     def __init__(self, path: Path) -> None:
-        self.notes: list[str] = []
-        self.texts: dict[str, str] = {}
-        self.rates: dict[str, float] = {}
+        super().__init__()
         self._vectors: dict[str, NDArray[Any]] = {}
         self._not_listed: dict[str, tuple[int, ...]] = {}
         try:

@@ -28,12 +28,13 @@ from pipeline.rig_logs.source import (
 _BUFFER = 1 << 20
 
 
-class ParquetSource:
+class ParquetSource(Source):
     """A Parquet table; it declares no time base, the settings name the time column."""
 
     format = "Parquet"
 
     def __init__(self, path: Path) -> None:
+        super().__init__()
         try:
             self._file = pq.ParquetFile(
                 path, page_checksum_verification=True, memory_map=False, pre_buffer=False, buffer_size=_BUFFER

@@ -6,10 +6,11 @@ import re
 import shutil
 import tempfile
 import weakref
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -93,24 +94,66 @@ class Entry:
     aliases: tuple[str, ...] = field(default=())
 
 
-class Source(Protocol):
-    """An open raw log."""
+class Source(ABC):
+    """An open raw log.
 
-    format: str
-    notes: list[str]
-    texts: dict[str, str]
-    """Names of columns that are no numbers, with a cell that shows it and what to do."""
-    # `one_pass` too where all channels are read in one pass, so that one of them cannot fail alone.
-    # `rates` too where a format has single numbers: the sample rates [Hz] that some of them state, by their names.
+    Attributes
+    ----------
+    format : str
+        As people say it.
+    one_pass : bool
+        Whether all channels are read in one pass, so that one of them cannot fail alone.
+    notes : list of str
+        What its reader found out or had to assume.
+    texts : dict of str to str
+        Names of columns that are no numbers, with a cell that shows it and what to do.
+    rates : dict of str to float
+        The sample rates [Hz] that single numbers state, by their names.
+    starts : dict of str to (float, float)
+        When each channel begins, and its step [s], where the log states them.
+    stated_starts : dict of str to float
+        Numbers that state when a channel or those of a group begin [s], by their names.
+    whole_seconds : set of str
+        Columns of times of day without parts of a second.
+    """
 
+    format, one_pass = "", False
+
+    def __init__(self) -> None:
+        self.notes: list[str] = []
+        self.texts: dict[str, str] = {}
+        self.rates: dict[str, float] = {}
+        self.starts: dict[str, tuple[float, float]] = {}
+        self.stated_starts: dict[str, float] = {}
+        self.whole_seconds: set[str] = set()
+
+    @abstractmethod
     def entries(self) -> list[Entry]:
         """Every numeric channel, from the headers only."""
 
+    @abstractmethod
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """The samples of some entries, real numbers of any type, in parts that follow each other in each entry.
 
         No part is much longer than `PART` rows, as far as the format allows, so that a log of any length can be read.
         """
+
+
+class View(Source):
+    """Another log, as it is or with more channels."""
+
+    def __init__(self, log: Source) -> None:
+        super().__init__()
+        vars(self).update({name: getattr(log, name) for name in (*vars(self), "format", "one_pass")})
+        self._log = log
+
+    def entries(self) -> list[Entry]:
+        """Those of the log."""
+        return self._log.entries()
+
+    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
+        """The samples of the log."""
+        return self._log.parts(names)
 
 
 PART = 1 << 17

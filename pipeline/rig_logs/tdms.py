@@ -39,12 +39,13 @@ _SCALES = {
 """Types of scales that npTDMS applies; of others it gives raw numbers."""
 
 
-class TdmsSource:
+class TdmsSource(Source):
     """A TDMS file; a channel with `wf_increment` has a time base, others need a time channel."""
 
     format = "TDMS"
 
     def __init__(self, path: Path) -> None:
+        super().__init__()
         try:
             from nptdms import TdmsFile
         except ImportError:
@@ -61,7 +62,6 @@ class TdmsSource:
         names = [channel.name for channel in channels]
         named = [n if names.count(n) == 1 else f"{c.group_name}/{n}" for n, c in zip(names, channels, strict=True)]
         self._channels = dict(zip(unique_names(named), channels, strict=True))
-        self.rates: dict[str, float] = {}
         self.texts = {name: _kind(each) for name, each in self._channels.items() if _kind(each) and len(each)}
         self.notes = left_out(self.texts)
         for place, holder in {"": self._file, **{g.name: g for g in self._file.groups()}, **self._channels}.items():

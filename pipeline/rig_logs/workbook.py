@@ -1,22 +1,17 @@
 """Workbooks of Excel and LibreOffice through calamine: the sheet of the most rows, read as the CSV that it would be."""
 
 import csv
-from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from datetime import datetime, time, timedelta
 from pathlib import Path
 from typing import Any
 
-from numpy.typing import NDArray
-
 from pipeline.rig_logs.csv import CsvSource
-from pipeline.rig_logs.source import CsvOptions, Entry, Limits, Source, UnreadableLogError, temporary_path
+from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError, View, temporary_path
 
 
-class WorkbookSource:
+class WorkbookSource(View):
     """A sheet as a table of text in a temporary file, which lasts as long as this exists."""
-
-    one_pass = True
 
     def __init__(self, path: Path, options: CsvOptions) -> None:
         try:
@@ -37,20 +32,11 @@ class WorkbookSource:
         written, mark = temporary_path(self), options.decimal or "."
         with written.open("w", newline="", encoding="utf-8") as file:
             csv.writer(file, lineterminator="\n").writerows([_text(cell, mark) for cell in row] for row in rows)
-        self._table = CsvSource(written, replace(options, encoding="utf-8", delimiter=",", decimal=mark))
+        super().__init__(CsvSource(written, replace(options, encoding="utf-8", delimiter=",", decimal=mark)))
         self.format = "workbook"
-        self.notes, self.texts, self.rates = self._table.notes, self._table.texts, self._table.rates
         if len(book.sheet_names) > 1:
             which = f"{len(book.sheet_names)} sheets; of those that are visible the one of the most rows is read"
             self.notes.insert(0, f"{which}, {sheet.name!r}")
-
-    def entries(self) -> list[Entry]:
-        """The columns of numbers."""
-        return self._table.entries()
-
-    def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
-        """The samples of some columns."""
-        return self._table.parts(names)
 
 
 def _text(cell: Any, mark: str) -> str:

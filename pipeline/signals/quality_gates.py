@@ -176,7 +176,8 @@ def rate_findings(time: TimeQuality, q: SignalQuality, sample_interval: float) -
             "rate",
             f"one sample every {time.step:.4g} s for {lasts:.6g} s, by the settings, but [ingest] sample_interval is "
             f"{sample_interval:g} s (at most {COARSEST_STEP:g} intervals a sample)",
-            "correct the unit of time in [channels] (ms is not s), or set a sample_interval as long as the log's step",
+            "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz), or set a sample_interval "
+            "as long as the log's step",
         )
     ]
 

@@ -95,7 +95,7 @@ MISTAKES = (
     Mistake("the mass in g given as kg", "the coupling of the joint as drawn: check the unit", _edit(('"g"', '"kg"'))),
     Mistake(
         "time in ms read as s",
-        "correct the unit of time in [channels] (ms is not s)",
+        "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz)",
         _logs(lambda table: table * [1e3, 1.0, 1.0, 1.0]),
     ),
     Mistake(

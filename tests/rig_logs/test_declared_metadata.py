@@ -263,3 +263,18 @@ def test_one_channel_that_cannot_be_read_leaves_the_others(tmp_path):
     np.testing.assert_allclose(recording.channel("q").samples, Q)
     with pytest.raises(InputError, match="arr"):
         read_recording(tmp_path / "log.mf4", channels=["arr"])
+
+
+@pytest.mark.parametrize("fill", [0.0, -9999.0])
+def test_chunks_that_were_never_written_hold_no_values(tmp_path, fill):
+    """A logger that took space for more rows than it wrote leaves its fill value behind."""
+    numbers = np.arange(250.0)
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        vector = file.create_dataset("q", shape=(400,), chunks=(50,), dtype="f8", fillvalue=fill)
+        vector[:250] = numbers
+        matrix = file.create_dataset("m", shape=(400, 2), chunks=(50, 1), dtype="f8", fillvalue=fill)
+        matrix[:250] = numbers[:, None]
+    source = open_here(tmp_path / "log.h5")
+    for name in ("q", "m[:,1]"):
+        np.testing.assert_array_equal(load(source, name), np.r_[numbers, np.full(150, np.nan)])
+    assert "'q': 3 of 8 chunks were never written, no values" in source.notes

@@ -9,7 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pipeline.errors import InputError
+from pipeline.loading.device import device
+from pipeline.loading.si_log import read_si
+from pipeline.rig_logs.channel_roles import suggested_unit
 from pipeline.rig_logs.source import UnreadableLogError
+from pipeline.settings import parse_prototype
 from tests.rig_logs.small_logs import load, open_here
 
 N = 500
@@ -174,3 +179,29 @@ def test_the_configuration_of_a_comtrade_record_is_named(tmp_path):
     (tmp_path / "log.cfg").write_text("RIG,REC1,1999\n2,2A,0D\n1,q,,,mm,0.001,0,0,-32767,32767,1,1,P\n" + ROWS)
     with pytest.raises(UnreadableLogError, match="COMTRADE"):
         open_here(tmp_path / "log.cfg")
+
+
+@pytest.mark.parametrize(
+    ("names", "unit", "refused"),
+    [
+        ("q [mm]", "m", True), ("q (mm)", "m", True), ("q [mm]", "mm", False), ("q (A)", "mm", False),
+        ("q(:,1)", "mm", False),
+    ],
+)  # fmt: skip
+def test_a_unit_in_the_name_of_a_channel_is_compared_with_the_settings(tmp_path, names, unit, refused):
+    pq.write_table(pa.table({"t": TIME, names: Q, "v1": V}), tmp_path / "log.parquet")
+    channels = {"time": ("t", "s"), "q": (names, unit), "v1": ("v1", "V")}
+    document = {"name": "P", "logs": {"train": ["log.parquet"]}}
+    prototype = parse_prototype(
+        document | {"channels": {k: {"channel": c, "unit": u} for k, (c, u) in channels.items()}}, "P.toml"
+    )
+    if refused:
+        with pytest.raises(InputError, match="is in mm by its name, but in m by the settings"):
+            read_si(tmp_path / "log.parquet", prototype, device(prototype))
+    else:
+        assert read_si(tmp_path / "log.parquet", prototype, device(prototype)).q[1].size == N
+
+
+@pytest.mark.parametrize(("name", "unit"), [("t [ms]", "ms"), ("q [mm]", "mm"), ("v1 (kV)", "kV"), ("x_deg", "deg")])
+def test_the_unit_in_a_name_is_suggested(name, unit):
+    assert suggested_unit(name, "") == unit
