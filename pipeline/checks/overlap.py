@@ -35,6 +35,11 @@ _LEAST = 4
 _CLOSE = 0.08
 """Share of an excerpt's standard deviation by which a sixteenth of the grid may be off at the best offset."""
 _SAME_RATE = 0.01
+_SAME_STEP = 1e-9
+_WHITE, _OF_INPUT = 0.2, 0.05
+"""Least noise by differences of the eighth order over that by the fourth, and largest share of a measured input."""
+_TOGETHER = 0.5
+"""Correlation of the noise of an input in two logs from which it is one recording; two of their own have 0.0."""
 _ORDER, _SMOOTHED = 4, 3
 _GAIN = 6.32
 """Standard deviation that these differences make of white noise of 1."""
@@ -69,8 +74,11 @@ class Overlap:
 
 def shared_recordings(logs: Sequence[LogSignals], sample_interval: float) -> list[tuple[int, int, Overlap]]:
     """Every pair of logs that hold one recording, by their places, with what they share."""
-    pairs = ((i, k, overlap(logs[i], logs[k], sample_interval)) for i, k in combinations(range(len(logs)), 2))
-    return [(i, k, shared) for i, k, shared in pairs if shared is not None]
+    overlaps = (
+        (i, k, overlap(logs[i], logs[k], sample_interval) or _by_inputs(logs[i], logs[k], sample_interval))
+        for i, k in combinations(range(len(logs)), 2)
+    )
+    return [(i, k, shared) for i, k, shared in overlaps if shared is not None]
 
 
 def shared_rows(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int, Overlap]]) -> list[CheckRow]:
@@ -103,6 +111,53 @@ def overlap(first: LogSignals, second: LogSignals, sample_interval: float) -> Ov
                 share = (end - begin) / float(np.ptp(second.t))
                 return Overlap((begin + exact, end + exact), (begin, end), min(share, 1.0), mirrored)
     return None
+
+
+def _by_inputs(first: LogSignals, second: LogSignals, sample_interval: float) -> Overlap | None:
+    """What two logs share by the noise of a measured input, where q was filtered since or noise was added to it."""
+    from scipy.ndimage import uniform_filter1d
+    from scipy.signal import correlate
+
+    width = samples_of(_WINDOW * sample_interval, first.interval)
+    if abs(first.interval / second.interval - 1.0) > _SAME_STEP or width > min(first.t.size, second.t.size) - _ORDER:
+        return None
+    for columns in zip(first.v.T, second.v.T, strict=False):
+        noises = [_measured_noise(column) for column in columns]
+        if not all(noises):
+            continue
+        here, there = (_noise_alone(column, noise) for column, noise in zip(columns, noises, strict=True))
+        shift = int(np.argmax(correlate(here, there, "full", "fft"))) - (there.size - 1)
+        begin, end = max(0, -shift), min(there.size, here.size - shift)
+        if end - begin < width:
+            continue
+        one, other = here[begin + shift : end + shift], there[begin:end]
+        products = [uniform_filter1d(a * b, width) for a, b in ((one, other), (one, one), (other, other))]
+        runs = runs_of(products[0] > _TOGETHER * np.sqrt(products[1] * products[2]))
+        longest = max(runs, key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
+        if longest.stop - longest.start >= width:
+            rows = np.array([begin + longest.start, begin + longest.stop - 1])
+            times = second.t[rows]
+            share = float(np.ptp(times) / np.ptp(second.t))
+            starts = first.t[rows + shift]
+            return Overlap((float(starts[0]), float(starts[1])), (float(times[0]), float(times[1])), share)
+    return None
+
+
+def _noise_alone(v: FloatArray, noise: float) -> FloatArray:
+    """Differences of an input in which its noise outweighs the rest, steps cut down."""
+    limit = 5.0 * noise * math.sqrt(math.comb(2 * _ORDER, _ORDER))
+    cut: FloatArray = np.clip(np.diff(v, _ORDER), -limit, limit)
+    return cut
+
+
+def _measured_noise(v: FloatArray) -> float:
+    """Standard deviation of the noise of an input that was measured; 0 where it is a command, or is itself a noise."""
+    noise, higher = (
+        robust_std(np.diff(v, order)) / math.sqrt(math.comb(2 * order, order)) for order in (_ORDER, 2 * _ORDER)
+    )
+    size = float(np.std(v))
+    is_noise = higher > _WHITE * noise  # of a smooth command, higher differences are far smaller
+    return noise if is_noise and 0.0 < noise < _OF_INPUT * size else 0.0
 
 
 def _candidates(

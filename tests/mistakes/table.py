@@ -166,6 +166,23 @@ def _poke(places: Sequence[int], value: float) -> Callable[[FloatArray], FloatAr
 
 
 INGEST, CHECK, SETTINGS = "ingest", "check", "settings"
+
+
+def _changed_copy(change: Callable[[FloatArray], FloatArray]) -> Callable[[], list[str]]:
+    """The training log once more, with another q and its inputs as they were measured."""
+    return lambda: told([log(1), _q(change)(log(1))])
+
+
+def noisy(q: FloatArray) -> FloatArray:
+    """With noise of 50 µm, far more than that of the sensor."""
+    return q + np.random.default_rng(9).normal(0.0, 5e-5, q.size)
+
+
+def smoothed(q: FloatArray) -> FloatArray:
+    """Means of 25 ms."""
+    return np.convolve(q, np.full(25, 0.04), mode="same")
+
+
 _SHARED = "counts twice in fits and scores"
 MISTAKES = (
     Mistake("the same log again, 100 s later", _SHARED, CHECK, _copies(slice(None), 100.0)),
@@ -178,6 +195,8 @@ MISTAKES = (
         lambda: told([rows(log(1), slice(0, 13_000)), rows(log(1), slice(7_003, None))]),
     ),
     Mistake("an early part of the training log", _SHARED, CHECK, _copies(slice(2_000, 9_000), -2.0)),
+    Mistake("the training log with noise added to q", _SHARED, CHECK, _changed_copy(noisy)),
+    Mistake("the training log with q smoothed", _SHARED, CHECK, _changed_copy(smoothed)),
     Mistake("v2 forgotten", "name the second input as v2", CHECK, _signal(lambda one: Log(one.t, one.q, one.v[:, :1]))),
     Mistake("v1 forgotten", "name the second input as v2", CHECK, _signal(lambda one: Log(one.t, one.q, one.v[:, 1:]))),
     Mistake(
