@@ -23,8 +23,10 @@ _FEW_CELLS = 3
 _ROW_END = re.compile(r"\r\n|\r|\n")
 RULED = re.compile(r"(?=.*[+|])[|+]?(:?[-=]{2,}:?[|+]?)+")
 """A line below a heading, or around a table, as databases draw it."""
-_CHECKSUM = re.compile(r"(?<=[^*\s])\*[0-9A-F]{2}$")
-"""Behind a line of NMEA 0183."""
+_BEHIND_LINE = re.compile(r"(?<=[^*\s])\*[0-9A-F]{2}$|(?<=[\d.])\s+#.*")
+"""A checksum of NMEA 0183, or a comment behind a number."""
+_PRINTED = re.compile(r"[\[(]([^\[\]()]*)[\])]$")
+"""A row as Python prints a list or a tuple."""
 _TERMINAL = re.compile(
     r"^(?P<stamp>\S*:\d\d\S*(?= -?> )|\[[^\]]*\d:\d\d[^\]]*\](?= )"
     r"|\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\S*(?= (?!\d{3}\D|[+-]\d{4}\D)[+-]?[\d.]))(?: -?>)? "
@@ -111,9 +113,11 @@ def rows_of(text: str) -> list[str]:
 def split_row(line: str, delimiter: str) -> list[str]:
     """Cells of a line, with a plain minus before numbers; quotes around a cell protect delimiters in it."""
     line = line if line.isascii() else _MINUS.sub("-", line)
+    line = _BEHIND_LINE.sub("", line) if "*" in line or "#" in line else line
+    line = _PRINTED.sub(r"\1", line.strip()) if line[:1] in ("[", "(") else line
     if delimiter == " ":
         return next(csv.reader([" ".join(line.split())], delimiter=" "), []) if '"' in line else line.split()
-    line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", _CHECKSUM.sub("", line) if "*" in line else line)
+    line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", line)
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)]
     line = line.replace('="', '"')  # as of a spreadsheet that shall take numbers for text

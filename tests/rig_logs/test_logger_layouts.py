@@ -49,7 +49,7 @@ def _values(text, name="log.csv", folder=None):
         ("t,q,v\n\ns,mm,V\n\n" + ROWS, ""), ("t/s,q/mm,v/V\n" + ROWS, ""), ("t,q,v\n's','mm','V'\n" + ROWS, ""),
         ("t [s] q [mm] v [V]\n" + ROWS.replace(",", " "), ""),
         (HEAD + "".join(f'="{line.strip().replace(",", chr(34) + ",=" + chr(34))}"\n' for line in LINES), ""),
-        ("\ufeff\ufeff" + HEAD + ROWS, ""), ("\0" * 512 + HEAD + ROWS, ""),
+        (HEAD + ROWS.replace("0.4\n", "0.4 # off\n"), ""), ("\ufeff\ufeff" + HEAD + ROWS, ""), ("\0" * 512 + HEAD + ROWS, ""),
     ],
 )  # fmt: skip
 def test_lines_beside_the_samples_are_no_samples(tmp_path, text, left_out):
@@ -205,3 +205,10 @@ def test_a_unit_in_the_name_of_a_channel_is_compared_with_the_settings(tmp_path,
 @pytest.mark.parametrize(("name", "unit"), [("t [ms]", "ms"), ("q [mm]", "mm"), ("v1 (kV)", "kV"), ("x_deg", "deg")])
 def test_the_unit_in_a_name_is_suggested(name, unit):
     assert suggested_unit(name, "") == unit
+
+
+@pytest.mark.parametrize("form", ["({})\n", "[{}]\n", "{} # by hand\n"])
+def test_rows_as_python_prints_them_and_comments_behind_them(tmp_path, form):
+    read, _ = _values("t,q,v\n" + "".join(form.format(line.strip()) for line in LINES), folder=tmp_path)
+    for name, (_, samples) in COLUMNS.items():
+        np.testing.assert_allclose(read[name][1], samples, atol=1e-9)
