@@ -32,7 +32,7 @@ _SOON, *_AHEAD = (words for _, words in HORIZONS.values())
 _LISTED = f"{', '.join([_SOON, *_AHEAD[:-1]])} and {_AHEAD[-1]}"
 _HORIZONS = (
     f"NRMSE of q after {_LISTED} (none of less than {SHORTEST_HORIZON:g} samples or more than the log) from restarts "
-    "in the measured state, hidden states from all of the measurement before."
+    "in the measured state, hidden states from all of the measurement before (of the analytical models: at rest)."
 )
 TIED, BEST = " ≈", " *"
 _OF_ROWS = {
