@@ -26,12 +26,10 @@ from pipeline.rig_logs.csv_cells import (
 )
 from pipeline.rig_logs.csv_clock import Clock
 from pipeline.rig_logs.csv_dialect import SAMPLE_BYTES, find_dialect
-from pipeline.rig_logs.csv_tail import whole_rows
-from pipeline.rig_logs.csv_text import as_utf8, text_of, written
+from pipeline.rig_logs.csv_text import as_utf8, text_of, whole_rows, written
 from pipeline.rig_logs.source import (
     CsvOptions,
     Entry,
-    Limits,
     Source,
     UnreadableLogError,
     left_out,
@@ -54,7 +52,7 @@ class CsvSource(Source):
 
     format, one_pass = "CSV", True
 
-    def __init__(self, path: Path, options: CsvOptions) -> None:
+    def __init__(self, path: Path, options: CsvOptions, *_: object) -> None:
         super().__init__()
         self._path = path
         size = SAMPLE_BYTES
@@ -349,6 +347,4 @@ def _spellings(text: str) -> set[str]:
 _NULLS = sorted({form for text in MISSING for form in _spellings(text)})
 
 
-def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.child` opens it."""
-    return CsvSource(path, csv)
+open_log = CsvSource

@@ -1,14 +1,22 @@
-"""A CSV file as the UTF-8 text that Arrow reads, in a file of Arrow's own."""
+"""The bytes of a CSV file: those that are whole rows, as the UTF-8 text that Arrow reads, in a file of its own."""
 
 import codecs
 import io
-from collections.abc import Iterable
+import mmap
+import re
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from pipeline.rig_logs.source import PART, temporary_path
+from pipeline.rig_logs.csv_cells import rows_of
+from pipeline.rig_logs.csv_dialect import Dialect
+from pipeline.rig_logs.source import PART, UnreadableLogError, temporary_path
+
+_TAIL_BYTES = 1 << 16
+_FEWEST = 10
+_DIGITS = re.compile(r"[+-]?\d*(?:[.,](?P<fraction>\d+))?(?:[eE][+-]?(?P<exponent>\d+))?$")
 
 
 def as_utf8(path: Path, length: int, encoding: str, owner: object) -> Any:
@@ -90,3 +98,96 @@ def _is_ascii_and_more(encoding: str) -> bool:
     every = bytes(range(256))
     decoded = every.decode(encoding, "replace")
     return len(decoded) == len(every) and decoded[:128].encode() == every[:128]
+
+
+def _last_rows(content: bytes | mmap.mmap, end: int, encoding: str) -> tuple[list[str], int]:
+    """The rows in the last 64 kB of a file, and how many bytes at its end belong to a row without line end.
+
+    Parameters
+    ----------
+    content : bytes-like
+        The whole file.
+    end : int
+        Its bytes that are text.
+    encoding : str
+        Its text encoding.
+
+    Raises
+    ------
+    UnicodeDecodeError
+        The file ends within a character of two bytes or more.
+    """
+    codec = encoding
+    if encoding == "utf-16":
+        codec = "utf-16-be" if content[:2] == codecs.BOM_UTF16_BE else "utf-16-le"
+    width = len("0".encode(codec)) if codec != "utf-8-sig" else 1
+    start = max(0, end - _TAIL_BYTES)
+    start -= start % width
+    tail = content[start:end]
+    if width == 1:  # line ends are single bytes in all of these, whatever stands between them
+        codec = "latin-1"
+    text = tail.decode(codec)
+    last = max(text.rfind("\n"), text.rfind("\r")) + 1
+    return rows_of(text), len(text[last:].encode(codec))
+
+
+def _written(content: bytes | mmap.mmap) -> int:
+    """Bytes of a file before the zeros at its end, which stay where a logger that took space lost its power."""
+    end = len(content)
+    while end and content[end - 1] == 0:
+        begin = max(0, end - _TAIL_BYTES)
+        end = begin + len(content[begin:end].rstrip(b"\0"))
+    return end
+
+
+def _is_whole(cell: str, before: Sequence[str]) -> bool:
+    """Whether a number cannot have been cut off: it has as many decimals (and digits of the exponent) as all before.
+
+    Parameters
+    ----------
+    cell : str
+        The last cell of the file.
+    before : sequence of str
+        The cells above it; ten of them at least, all of one form, are needed to tell.
+    """
+    forms = [form for text in before if text and (form := _form(text)) is not None]  # what is no number is a heading
+    return len(forms) >= _FEWEST and set(forms) == {_form(cell)} and forms[0] != (0, 0)
+
+
+def _form(cell: str) -> tuple[int, int] | None:
+    match = _DIGITS.match(cell)
+    return match and (len(match["fraction"] or ""), len(match["exponent"] or ""))
+
+
+def whole_rows(path: Path, dialect: Dialect) -> tuple[int, list[str]]:
+    """Bytes of a file without zeros, and without a last row that has no line end, unless that is seen to be whole; and
+    notes on what is left out.
+
+    Raises
+    ------
+    UnreadableLogError
+        That row lacks cells, or a character is cut in two: the file is truncated.
+    """
+    with path.open("rb") as file:
+        content = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+    size, notes = len(content), list[str]()
+    if not dialect.encoding.startswith("utf-16") and (size := _written(content)) < len(content):
+        notes.append(f"{len(content) - size} zero bytes at the end are left out; did the recorder lose its power?")
+    try:
+        rows, length = _last_rows(content, size, dialect.encoding)
+    except UnicodeDecodeError as error:
+        raise UnreadableLogError(f"truncated within a character: {error.reason}") from None
+    if not length:
+        return size, notes
+    *before, last = [dialect.split(row) for row in rows]
+    if dialect.is_remark(rows[-1], last):
+        return size, notes
+    width = len(dialect.headings)
+    if len(last) < width:
+        raise UnreadableLogError(
+            f"truncated: it ends within a row ({len(last)} of {width} cells); "
+            "delete that row if the log shall be used up to there"
+        )
+    if _is_whole(last[width - 1], [row[width - 1] for row in before if len(row) >= width]):
+        return size, [*notes, "the last row has no line end; it is kept, its last number has as many digits as others"]
+    return size - length, [*notes, "the last row has no line end and may be cut off within a number: left out"]

@@ -9,8 +9,8 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.names import FILL_IN, check_name, slug, true_name
 from pipeline.rig_logs.channel_roles import Role, Suggestion, suggested_unit
+from pipeline.rig_logs.experiments import Purpose, purpose_of, purposes
 from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspection
-from pipeline.rig_logs.purpose import Purpose, purpose_of, purposes
 from pipeline.rig_logs.recording import as_other_logs
 from pipeline.settings import Ingest
 from pipeline.signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP

@@ -32,14 +32,11 @@ from pipeline.rig_logs.source import (
     MOST_COLUMNS,
     PART,
     Counted,
-    CsvOptions,
     Entry,
-    Limits,
     Source,
     UnreadableLogError,
     left_out,
     not_listed,
-    note_on_rate,
     ranges,
 )
 from pipeline.units import SECONDS, time_unit
@@ -158,7 +155,7 @@ class Hdf5Source(Source):
 
     format = "HDF5"
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, *_: object) -> None:
         super().__init__()
         self._places: dict[str, tuple[Any, _Column, Packing | None]] = {}
         self._entries: list[Entry] = []
@@ -167,7 +164,7 @@ class Hdf5Source(Source):
         others = {}
         for name, dataset in walk(self._file):
             for holder in (self._file, dataset.parent, dataset):
-                self._note_rates(rates_among(holder.attrs, holder.name.strip("/")))
+                self.note_rates(rates_among(holder.attrs, holder.name.strip("/")))
                 self.stated_starts |= starts_among(holder.attrs, holder.name.strip("/"))
             if dataset.parent != self._file and len(dataset.parent) == 1:
                 self.notes += scales_among(dataset.parent.attrs, name)
@@ -250,14 +247,9 @@ class Hdf5Source(Source):
             return True
         if dataset.size == 1:
             number = {name: float(np.ravel(dataset[()])[0])}
-            self._note_rates(rates_among(number, ""))
+            self.note_rates(rates_among(number, ""))
             self.notes += scales_among(number)
         return bool(dataset.size == 1)
-
-    def _note_rates(self, stated: Mapping[str, tuple[float, float]]) -> None:
-        for name, (number, rate) in stated.items():
-            self.notes += [] if name in self.rates else [note_on_rate(name, number, rate)]
-            self.rates[name] = rate
 
     def _add(self, name: str, dtype: np.dtype[Any], count: int, dataset: Any, column: _Column) -> None:
         """List a channel, unless its attributes cannot be applied; what they say is noted."""
@@ -283,6 +275,4 @@ class Hdf5Source(Source):
         self._entries.append(Entry(name, "s" if dtype.kind in "mM" else unit, dtype.name, int(count)))
 
 
-def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.child` opens it."""
-    return Hdf5Source(path)
+open_log = Hdf5Source

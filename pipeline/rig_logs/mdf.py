@@ -16,9 +16,7 @@ from numpy.typing import NDArray
 
 from pipeline.rig_logs.source import (
     Counted,
-    CsvOptions,
     Entry,
-    Limits,
     Source,
     UnreadableChannelError,
     UnreadableLogError,
@@ -42,7 +40,7 @@ def _has_formula(conversion: Any) -> bool:
 class MdfSource(Source):
     """An MDF log. No channel is brought onto another one's raster, so no sample is invented."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, *_: object) -> None:
         from asammdf import MDF
         from asammdf.blocks import mdf_v4, v2_v3_blocks, v4_blocks
 
@@ -197,6 +195,4 @@ def _number_type(channel: Any, version: str) -> str | None:
     return f"{kind}{channel.bit_count}" if kind else None
 
 
-def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.child` opens it."""
-    return MdfSource(path)
+open_log = MdfSource

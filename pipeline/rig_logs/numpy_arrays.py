@@ -13,14 +13,11 @@ from pipeline.rig_logs.attributes import rates_among, scales_among
 from pipeline.rig_logs.source import (
     MOST_COLUMNS,
     Counted,
-    CsvOptions,
     Entry,
-    Limits,
     Source,
     UnreadableLogError,
     left_out,
     not_listed,
-    note_on_rate,
     ranges,
 )
 
@@ -28,7 +25,7 @@ from pipeline.rig_logs.source import (
 class NumpySource(Source):
     """NPY or NPZ; pickled objects in it are never loaded."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, *_: object) -> None:
         super().__init__()
         self._vectors: dict[str, NDArray[Any]] = {}
         self._not_listed: dict[str, tuple[int, ...]] = {}
@@ -70,9 +67,7 @@ class NumpySource(Source):
             self._not_listed[name] = array.shape
         elif array.size and array.dtype.kind in "fiu":
             stated = {name: float(array.reshape(-1)[0])}
-            for number, rate in rates_among(stated, "").values():
-                self.rates[name] = rate
-                self.notes.append(note_on_rate(name, number, rate))
+            self.note_rates(rates_among(stated, ""))
             self.notes += scales_among(stated)
 
     def entries(self) -> list[Entry]:
@@ -91,6 +86,4 @@ class NumpySource(Source):
         self.notes += counted.notes()
 
 
-def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.child` opens it."""
-    return NumpySource(path)
+open_log = NumpySource

@@ -15,13 +15,10 @@ from pipeline.rig_logs.attributes import is_unit, plain, rates_among, scales_amo
 from pipeline.rig_logs.source import (
     EXACT,
     PART,
-    CsvOptions,
     Entry,
-    Limits,
     Source,
     UnreadableLogError,
     left_out,
-    note_on_rate,
     unique_names,
 )
 
@@ -33,7 +30,7 @@ class ParquetSource(Source):
 
     format = "Parquet"
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, *_: object) -> None:
         super().__init__()
         try:
             self._file = pq.ParquetFile(
@@ -56,10 +53,8 @@ class ParquetSource(Source):
             own = _texts(field.metadata) | _of_column(name, of_table)
             self._units.setdefault(name, unit_among(own))
             self.notes += scales_among(own, name)
-        stated = rates_among(of_table, "")
         self.notes += scales_among(of_table)
-        self.rates = {name: rate for name, (_, rate) in stated.items()}
-        self.notes += [note_on_rate(name, *each) for name, each in stated.items()]
+        self.note_rates(rates_among(of_table, ""))
 
     def entries(self) -> list[Entry]:
         """Every column of numbers, of time stamps or of durations."""
@@ -178,6 +173,4 @@ def _texts(metadata: Mapping[bytes, bytes] | None) -> dict[str, Any]:
     return {key.decode("utf-8", "replace"): f"{plain(value)}" for key, value in (metadata or {}).items()}
 
 
-def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.child` opens it."""
-    return ParquetSource(path)
+open_log = ParquetSource

@@ -127,6 +127,12 @@ class Source(ABC):
         self.stated_starts: dict[str, float] = {}
         self.whole_seconds: set[str] = set()
 
+    def note_rates(self, stated: Mapping[str, tuple[float, float]]) -> None:
+        """Keep numbers that state a sample rate, and that [Hz], by their names; each is noted once."""
+        for name, (number, rate) in stated.items():
+            self.notes += [] if name in self.rates else [note_on_rate(name, number, rate)]
+            self.rates[name] = rate
+
     @abstractmethod
     def entries(self) -> list[Entry]:
         """Every numeric channel, from the headers only."""

@@ -11,13 +11,10 @@ from numpy.typing import NDArray
 from pipeline.rig_logs.attributes import rates_among, scales_among, unit_among
 from pipeline.rig_logs.source import (
     Counted,
-    CsvOptions,
     Entry,
-    Limits,
     Source,
     UnreadableLogError,
     left_out,
-    note_on_rate,
     ranges,
     unique_names,
 )
@@ -44,7 +41,7 @@ class TdmsSource(Source):
 
     format = "TDMS"
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, *_: object) -> None:
         super().__init__()
         try:
             from nptdms import TdmsFile
@@ -66,9 +63,7 @@ class TdmsSource(Source):
         self.notes = left_out(self.texts)
         for place, holder in {"": self._file, **{g.name: g for g in self._file.groups()}, **self._channels}.items():
             own = {key: value for key, value in holder.properties.items() if not key.startswith(("NI_", "wf_"))}
-            for name, (number, rate) in rates_among(own, place).items():
-                self.notes += [note_on_rate(name, number, rate)] if name not in self.rates else []
-                self.rates[name] = rate
+            self.note_rates(rates_among(own, place))
             self.notes += scales_among(own, place)
         self._first = min(filter(None, map(_start, channels)), default=None)
         self._times: dict[tuple[float, float, int], str] = {}
@@ -127,6 +122,4 @@ def _kind(channel: Any) -> str:
     )
 
 
-def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.child` opens it."""
-    return TdmsSource(path)
+open_log = TdmsSource

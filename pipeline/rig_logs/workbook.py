@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.rig_logs.csv import CsvSource
-from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError, View, temporary_path
+from pipeline.rig_logs.source import CsvOptions, UnreadableLogError, View, temporary_path
 
 
 class WorkbookSource(View):
     """A sheet as a table of text in a temporary file, which lasts as long as this exists."""
 
-    def __init__(self, path: Path, options: CsvOptions) -> None:
+    def __init__(self, path: Path, options: CsvOptions, *_: object) -> None:
         try:
             import python_calamine
         except ImportError:
@@ -48,6 +48,4 @@ def _text(cell: Any, mark: str) -> str:
     return cell.isoformat() if isinstance(cell, time) else f"{cell}"
 
 
-def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
-    """The log as `pipeline.rig_logs.child` opens it."""
-    return WorkbookSource(path, csv)
+open_log = WorkbookSource
