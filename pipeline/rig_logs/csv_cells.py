@@ -23,9 +23,9 @@ _FEW_CELLS = 3
 _ROW_END = re.compile(r"\r\n|\r|\n")
 RULED = re.compile(r"(?=.*[+|])[|+]?(:?[-=]{2,}:?[|+]?)+")
 """A line below a heading, or around a table, as databases draw it."""
-_BEHIND_LINE = re.compile(r"(?<=[^*\s])\*[0-9A-F]{2}$|(?<=[\d.])\s+#.*")
+_BEHIND_LINE = re.compile(r"(?<=[^*\s])\*[0-9A-F]{2}$|(?<=[\d.])\s+#\s.*")
 """A checksum of NMEA 0183, or a comment behind a number."""
-_PRINTED = re.compile(r"[\[(]([^\[\]()]*)[\])]$")
+_PRINTED = re.compile(r"[\[(]([-+\d.,;\seE]*)[\])]$")
 """A row as Python prints a list or a tuple."""
 _TERMINAL = re.compile(
     r"^(?P<stamp>\S*:\d\d\S*(?= -?> )|\[[^\]]*\d:\d\d[^\]]*\](?= )"

@@ -258,8 +258,9 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
 
 def _check_decimal_commas(table: SampleTable) -> None:
     """Commas that separate and are decimal marks too: more cells than names, at most twice as many."""
-    above = table.rows[table.first - 1] if table.first else []
-    names, cells = len(above), len(table.numeric) - [*map(bool, _firsts(table))][::-1].index(True)
+    width = len(table.numeric)
+    above = with_row_names(table.rows[table.first - 1], table.rows[table.first :], width) if table.first else []
+    names, cells = len(above), width - [*map(bool, _firsts(table))][::-1].index(True)
     if table.delimiter == "," and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):
         raise UnreadableLogError(
             f"{names} names stand above rows of {cells} cells; is the comma separator and decimal mark at "
