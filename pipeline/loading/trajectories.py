@@ -11,7 +11,7 @@ from pipeline.loading.device import device
 from pipeline.loading.parts import parts, with_parts
 from pipeline.models.kind import KnownCurves, Training
 from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.numerics.progress import Keep, OnProgress, make_anew, silent
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
@@ -51,7 +51,6 @@ def training(
     parameters: "JointParameters | None",
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
-    keep: Keep = make_anew,
 ) -> Training:
     """The training data of a prototype.
 
@@ -67,8 +66,6 @@ def training(
         What is known beside the logs.
     on_progress : callable
         Told what a fit is doing.
-    keep : callable
-        Keeps what a fit has finished.
     """
     plant, beside = device(prototype), prior_knowledge or PriorKnowledge()
     return Training(
@@ -85,7 +82,6 @@ def training(
         log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
         on_progress=on_progress,
-        keep=keep,
     )
 
 

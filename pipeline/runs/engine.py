@@ -139,7 +139,6 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             observer.skipped(task)
             continue
         observer.started(task, reasons)
-        run.recipe = recipe
         began = time.perf_counter()
         for name in _outputs(run, task):
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):

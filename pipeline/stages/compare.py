@@ -49,8 +49,7 @@ def _write_fit(
     run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", name: str, settings: Mapping[str, Any]
 ) -> Mapping[str, Written]:
     began = time.process_time()
-    data, keep = training_tables(run, prototype), run.checkpoints().keep
-    model = kind(name).fit(training(data, prototype, parameters, keep=keep))
+    model = kind(name).fit(training(training_tables(run, prototype), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
     return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, device(prototype).model_column)}

@@ -3,7 +3,6 @@
 import json
 import time
 from collections.abc import Collection, Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
@@ -18,7 +17,7 @@ from pipeline.loading.siblings import siblings_of
 from pipeline.loading.trajectories import PriorKnowledge, sources, training, training_tables
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, kind
-from pipeline.numerics.progress import Keep, OnProgress, kept_under, make_anew, silent
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -72,9 +71,8 @@ def _identify(
     settings: Mapping[str, Any],
 ) -> dict[str, Written]:
     plant, data = device(prototype), training_tables(run, prototype)
-    models, notes = identified(
-        data, prototype, parameters, prior_knowledge_of(run, prototype, parameters), on_progress, run.checkpoints().keep
-    )
+    known = prior_knowledge_of(run, prototype, parameters)
+    models, notes = identified(data, prototype, parameters, known, on_progress)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
@@ -92,7 +90,6 @@ def identified(
     parameters: "JointParameters | None",
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
-    keep: Keep = make_anew,
 ) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
     """Models of kinematics tables by name, the headline first, and notes on how they came about.
 
@@ -116,14 +113,14 @@ def identified(
     for wanted in prototype.identify.models:
         if wanted in notes.get(IDENTIFIED, ()):  # it was chosen already
             continue
-        began, given = time.process_time(), replace(whole, keep=kept_under(keep, wanted))
+        began = time.process_time()
         if wanted == AUTO:
-            choice = _choose(given, data, prototype)
+            choice = _choose(whole, data, prototype)
             model, notes[CHOICE] = choice.model, choice.to_json()
             if choice.other is not None:
                 beside[choice.other.name] = choice.other
         else:
-            asked = beside.get(wanted) or _asked(wanted, given, data, prototype, notes["warnings"])
+            asked = beside.get(wanted) or _asked(wanted, whole, data, prototype, notes["warnings"])
             if asked is None:
                 continue
             model = asked

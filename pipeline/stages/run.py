@@ -11,7 +11,6 @@ from pipeline.loading.parameter_sets import parameter_set
 from pipeline.names import Typeface
 from pipeline.runs import layout
 from pipeline.runs.atomic import sweep
-from pipeline.runs.checkpoints import clear_checkpoints
 from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
@@ -100,12 +99,9 @@ def run_prototype(
             coming = _of_stage(plan(run, prototype, prototype_file), only)
             observer.planned([task.stage for task in coming if with_report or task.stage != "report"])
         stages = (only,) if only else tuple(stage for stage in STAGES if with_report or stage != "report")
-        done = _bring_up_to_date(
+        return _bring_up_to_date(
             run, (task for task in tasks if with_report or task.stage != "report"), stages, observer
         )
-        if only is None:
-            clear_checkpoints(root)
-        return done
 
 
 def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:

@@ -1,7 +1,7 @@
 """Cross-validation on request: models fitted anew without each fold, and run freely over it."""
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -158,12 +158,7 @@ def _work(
     )
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
-
-    def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
-        """The folds without a checkpoint, in `jobs` processes."""
-        return in_processes(judge, [cuts[int(name)] for name in missing], jobs)
-
-    results = run.checkpoints().each(map(str, range(split.count)), judged)
+    results = list(in_processes(judge, cuts, jobs))
     if all(why for _, why, _ in results):
         raise DataRefusedError(f"none of {split.count} folds can be judged: {results[0][1]}; give fewer (--folds)")
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]

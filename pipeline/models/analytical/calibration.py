@@ -24,7 +24,6 @@ from pipeline.models.analytical.calibration_search import (
 from pipeline.models.analytical.windows import Windows, cut_windows
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import Keep, make_anew
 from pipeline.signals.trajectory import MOST_SAMPLES, Trajectory, within
 
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")
@@ -106,7 +105,6 @@ def calibrate(
     starts: int = 3,
     jobs: int = 1,
     report: Report | None = None,
-    keep: Keep = make_anew,
 ) -> Calibration:
     """Fit parameters to measured motions.
 
@@ -126,8 +124,6 @@ def calibrate(
         Threads for the windows.
     report : callable, optional
         Told about the progress.
-    keep : callable
-        Keeps the end of each start and of each refinement.
 
     Notes
     -----
@@ -151,10 +147,8 @@ def calibrate(
         def improve(
             name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, rival: float = np.inf
         ) -> Ended:
-            """A search from x0 over some windows, as kept under its name or made now."""
-            made = keep(name, lambda: vars(search(windows, x0, limit, tolerance, share.at(name), rival)))
-            problem.evaluations = made["evaluations"]
-            return Ended(**made)
+            """A search from x0 over some windows, reported under a name."""
+            return search(windows, x0, limit, tolerance, share.at(name), rival)
 
         for index in range(starts):
             draw = rng.standard_normal(len(problem.names)) if index else np.zeros(len(problem.names))

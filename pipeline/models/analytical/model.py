@@ -15,7 +15,6 @@ from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind, Training
 from pipeline.models.model_file import JointValues, ModelFile
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.progress import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.stiff import STATES
 
@@ -129,9 +128,7 @@ class AnalyticalModel:
         return cls(NOMINAL.with_values(file.parameters), file.name, file.diagnostics, file.tolerance)
 
 
-def calibrate_analytical(
-    data: Sequence[Trajectory], start: JointParameters, *, keep: Keep = make_anew
-) -> AnalyticalModel:
+def calibrate_analytical(data: Sequence[Trajectory], start: JointParameters) -> AnalyticalModel:
     """`analytical-calibrated`: the designer's set fitted to the training stretches (§ 3.3).
 
     Fits the paper's seven parameters, the asymmetries that its analytical model lacks, and friction.
@@ -143,7 +140,7 @@ def calibrate_analytical(
     from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
     rng, names = np.random.default_rng(0), ASYMMETRIC_NAMES + FRICTION_NAMES
-    fit = calibrate(data, start, rng, names=names, keep=keep)
+    fit = calibrate(data, start, rng, names=names)
     units = [QUANTITIES[name].unit for name in fit.names]
     diagnostics = {
         "fitted": [f"{name} [{unit}]" for name, unit in zip(fit.names, units, strict=True)],
@@ -171,6 +168,6 @@ def _stretches(training: Training) -> list[Trajectory]:
 
 ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
 ANALYTICAL_CALIBRATED = Kind(
-    lambda training: calibrate_analytical(_stretches(training), _parameters(training), keep=training.keep),
+    lambda training: calibrate_analytical(_stretches(training), _parameters(training)),
     AnalyticalModel.from_tree,
 )
