@@ -11,10 +11,10 @@ from pipeline.checks.gates import accepted_settings, judge
 from pipeline.device_facts.model_quality import not_converged
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
-from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.siblings import siblings_of
-from pipeline.loading.trajectories import PriorKnowledge, sources, training, training_tables
+from pipeline.loading.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
+from pipeline.loading.run_models import CHOICE, EQUATIONS, IDENTIFIED
+from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, kind
 from pipeline.numerics.progress import OnProgress, silent
@@ -211,25 +211,4 @@ def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
         bistable=prototype.plant.parameters is not None,
         joint=device(prototype).joint,
         displacement=device(prototype).displacement.symbol,
-    )
-
-
-def known_inputs(prototype: Prototype) -> tuple[str, ...]:
-    """The artifacts of what the settings name beside the logs: curves that the fit keeps, and siblings."""
-    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.plant.siblings, layout.SIBLINGS))
-    return tuple(artifact for name, artifact in named if name is not None)
-
-
-def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: "JointParameters | None") -> PriorKnowledge:
-    """What is known beside the logs.
-
-    Raises
-    ------
-    InputError
-        The siblings have another parameter set.
-    """
-    named = known_inputs(prototype)
-    return PriorKnowledge(
-        run.read_table(layout.KNOWN_CURVES) if layout.KNOWN_CURVES in named else None,
-        siblings_of(run, parameters) if layout.SIBLINGS in named else None,
     )

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pipeline.loading.held_models import control_documents
 from pipeline.loading.parameter_sets import parameter_values
+from pipeline.loading.run_models import control_documents
 from pipeline.names import Typeface
 from pipeline.runs import layout, schemas
 from pipeline.runs.columns import StudyName
@@ -59,7 +59,7 @@ def tasks(
     figures : {"sans", "serif"}, optional
         Typeface of the figures for a paper; None makes none.
     control : sequence of str
-        What `debist control` made of the present model (`pipeline.loading.held_models.made_control`).
+        What `debist control` made of the present model (`pipeline.loading.run_models.made_control`).
     """
     from pipeline.reporting.log_figures import LOG_FIGURES
 

@@ -6,8 +6,8 @@ from tempfile import TemporaryDirectory
 from typing import Literal
 
 from pipeline.errors import DebistError
-from pipeline.loading.held_models import identified_models, made_control
 from pipeline.loading.parameter_sets import parameter_set
+from pipeline.loading.run_models import identified_models, made_control
 from pipeline.names import Typeface
 from pipeline.runs import layout
 from pipeline.runs.atomic import sweep

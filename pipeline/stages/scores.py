@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
-from pipeline.loading.held_models import identified_models
 from pipeline.loading.parameter_sets import parameter_values
+from pipeline.loading.run_models import identified_models
 from pipeline.names import with_true_names
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs import layout, schemas

@@ -14,8 +14,7 @@ from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.parts import part_rows, parts, recorded
-from pipeline.loading.trajectories import drive, load_motion, sources
+from pipeline.loading.trajectories import drive, load_motion, part_rows, parts, recorded, sources
 from pipeline.models.base import DynamicModel, FreeRun, HasTubes, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval

@@ -12,8 +12,8 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.subject import Exported, Subject, Validity
 from pipeline.loading.device import device
 from pipeline.loading.free_runs import start_of
-from pipeline.loading.parts import longest_rows, part
 from pipeline.loading.run_models import validity_of
+from pipeline.loading.trajectories import longest_rows, part
 from pipeline.models.kind import StoredModel, model_from_tree
 from pipeline.models.model_file import ModelFile, Sizes, Span, Table
 from pipeline.numerics.arrays import FloatArray
