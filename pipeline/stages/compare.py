@@ -18,7 +18,7 @@ from pipeline.settings import FILM, Prototype
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
 
-ALGORITHM = "12"
+ALGORITHM = "13"
 
 
 def task(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
