@@ -139,6 +139,11 @@ class Training:
     on_progress: OnProgress = silent
 
     @property
+    def finely_driven(self) -> list[Trajectory]:
+        """The stretches, with the voltages between the samples: a snap begins where a pulse does, not at a sample."""
+        return [stretch for record in self.records for stretch in record.stretches()]
+
+    @property
     def mass(self) -> float:
         """The mass, 1 if it is unknown: curves are then per unit mass."""
         return 1.0 if self.known_mass is None else self.known_mass

@@ -161,13 +161,8 @@ def _parameters(training: Training) -> JointParameters:
     return training.parameters
 
 
-def _stretches(training: Training) -> list[Trajectory]:
-    """With the voltages between the samples: a snap begins where a pulse does, not up to a sample interval off."""
-    return [stretch for record in training.records for stretch in record.stretches()]
-
-
 ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
 ANALYTICAL_CALIBRATED = Kind(
-    lambda training: calibrate_analytical(_stretches(training), _parameters(training)),
+    lambda training: calibrate_analytical(training.finely_driven, _parameters(training)),
     AnalyticalModel.from_tree,
 )
