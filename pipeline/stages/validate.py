@@ -22,7 +22,7 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.scoring.wells import Wells, wells_of
+from pipeline.scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes, wells_of
 from pipeline.settings import Prototype
 from pipeline.signals.trajectory import voltages
 from pipeline.units import HORIZONS
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
     from pipeline.scoring.horizons import MeasuredPath, Predict
     from pipeline.scoring.tubes import Tubes
-    from pipeline.scoring.wells import NoWells
 
 ALGORITHM = "26"
 
@@ -138,7 +137,7 @@ def _write(
 
 
 def trust_notes(
-    table: Table, wells: "Wells | NoWells", trained: Sequence[Table], ensemble: "FloatArray | None", *, joint: bool
+    table: Table, wells: Wells | NoWells, trained: Sequence[Table], ensemble: "FloatArray | None", *, joint: bool
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
@@ -179,11 +178,8 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
 
 
 def _outcomes(
-    table: Table, wells: "Wells | NoWells", ensemble: "FloatArray | None", *, joint: bool
+    table: Table, wells: Wells | NoWells, ensemble: "FloatArray | None", *, joint: bool
 ) -> dict[str, Any] | None:
-    from pipeline.scoring.outcomes import pulse_outcomes
-    from pipeline.scoring.wells import places_of_rest
-
     places, t = part_rows(table), table["t"]
     rests = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
     after = [rest for rest in rests if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
