@@ -9,6 +9,7 @@ import typer
 
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
+from pipeline.errors import InputError
 from pipeline.names import Goal, Well
 from pipeline.units import parse_quantity
 
@@ -213,7 +214,6 @@ def _margins(margins: Any) -> str:
 
 def _limited(limits: VoltageLimits, lag: str | None) -> Any:
     """The settings of a controller."""
-    from pipeline.errors import InputError
 
     def value(text: str | None, unit: str, name: str) -> float | None:
         """A limit in SI."""
@@ -228,7 +228,6 @@ def _limited(limits: VoltageLimits, lag: str | None) -> Any:
 
 
 def _settings(max_voltage: str | None, lag: str | None) -> Any:
-    from pipeline.errors import InputError
     from pipeline.tools.controlled_run import ControlSettings
 
     most = None if max_voltage is None else parse_quantity(max_voltage, ("V",), "--max-voltage")

@@ -10,6 +10,7 @@ import typer
 
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Quiet, emit_json, emit_text, progress_report, working
+from pipeline.errors import InputError
 from pipeline.units import parse_quantity
 
 if TYPE_CHECKING:
@@ -101,7 +102,6 @@ class Ageing:
 
     def fields(self) -> dict[str, Any]:
         """The same for an experiment."""
-        from pipeline.errors import InputError
         from pipeline.rig.random_joint import USUAL, parse_drift
 
         if self.age is None:

@@ -68,7 +68,7 @@ def basins(outcomes: Callable[[FloatArray], Classes], places: FloatArray, speeds
 
 def _look(
     index: Classes,
-    cells: "np.ndarray[tuple[int, int], np.dtype[np.int64]]",
+    cells: np.ndarray[tuple[int, int], np.dtype[np.int64]],
     outcomes: Callable[[FloatArray], Classes],
     places: FloatArray,
     speeds: FloatArray,

@@ -4,10 +4,11 @@ import csv
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from pipeline.device_parameters import JointParameters
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.fitting.population import NormalPopulation
 from pipeline.loading.device import Device
@@ -19,9 +20,6 @@ from pipeline.runs.tables import Table
 from pipeline.runs.trees import read_tree
 from pipeline.settings import Prototype
 from pipeline.units import curve_units, to_si
-
-if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
 
 MOST_ROWS = 100_000
 MEANINGS = {
@@ -132,7 +130,7 @@ def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | N
     return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
 
 
-def siblings_of(run: RunFolder, parameters: "JointParameters | None") -> NormalPopulation:
+def siblings_of(run: RunFolder, parameters: JointParameters | None) -> NormalPopulation:
     """What siblings teach, as the run holds it.
 
     Raises
@@ -162,7 +160,7 @@ def known_inputs(prototype: Prototype) -> tuple[str, ...]:
     return tuple(artifact for name, artifact in named if name is not None)
 
 
-def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: "JointParameters | None") -> PriorKnowledge:
+def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
     """What is known beside the logs.
 
     Raises

@@ -5,10 +5,11 @@ is bridged by a straight line; behind a longer one fits and free runs start anew
 """
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import device
 from pipeline.loading.prior_knowledge import PriorKnowledge
 from pipeline.models.kind import KnownCurves, Training
@@ -20,9 +21,6 @@ from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Role
 from pipeline.signals.trajectory import SHORTEST, UNKNOWN, Record, Trajectory, unknown_rows, voltages
-
-if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
 
 _FINE, _PART = "v_fine", "recorded"
 """Columns in memory: voltages between the samples, and whether the inputs of a row are known."""
@@ -43,7 +41,7 @@ _FARTHER = 0.1
 def training(
     tables: Sequence[Table],
     prototype: Prototype,
-    parameters: "JointParameters | None",
+    parameters: JointParameters | None,
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
 ) -> Training:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from pipeline.device_parameters import JointParameters
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.run_models import control_documents
 from pipeline.names import Typeface
@@ -18,7 +19,6 @@ from pipeline.settings import Prototype
 if TYPE_CHECKING:
     from pipeline.device_facts.datasheet import Datasheet
     from pipeline.device_facts.run_data import RunData
-    from pipeline.device_parameters import JointParameters
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 
@@ -38,7 +38,7 @@ class Prepared:
 
 def tasks(
     prototype: Prototype,
-    parameters: "JointParameters | None",
+    parameters: JointParameters | None,
     models: Sequence[str],
     studies: Sequence[StudyName] = (),
     figures: Typeface | None = None,

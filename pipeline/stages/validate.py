@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
+from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
 from pipeline.loading.parameter_sets import parameter_values
@@ -22,27 +23,26 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
+from pipeline.scoring.tubes import Tubes
 from pipeline.scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes, wells_of
 from pipeline.settings import Prototype
 from pipeline.signals.trajectory import voltages
 from pipeline.units import HORIZONS
 
 if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
     from pipeline.scoring.horizons import MeasuredPath, Predict
-    from pipeline.scoring.tubes import Tubes
 
 ALGORITHM = "26"
 
 _RESTARTS = 60
 
 
-def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> list[Task]:
+def tasks(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> list[Task]:
     """One task per identified model."""
     return [task(prototype, parameters, "validate", name, layout.MODELS) for name in models]
 
 
-def task(prototype: Prototype, parameters: "JointParameters | None", stage: str, model: str, source: str) -> Task:
+def task(prototype: Prototype, parameters: JointParameters | None, stage: str, model: str, source: str) -> Task:
     """The free runs of `model`, which the artifact `source` holds."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
@@ -123,7 +123,7 @@ def _write(
     plant: Device,
     rotation: RotationMap | None,
     result: FreeRun,
-    tubes: "Tubes | None",
+    tubes: Tubes | None,
     notes: Mapping[str, Any],
 ) -> Written:
     columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
@@ -137,7 +137,7 @@ def _write(
 
 
 def trust_notes(
-    table: Table, wells: Wells | NoWells, trained: Sequence[Table], ensemble: "FloatArray | None", *, joint: bool
+    table: Table, wells: Wells | NoWells, trained: Sequence[Table], ensemble: FloatArray | None, *, joint: bool
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
@@ -169,7 +169,7 @@ def trust_notes(
     }
 
 
-def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
+def _valid(tables: Sequence[Table]) -> tuple[FloatArray, FloatArray]:
     valid_rows = [table["segment"] >= 0 for table in tables]
     q, qdot = (
         np.concatenate([table[name][k] for table, k in zip(tables, valid_rows, strict=True)]) for name in ("q", "qdot")
@@ -178,7 +178,7 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
 
 
 def _outcomes(
-    table: Table, wells: Wells | NoWells, ensemble: "FloatArray | None", *, joint: bool
+    table: Table, wells: Wells | NoWells, ensemble: FloatArray | None, *, joint: bool
 ) -> dict[str, Any] | None:
     places, t = part_rows(table), table["t"]
     rests = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)

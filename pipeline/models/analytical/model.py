@@ -10,6 +10,7 @@ from pydantic import Field
 from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.errors import InputError
 from pipeline.models.analytical.full_order import rest_state, simulate
+from pipeline.models.analytical.reduced_order import CURVES, accelerate, reduce_joint
 from pipeline.models.analytical.windows import voltage_knots
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind, Training
@@ -71,8 +72,6 @@ class AnalyticalModel:
 
         q does not determine the beam's other shapes, so they follow the static path here.
         """
-        from pipeline.models.analytical.reduced_order import accelerate, reduce_joint
-
         return accelerate(reduce_joint(self.parameters), t, v if v.ndim == 2 else v[:, 0], q, qdot)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
@@ -85,8 +84,6 @@ class AnalyticalModel:
         InputError
             The beam snaps while its tip is held, so that no curve over q exists.
         """
-        from pipeline.models.analytical.reduced_order import CURVES, reduce_joint
-
         values, slopes = reduce_joint(self.parameters).evaluate(q)
         column = {name: CURVES.index(name) for name in CURVES}
         return {
