@@ -6,7 +6,7 @@ Beside each run stands what it leaves open: errors by horizon, pulses whose well
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -23,16 +23,14 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
+from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
 from pipeline.scoring.tubes import Tubes
 from pipeline.scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes, wells_of
 from pipeline.settings import Prototype
 from pipeline.signals.trajectory import voltages
 from pipeline.units import HORIZONS
 
-if TYPE_CHECKING:
-    from pipeline.scoring.horizons import MeasuredPath, Predict
-
-ALGORITHM = "26"
+ALGORITHM = "27"
 
 _RESTARTS = 60
 
@@ -92,10 +90,8 @@ def _compile(model: DynamicModel, table: Table) -> None:
     free_run({name: values[:3] for name, values in parts(table)[0].items()}, model)
 
 
-def measured_path(table: Table, model: DynamicModel) -> "tuple[MeasuredPath, Predict]":
+def measured_path(table: Table, model: DynamicModel) -> tuple[MeasuredPath, Predict]:
     """A log as the predictions of a model are compared with it, and what predicts."""
-    from pipeline.scoring.horizons import MeasuredPath
-
     v = drive(table, fine=model.fine_voltages).copy()
     v[~recorded(table)] = np.nan
     return MeasuredPath(table["t"], v, table["q"], table["qdot"]), predictor(model)
@@ -103,16 +99,11 @@ def measured_path(table: Table, model: DynamicModel) -> "tuple[MeasuredPath, Pre
 
 def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, horizon_errors
-
     shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
     possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     path, predict = measured_path(table, model)
-    shared = not model.fine_voltages
-    horizon_scores = horizon_errors(
-        predict, path, list(possible.values()), joint=joint, most_starts=_RESTARTS, shared=shared
-    )
+    horizon_scores = horizon_errors(predict, path, list(possible.values()), joint=joint, most_starts=_RESTARTS)
     errors = dict(zip(possible, horizon_scores, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
 
