@@ -142,7 +142,7 @@ def run_batch(
     own = [(name, path) for name, path in named if shard is None or shard.holds(name)]
     options = () if execution.report else ("--no-report",)
 
-    def begin(name: str, prototype: Path) -> Worker | None:
+    def begin(name: str, prototype: Path) -> "Worker | None":
         """Its process; None where none is needed."""
         if _is_up_to_date(prototype, output / name, execution.report):
             return None
