@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
+from pipeline.models.analytical import calibration_problem
 from pipeline.models.analytical.calibration_problem import LOSS_SCALE, Ended, search
 
 
@@ -38,15 +39,18 @@ def searched(valley: Valley, start: list[float], limit: int, tolerance: float) -
 @pytest.mark.parametrize("upper", [9.0, 1.5])
 @pytest.mark.parametrize("curvature", [5.0, 30.0])
 @pytest.mark.parametrize("start", [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0]])
-def test_it_finds_the_optimum_within_the_bounds(upper: float, start: list[float], curvature: float) -> None:
+def test_it_finds_the_optimum_within_the_bounds(
+    upper: float, start: list[float], curvature: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(calibration_problem, "SMALLEST_STEP", 1e-10)  # a calibration ends earlier
     valley = Valley(upper, curvature)
     bounds = list(zip(valley.problem.lower, valley.problem.upper, strict=True))
     known = minimize(
         valley.cost, np.array(start), bounds=bounds, method="SLSQP", options={"ftol": 1e-14, "maxiter": 2000}
     )
     found = searched(valley, start, 2000, 1e-9)
-    assert found.converged and found.cost == pytest.approx(known.fun, rel=1e-3)
-    assert found.x == pytest.approx(known.x, abs=0.03)
+    assert found.converged and found.cost == pytest.approx(known.fun, rel=1e-6)
+    assert found.x == pytest.approx(known.x, abs=1e-4)
     assert (found.x >= valley.problem.lower).all() and (found.x <= valley.problem.upper).all()
 
 
