@@ -20,7 +20,7 @@ FEEDBACK = STATES + 1
 
 _SIZES = {
     "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "level": 1, "mean": 1,
-    "missed": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "dwell": 1, "commanded": 2, "average": 2,
+    "missed": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "dwell": 1, "brakes": 1, "commanded": 2, "average": 2,
     "spread": FILTER * (FILTER + 1) // 2,
 }  # fmt: skip
 _ENDS = np.cumsum(list(_SIZES.values()))
@@ -44,7 +44,7 @@ NUMBERS = (
     "arm", "length", *(f"travel_{i}" for i in sorted(set(STOP_ELEMENTS))),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
-    "slew", "allowed", "size", "moment_size",
+    "slew", "allowed", "size", "moment_size", "lever", "settles",
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of each converter's voltage that is left after a period and its mean over it;
@@ -71,7 +71,7 @@ RESTS = 65
 _MOST_CELLS, _LARGEST = 10_000, 1e30
 _SHAPES = {
     "numbers": (len(NUMBERS),), "prepared": (PREPARE.outputs["p"],), "slopes": (PREPARE_SLOPES.outputs["p"],),
-    "rests": (RESTS, 3), "targets": (TARGETS, TARGET_COLUMNS["common"].stop), "braking": (2 * TARGETS, REACHES),
+    "rests": (RESTS, 3), "targets": (TARGETS, TARGET_COLUMNS["common"].stop), "braking": (4 * TARGETS, REACHES),
 }  # fmt: skip
 """Shapes of the tables that do not depend on the joint."""
 
