@@ -208,7 +208,9 @@ def _curve(points: FloatArray, reaches: FloatArray) -> FloatArray:
 
 
 @compiled
-def pushed(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float) -> tuple[FloatArray, FloatArray]:
+def pushed(
+    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
+) -> tuple[FloatArray, FloatArray]:
     """States of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
 
     It ends when it turns round by itself; `s` is moved along.

@@ -3,9 +3,11 @@
 Two membranes that only attract act as one moment of either sign on the beam's slope: one side at a time, its squared
 voltage as large as the moment needs. With the target at q* and the distance s = q* − q
 
-* far from the target the joint is pushed towards it, until its speed reaches the braking curve: the largest speed at
-  the distance from which full braking still stops at the target. On the curve the moment is proportional to the
-  speed's error (a proximate time-optimal servomechanism; M. L. Workman, dissertation, Stanford 1987);
+* far from the target the joint is pushed towards it with the full moment, until its mass centre is as fast as a
+  simulated joint that a brake, begun now, still stops at the target. Then it is braked with a share of the full moment,
+  and the speed's error against the simulated brake is taken away by the rest (after M. L. Workman's proximate
+  time-optimal servomechanism, dissertation, Stanford 1987). The moment that brakes first accelerates the tip; the mass
+  centre it does not, so its speed is judged;
 * where the largest voltage does not suffice to push the joint over its barrier, it is pushed towards the
   barrier and away from it in turn, along its own velocity: every half swing then adds energy;
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
@@ -39,7 +41,7 @@ DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 FREE, LEFT = 0.15e-3, 0.05e-3
 """Offset [m] from a well that takes no voltage, and what is left of a larger one and of one from another target."""
-SLOW, INTEGRAL, LEAK = 0.35, 0.7, 3.0
+SLOW, INTEGRAL, LEAK = 0.35, 1.4, 3.0
 """Time constants [s] of the slow moment at a well, of that at an unstable target, and of its decay where the offset is
 small."""
 ENGAGED, STIFFENS, TIRED = 0.035, 0.1, 0.8
@@ -113,7 +115,7 @@ def held_slowly(
     left = choose(without, FREE, LEFT) * n["size"]
     outside = away - clip(away, -left, left)
     slow = choose(function("lt", 0.0, function("abs", outside)), -stiff[1] * outside / SLOW, -level / LEAK)
-    slow = choose(function("lt", 0.5, now["refused"][0]), -level / INTEGRAL, slow)
+    slow = choose(function("lt", 0.5, now["refused"][0]), -level / SLOW, slow)
     return choose(without, 0.0, hold) + level, level + PERIOD * slow
 
 

@@ -285,6 +285,29 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
     assert steps[2].rms_m < 0.01e-3
 
 
+@pytest.mark.parametrize("way", [0, 2])
+def test_a_snap_is_as_fast_as_one_full_push_and_one_full_brake(way: int) -> None:
+    plant, law = designed()
+    wells = [each.q for each in wells_and_saddle(plant)]
+    start, end = wells[way], wells[2 - way]
+    full = np.array([3000.0, 0.0]) if end > start else np.array([0.0, 3000.0])
+    fastest = np.inf
+    for pushed in range(80, 140):
+        joint, q = np.zeros(CONTROLLER_STATE), [start]
+        begin_control(start, law, joint)
+        while len(q) <= pushed or joint[1] * (end - start) > 0.0:
+            move(joint, full if len(q) <= pushed else full[::-1].copy(), law)
+            q.append(float(joint[0]))
+        inside = np.abs(np.array(q) - end) < 0.05 * abs(end - start)
+        if inside[-1]:
+            fastest = min(fastest, PERIOD * float(np.argmax(inside)))
+    target = np.full(1000, end)
+    q_closed, _ = closed_on_model(law, law, start, target)
+    settling = step_metrics(PERIOD * np.arange(q_closed.size), q_closed, target, abs(end - start))[0].settling_s
+    assert settling is not None
+    assert settling < 1.05 * fastest
+
+
 @pytest.mark.parametrize(
     ("length", "mass"), [(0.4, 0.064), (2.5, 15.6), (2.5, 400.0)], ids=["small", "large", "in units of another mass"]
 )
