@@ -41,7 +41,7 @@ DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 FREE, LEFT = 0.15e-3, 0.05e-3
 """Offset [m] from a well that takes no voltage, and what is left of a larger one and of one from another target."""
-SLOW, INTEGRAL, LEAK = 0.35, 1.4, 3.0
+SLOW, INTEGRAL, LEAK = 0.35, 3.0, 3.0
 """Time constants [s] of the slow moment at a well, of that at an unstable target, and of its decay where the offset is
 small."""
 ENGAGED, STIFFENS, TIRED = 0.035, 0.1, 0.8
@@ -227,9 +227,9 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
     push, phase, dwell, brakes = far(now, n, place)
     push = choose(regulates, share, push)
-    refused, tried = _refused(
-        now, n, regulates, _both(function("lt", common, 0.01), function("lt", TIRED * largest, function("abs", level)))
-    )
+    # What the regulator takes back of the slow moment is not spent.
+    spent = _both(*(function("lt", TIRED, function("abs", part)) for part in (level / largest, share)))
+    refused, tried = _refused(now, n, regulates, _both(function("lt", common, 0.01), spent))
     stopped = function("lt", choose(regulates, 1.5, 0.5), refused)
     updated = {
         "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
