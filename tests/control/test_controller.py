@@ -446,6 +446,20 @@ def test_a_well_takes_no_voltage_at_rest_and_a_load_there_is_balanced(side: int,
     assert np.abs(np.diff(rows[-1000:, 1:], axis=0)).max(initial=0.0) < 5.0
 
 
+@pytest.mark.parametrize(("softer", "status"), [(0.7, "ok"), (0.9, "no authority")])
+def test_a_well_that_has_moved_by_4_mm_is_held_as_long_as_voltage_is_left(softer: float, status: str) -> None:
+    plant, law = designed()
+    right = wells_and_saddle(plant)[2].q
+    other = plant_of(model(**{"log E": -softer}))
+    start, _, there = (each.q for each in wells_and_saddle(other))
+    assert there - right > 3.9e-3
+    moved = Moved(law, condensed_joint_law(other, (3e-3, 3e-3)), start)
+    rows = moved.run(right, 4000)
+    assert moved.status == status
+    assert (abs(rows[-1, 0] - right) < 0.1e-3) == (status == "ok")
+    assert bool(np.any(rows[-1, 1:])) == (status == "ok")
+
+
 def test_a_load_beyond_all_voltage_is_told_and_takes_none() -> None:
     plant, law = designed()
     right = wells_and_saddle(plant)[2].q
