@@ -100,9 +100,9 @@ def maps(one: Tested) -> Iterator[Row]:
         joint = with_draws(one.model, one.converters, one.places, to)
         chart = switching_map(joint, one.places, to)
         border = np.argwhere(np.diff(chart.probability > 0.5, axis=0))
-        some = np.random.default_rng(7).permutation(border)[:BORDER]
+        below = np.random.default_rng(7).permutation(border)[:BORDER]
         errors = []
-        for volts, length in [*some, *(some + (1, 0))]:
+        for volts, length in np.concatenate([below, below + np.array([1, 0])]):
             u = pulses(chart.voltages[[volts]], chart.durations[[length]], side)[0]
             switched = (play(one, u, to).true_q[-1] > 0.0) == (to == "right")
             errors.append((chart.probability[volts, length] - switched) ** 2)
