@@ -215,7 +215,7 @@ class Model:
 
         Notes
         -----
-        Before each restart the model is given up to 1 s of the measurement. Cost: a simulation of that for each sample.
+        A model takes its hidden states from the measurement before. Cost: `ahead` simulated samples for each sample.
         """
         from pipeline.scoring.horizons import predicted
         from pipeline.stages.validate import measured_path

@@ -1,6 +1,6 @@
 """The one interface of all models, the result of a free run, and the check of its inputs."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import wraps
 from inspect import signature
@@ -9,7 +9,8 @@ from typing import Any, Literal, Protocol, TypeVar, cast, runtime_checkable
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.scoring.horizons import Predict
 from pipeline.scoring.tubes import TubeScale
 from pipeline.signals.timebase import is_uniform
 
@@ -85,8 +86,25 @@ class DynamicModel(Protocol):
 class Predicts(Protocol):
     """A model that takes its hidden states from a measurement before it predicts."""
 
-    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Displacement from the last measured row on; see `predictor`."""
+    def predict(
+        self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
+    ) -> Iterable[FloatArray]:
+        """Displacement after each of several measured rows, nothing later being fed back.
+
+        Parameters
+        ----------
+        t, v
+            As for `DynamicModel.simulate`.
+        seen, speed : FloatArray, shape (N,)
+            Measured displacement [m] and velocity [m/s]; NaN where masked, but not in the first row and the starts.
+        starts, ahead : IntArray, shape (S,)
+            Rising rows, and how many samples each prediction reaches.
+
+        Returns
+        -------
+        iterable of FloatArray, shape (ahead + 1,)
+            q [m] from each start on; NaN after a divergence.
+        """
 
 
 @runtime_checkable
@@ -139,25 +157,18 @@ class SimulatesMany(Protocol):
         """
 
 
-def predictor(model: DynamicModel) -> Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]:
-    """A function that predicts displacement [m] from a measured state, for given voltages.
-
-    A model that `Predicts` takes its hidden states from the measurement before; the others begin as in a free run.
-
-    Returns
-    -------
-    callable
-        ``(t, v, q, qdot) -> q``: t and v as for `DynamicModel.simulate`, shapes (N,) and (N, n_inputs); measured
-        displacement [m] and velocity [m/s] of the first M rows, without gaps. From row M − 1 on, shape (N − M + 1,);
-        NaN after a divergence.
-    """
+def predictor(model: DynamicModel) -> Predict:
+    """The predictions of a model as `Predicts` has them; where it has none, each begins as a free run does."""
     if isinstance(model, Predicts):
         return model.predict
 
-    def predict(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        """A free run from the last measured row."""
-        start = len(q) - 1
-        return model.simulate(t[start:], v[start:], float(q[-1]), float(qdot[-1])).q
+    def predict(
+        t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
+    ) -> Iterator[FloatArray]:
+        """A free run from each start."""
+        for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
+            rows = slice(start, start + count + 1)
+            yield model.simulate(t[rows], v[rows], float(seen[start]), float(speed[start])).q
 
     return predict
 

@@ -294,8 +294,7 @@ def _by_horizon(model: StoredModel, training: Training) -> list[HorizonError]:
         v = record.drive if model.fine_voltages else record.v
         q, speed = (np.where(record.valid, signal, np.nan) for signal in (record.q, record.qdot))
         path = MeasuredPath(record.t, v, q, speed)
-        shared = not model.fine_voltages
-        errors += horizon_errors(predictor(model), path, times, joint=False, most_starts=STARTS, shared=shared)
+        errors += horizon_errors(predictor(model), path, times, joint=False, most_starts=STARTS)
     return errors
 
 

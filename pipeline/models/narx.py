@@ -12,7 +12,7 @@ the simplest within one standard error of the least error of free runs on held-o
 
 import itertools
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -139,11 +139,18 @@ class NarxModel(ModelFile):
         status, diverged_at = run_status(t, reached)
         return FreeRun(t, q, qdot, qddot, status, diverged_at)
 
-    @checked
-    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows, whose q are the equation's past; see `pipeline.models.base.predictor`."""
+    def predict(
+        self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
+    ) -> Iterator[FloatArray]:
+        """Predictions from the measured past that the equation looks at; see `pipeline.models.base.Predicts`."""
         self._check(t)
-        return self.run(v, float(seen[-1]), float(speed[-1]), seen)[0][len(seen) - 1 :]
+        rows, reach = np.arange(len(seen)), int(self.structure.max())
+        unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, rows))
+        for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
+            first = max(int(unmeasured[start]) + 1, start - reach)
+            past = seen[first : start + 1]
+            run, _ = self.run(v[first : start + count + 1], float(past[-1]), float(speed[start]), past)
+            yield run[start - first :]
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:

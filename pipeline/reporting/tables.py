@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from pipeline.names import log_title
 from pipeline.runs.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
-from pipeline.scoring.horizons import SHORTEST_HORIZON, WARM_UP, WARM_UP_SAMPLES
+from pipeline.scoring.horizons import SHORTEST_HORIZON
 from pipeline.scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
 from pipeline.si_prefix import moment
 from pipeline.units import HORIZONS, SIGNALS
@@ -32,8 +32,7 @@ _SOON, *_AHEAD = (words for _, words in HORIZONS.values())
 _LISTED = f"{', '.join([_SOON, *_AHEAD[:-1]])} and {_AHEAD[-1]}"
 _HORIZONS = (
     f"NRMSE of q after {_LISTED} (none of less than {SHORTEST_HORIZON:g} samples or more than the log) from restarts "
-    f"in the measured state, hidden states from up to {WARM_UP:g} s or {WARM_UP_SAMPLES} samples of the measurement "
-    "before."
+    "in the measured state, hidden states from all of the measurement before (of the analytical models: at rest)."
 )
 TIED, BEST = " ≈", " *"
 _OF_ROWS = {

@@ -1,6 +1,6 @@
 """Error of the prediction against its horizon: restarts along a log, compared a fixed time after each."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,15 +10,12 @@ from pipeline.numerics.metrics import rms, signal_range
 from pipeline.scoring.intervals import BLOCK, SEED, Interval, block_of, rms_interval
 
 MOST_STARTS = 400
-WARM_UP, WARM_UP_SAMPLES = 1.0, 100
-"""How long before a restart a model may look at the measurement, to know its hidden states: in s, and at least in
-samples, because a slow device is sampled slowly."""
 
 SHORTEST_HORIZON = 2.0
 """In sample intervals: a shorter one but for one step would be rounded to another time than its name says."""
 
-Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray], FloatArray]
-"""``(t, v, q, qdot) -> q``: see `pipeline.models.base.predictor`."""
+Predict = Callable[[FloatArray, FloatArray, FloatArray, FloatArray, IntArray, IntArray], Iterable[FloatArray]]
+"""``(t, v, seen, speed, starts, ahead) -> predictions``: see `pipeline.models.base.Predicts`."""
 
 
 @dataclass(frozen=True)
@@ -78,17 +75,16 @@ def horizon_errors(
     *,
     joint: bool,
     most_starts: int = MOST_STARTS,
-    shared: bool = True,
 ) -> list[HorizonError]:
     """Restart at evenly spread samples and compare q at each horizon, as a predictive controller would find it.
 
-    Before each restart the model is shown up to `WARM_UP` s (`WARM_UP_SAMPLES`) of the measurement without a gap, from
-    which it takes its hidden states; of what comes after, it sees the inputs alone.
+    A model takes its hidden states from the measurement before a restart; of what comes after, it sees the inputs
+    alone.
 
     Parameters
     ----------
     predict : callable
-        The model's prediction of q from the last of the measured rows on.
+        The model's predictions of q from measured rows on.
     path : MeasuredPath
         The log.
     horizons : sequence of float
@@ -97,29 +93,22 @@ def horizon_errors(
         Whether the device can be the bistable joint, see `pipeline.scoring.intervals.block_of`.
     most_starts : int
         Upper bound of the restarts of a horizon; they are at least one horizon apart, but for the one-step horizon.
-    shared : bool
-        Read horizons that have a restart in common off one prediction; not for a model whose last sample depends on
-        where the prediction ends, as one does that filters its samples.
 
     Notes
     -----
-    Cost: the simulated time is at most that of the record for each horizon, plus the call overhead of the restarts.
+    Cost: a simulation of the record, one of at most as much for each horizon, and the call overhead of the restarts.
     """
     q, interval = path.q, sample_interval(path.t)
     aheads = [samples_of(horizon, interval) for horizon in horizons]
     starts = [_starts(path, ahead, most_starts) for ahead in aheads]
-    farthest: dict[tuple[int, int], int] = {}
+    farthest: dict[int, int] = {}
     for ahead, chosen in zip(aheads, starts, strict=True):
-        keys = [(start, 0 if shared else ahead) for start in chosen.tolist()]
-        farthest |= {key: max(ahead, farthest.get(key, 0)) for key in keys}
-    paths: dict[tuple[int, int], FloatArray] = {}
-    begins = _shown_from(path)
-    for (start, apart), ahead in farthest.items():
-        paths[start, apart] = _restarted(predict, path, int(begins[start]), start, ahead)
+        farthest |= {start: max(ahead, farthest.get(start, 0)) for start in chosen.tolist()}
+    paths = dict(_predictions(predict, path, farthest))
     span = signal_range(q)
     return [
         _error(
-            np.array([paths[start, 0 if shared else ahead][ahead] - q[start + ahead] for start in chosen.tolist()]),
+            np.array([paths[start][ahead] - q[start + ahead] for start in chosen.tolist()]),
             chosen, ahead, interval, span, joint=joint,
         )
         for ahead, chosen in zip(aheads, starts, strict=True)
@@ -128,25 +117,23 @@ def horizon_errors(
 
 def predicted(predict: Predict, path: MeasuredPath, ahead: int) -> FloatArray:
     """Displacement `ahead` samples after each measured state, at the sample it is for, shape (N,); else NaN."""
-    q, begins = np.full(path.q.size, np.nan), _shown_from(path)
-    for start in _starts(path, ahead, path.q.size, apart=1).tolist():
-        q[start + ahead] = _restarted(predict, path, int(begins[start]), start, ahead)[ahead]
+    q = np.full(path.q.size, np.nan)
+    starts = _starts(path, ahead, path.q.size, apart=1)
+    for start, ahead_of in _predictions(predict, path, dict.fromkeys(starts.tolist(), ahead)):
+        q[start + ahead] = ahead_of[ahead]
     return q
 
 
-def _shown_from(path: MeasuredPath) -> IntArray:
-    """From which row on a model is shown the measurement before it restarts in a row, without a gap between."""
-    begins = np.zeros(path.q.size, dtype=np.int64)
-    for rows in runs_of(np.isfinite(path.q) & np.isfinite(path.qdot) & path.recorded):
-        begins[rows] = rows.start
-    shown = max(round(WARM_UP / sample_interval(path.t)), WARM_UP_SAMPLES)
-    return np.maximum(begins, np.arange(path.q.size) - shown)
-
-
-def _restarted(predict: Predict, path: MeasuredPath, begin: int, start: int, ahead: int) -> FloatArray:
-    """The prediction of q from one row on, shape (ahead + 1,)."""
-    seen, rows = slice(begin, start + 1), slice(begin, start + ahead + 1)
-    return predict(path.t[rows], path.v[rows], path.q[seen], path.qdot[seen])
+def _predictions(predict: Predict, path: MeasuredPath, ahead: dict[int, int]) -> Iterator[tuple[int, FloatArray]]:
+    """Rows and the predictions of q from them on, so many samples ahead, for rows whose state is measured."""
+    measured = np.isfinite(path.q) & np.isfinite(path.qdot)
+    for rows in runs_of(path.recorded):
+        starts = np.array([start for start in sorted(ahead) if rows.start <= start < rows.stop], dtype=np.int64)
+        if starts.size:
+            part = slice(rows.start + int(np.argmax(measured[rows])), rows.stop)
+            counts = np.array([ahead[start] for start in starts.tolist()], dtype=np.int64)
+            runs = predict(path.t[part], path.v[part], path.q[part], path.qdot[part], starts - part.start, counts)
+            yield from zip(starts.tolist(), runs, strict=True)
 
 
 def _error(

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from pipeline.scoring.tubes import Tubes
     from pipeline.scoring.wells import NoWells
 
-ALGORITHM = "26"
+ALGORITHM = "27"
 
 _RESTARTS = 60
 
@@ -111,10 +111,7 @@ def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], 
     possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
     path, predict = measured_path(table, model)
-    shared = not model.fine_voltages
-    horizon_scores = horizon_errors(
-        predict, path, list(possible.values()), joint=joint, most_starts=_RESTARTS, shared=shared
-    )
+    horizon_scores = horizon_errors(predict, path, list(possible.values()), joint=joint, most_starts=_RESTARTS)
     errors = dict(zip(possible, horizon_scores, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
 

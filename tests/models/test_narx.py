@@ -109,8 +109,12 @@ def test_a_search_that_may_try_one_structure_keeps_what_it_has_and_says_so() -> 
 
 def test_a_prediction_goes_on_from_the_measured_past() -> None:
     moving = motion(3)
-    predicted = TRUTH.predict(moving.t[50:300], moving.v[50:300], moving.q[50:180], moving.qdot[50:180])
-    np.testing.assert_allclose(predicted, moving.q[179:300], atol=1e-12)
+    seen, starts = moving.q.copy(), np.array([129, 180])
+    seen[150:160] = np.nan
+    predictions = TRUTH.predict(moving.t, moving.v, seen, moving.qdot, starts, np.array([3, 120]))
+    for start, predicted in zip(starts, predictions, strict=True):
+        np.testing.assert_allclose(predicted, moving.q[start : start + len(predicted)], atol=1e-12)
+    assert len(predicted) == 121
 
 
 def test_its_file_tells_unit_and_meaning_of_every_entry(model: NarxModel) -> None:

@@ -1,10 +1,12 @@
 """Error by horizon of predictors whose error is known."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.horizons import HorizonError, MeasuredPath, Predict, horizon_errors
+from pipeline.scoring.horizons import HorizonError, MeasuredPath, Predict, horizon_errors, predicted
 
 T = 0.01 * np.arange(1000)
 Q = np.sin(2.0 * T)
@@ -18,13 +20,18 @@ def horizon_error(
     return horizon_errors(predict, MeasuredPath(t, v, q, qdot), [horizon], joint=True)[0]
 
 
-def persistence(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-    return np.full(t.size - q.size + 1, q[-1])
+def each(one: Callable[[FloatArray, float, float], FloatArray]) -> Predict:
+    """A predictor by one rule, which gets the times since a start and the state there."""
+
+    def predict(t, v, seen, speed, starts, ahead):
+        for start, count in zip(starts, ahead, strict=True):
+            yield one(t[start : start + count + 1] - t[start], seen[start], speed[start])
+
+    return predict
 
 
-def exact(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-    s = t[q.size - 1 :] - t[q.size - 1]
-    return q[-1] * np.cos(2.0 * s) + qdot[-1] / 2.0 * np.sin(2.0 * s)
+persistence = each(lambda s, q, qdot: np.full(s.size, q))
+exact = each(lambda s, q, qdot: q * np.cos(2.0 * s) + qdot / 2.0 * np.sin(2.0 * s))
 
 
 def test_an_exact_model_errs_at_no_horizon() -> None:
@@ -42,13 +49,15 @@ def test_persistence_errs_by_the_change_over_the_horizon() -> None:
 
 
 def test_a_restart_that_diverges_counts_as_an_error_of_the_whole_range() -> None:
-    def fragile(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        return exact(t, v, q, qdot) if q[-1] > 0 else np.full(t.size, np.nan)
+    lost = each(lambda s, q, qdot: np.full(s.size, 0.0 if q > 0 else np.nan))
+
+    def fragile(*signals):
+        return (path + gone for path, gone in zip(exact(*signals), lost(*signals), strict=True))
 
     result = horizon_error(fragile, T, V, Q, QDOT, 0.1)
     assert 0 < result.diverged < result.starts
     assert result.nrmse == pytest.approx(np.sqrt(result.diverged / result.starts), rel=1e-9)
-    blind = horizon_error(lambda t, v, a, b: np.full(t.size, np.nan), T, V, Q, QDOT, 0.1)
+    blind = horizon_error(each(lambda s, q, qdot: np.full(s.size, np.nan)), T, V, Q, QDOT, 0.1)
     assert blind.nrmse is None and blind.diverged == blind.starts
 
 
@@ -69,15 +78,20 @@ def test_a_record_shorter_than_the_horizon_has_no_start() -> None:
     assert horizon_error(exact, T, V, Q, QDOT, 100.0).starts == 0
 
 
-def test_up_to_a_second_before_a_restart_is_shown_and_nothing_from_before_a_gap() -> None:
-    lengths: dict[int, int] = {}
+def test_all_of_the_measurement_before_a_restart_is_shown_but_for_what_is_before_unknown_inputs() -> None:
+    calls: list[tuple[FloatArray, FloatArray, list[int]]] = []
 
-    def shown(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        lengths[round(t[q.size - 1] / 0.01)] = q.size
-        return np.full(t.size - q.size + 1, q[-1])
+    def shown(t, v, seen, speed, starts, ahead):
+        calls.append((t, seen, starts.tolist()))
+        return persistence(t, v, seen, speed, starts, ahead)
 
-    horizon_error(shown, T, V, np.where(np.arange(1000) == 505, np.nan, Q), QDOT, 0.1)
-    assert [lengths[start] for start in (0, 50, 400, 500, 510, 600, 700)] == [1, 51, 101, 101, 5, 95, 101]
+    q, v = np.where((np.arange(1000) == 505) | (np.arange(1000) < 3), np.nan, Q), V.copy()
+    v[700:720] = np.nan
+    horizon_error(shown, T, v, q, QDOT, 0.1)
+    (t, seen, starts), (later, _, _) = calls
+    assert (t[0], t[-1], later[0], later[-1]) == (T[3], T[699], T[720], T[999])
+    np.testing.assert_array_equal(seen, q[3:700])
+    assert starts == list(range(7, 687, 10))
 
 
 def test_no_prediction_passes_where_the_inputs_are_not_known() -> None:
@@ -88,23 +102,12 @@ def test_no_prediction_passes_where_the_inputs_are_not_known() -> None:
     assert result.diverged == 0
 
 
-def test_of_a_slow_device_a_hundred_samples_before_a_restart_are_shown() -> None:
-    lengths: list[int] = []
-
-    def shown(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        lengths.append(q.size)
-        return np.full(t.size - q.size + 1, q[-1])
-
-    horizon_error(shown, 1000.0 * T, V, Q, QDOT / 1000.0, 10.0)
-    assert max(lengths) == 101
-
-
-def test_horizons_that_share_restarts_are_those_of_each_alone_from_fewer_predictions() -> None:
+def test_horizons_share_restarts_and_are_those_of_each_alone() -> None:
     asked: list[int] = []
 
-    def counted(t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
-        asked.append(t.size - q.size)
-        return persistence(t, v, q, qdot)
+    def counted(t, v, seen, speed, starts, ahead):
+        asked.extend(ahead.tolist())
+        return persistence(t, v, seen, speed, starts, ahead)
 
     q = np.where(np.arange(1000) % 97 == 5, np.nan, Q)
     path = MeasuredPath(T, V, q, QDOT)
@@ -114,3 +117,11 @@ def test_horizons_that_share_restarts_are_those_of_each_alone_from_fewer_predict
     alone = [horizon_errors(counted, path, [h], joint=True, most_starts=9)[0] for h in (0.01, 0.1, 1.0)]
     assert together == alone
     assert made < len(asked) == sum(error.starts for error in alone)
+
+
+def test_predictions_stand_at_the_samples_that_they_are_for() -> None:
+    q = np.where(np.arange(1000) == 500, np.nan, Q)
+    ahead = predicted(exact, MeasuredPath(T, V, q, QDOT), 7)
+    unknown = np.isin(np.arange(1000), [*range(7), 500, 507])
+    assert np.array_equal(np.isnan(ahead), unknown)
+    np.testing.assert_allclose(ahead[~unknown], Q[~unknown], atol=1e-12)

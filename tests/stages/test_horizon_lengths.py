@@ -16,8 +16,8 @@ class Still:
     def simulate(self, t, v, q0, qdot0):
         raise AssertionError("predicts from what it was shown")
 
-    def predict(self, t, v, q, qdot):
-        return np.full(t.size - q.size + 1, q[-1])
+    def predict(self, t, v, seen, speed, starts, ahead):
+        return (np.full(count + 1, seen[start]) for start, count in zip(starts, ahead, strict=True))
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.hybrid.identify`.
 """
 
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Annotated, Any, ClassVar, Self
@@ -20,12 +21,12 @@ from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
 from pipeline.models.hybrid.kernels import CURVES
 from pipeline.models.hybrid.problem import CondensedJoint, age_at, simulate
-from pipeline.models.hybrid.runs import BATCH, Followed, follow_path
+from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, continued_runs, follow_path
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.statics import static_curves, substeps
 from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table
 from pipeline.models.tube_scales import TubePart
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.signals.decimation_kernel import filtered_samples
 
@@ -137,15 +138,21 @@ class HybridModel:
             return FreeRun(t, q, qdot, qddot, "diverged", float(t[diverged[0]]))
         return FreeRun(t, q, qdot, qddot, "ok")
 
-    @checked
-    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows; see `pipeline.models.base.predictor`.
+    def predict(
+        self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
+    ) -> Iterator[FloatArray]:
+        """Predictions after an observer has held the joint; see `pipeline.models.base.Predicts`.
 
-        An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
+        The observer's pole is one over the sample interval; where nothing was measured it rests.
         """
-        states = self._simulate(None, t, v, np.array([seen[0], speed[0]]), seen)[0]
-        q: FloatArray = states[len(seen) - 1 :, 0]
-        return q
+        joint, known = self.joint, np.isfinite(seen)
+        k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
+        reading = CubicSpline(t - t[0], bridged(seen, known))(fine)
+        followed = Followed(reading, (known & np.append(known[1:], False)) / dt)
+        start = np.array([seen[0], speed[0], age_at(t)])
+        driving = Driving(u[None], np.zeros(1, np.int64), np.array([joint.instruments(self.theta).offset]), start)
+        laws = Laws(k[None], weights[None], joint.basis)
+        return continued_runs(laws, driving, followed, joint.stepping(dt, steps), starts, ahead)
 
     @checked
     def simulate_draws(
@@ -279,13 +286,10 @@ class HybridModel:
         spreads = file.spread, file.band_spread, file.curve_spread
         return cls(joint, file.theta, *spreads, file.diagnostics, file.tube.scale())
 
-    def _simulate(
-        self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray,
-        held: FloatArray | None = None,
-    ) -> FloatArray:  # fmt: skip
-        """Runs of several θ (None: the fit's) from one state, shape (2,), or of one from several, shape (B, 2).
+    def _simulate(self, thetas: FloatArray | None, t: FloatArray, v: FloatArray, start: FloatArray) -> FloatArray:
+        """Free runs of several θ (None: the fit's) from one state, shape (2,), or of one from several, shape (B, 2).
 
-        Shape (B, N, 3); free but where an observer has `held` them near a q.
+        Shape (B, N, 3).
         """
         dt, age = sample_interval(t), np.full((*start.shape[:-1], 1), age_at(t))
         start = np.concatenate([start, age], axis=-1)
@@ -301,13 +305,7 @@ class HybridModel:
         if start.ndim > 1:
             thetas, *parts = (np.repeat(each, len(start), axis=0) for each in (thetas, *built))
             built = parts[0], parts[1]
-        pole, path = np.zeros(len(t)), np.zeros(0)
-        if held is not None and len(held) > 1:
-            last = len(held) - 1
-            pole[:last] = 1.0 / dt
-            nodes = np.arange(2.0 * steps * (len(t) - 1) + 1.0) / (2 * steps)
-            path = CubicSpline(np.arange(last + 1.0), held)(np.minimum(nodes, last))
-        followed, stepping = Followed(path, pole), self.joint.stepping(dt, steps)
+        followed, stepping = Followed(np.zeros(0), np.zeros(len(t))), self.joint.stepping(dt, steps)
         if not driving.refined:
             return simulate(self.joint, thetas, inputs, start, followed, stepping, built=built)
         # Samples of a log that is known between them have been low-pass filtered, so these are too.

@@ -34,7 +34,7 @@ from pipeline.models.kind import Kind, Training
 from pipeline.models.model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table
 from pipeline.models.paper.lag_search import LagSearch, LagStretch, search_lag
 from pipeline.models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.signals.trajectory import Trajectory, operating_range
 from pipeline.solvers.fixed_step import escape_bounds, run_status, steps_per_sample
@@ -122,12 +122,14 @@ class RbfPaperModel(ModelFile):
         status, diverged_at = run_status(t, valid)
         return FreeRun(t, states[:, 0].copy(), states[:, 1].copy(), states[:, 2].copy(), status, diverged_at)
 
-    @checked
-    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows, friction filtered from their velocity; see `models.base.predictor`."""
-        last = len(seen) - 1
-        z, _ = first_order_lag(np.ascontiguousarray(speed), sample_interval(t), self.lag_s)
-        return self._run(t[last:], v[last:], (float(seen[-1]), float(speed[-1]), float(z[-1])))[0][:, 0]
+    def predict(
+        self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
+    ) -> Iterator[FloatArray]:
+        """Predictions with friction filtered from the measured velocity; see `pipeline.models.base.Predicts`."""
+        z, _ = first_order_lag(bridged(speed, np.isfinite(speed)), sample_interval(t), self.lag_s)
+        for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
+            rows = slice(start, start + count + 1)
+            yield self._run(t[rows], v[rows], (float(seen[start]), float(speed[start]), float(z[start])))[0][:, 0]
 
     def _run(self, t: FloatArray, v: FloatArray, start: tuple[float, ...]) -> tuple[FloatArray, int]:
         interval = sample_interval(t)

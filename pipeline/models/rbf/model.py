@@ -1,9 +1,11 @@
 """The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
 
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
 from pipeline.codegen.graph import trace
@@ -20,7 +22,7 @@ from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import steps_per_sample
 from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointStructure
 from pipeline.models.tube_scales import TubePart
-from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.solvers.fixed_step import run_status
 
@@ -141,25 +143,26 @@ class RbfModel:
         Hidden states start at rest under the first inputs.
         """
         s = self.parameters.scales
-        still = np.zeros(len(t))
-        states, valid = self._run(self.theta, t, v, still, 0.0, ((q0 - s.middle) / s.half, qdot0 / s.half))
+        states, valid = self._run(self.theta, t, v, _free(len(t)), ((q0 - s.middle) / s.half, qdot0 / s.half))
         status, diverged_at = run_status(t, valid)
         q, qdot, qddot = s.middle + s.half * states[:, 0], s.half * states[:, 1], s.half * states[:, 2]
         return FreeRun(t, q, qdot, qddot, status, diverged_at)
 
-    @checked
-    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows; see `pipeline.models.base.predictor`.
+    def predict(
+        self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
+    ) -> Iterator[FloatArray]:
+        """Predictions after an observer has held the joint; see `pipeline.models.base.Predicts`.
 
-        An observer, whose pole is one over the sample interval, holds the joint near the measurement and then lets go.
+        The observer's pole is one over the sample interval; where nothing was measured it rests.
         """
-        s, last = self.parameters.scales, len(seen) - 1
-        x = (np.concatenate([seen, np.full(len(t) - last - 1, seen[-1])]) - s.middle) / s.half
-        observe = (np.arange(len(t)) <= last).astype(np.float64)
-        start = (float(x[0]), float(speed[0]) / s.half)
-        states, _ = self._run(self.theta, t, v, x, 1.0 / sample_interval(t), start, observe)
-        q: FloatArray = s.middle + s.half * states[last:, 0]
-        return q
+        s, interval, known = self.parameters.scales, sample_interval(t), np.isfinite(seen)
+        x = (bridged(seen, known) - s.middle) / s.half
+        driven = _Driven(self.parameters, self.theta, v, interval)
+        begin = (float(x[0]), float(speed[0]) / s.half)
+        held, _ = driven.run(Coupling(x, known.astype(np.float64), 1.0 / interval), begin)
+        for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
+            states, _ = driven.run(_free(count + 1), np.delete(held[start], 2), start)
+            yield s.middle + s.half * states[:, 0]
 
     @checked
     def simulate_draws(
@@ -174,10 +177,9 @@ class RbfModel:
         theta : FloatArray, shape (count, P)
             The draws.
         """
-        s, still = self.parameters.scales, np.zeros(len(t))
-        draws = self.draws(count)
+        s, draws = self.parameters.scales, self.draws(count)
         start = ((q0 - s.middle) / s.half, qdot0 / s.half)
-        runs = [self._run(theta, t, v, still, 0.0, start)[0][:, 0] for theta in draws]
+        runs = [self._run(theta, t, v, _free(len(t)), start)[0][:, 0] for theta in draws]
         return s.middle + s.half * np.array(runs), draws
 
     @checked
@@ -185,8 +187,8 @@ class RbfModel:
         """Acceleration [m/s²] along a measured path, hidden states from an observer that follows the path."""
         p, s = self.parameters, self.parameters.scales
         x, speed = (q - s.middle) / s.half, qdot / s.half
-        gain = PATH_OBSERVER_GAIN * s.frequency
-        states, _ = self._run(self.theta, t, v, x, gain, (float(x[0]), float(speed[0])))
+        coupling = Coupling(x, np.ones(len(t)), PATH_OBSERVER_GAIN * s.frequency)
+        states, _ = self._run(self.theta, t, v, coupling, (float(x[0]), float(speed[0])))
         c = p.coefficients(self.theta)
         steps = steps_per_sample(p, sample_interval(t), self.theta)
         u, _ = p.inputs(v, sample_interval(t), steps, self.theta)
@@ -273,17 +275,9 @@ class RbfModel:
         )
 
     def _run(
-        self, theta: FloatArray, t: FloatArray, v: FloatArray, x: FloatArray, gain: float, start: tuple[float, float],
-        observe: FloatArray | None = None,
-    ) -> tuple[FloatArray, int]:  # fmt: skip
-        p, interval = self.parameters, sample_interval(t)
-        steps = steps_per_sample(p, interval, theta)
-        u, du = p.inputs(v, interval, steps, theta)
-        begin = (float(start[0]), float(start[1]))
-        c, observe = p.coefficients(theta), np.ones(len(t)) if observe is None else observe
-        drive, coupling = Drive(u, du, p.at_rest(u, theta), p.held), Coupling(x, observe, gain)
-        states, _, valid = observed_run(c, drive, coupling, begin, interval, steps, no_sensitivities())
-        return states, valid
+        self, theta: FloatArray, t: FloatArray, v: FloatArray, coupling: Coupling, start: tuple[float, float]
+    ) -> tuple[FloatArray, int]:
+        return _Driven(self.parameters, theta, v, sample_interval(t)).run(coupling, start)
 
     def _of_stops(self, c: Coefficients, x: FloatArray, speed: FloatArray) -> FloatArray:
         """Force of the end stops, shape (n,)."""
@@ -320,6 +314,31 @@ class RbfModel:
             else:
                 result[f"g{k + 1}"] = self.mass * s.half / s.volts * gains[:, k]
         return result
+
+
+class _Driven:
+    """A joint under the inputs of a log."""
+
+    def __init__(self, parameters: ParameterLayout, theta: FloatArray, v: FloatArray, interval: float) -> None:
+        self._c, self._interval = parameters.coefficients(theta), interval
+        self._steps = steps_per_sample(parameters, interval, theta)
+        u, du = parameters.inputs(v, interval, self._steps, theta)
+        self._drive = Drive(u, du, parameters.at_rest(u, theta), parameters.held)
+
+    def run(self, coupling: Coupling, start: ArrayLike, row: int = 0) -> tuple[FloatArray, int]:
+        """States from a row of the log on, and valid samples; see `observed_run`."""
+        first, last = (2 * self._steps * sample for sample in (row, row + len(coupling.measured) - 1))
+        u, du, rested, held = self._drive
+        drive = Drive(u[first : last + 1], du[:, first : last + 1], rested, held)
+        states, _, valid = observed_run(
+            self._c, drive, coupling, start, self._interval, self._steps, no_sensitivities()
+        )
+        return states, valid
+
+
+def _free(samples: int) -> Coupling:
+    """No coupling."""
+    return Coupling(np.zeros(samples), np.zeros(samples), 0.0)
 
 
 def _equation_of_motion(structure: JointStructure) -> str:

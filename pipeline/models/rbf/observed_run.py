@@ -11,6 +11,7 @@ Sensitivities are those of the discrete scheme itself, so Gauss-Newton sees the 
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pipeline.models.rbf.coefficients import (
     FORCE,
@@ -214,7 +215,7 @@ def _rested(
 
 
 def observed_run(
-    c: Coefficients, drive: Drive, coupling: Coupling, start: tuple[float, float], interval: float, steps: int,
+    c: Coefficients, drive: Drive, coupling: Coupling, start: ArrayLike, interval: float, steps: int,
     wrt: SensitivityParameters,
 ) -> tuple[FloatArray, FloatArray, int]:  # fmt: skip
     """Integrate the joint over a record, coupled to the measurement by an observer.
@@ -227,8 +228,8 @@ def observed_run(
         Its inputs.
     coupling : Coupling
         The measurement.
-    start : (float, float)
-        x(0), p(0) [1/s].
+    start : sequence of 2 or 2 + L + D floats
+        x(0), p(0) [1/s], and the hidden states w and s, at rest where left out.
     interval : float
         Sample interval [s].
     steps : int
@@ -252,9 +253,12 @@ def observed_run(
     states = np.full((count, 3 + elements + slips), np.nan)
     sensitivity = np.zeros((count, parameters))
     change = du[:, 0] if np.all(rested == u[0]) else np.zeros_like(du[:, 0])  # offsets of resting inputs are small
-    w, w_sensitivity = _rested(start[0], rested, np.ascontiguousarray(change), c, wrt)
-    x = np.concatenate([start, w, np.zeros(2 * parameters), w_sensitivity.ravel()])
+    start = np.asarray(start, dtype=np.float64)
+    w, w_sensitivity = _rested(float(start[0]), rested, np.ascontiguousarray(change), c, wrt)
     slip = np.zeros((slips, 1 + parameters))
+    if len(start) > 2:
+        w, slip[:, 0] = start[2 : 2 + elements], start[2 + elements :]
+    x = np.concatenate([start[:2], w, np.zeros(2 * parameters), w_sensitivity.ravel()])
     basis, slopes, curvatures = np.zeros(c.curves.shape[1]), np.zeros(c.curves.shape[1]), np.zeros(len(c.centres))
     values, changes, by_curve = np.zeros((3, len(c.curves)))
     system = ObservedJoint(

@@ -18,7 +18,7 @@ from pipeline.models.rbf.coefficients import basis_rows, no_sensitivities
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import drive_at_nodes, known_inputs, spline_through
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray, bridged
 from pipeline.signals.noise import noise_std
 from pipeline.signals.trajectory import Record
 
@@ -105,13 +105,6 @@ def steps_per_sample(p: ParameterLayout, interval: float, theta: FloatArray, ste
             f"the model moves {interval * rate:.3g} steps in a sample interval of {interval:g} s; resample"
         )
     return max(1, int(np.ceil(interval * rate)))
-
-
-def bridged(values: FloatArray, valid: FloatArray) -> FloatArray:
-    """`values` with the samples that are not valid replaced by a line across them."""
-    samples = np.arange(len(values))
-    keep = valid > 0.0
-    return np.interp(samples, samples[keep], values[keep])
 
 
 _NUDGE = 1e-9
@@ -313,7 +306,7 @@ def _log(p: ParameterLayout, record: Record, free_after: float | None, step: flo
     s, hold, past = p.scales, p.structure.hold, 0
     every = min(thinning, max(1, int(step / (s.frequency * record.interval))))
     observe = record.valid[::every].astype(np.float64)
-    measured = bridged((record.q - s.middle) / s.half, record.valid.astype(np.float64))[::every]
+    measured = bridged((record.q - s.middle) / s.half, record.valid)[::every]
     inputs = record.drive if hold == "record" else record.v
     if record.past is not None and (p.structure.input_lag or p.structure.input_delay):
         before = record.past if hold == "record" or record.past.ndim == 2 else record.past[:, 0]

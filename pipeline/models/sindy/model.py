@@ -1,6 +1,6 @@
 """SINDy behind the model interface: a sparse polynomial equation, printed with units, simulated by our integrator."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -23,7 +23,7 @@ from pipeline.models.polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
-from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
+from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.cross_validation import mean_over_folds
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.fixed_step import run_status
@@ -101,14 +101,16 @@ class SindyModel:
         status, diverged_at = run_status(t, reached)
         return FreeRun(t, path[:, 0].copy(), path[:, 1].copy(), path[:, 2].copy(), status, diverged_at)
 
-    @checked
-    def predict(self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray) -> FloatArray:
-        """Prediction after measured rows, lag states filtered from their signals; see `models.base.predictor`."""
-        last, dt, lags = len(seen) - 1, sample_interval(t), len(self.dynamics.lags)
-        followed = scaled_variables(self.dynamics, _at_samples(v[: last + 1]), seen, speed, dt)
-        z = followed[-1, followed.shape[1] - lags :]
-        path, _ = free_run(self.dynamics, v[last:], dt, float(seen[-1]), float(speed[-1]), z)
-        return path[:, 0]
+    def predict(
+        self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
+    ) -> Iterator[FloatArray]:
+        """Predictions with lag states filtered from the measured signals; see `pipeline.models.base.Predicts`."""
+        dt, lags, known = sample_interval(t), len(self.dynamics.lags), np.isfinite(seen) & np.isfinite(speed)
+        followed = scaled_variables(self.dynamics, _at_samples(v), bridged(seen, known), bridged(speed, known), dt)
+        states = followed[:, followed.shape[1] - lags :]
+        for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
+            rows, begin = slice(start, start + count + 1), (float(seen[start]), float(speed[start]))
+            yield free_run(self.dynamics, v[rows], dt, *begin, states[start])[0][:, 0]
 
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:

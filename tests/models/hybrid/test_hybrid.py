@@ -409,17 +409,28 @@ def test_data_alone_where_no_hybrid_joint_can_be_tied_to_the_logs() -> None:
 
 def test_hidden_states_come_from_the_measurement_before_a_restart() -> None:
     """In the midst of its own motion a joint goes on as it did, where one that had rested before goes another way."""
-    truth, errors = joint(PLANTED), []
-    t, v = pulses(3, 9.0)
+    truth, (t, v), ahead = joint(PLANTED), pulses(3, 9.0), np.array([15])
     moving = truth.simulate(t, v, -0.0105, 0.0)
-    for before in (100, 0):
-        apart = []
-        for start in range(110, 880, 40):
-            seen, rows = slice(start - before, start + 1), slice(start - before, start + 16)
-            found = predictor(truth)(t[rows], v[rows], moving.q[seen], moving.qdot[seen])
-            apart.append(float(np.max(np.abs(found - moving.q[start : start + 16]))))
-        errors.append(float(np.median(apart)))
-    assert errors[0] < 0.25 * errors[1], errors  # what creeps for longer than a second stays unknown
+    seen, starts = moving.q.copy(), np.arange(110, 880, 40)
+    seen[335:346] = np.nan
+    shown = predictor(truth)(t, v, seen, moving.qdot, starts, np.repeat(ahead, len(starts)))
+    errors = []
+    for start, run in zip(starts, shown, strict=True):
+        rows = slice(start, start + 16)
+        (rested,) = predictor(truth)(t[rows], v[rows], seen[rows], moving.qdot[rows], np.zeros(1, np.int64), ahead)
+        errors.append([float(np.max(np.abs(path - moving.q[rows]))) for path in (run, rested)])
+    after, rested = np.median(errors, axis=0)
+    assert after < 0.02 * rested
+    assert np.max(errors, axis=0)[0] < 1e-3 * np.ptp(moving.q)
+
+
+def test_a_restart_is_the_same_whatever_other_restarts_there_are(identified: tuple[HybridModel, HybridModel]) -> None:
+    model, unseen, starts = identified[1], log(identified[0], 2), np.array([0, 40, 300, 301])
+    path = unseen.t, unseen.v, unseen.q, unseen.qdot
+    runs = [*model.predict(*path, starts, np.array([5, 400, 0, 20]))]
+    assert [len(run) for run in runs] == [6, 401, 1, 21]
+    (alone,) = model.predict(*path, starts[-1:], np.array([20]))
+    np.testing.assert_allclose(runs[-1], alone, atol=1e-9)
 
 
 def test_equations_that_miss_one_passage_stay_before_a_network_that_follows_less_well() -> None:

@@ -468,11 +468,25 @@ def test_the_sign_of_a_gain_is_that_at_the_time_constant_which_is_given():
 def test_hidden_states_come_from_the_measurement_before_a_restart():
     truth, errors = planted(), []
     moving = log(truth, 12, noise=0.0)
-    for seen in (slice(200, 301), slice(300, 301)):
-        rows = slice(seen.start, 316)
-        found = truth.predict(moving.t[rows], moving.v[rows], moving.q[seen], moving.qdot[seen])
+    for first in (0, 300):
+        rows, start = slice(first, 316), np.array([300 - first])
+        signals = (moving.t[rows], moving.v[rows], moving.q[rows], moving.qdot[rows])
+        (found,) = truth.predict(*signals, start, np.array([15]))
         errors.append(float(np.max(np.abs(found - moving.q[300:316]))))
     assert errors[0] < min(1e-4, 0.1 * errors[1]), errors
+
+
+def test_restarts_along_a_log_go_on_from_the_free_run_of_the_truth():
+    """Hidden states come through a gap in the measurement, and each restart is what it is alone."""
+    truth = planted()
+    moving = log(truth, 12, noise=0.0)
+    seen, starts, ahead = moving.q.copy(), np.array([150, 300]), np.array([20, 15])
+    seen[220:240] = np.nan
+    runs = [*truth.predict(moving.t, moving.v, seen, moving.qdot, starts, ahead)]
+    for start, run in zip(starts, runs, strict=True):
+        np.testing.assert_allclose(run, moving.q[start : start + len(run)], atol=1e-4)
+    (alone,) = truth.predict(moving.t, moving.v, seen, moving.qdot, starts[1:], ahead[1:])
+    np.testing.assert_allclose(runs[1], alone, atol=1e-12)
 
 
 def seen(seed, *, bend=0.0, shift=0.0, weaker=1.0, n=1000):

@@ -8,8 +8,9 @@ from pipeline.models.rbf.coefficients import FORCE, basis_rows, no_sensitivities
 from pipeline.models.rbf.dynamics import free_rates, slide
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.problem import JointProblem, bridged
+from pipeline.models.rbf.problem import JointProblem
 from pipeline.models.rbf.structure import JointScales, JointStructure
+from pipeline.numerics.arrays import bridged
 from pipeline.signals.trajectory import Record
 
 SCALES = JointScales(middle=0.0, half=0.02, volts=3000.0, stiffness=50.0)
@@ -217,5 +218,5 @@ def test_a_gap_is_bridged_and_left_out_of_the_residual():
     residual = JointProblem(p, [broken]).residual(theta, 1.0)
     assert len(residual) == 185
     assert np.isfinite(residual).all()
-    line = bridged(broken.q, valid.astype(float))
+    line = bridged(broken.q, valid)
     assert np.diff(line[80:95]) == pytest.approx(np.diff(line[80:95]).mean())
