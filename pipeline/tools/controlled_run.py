@@ -12,8 +12,7 @@ from pipeline.device_facts.converters import converter_lag
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
-from pipeline.loading.held_models import WORST, controlled_model, failed_validations
-from pipeline.loading.run_models import load_run_model
+from pipeline.loading.run_models import WORST, controlled_model, failed_validations, load_run_model
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
