@@ -24,8 +24,7 @@ from joints import OCTAVE, CompiledModel, half_steps  # noqa: E402
 
 from pipeline.export.sources import write_matlab  # noqa: E402
 from pipeline.export.subject import Subject, curve_tables  # noqa: E402
-from pipeline.loading.held_models import identified_models  # noqa: E402
-from pipeline.loading.run_models import subject  # noqa: E402
+from pipeline.loading.run_models import identified_models, subject  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
 from pipeline.settings import parse_prototype  # noqa: E402

@@ -3,7 +3,8 @@
 `python benchmarks/control_disturbances.py RIG=RUN …`: for each folder of `debist rig simulate` and the run that was
 identified from it, the controller of the run against the joint itself, with its own converters and laser. Printed are a
 line for each joint with its misses, and the table. About 20 s of processor time a joint. On a joint of another size
-(`debist rig simulate --size`) forces grow with the third power of the size and lengths with the first.
+(`debist rig simulate --size`) forces grow with the third power of the size, lengths with the first, and the time to
+settle with its root.
 """
 
 import json
@@ -23,7 +24,7 @@ from pipeline.control.plant import ControlledJoint
 from pipeline.control.step_metrics import one_step
 from pipeline.errors import DebistError
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.rig.joint import rest
 from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
 from pipeline.rig.random_joint import aged
@@ -37,6 +38,11 @@ STEPS = {f"{1e3 * force:g} mN": force for force in (5e-3, -5e-3)}
 FRICTIONS = (1.0, 0.1)
 GAINS = (0.85, 1.15)
 STIFFER = (-0.1, -0.05, 0.05)  # share of the beam's stiffness, which moves the wells
+OTHERS: dict[str, dict[str, float]] = {
+    "mass × 0.8": {"mass": 0.8}, "mass × 1.2": {"mass": 1.2}, "voltages × 0.85": {"gain": 0.85},
+    "voltages × 1.15": {"gain": 1.15}, "converters of 2.5 kV": {"highest": 2500.0},
+}  # fmt: skip
+IMPULSES = (1e-3, -1e-3, 3e-3, -3e-3)  # N s
 
 
 Row = tuple[str, float, bool]
@@ -87,6 +93,22 @@ def off(run: ClosedLoop, last: float = 1.0) -> FloatArray:
     """Distance q − target [m] in the last seconds."""
     late = run.t >= run.t[-1] - last
     return np.asarray((run.true_q - run.target)[late])
+
+
+def settling(run: ClosedLoop, part: BoolArray, target: float, distance: float) -> float:
+    """Settling time [s] in a part of a run; infinite if it does not settle."""
+    step = one_step(run.t[part], run.true_q[part], target, distance)
+    return np.inf if step.settling_s is None else step.settling_s
+
+
+def snaps(one: Tested, count: int, each: float, **other: object) -> list[float]:
+    """Settling times [s] of snaps to right and left in turn, from the left well, every `each` seconds."""
+    left, _, right = one.places
+    ways, begin = (right, left), 0.3 + each * np.arange(count)
+    targets = {0.0: left} | {float(t): ways[i % 2] for i, t in enumerate(begin)}
+    run = one.run(targets, 0.3 + count * each, **other)
+    parts = [(run.t >= t) & (run.t < t + min(each, 3.0)) for t in begin]
+    return [settling(run, part, ways[i % 2], right - left) for i, part in enumerate(parts)]
 
 
 def saddles(one: Tested) -> Iterator[Row]:
@@ -140,14 +162,9 @@ def ramps(one: Tested) -> Iterator[Row]:
 def wells(one: Tested) -> Iterator[Row]:
     """Settling [s], voltage at rest [V], and what loads leave [m]."""
     left, _, right = one.places
-    run = one.run({0.0: left, **{0.3 + 2.0 * i: (right, left)[i % 2] for i in range(6)}}, 12.3)
-    times = []
-    for i in range(6):
-        part = (run.t >= 0.3 + 2.0 * i) & (run.t < 1.8 + 2.0 * i)
-        step = one_step(run.t[part], run.true_q[part], (right, left)[i % 2], right - left)
-        times.append(np.inf if step.settling_s is None else step.settling_s)
-    yield "snaps, median settling", float(np.median(times)), float(np.median(times)) <= SETTLED
-    yield "snaps, slowest", max(times), max(times) <= SETTLED
+    times, longest = snaps(one, 6, 2.0), SETTLED * one.size**0.5
+    yield "snaps, median settling", float(np.median(times)), float(np.median(times)) <= longest
+    yield "snaps, slowest", max(times), max(times) <= longest
     rates = []
     for well, side in ((left, -1), (right, 1)):
         name = "left" if side < 0 else "right"
@@ -166,17 +183,24 @@ def wells(one: Tested) -> Iterator[Row]:
 
 def drifts(one: Tested) -> Iterator[Row]:
     """Slowest settling [s] of four snaps after the beam's stiffness has changed, which moves the wells."""
-    left, _, right = one.places
     for change in STIFFER:
         moved, _ = aged(one.joint.parameters, one.joint.bench, 1.0, {"stiffness": change})
-        drifted = replace(one, joint=replace(one.joint, parameters=moved), starts={})
-        run = drifted.run({0.0: left, **{0.3 + 3.0 * i: (right, left)[i % 2] for i in range(4)}}, 12.3)
-        times = []
-        for i in range(4):
-            part = (run.t >= 0.3 + 3.0 * i) & (run.t < 3.3 + 3.0 * i)
-            step = one_step(run.t[part], run.true_q[part], (right, left)[i % 2], right - left)
-            times.append(np.inf if step.settling_s is None else step.settling_s)
-        yield f"snaps, beam {100 * change:+g} % stiff, slowest settling", max(times), max(times) <= DRIFTED
+        slowest = max(snaps(replace(one, joint=replace(one.joint, parameters=moved), starts={}), 4, 3.0))
+        yield f"snaps, beam {100 * change:+g} % stiff, slowest settling", slowest, slowest <= DRIFTED
+
+
+def others(one: Tested) -> Iterator[Row]:
+    """Slowest settling [s] of four snaps of a joint or converters that differ, and of a well after an impulse."""
+    left, _, right = one.places
+    for name, other in OTHERS.items():
+        slowest = max(snaps(one, 4, 3.0, **other))
+        yield f"snaps, {name}, slowest settling", slowest, slowest <= DRIFTED
+    for well, side in ((left, -1), (right, 1)):
+        name = "left" if side < 0 else "right"
+        for impulse in IMPULSES:
+            run = one.run({0.0: well}, 3.0, side, pushes=((0.5, impulse / 0.02 * one.newton, 0.02),))
+            seconds = settling(run, run.t >= 0.5, well, right - left)
+            yield f"{name} well, impulse {1e3 * impulse:g} mN s, settling", seconds, seconds <= DRIFTED
 
 
 def print_table(joints: dict[str, dict[str, tuple[float, bool]]]) -> None:
@@ -211,4 +235,4 @@ def main(measures: tuple[Callable[[Tested], Iterator[Row]], ...]) -> None:
 
 
 if __name__ == "__main__":
-    main((wells, saddles, ramps, drifts))
+    main((wells, saddles, ramps, drifts, others))

@@ -2,7 +2,7 @@
 
 `python benchmarks/control_pulses.py RIG=RUN …`, arguments and output as of `control_disturbances.py`: for each joint
 the pulses of `debist control pulse` played on the joint itself, its snaps by feedback, the lowest voltages of plain
-pulses, and snaps with less voltage than a slow ramp needs. About 80 s of processor time a joint.
+pulses, and snaps with less voltage than a slow ramp needs. About 100 s of processor time a joint.
 """
 
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ from pipeline.control.design import Settings
 from pipeline.control.design import design as design_law
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import Step, one_step
-from pipeline.control.switching_map import lowest_voltage, pulses
+from pipeline.control.switching_map import lowest_voltage, pulses, switching_map
 from pipeline.errors import DebistError
 from pipeline.names import Goal, Well
 from pipeline.numerics.arrays import FloatArray
@@ -27,6 +27,7 @@ TOP = 3000.0  # V
 LENGTHS = (0.1, 0.2)  # s, of the pulses whose lowest voltage is looked for
 REACH, HALVINGS = 0.06, 8  # of its logarithm
 SLOWER, MORE = 1.05, 1.3  # wanted at most: settling over the pulse's, and charge over a plain pulse's
+BORDER, DOUBT = 8, 0.1  # cells of a map on each side of its border, and the largest Brier score there
 RAMP, SHARE = 60.0, 0.85  # s to 3 kV, and the share of the voltage at which such a ramp switches
 WAYS: tuple[Well, Well] = ("right", "left")
 
@@ -93,6 +94,22 @@ def thresholds(one: Tested) -> Iterator[Row]:
             yield f"lowest voltage, {length} s to the {to}: error", abs(error), predicted.low <= found <= predicted.high
 
 
+def maps(one: Tested) -> Iterator[Row]:
+    """Brier score of the map of plain pulses, in cells on both sides of its border."""
+    for side, to in enumerate(WAYS):
+        joint = with_draws(one.model, one.converters, one.places, to)
+        chart = switching_map(joint, one.places, to)
+        border = np.argwhere(np.diff(chart.probability > 0.5, axis=0))
+        below = np.random.default_rng(7).permutation(border)[:BORDER]
+        errors = []
+        for volts, length in np.concatenate([below, below + np.array([1, 0])]):
+            u = pulses(chart.voltages[[volts]], chart.durations[[length]], side)[0]
+            switched = (play(one, u, to).true_q[-1] > 0.0) == (to == "right")
+            errors.append((chart.probability[volts, length] - switched) ** 2)
+        score = float(np.mean(errors))
+        yield f"map to the {to}, Brier score at its border", score, score < DOUBT
+
+
 def swings(one: Tested) -> Iterator[Row]:
     """Time [s] in which feedback switches with less voltage than a slow ramp does."""
     for side, to in enumerate(WAYS):
@@ -111,4 +128,4 @@ def swings(one: Tested) -> Iterator[Row]:
 
 
 if __name__ == "__main__":
-    main((snaps, thresholds, swings))
+    main((snaps, thresholds, maps, swings))

@@ -24,8 +24,7 @@ from pipeline.rig.joint import simulate
 from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table, read_table
-from pipeline.scoring.outcomes import SURE
-from pipeline.scoring.wells import rests
+from pipeline.scoring.wells import SURE, rests
 
 WRONG_VOLTAGES = (-0.01, -0.005, -0.002, -0.001, 0.001, 0.002, 0.005, 0.01)
 INTERVAL = 0.01  # s

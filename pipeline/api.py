@@ -74,7 +74,7 @@ class Run:
     @property
     def models(self) -> list[str]:
         """Names of the identified models, the headline first, and of the baselines that the run holds."""
-        from pipeline.loading.held_models import compared_models, identified_models
+        from pipeline.loading.run_models import compared_models, identified_models
 
         source = (self._folder, self._prototype)
         return [*identified_models(*source), *compared_models(*source)]

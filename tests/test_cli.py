@@ -12,7 +12,7 @@ from cli import app
 from pipeline.batch.worker import Outcome
 from pipeline.commands.console import printable, progress_report, working
 from pipeline.commands.outcome import BatchProgress
-from pipeline.loading.held_models import TITLES
+from pipeline.loading.run_models import TITLES
 from pipeline.runs import layout
 from pipeline.runs.schemas import STUDIES
 from tests.prototypes import SMALL, SMALL_CSV

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.errors import InputError
+from pipeline.loading.prior_knowledge import read_siblings
 from pipeline.loading.report_data import load_scores
-from pipeline.loading.siblings import read_siblings
 from pipeline.names import slug
 from pipeline.runs.atomic import write_text
 from pipeline.settings import parse_prototype

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _NOTHING_KEPT = "no step was finished yet; the same command starts again"
 _PIPE_COLUMNS = 160
-_SENTENCE = 18  # columns from which a text may be wrapped
+_SENTENCE = 21  # columns of the longest name of a model; longer texts may be wrapped
 _GAP = 2  # columns between two of a table
 COST = {"ingest": 1.0, "check": 0.5, "differentiate": 1.0, "identify": 10.0, "validate": 0.5, "compare": 2.0}
 """Processor time [s] of a task of each stage on a log of 37.5 s at 30 kHz, roughly; 1 s for the others. Only what is

@@ -9,7 +9,9 @@ import typer
 
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
+from pipeline.errors import InputError
 from pipeline.names import Goal, Well
+from pipeline.units import parse_quantity
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
 
@@ -69,7 +71,6 @@ def linearise(
     poles. Example: debist control linearise runs/P1 --v1 1kV
     """
     from pipeline.tools import linear_models
-    from pipeline.units import parse_quantity
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
     with Progress(quiet=quiet) as progress:
@@ -213,8 +214,6 @@ def _margins(margins: Any) -> str:
 
 def _limited(limits: VoltageLimits, lag: str | None) -> Any:
     """The settings of a controller."""
-    from pipeline.errors import InputError
-    from pipeline.units import parse_quantity
 
     def value(text: str | None, unit: str, name: str) -> float | None:
         """A limit in SI."""
@@ -229,9 +228,7 @@ def _limited(limits: VoltageLimits, lag: str | None) -> Any:
 
 
 def _settings(max_voltage: str | None, lag: str | None) -> Any:
-    from pipeline.errors import InputError
     from pipeline.tools.controlled_run import ControlSettings
-    from pipeline.units import parse_quantity
 
     most = None if max_voltage is None else parse_quantity(max_voltage, ("V",), "--max-voltage")
     seconds = None if lag is None else parse_quantity(lag, ("s",), "--lag")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from pipeline.commands.console import Json, Progress, Quiet, Run, emit_json, emit_table, printable
-from pipeline.errors import InputError
+from pipeline.errors import CorruptArtifactError, InputError
 
 if TYPE_CHECKING:
     from pipeline.tools.verify import Verified, VerifiedRun
@@ -100,8 +100,6 @@ def _state(checked: "Verified") -> str:
 
 
 def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
-    from pipeline.errors import CorruptArtifactError
-
     if as_json:
         emit_json({"runs": [{"run": run.root, **vars(run.result), "failure": run.failure} for run in runs]})
     else:
@@ -130,8 +128,6 @@ def _first(run: "VerifiedRun") -> str:
 
 
 def _fail_where(run: Path, checked: "Verified") -> None:
-    from pipeline.errors import CorruptArtifactError
-
     if checked.problems:
         raise CorruptArtifactError(
             "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
@@ -140,8 +136,6 @@ def _fail_where(run: Path, checked: "Verified") -> None:
 
 
 def _fail_beside(run: Path, checked: "Verified") -> None:
-    from pipeline.errors import CorruptArtifactError
-
     if checked.unknown:
         raise CorruptArtifactError(f"{run}: {len(checked.unknown)} files do not belong to the run; move them elsewhere")
     if checked.leftover:

@@ -79,7 +79,7 @@ def emit_verdict(run: Path) -> None:
     emit_text(f"report: {run / 'report.html'}")
 
 
-def emit_table_2(table: "Iterable[Mapping[str, Any]]") -> None:
+def emit_table_2(table: Iterable[Mapping[str, Any]]) -> None:
     """Print the rows of the paper's Table 2 (`pipeline.reporting.paper_page.table_2`)."""
     from pipeline.reporting.paper_page import table_2_row
 
@@ -161,7 +161,7 @@ def summary(results: "Sequence[TaskStatus]") -> str:
 
 
 def emit_tasks(
-    done: "Sequence[TaskStatus]", *, as_json: bool, results: "Sequence[Mapping[str, Any]] | None" = None
+    done: "Sequence[TaskStatus]", *, as_json: bool, results: Sequence[Mapping[str, Any]] | None = None
 ) -> None:
     """Print what a stage came to, a line for each log or model, and how many tasks were done; for JSON all of it."""
     if as_json:
@@ -173,7 +173,7 @@ def emit_tasks(
     typer.echo(summary(done))
 
 
-def result_line(result: "Mapping[str, Any]") -> str:
+def result_line(result: Mapping[str, Any]) -> str:
     """What a stage came to for one log or model (`pipeline.loading.stage_results`), as a line."""
     from pipeline.si_prefix import quantity
 
@@ -190,7 +190,7 @@ def result_line(result: "Mapping[str, Any]") -> str:
     return f"{result['model']}: identified{seconds}{', the headline' if result['headline'] else ''}{chosen}"
 
 
-def _ends(values: "Sequence[float]") -> "list[float]":
+def _ends(values: Sequence[float]) -> list[float]:
     """The smallest and the largest value, where they differ."""
     return sorted({min(values), max(values)}) if values else []
 

@@ -10,6 +10,7 @@ import typer
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Quiet, emit_json, emit_table, progress_report, with_units
 from pipeline.errors import InputError
+from pipeline.units import parse_quantity
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -76,12 +77,6 @@ class Search:
     jobs: Annotated[int, typer.Option(help="Threads.", min=1, max=64)] = 2
 
 
-def _quantity(text: str, unit: str, option: str) -> float:
-    from pipeline.units import parse_quantity
-
-    return parse_quantity(text, (unit,), option)
-
-
 def _draw(place: Path | None, name: str, *shown: Any) -> None:
     """Draw a figure of `joint_figures` into a file, if one is wanted."""
     if place is not None:
@@ -120,9 +115,9 @@ def equilibria(
 
     joint = parameters.joint()
     if b is not None:
-        joint = bifurcation.with_screw_height(joint, B_MAX - _quantity(b, "m", "--b"))
-    left, right = _quantity(v1, "V", "--v1"), _quantity(v2, "V", "--v2")
-    pull = _quantity(force, "N", "--force")
+        joint = bifurcation.with_screw_height(joint, B_MAX - parse_quantity(b, ("m",), "--b"))
+    left, right = parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2")
+    pull = parse_quantity(force, ("N",), "--force")
     held = statics.equilibria(joint, np.array([left, right]), pull)
     if figure is not None:
         energy = physics.energy_over_q(joint, v1=left, v2=right, force=pull)
@@ -148,7 +143,7 @@ def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = Non
     """
     from pipeline.models.analytical.bifurcation import characteristics
 
-    result = characteristics(parameters.joint(), voltage=_quantity(voltage, "V", "--voltage"))
+    result = characteristics(parameters.joint(), voltage=parse_quantity(voltage, ("V",), "--voltage"))
     path = result.paths["off"]
     _draw(figure, "characteristics_figure", result)
     if as_json:
@@ -186,7 +181,7 @@ def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, 
         from pipeline.tools import physics
 
         joint = parameters.joint()
-        show(joint, physics.simulate(joint, _quantity(voltage, "V", "--voltage"), signals), figure, as_json)
+        show(joint, physics.simulate(joint, parse_quantity(voltage, ("V",), "--voltage"), signals), figure, as_json)
 
     app.command(show.__name__, help=show.__doc__)(with_options(command))
 

@@ -64,7 +64,7 @@ def _emit_csv(runs: "RunDifferences") -> None:
         writer.writerows((part, disarmed(row.key), *map(disarmed, row.values)) for row in getattr(runs, part))
 
 
-def emit_matrix(rows: "Sequence[dict[str, Any]]", *, as_json: bool) -> None:
+def emit_matrix(rows: Sequence[dict[str, Any]], *, as_json: bool) -> None:
     """Print what was set in each run of a matrix, and the NRMSE of q by log and model."""
     if as_json:
         emit_json({"runs": rows})
@@ -85,7 +85,7 @@ def emit_matrix(rows: "Sequence[dict[str, Any]]", *, as_json: bool) -> None:
     )
 
 
-def _difference_tables(runs: "RunDifferences") -> "list[tuple[str, str, list[tuple[str, ...]]]]":
+def _difference_tables(runs: "RunDifferences") -> list[tuple[str, str, list[tuple[str, ...]]]]:
     """Title, heading of the keys, and rows of texts of each part."""
     return [
         ("settings", "key", [(row.key, *map(_text, row.values)) for row in runs.settings]),

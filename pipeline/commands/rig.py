@@ -10,6 +10,8 @@ import typer
 
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Quiet, emit_json, emit_text, progress_report, working
+from pipeline.errors import InputError
+from pipeline.units import parse_quantity
 
 if TYPE_CHECKING:
     from pipeline.rig.fleet import Experiment
@@ -52,7 +54,7 @@ class SimulatedLogs:
 
         return Experiment(
             self.kind, self.form, self.rate, self.duration, faults=parse_faults(self.faults),
-            charging=_parsed(self.charging, "s", "--charging-time"), size=self.size, **more,
+            charging=parse_quantity(self.charging, ("s",), "--charging-time"), size=self.size, **more,
         )  # fmt: skip
 
 
@@ -100,7 +102,6 @@ class Ageing:
 
     def fields(self) -> dict[str, Any]:
         """The same for an experiment."""
-        from pipeline.errors import InputError
         from pipeline.rig.random_joint import USUAL, parse_drift
 
         if self.age is None:
@@ -218,8 +219,8 @@ class SequenceLimits:
         """The same in SI units."""
         from pipeline.tools.excitation import ExcitationLimits
 
-        field = None if self.max_field is None else _parsed(self.max_field, "V/m", "--max-field")
-        return ExcitationLimits(_parsed(self.max_voltage, "V", "--max-voltage"), field)
+        field = None if self.max_field is None else parse_quantity(self.max_field, ("V/m",), "--max-field")
+        return ExcitationLimits(parse_quantity(self.max_voltage, ("V",), "--max-voltage"), field)
 
 
 @dataclass(frozen=True)
@@ -241,8 +242,8 @@ class SequenceForm:
         from pipeline.tools.excitation_design import Requirements
 
         return Requirements(
-            duration=_parsed(self.duration, "s", "--duration"),
-            rest=_parsed(self.rest, "s", "--rest"),
+            duration=parse_quantity(self.duration, ("s",), "--duration"),
+            rest=parse_quantity(self.rest, ("s",), "--rest"),
             kinds=listed(self.kinds),
             candidates=self.candidates,
             basis_functions=self.basis_functions,
@@ -272,7 +273,7 @@ def excite(
     from pipeline.commands.inspection import emit_design
     from pipeline.tools.excitation import description, excite
 
-    requirements, rate = form.requirements(), _parsed(form.rate, "Hz", "--rate")
+    requirements, rate = form.requirements(), parse_quantity(form.rate, ("Hz",), "--rate")
     with progress_report("designing", quiet=quiet) as report:
         design, files = excite(
             output, joint.source(), requirements, limits.limits(), rate,
@@ -369,9 +370,3 @@ def closed_loop(
     if "rms_m" in summary:
         emit_text(f"moving reference: RMS error {1e3 * summary['rms_m']:.3f} mm")
     typer.echo("\n".join(map(str, files)))
-
-
-def _parsed(text: str, unit: str, option: str) -> float:
-    from pipeline.units import parse_quantity
-
-    return parse_quantity(text, (unit,), option)

@@ -20,13 +20,14 @@ def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = Fals
     Example: debist ingest P1.toml -o runs/P1
     """
     from pipeline.loading.stage_results import ingested
+    from pipeline.runs.run_folder import in_snapshot
     from pipeline.stages.run import run_prototype
     from pipeline.stages.run_place import place_of
 
     place = place_of(prototype, output)
     with Progress(quiet=quiet) as progress:
         done = run_prototype(place, None, progress, only="ingest")
-    outcome.emit_tasks(done, as_json=as_json, results=ingested(place.root))
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(place.root, ingested))
 
 
 def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
@@ -35,9 +36,10 @@ def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None
     Example: debist differentiate runs/P1
     """
     from pipeline.loading.stage_results import differentiated
+    from pipeline.runs.run_folder import in_snapshot
 
     done = _done(run, "differentiate", quiet)
-    outcome.emit_tasks(done, as_json=as_json, results=differentiated(run))
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, differentiated))
 
 
 def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
@@ -46,9 +48,10 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
     Example: debist identify runs/P1
     """
     from pipeline.loading.stage_results import identified
+    from pipeline.runs.run_folder import in_snapshot
 
     done = _done(run, "identify", quiet)
-    outcome.emit_tasks(done, as_json=as_json, results=identified(run))
+    outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, identified))
 
 
 def validate(

@@ -11,7 +11,7 @@ from pipeline.control.controller import PERIOD
 from pipeline.control.design_tables import REACH, braking_curves, moments_per_square, target_table
 from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
-from pipeline.control.plant import ASSUMED_LAG, ControlledJoint
+from pipeline.control.plant import ASSUMED_LAG, ControlledJoint, inertia
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STOP_ELEMENTS
 from pipeline.generated.condensed_joint_jacobian import PREPARE
@@ -28,8 +28,10 @@ BEYOND = 2
 """Rows of the table of targets beyond each well; a row lies in each well, where the moment that holds it is zero."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator acts; it stops at twice that distance."""
-STEEPNESS = 1.0 / 0.025
+STEEPNESS = 1.0 / 0.1
 """Share of the largest moment for each m/s off the braking curve [s/m]."""
+SETTLES = 15.0
+"""Periods after which a brake has taken hold: the slope has followed the moment."""
 SURE = 0.92
 """Share of the largest voltage with which the joint must pass its barrier slowly; else it is pumped."""
 READING = 3e-6
@@ -101,19 +103,23 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     size = beyond((right - left) / DRAWN_WELLS, SAME_LENGTHS)
     strongest = float(np.mean(moments_per_square(plant, wells[1].x, np.zeros(2)))) * plant.highest**2
     targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0, size)
+    mass = inertia(wells[1].x, plant.constants.p)
+    slew = min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew)
     law = condensed_joint_law(plant, lags, size, beyond(strongest / DRAWN_MOMENT, SAME_MOMENTS))
     numbers = dict(zip(NUMBERS, law.numbers.tolist(), strict=True)) | {
         "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
         "per_reach": 1.0 / (size * REACH), "steepness": STEEPNESS / size, "saddle": saddle,
         "pumped_right": float(slow[0] > SURE * settings.highest),
         "pumped_left": float(slow[1] > SURE * settings.highest), "near": size * NEAR, "fast": size * FAST,
-        "slew": min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew),
+        "lever": mass[0, 1] / mass[0, 0],
+        "settles": SETTLES * size**0.5 + settings.highest / slew - 1.0,
+        "slew": slew,
         "allowed": min(settings.highest, np.inf if settings.average is None else settings.average),
     }  # fmt: skip
     slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
     law = law._replace(numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64), targets=targets)
     braking = [braking_curves(law, wells, slope, places, side, settings.highest) for side in (0, 1)]
-    return law._replace(braking=np.concatenate(braking))
+    return law._replace(braking=np.concatenate([curves for pair in zip(*braking, strict=True) for curves in pair]))
 
 
 def beyond(ratio: float, same: float) -> float:
@@ -159,7 +165,7 @@ def condensed_joint_law(
     return Law(
         np.array([numbers.get(name, 0.0) for name in NUMBERS], dtype=np.float64),
         p, prepare_slopes(k), np.ascontiguousarray(curves), np.array(rests),
-        np.zeros((TARGETS, 0)), np.zeros((2 * TARGETS, 0)),
+        np.zeros((TARGETS, 0)), np.zeros((4 * TARGETS, 0)),
     )  # fmt: skip
 
 

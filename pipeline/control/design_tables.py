@@ -10,7 +10,8 @@ from scipy.linalg import expm, solve_discrete_are
 from pipeline.compiled import compiled
 from pipeline.control.controller import move
 from pipeline.control.estimator import PERIOD
-from pipeline.control.law import CONTROLLER_STATE, FEEDBACK, PLACES, REACHES, Law
+from pipeline.control.feedback import RESERVE
+from pipeline.control.law import CONTROLLER_STATE, FEEDBACK, NUMBERS, PLACES, REACHES, Law
 from pipeline.control.linear import LinearModel, held, held_at, jacobian
 from pipeline.control.plant import ControlledJoint, inertia
 from pipeline.generated.condensed_joint import STATES
@@ -141,26 +142,28 @@ def regulator(
 
 REACH = 1e-3
 """Distance [m] between entries of a braking curve."""
-RESERVE = 0.8
-"""Share of the largest moment with which the braking curves brake; the rest is left to the feedback."""
+WRONG_WAY = 30
+"""Steps in which a push from rest may move the tip backwards."""
 
 
 def braking_curves(
     law: Law, wells: list[LinearModel], slope: float, places: FloatArray, side: int, highest: float
-) -> FloatArray:
-    """Largest speeds [m/s] from which full braking stops at each place, shape (len(places), REACHES).
+) -> tuple[FloatArray, FloatArray]:
+    """Speeds [m/s] of the mass centre at which a brake begins, and during it, to stop at each place.
 
-    Slow motions have the `slope` τ/q [1/m].
+    Both have the shape (len(places), REACHES). Slow motions have the `slope` τ/q [1/m].
 
-    Found by simulation: motions towards the places, slow and fast ones, are braked at every instant; the instant at
-    which one turns round at a place gives one point of that place's curve.
+    Found by simulation: motions towards the places, slow and fast ones, are braked at every instant. The instant at
+    which one stops at a place is a point of that place's first curve. The second is the brake of the first motion that
+    stops there, which is the one from rest under full voltage, after its first periods.
     """
     towards = 1.0 if side == 0 else -1.0
     start = wells[0 if side == 0 else 2].x
     brake = np.zeros(2)
     brake[1 - side] = highest * np.sqrt(RESERVE)
-    slew, size = law.number("slew"), law.number("size")
-    points: list[list[tuple[float, float]]] = [[(0.0, 0.0)] for _ in places]
+    size, settles = law.number("size"), round(law.number("settles"))
+    begins = [np.zeros((1, 2)) for _ in places]
+    lasts = begins.copy()
     for x0, speed, level in [
         *((start, speed, 1.0) for speed in (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.4)),
         *((start, 0.0, level) for level in (0.25, 0.5, 0.75)),
@@ -170,23 +173,29 @@ def braking_curves(
         push[side] = highest * np.sqrt(level)
         s[:STATES], s[PLACES["volts"]] = x0, push
         s[1], s[3] = towards * size * speed, towards * size * speed * slope
-        motion, turns = braked(law, s, push, brake, slew, towards)
+        motion, turns = pushed(law, s, push, brake, towards)
         for i, place in enumerate(places):
             beyond = towards * (turns - place)
             cross = np.flatnonzero((beyond[1:] > 0.0) & (beyond[:-1] <= 0.0))
-            if cross.size:
-                row = int(cross[0])
-                share = -beyond[row] / (beyond[row + 1] - beyond[row])
-                q, v = (1.0 - share) * motion[row] + share * motion[row + 1]
-                if towards * (place - q) > 0.2e-3 * size:
-                    points[i].append((towards * (place - q), towards * v))
+            if not cross.size:
+                continue
+            row = int(cross[0])
+            share = -beyond[row] / (beyond[row + 1] - beyond[row])
+            stop = towards * braked(law, (1.0 - share) * motion[row] + share * motion[row + 1], push, brake, towards)
+            stop[:, 0] = stop[-1, 0] - stop[:, 0]
+            if stop[0, 0] > 0.2e-3 * size:
+                begins[i] = np.vstack([begins[i], stop[:1]])
+                if len(lasts[i]) == 1 and len(stop) > 2 * settles:
+                    lasts[i] = np.vstack([lasts[i], stop[settles:-1]])
     reaches = np.linspace(0.0, size * REACH * (REACHES - 1), REACHES)
-    return np.array([_curve(point, reaches) for point in points])
+    first = np.array([_curve(points, reaches) for points in begins])
+    later = [_curve(points, reaches) if len(points) > 1 else curve for points, curve in zip(lasts, first, strict=True)]
+    return first, np.maximum(first, later)
 
 
-def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray:
+def _curve(points: FloatArray, reaches: FloatArray) -> FloatArray:
     """Speeds at `reaches` [m] from points (distance, speed), on lines; beyond the last point as √distance."""
-    distance, speed = np.array(sorted(points)).T
+    distance, speed = points[np.argsort(points[:, 0])].T
     speed = np.maximum.accumulate(speed)
     if len(distance) == 1:
         return np.sqrt(2.0 * reaches)  # never needs braking: 1 m/s²
@@ -199,26 +208,40 @@ def _curve(points: list[tuple[float, float]], reaches: FloatArray) -> FloatArray
 
 
 @compiled
-def braked(
-    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, slew: float, towards: float
+def pushed(
+    law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float
 ) -> tuple[FloatArray, FloatArray]:
-    """(q, q̇) of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
+    """States of a motion under `push` [V] every 2 ms, and where it would turn round if braked there with `brake` [V].
 
-    A voltage changes by at most `slew` [V] in a period. It ends when it turns round by itself; `s` is moved along.
+    It ends when it turns round by itself; `s` is moved along.
     """
-    motion, turns, count = np.empty((300, 2)), np.empty(300), 0
+    motion, turns, count = np.empty((300, s.size)), np.empty(300), 0
     for i in range(300):
-        motion[i, 0], motion[i, 1] = s[0], s[1]
-        end, v = s.copy(), push.copy()
-        for _ in range(300):
-            if towards * end[1] <= 0.0:
-                break
-            v[:] = np.minimum(np.maximum(brake, v - slew), v + slew)
-            move(end, v, law)
-        turns[i] = end[0]
+        motion[i], turns[i] = s, braked(law, s, push, brake, towards)[-1, 0]
         count = i + 1
         for _ in range(2):
             move(s, push, law)
-        if towards * s[1] <= 0.0:
+        if i > WRONG_WAY and towards * s[1] <= 0.0:
             break
     return motion[:count], turns[:count]
+
+
+@compiled
+def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards: float) -> FloatArray:
+    """Displacement [m] and the mass centre's speed [m/s] every period under `brake` [V] after `push` [V], to the turn.
+
+    A voltage changes by at most the slew limit in a period.
+    """
+    end, v, motion, count = s.copy(), push.copy(), np.empty((301, 2)), 0
+    slew, lever = law.numbers[_SLEW], law.numbers[_LEVER]
+    for _ in range(301):
+        motion[count] = end[0], end[1] + lever * end[3]
+        count += 1
+        if towards * end[1] <= 0.0:
+            break
+        v[:] = np.minimum(np.maximum(brake, v - slew), v + slew)
+        move(end, v, law)
+    return motion[:count]
+
+
+_SLEW, _LEVER = NUMBERS.index("slew"), NUMBERS.index("lever")

@@ -3,9 +3,11 @@
 Two membranes that only attract act as one moment of either sign on the beam's slope: one side at a time, its squared
 voltage as large as the moment needs. With the target at q* and the distance s = q* − q
 
-* far from the target the joint is pushed towards it, until its speed reaches the braking curve: the largest speed at
-  the distance from which full braking still stops at the target. On the curve the moment is proportional to the
-  speed's error (a proximate time-optimal servomechanism; M. L. Workman, dissertation, Stanford 1987);
+* far from the target the joint is pushed towards it with the full moment, until its mass centre is as fast as a
+  simulated joint that a brake, begun now, still stops at the target. Then it is braked with a share of the full moment,
+  and the speed's error against the simulated brake is taken away by the rest (after M. L. Workman's proximate
+  time-optimal servomechanism, dissertation, Stanford 1987). The moment that brakes first accelerates the tip; the mass
+  centre it does not, so its speed is judged;
 * where the largest voltage does not suffice to push the joint over its barrier, it is pushed towards the
   barrier and away from it in turn, along its own velocity: every half swing then adds energy;
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
@@ -29,6 +31,8 @@ STILL = 5e-3
 """Speed [m/s] below which a joint that is pumped has come to the end of its swing."""
 DWELL, PATIENCE = 80.0, 500.0
 """Periods that a push of the pump lasts at least, so that it gets the joint moving; the second past the saddle."""
+RESERVE = 0.8
+"""Share of the largest moment with which the joint brakes; the rest is left to the feedback."""
 STALLED = 0.5
 """Time [s] without coming near a target after which the joint is pumped although its model needs no pump."""
 PAST = 0.3
@@ -37,7 +41,7 @@ DEAD = 0.02
 """Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
 FREE, LEFT = 0.15e-3, 0.05e-3
 """Offset [m] from a well that takes no voltage, and what is left of a larger one and of one from another target."""
-SLOW, INTEGRAL, LEAK = 0.35, 0.7, 3.0
+SLOW, INTEGRAL, LEAK = 0.35, 3.0, 3.0
 """Time constants [s] of the slow moment at a well, of that at an unstable target, and of its decay where the offset is
 small."""
 ENGAGED, STIFFENS, TIRED = 0.035, 0.1, 0.8
@@ -66,15 +70,19 @@ def tabulated(name: str, place: Any) -> Values:
     ]
 
 
-def braking_speed(place: Any, distance: Any, from_right: Any, n: dict[str, Any]) -> Any:
-    """Largest speed [m/s] at a distance [m] from a target from which it is still reached without overshoot."""
+def braking_speeds(place: Any, distance: Any, from_right: Any, n: dict[str, Any]) -> Values:
+    """Speeds [m/s] at a distance [m] from a target: with the first a pushed joint is braked, the second braking has."""
     lower, share = row(place, TARGETS)
     part, more = row(distance * n["per_reach"], REACHES)
     index = (lower + float(TARGETS) * from_right) * float(REACHES) + part
-    nearer, farther = (
-        fetch("braking", i, index) * (1.0 - more) + fetch("braking", i + 1, index) * more for i in (0, REACHES)
-    )
-    return nearer * (1.0 - share) + farther * share
+    speeds = []
+    for first in (0, 2 * TARGETS * REACHES):
+        nearer, farther = (
+            fetch("braking", first + i, index) * (1.0 - more) + fetch("braking", first + i + 1, index) * more
+            for i in (0, REACHES)
+        )
+        speeds.append(nearer * (1.0 - share) + farther * share)
+    return speeds
 
 
 def slope(name: str, place: Any, n: dict[str, Any]) -> Any:
@@ -107,7 +115,7 @@ def held_slowly(
     left = choose(without, FREE, LEFT) * n["size"]
     outside = away - clip(away, -left, left)
     slow = choose(function("lt", 0.0, function("abs", outside)), -stiff[1] * outside / SLOW, -level / LEAK)
-    slow = choose(function("lt", 0.5, now["refused"][0]), -level / INTEGRAL, slow)
+    slow = choose(function("lt", 0.5, now["refused"][0]), -level / SLOW, slow)
     return choose(without, 0.0, hold) + level, level + PERIOD * slow
 
 
@@ -124,13 +132,18 @@ def _both(every: Any, *others: Any) -> Any:
     return every
 
 
-def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any, Any]:
-    """Share of the largest moment far from the target, −1 to 1: push, pump or brake; and the pump's phase and time."""
+def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any, Any, Any]:
+    """Share of the largest moment far from the target, −1 to 1; the pump's phase and time, periods of braking."""
     q, speed, target = now["x"][0], now["x"][1], now["target"][0]
     right = function("lt", q, target)
     towards = choose(right, 1.0, -1.0)
-    fastest = braking_speed(place, function("abs", target - q), choose(right, 0.0, 1.0), n)
-    braked = n["steepness"] * (fastest - towards * speed) * towards
+    begins, lasts = braking_speeds(place, function("abs", target - q), choose(right, 0.0, 1.0), n)
+    # The speed of the mass centre, which a moment on the slope does not change at once as it does that of the tip.
+    centre, since = (speed + n["lever"] * now["x"][3]) * towards, now["brakes"][0]
+    correction = choose(function("lt", n["settles"], since), n["steepness"] * (lasts - centre), 0.0)
+    goes_on = _both(function("lt", 0.5, since), function("lt", 0.0, centre), function("lt", correction, RESERVE))
+    brakes = function("or", goes_on, function("lt", begins, centre))
+    braked = choose(brakes, correction - RESERVE, 1.0) * towards
     before, over = (n["saddle"] - q) * towards, (target - n["saddle"]) * towards
     weak = function("lt", 0.5, choose(right, n["pumped_right"], n["pumped_left"]))
     needed = function("or", weak, function("lt", STALLED, now["tried"][0]))
@@ -141,7 +154,8 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     turns = _both(function("lt", choose(past, PATIENCE, DWELL), dwell), still)
     phase, dwell = choose(turns, -phase, phase), choose(turns, 0.0, dwell)
     push = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
-    return push, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0)
+    brakes = choose(function("or", pumped, function("not", brakes)), 0.0, since + 1.0)
+    return push, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0), brakes
 
 
 def _regulates(now: dict[str, Values], n: dict[str, Any]) -> Any:
@@ -211,11 +225,11 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     moment, level, fading = _near(now, (hold, acting, largest), calm, place, n)
     share = shares(moment, left, right, common)
     share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
-    push, phase, dwell = far(now, n, place)
+    push, phase, dwell, brakes = far(now, n, place)
     push = choose(regulates, share, push)
-    refused, tried = _refused(
-        now, n, regulates, _both(function("lt", common, 0.01), function("lt", TIRED * largest, function("abs", level)))
-    )
+    # What the regulator takes back of the slow moment is not spent.
+    spent = _both(*(function("lt", TIRED, function("abs", part)) for part in (level / largest, share)))
+    refused, tried = _refused(now, n, regulates, _both(function("lt", common, 0.01), spent))
     stopped = function("lt", choose(regulates, 1.5, 0.5), refused)
     updated = {
         "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
@@ -225,6 +239,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
         "refused": [refused],
         "phase": [choose(regulates, now["phase"][0], phase)],
         "dwell": [choose(regulates, now["dwell"][0], dwell)],
+        "brakes": [choose(regulates, 0.0, brakes)],
     }
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
     volts = _voltages(choose(stopped, 0.0, push), choose(stopped, 0.0, choose(calm, common, 0.0)), top, n)

@@ -20,8 +20,8 @@ FEEDBACK = STATES + 1
 
 _SIZES = {
     "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "near": 1, "level": 1, "mean": 1,
-    "missed": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "dwell": 1, "commanded": 2, "average": 2,
-    "spread": FILTER * (FILTER + 1) // 2,
+    "missed": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "dwell": 1, "brakes": 1, "commanded": 2,
+    "average": 2, "spread": FILTER * (FILTER + 1) // 2,
 }  # fmt: skip
 _ENDS = np.cumsum(list(_SIZES.values()))
 PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_SIZES.items(), _ENDS, strict=True)}
@@ -29,7 +29,7 @@ PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_S
 periods without a reading, the target, whether it regulates (2: an unstable target), the slow moment that holds it
 [N·m], the mean of what regulates about it [N·m], the largest innovation [m] of late, periods in which it was too large,
 time [s] of late without coming near, what is given up (1: the slow moment, 2: the target), phase and time of the pump,
-the last commands and their means over `estimator.MEMORY` [V], the filter's covariance."""
+periods of braking, the last commands and their means over `estimator.MEMORY` [V], the filter's covariance."""
 CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
@@ -44,14 +44,15 @@ NUMBERS = (
     "arm", "length", *(f"travel_{i}" for i in sorted(set(STOP_ELEMENTS))),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
-    "slew", "allowed", "size", "moment_size",
+    "slew", "allowed", "size", "moment_size", "lever", "settles",
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of each converter's voltage that is left after a period and its mean over it;
 variance of a reading; densities of what shakes the joint, for motions and near a target; variances after a long rest,
 magnitudes that no estimate passes; friction's arm, the beam's length, travels of stop operators; grids of the tables;
 those of the feedback law (`pipeline.control.feedback`); the largest change of a voltage in a period and its largest
-mean [V]; factors on the controller's own lengths and moments."""
+mean [V]; factors on the controller's own lengths and moments; the mass centre's distance [m] from the tip along the
+beam, and the periods after which a brake acts."""
 
 TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1),
                   "gains": slice(STATES + 1, STATES + 1 + FEEDBACK),
@@ -71,7 +72,7 @@ RESTS = 65
 _MOST_CELLS, _LARGEST = 10_000, 1e30
 _SHAPES = {
     "numbers": (len(NUMBERS),), "prepared": (PREPARE.outputs["p"],), "slopes": (PREPARE_SLOPES.outputs["p"],),
-    "rests": (RESTS, 3), "targets": (TARGETS, TARGET_COLUMNS["common"].stop), "braking": (2 * TARGETS, REACHES),
+    "rests": (RESTS, 3), "targets": (TARGETS, TARGET_COLUMNS["common"].stop), "braking": (4 * TARGETS, REACHES),
 }  # fmt: skip
 """Shapes of the tables that do not depend on the joint."""
 
@@ -91,8 +92,9 @@ class Law(NamedTuple):
         Slope, interior shape and stop operators of a joint at rest without voltage, from −`farthest` to `farthest`.
     targets : FloatArray, shape (TARGETS, len(TARGET_COLUMNS))
         See `TARGET_COLUMNS`.
-    braking : FloatArray, shape (2 TARGETS, REACHES)
-        Largest speed [m/s] at distances from a target, coming from the left (first `TARGETS` rows) and from the right.
+    braking : FloatArray, shape (4 TARGETS, REACHES)
+        Speeds [m/s] at distances from a target, coming from the left (first `TARGETS` rows) and from the right, at
+        which a brake begins; then those of a brake that acts.
     """
 
     numbers: FloatArray

@@ -213,16 +213,16 @@ def make_datasheet(data: RunData) -> Datasheet:
     source = next(iter(curves), None)
     values: dict[str, float | None] = {}
     limits: dict[str, tuple[float, float]] = {}
-    certain: dict[str, float] = {}
+    in_draws: dict[str, float] = {}
     if source is not None:
-        values, limits, certain = _by_model(data, curves[source], draws.get(source, []))
+        values, limits, in_draws = _by_model(data, curves[source], draws.get(source, []))
         stable = sum(e.stable for e in equilibria(curves[source].q, curves[source].force))
         believed = believed_wells(wells, source, stable, joint=data.joint)
         if believed is not wells:
             wells, rests = believed, rest_facts(records, believed, hum, joint=data.joint)
         values |= _simulated_ring_downs(data.models[source], values, curves[source], len(data.inputs))
     events = _in_free_run(data, source, wells)
-    facts = _facts(data, values, limits, certain, rests, wells, events)
+    facts = _facts(data, values, limits, in_draws, rests, wells, events)
     headline = data.model_names[0]
     checks = (
         *data_checks(data, wells),
@@ -237,14 +237,14 @@ def _by_model(
 ) -> tuple[dict[str, float | None], dict[str, tuple[float, float]], dict[str, float]]:
     """Facts of the curves, their intervals, and the share of the draws that have each.
 
-    Of stable states neither: a draw may have another number of them than the curves.
+    Stable states have neither interval nor share: a draw may have another number of them than the curves.
     """
     values = device_facts(curves, joint=data.joint)
     drawn = [device_facts(draw, joint=data.joint) for draw in draws]
     limits = intervals(values, drawn) if draws else {}
-    certain_keys = {key for key in values if not key.startswith(STABLE)}
-    certain = {key: share for key, share in shares(values, drawn).items() if key in certain_keys}
-    return values, {key: ends for key, ends in limits.items() if key in certain_keys}, certain
+    compared = {key for key in values if not key.startswith(STABLE)}
+    in_draws = {key: share for key, share in shares(values, drawn).items() if key in compared}
+    return values, {key: ends for key, ends in limits.items() if key in compared}, in_draws
 
 
 def _simulated_ring_downs(
@@ -271,7 +271,8 @@ def _rest_errors(
 ) -> tuple[float, float] | None:
     """Modelled minus measured rest on the left and on the right; None unless all are known.
 
-    Those of a free run over the logs, or else the equilibria, from which friction and creep keep a joint.
+    Modelled are the rests in free runs over the logs; without those the equilibria, short of which friction and creep
+    hold a joint.
     """
     if isinstance(wells, NoWells):
         return None
@@ -296,7 +297,7 @@ def _facts(
     data: RunData,
     values: Mapping[str, float | None],
     limits: Mapping[str, tuple[float, float]],
-    certain: Mapping[str, float],
+    in_draws: Mapping[str, float],
     rests: RestFacts,
     wells: Wells | NoWells,
     in_free_run: Mapping[str, float],
@@ -327,7 +328,7 @@ def _facts(
                 float(np.std(samples, ddof=1)) if samples.size > 1 else None,
                 int(samples.size),
                 in_free_run.get(key) if samples.size else None,
-                certain.get(key),
+                in_draws.get(key),
             )
         )
     return tuple(facts)

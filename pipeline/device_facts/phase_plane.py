@@ -23,7 +23,8 @@ MARGIN = 0.04
 
 OUTCOMES = ("ends in the left well", "ends in the right well", "diverges")
 """Outcome of a cell, by its class in `basin_map`."""
-BLOCK = 8  # cells between the first look's grid lines
+BLOCK = 8  # cells along a side of the first blocks
+UNKNOWN = -1
 
 Classes = np.ndarray[Any, np.dtype[np.int8]]
 
@@ -49,35 +50,35 @@ def basins(outcomes: Callable[[FloatArray], Classes], places: FloatArray, speeds
     -----
     Cost: about a fifth of the grid's simulations for one smooth boundary, in four calls.
     """
-    index = np.full((speeds.size, places.size), -1, dtype=np.int8)
+    classes = np.full((speeds.size, places.size), UNKNOWN, dtype=np.int8)
     rows, columns = (np.arange(0, grid.size - 1, BLOCK) for grid in (speeds, places))
     blocks = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, 2)
     side = BLOCK
     while len(blocks) and side:
         corners = blocks[:, None, :] + side * np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
-        _look(index, corners.reshape(-1, 2), outcomes, places, speeds)
-        ended = index[corners[..., 0], corners[..., 1]]
+        _find_out(classes, corners.reshape(-1, 2), outcomes, places, speeds)
+        ended = classes[corners[..., 0], corners[..., 1]]
         alike = (ended == ended[:, :1]).all(axis=1)
         for (i, j), value in zip(blocks[alike], ended[alike, 0], strict=True):
-            part = index[i : i + side + 1, j : j + side + 1]
-            part[part < 0] = value
+            block = classes[i : i + side + 1, j : j + side + 1]
+            block[block == UNKNOWN] = value
         side //= 2
         blocks = (blocks[~alike, None, :] + side * np.array([[0, 0], [0, 1], [1, 0], [1, 1]])).reshape(-1, 2)
-    return index
+    return classes
 
 
-def _look(
-    index: Classes,
-    cells: "np.ndarray[tuple[int, int], np.dtype[np.int64]]",
+def _find_out(
+    classes: Classes,
+    cells: np.ndarray[tuple[int, int], np.dtype[np.int64]],
     outcomes: Callable[[FloatArray], Classes],
     places: FloatArray,
     speeds: FloatArray,
 ) -> None:
-    """Find out the class of every cell that is not known yet."""
-    missing = np.unique(cells[index[cells[:, 0], cells[:, 1]] < 0], axis=0)
+    """Simulate those of the cells (n, 2), row and column, whose class is unknown, and enter it."""
+    missing = np.unique(cells[classes[cells[:, 0], cells[:, 1]] == UNKNOWN], axis=0)
     if len(missing):
         states = np.column_stack((places[missing[:, 1]], speeds[missing[:, 0]]))
-        index[missing[:, 0], missing[:, 1]] = outcomes(states)
+        classes[missing[:, 0], missing[:, 1]] = outcomes(states)
 
 
 def settled(model: DynamicModel, starts: FloatArray, seconds: float, step: float, inputs: int) -> FloatArray:
@@ -123,9 +124,9 @@ def visited_range(data: RunData, voltage: str | None = None) -> tuple[float, flo
 
 
 def unforced(data: RunData, log: LogData) -> tuple[FloatArray, FloatArray]:
-    """Q and q̇ of a log, NaN where an input acts on the motion: basins say nothing of it there.
+    """Displacement and velocity of a log, NaN where an input acts: basins say nothing of such a motion.
 
-    NaN as well where an input only crosses zero, but on the joint, whose pulses have rests.
+    Unless the device is the joint, whose pulses have rests, NaN also where an input only crosses zero.
     """
     largest = np.max([peaks(voltages(other.kinematics), joint=data.joint) for other in data.logs], axis=0)
     free = np.all(np.abs(voltages(log.kinematics)) <= UNFORCED * largest, axis=1)

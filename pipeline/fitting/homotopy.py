@@ -7,17 +7,14 @@ zero, each level starting from the minimiser of the one before. Hidden states ru
 multiple shooting there are no window states to estimate.
 """
 
-import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
 from pipeline.fitting.descent import FLOOR, Descent, ObservedProblem, Prior
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import Keep, StoredResult, make_anew
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""
@@ -115,15 +112,12 @@ class Callbacks:
     is_chaotic : callable
         Whether a free run with θ diverges from one that starts beside it. It is called after the level
         `Schedule.chaos_gain`, which then is the last: the error of a chaotic run is no cost to descend on.
-    keep : callable
-        Keeps each level when it is finished.
     """
 
     begin: Callable[[FloatArray, float], None] = lambda theta, gain: None
     enough: Callable[[], bool] = lambda: False
     on_progress: Callable[[float, float], None] = lambda gain, rms: None
     is_chaotic: Callable[[FloatArray], bool] = lambda theta: False
-    keep: Keep = make_anew
 
 
 def fit_homotopy(
@@ -156,19 +150,12 @@ def fit_homotopy(
         Cost: per step one Jacobian, one to three plain simulations, and N P² + P³/3 flops.
     """
     count, calls = len(theta), callbacks or Callbacks()
-    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, [], list(schedule.gains), False, False)
+    state = _State(theta, 1e-3, np.zeros(0), np.zeros((count, count)), FLOOR, (), list(schedule.gains), False, False)
     levels = _Levels(problem, prior, schedule, calls, descent)
-    begun = zlib.crc32(theta.tobytes())  # two fits of a task may differ in their start alone
     while state.pending:
-        state = _State(**calls.keep(f"level {len(state.levels)}, start {begun:08x}", partial(levels.next, state)))
+        state = levels.next(state)
     return HomotopyFit(
-        state.theta,
-        state.residual,
-        state.hessian,
-        state.noise,
-        tuple(Level(*level) for level in state.levels),
-        bool(state.reached_last),
-        bool(state.chaotic),
+        state.theta, state.residual, state.hessian, state.noise, state.levels, state.reached_last, state.chaotic
     )
 
 
@@ -181,7 +168,7 @@ class _State:
     residual: FloatArray
     hessian: FloatArray
     noise: float
-    levels: list[tuple[float, int, float, bool]]
+    levels: tuple[Level, ...]
     pending: list[float]
     reached_last: bool
     chaotic: bool
@@ -197,7 +184,7 @@ class _Levels:
     calls: Callbacks
     descent: type[Descent]
 
-    def next(self, before: _State) -> StoredResult:
+    def next(self, before: _State) -> _State:
         """The state after one more level; none is to come where simulation or sensitivities overflow, or runs part."""
         pending = list(before.pending)
         if self.calls.enough():
@@ -217,26 +204,25 @@ class _Levels:
         if not following:
             state.linearise()
         error = rms(state.residual)
-        levels = [*before.levels, (float(gain), state.iterations, error, done)]
+        levels = (*before.levels, Level(float(gain), state.iterations, error, done))
         reached_last = not (following or chaotic)
-        after = _State(
+        return _State(
             state.theta, state.damping, state.residual, state.hessian, state.noise, levels, following, reached_last,
             chaotic,
         )  # fmt: skip
-        return vars(after)
 
     def _state(self, before: _State, gain: float, residual: FloatArray) -> Descent:
         return self.descent(
             self.problem, self.prior, gain, self.schedule.noise_inflation, before.theta, before.damping, residual
         )
 
-    def _overflown(self, before: _State) -> StoredResult:
+    def _overflown(self, before: _State) -> _State:
         """The state before, as the last one, with its Hessian."""
         if before.levels:
-            state = self._state(before, before.levels[-1][0], before.residual)
+            state = self._state(before, before.levels[-1].gain, before.residual)
             state.linearise()
             before = replace(before, hessian=state.hessian)
-        return vars(replace(before, pending=[]))
+        return replace(before, pending=[])
 
     def _descend(self, state: Descent, gain: float, *, last: bool) -> bool:
         """Take the steps of a level; whether its cost had stopped falling."""

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
+from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
 from pipeline.models.model_file import column_of
 from pipeline.numerics.arrays import FloatArray
@@ -14,14 +15,10 @@ from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
 from pipeline.settings_logs import LogColumn
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
 
-if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
-
-
 RotationMap = Callable[[FloatArray], FloatArray]
 
 
-def rotation_map(parameters: "JointParameters | None") -> RotationMap | None:
+def rotation_map(parameters: JointParameters | None) -> RotationMap | None:
     """φ [rad] of q [m], NaN where q is NaN; None for a device without a parameter set."""
     if parameters is None:
         return None

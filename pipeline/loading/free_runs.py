@@ -5,8 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.loading.parts import part, part_rows
-from pipeline.loading.trajectories import EDGE, begins_in_motion, drive
+from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, part, part_rows
 from pipeline.models.base import DynamicModel, FreeRun, HasDraws, HasTubes
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.columns import TUBE_COLUMNS

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pipeline.errors import InputError
 from pipeline.plain_files import read_toml
 from pipeline.settings import Prototype
+from pipeline.units import parse_quantity
 
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
@@ -81,7 +82,6 @@ def _override(text: str) -> tuple[str, float]:
 
 def _quantity(name: str, text: str, where: str) -> float:
     from pipeline.device_parameters import quantity_of
-    from pipeline.units import parse_quantity
 
     return parse_quantity(text, (quantity_of(name).unit,), where)
 

@@ -11,8 +11,8 @@ from pipeline.device_facts.run_data import WHY, LogData, RunData, Study
 from pipeline.errors import DebistError
 from pipeline.loading.device import Device, device
 from pipeline.loading.documents import read_document
-from pipeline.loading.held_models import CHOICE, identified_models
-from pipeline.loading.siblings import shown_siblings
+from pipeline.loading.prior_knowledge import shown_siblings
+from pipeline.loading.run_models import CHOICE, identified_models
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
 from pipeline.names import log_title

@@ -1,23 +1,18 @@
 """What a stage came to, for the last lines of its command: gaps of each log, α, the model that was chosen."""
 
-from pathlib import Path
 from typing import Any
 
 from pipeline.loading.device import device
-from pipeline.loading.held_models import CHOICE, IDENTIFIED
+from pipeline.loading.run_models import CHOICE, IDENTIFIED
 from pipeline.names import log_title, true_name
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES
-from pipeline.runs.run_folder import RunFolder, in_snapshot
+from pipeline.runs.run_folder import RunFolder
 from pipeline.units import ALPHA_UNIT
 
 
-def ingested(root: Path) -> list[dict[str, Any]]:
+def ingested(run: RunFolder) -> list[dict[str, Any]]:
     """Of each log the rows of its uniform record, their interval [s], how many are masked, and its gaps in time."""
-    return in_snapshot(root, _ingested)
-
-
-def _ingested(run: RunFolder) -> list[dict[str, Any]]:
     results = []
     for role, log, path in layout.logs(run.prototype):
         notes = run.record(layout.signals(role, log)).notes
@@ -33,12 +28,8 @@ def _ingested(run: RunFolder) -> list[dict[str, Any]]:
     return results
 
 
-def differentiated(root: Path) -> list[dict[str, Any]]:
+def differentiated(run: RunFolder) -> list[dict[str, Any]]:
     """Of each log the method, and of each of its stretches α and the noise, in units that the settings have α in."""
-    return in_snapshot(root, _differentiated)
-
-
-def _differentiated(run: RunFolder) -> list[dict[str, Any]]:
     unit = ALPHA_UNIT[device(run.prototype).displacement.symbol][0]
     results = []
     for role, log, path in layout.logs(run.prototype):
@@ -58,12 +49,8 @@ def _differentiated(run: RunFolder) -> list[dict[str, Any]]:
     return results
 
 
-def identified(root: Path) -> list[dict[str, Any]]:
+def identified(run: RunFolder) -> list[dict[str, Any]]:
     """Of each identified model its processor time [s], whether it is the headline, and why where "auto" chose it."""
-    return in_snapshot(root, _identified)
-
-
-def _identified(run: RunFolder) -> list[dict[str, Any]]:
     notes = run.record(layout.MODELS).notes
     choice = notes.get(CHOICE, {})
     return [

@@ -1,28 +1,29 @@
-"""Kinematics tables as the trajectories and records that identification works on, and the voltages that drive them."""
+"""Kinematics tables as the trajectories and records that identification works on, and the voltages that drive them.
+
+A log has parts between which its inputs were not recorded, so that nobody knows what the device did there. A short hole
+is bridged by a straight line; behind a longer one fits and free runs start anew, as at the beginning of a log.
+"""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from pipeline.fitting.population import NormalPopulation
+from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import device
-from pipeline.loading.parts import parts, with_parts
+from pipeline.loading.prior_knowledge import PriorKnowledge
 from pipeline.models.kind import KnownCurves, Training
-from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.numerics.progress import Keep, OnProgress, make_anew, silent
+from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Role
-from pipeline.signals.trajectory import SHORTEST, UNKNOWN, Record, Trajectory, voltages
+from pipeline.signals.trajectory import SHORTEST, UNKNOWN, Record, Trajectory, unknown_rows, voltages
 
-if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
-
-_FINE = "v_fine"
+_FINE, _PART = "v_fine", "recorded"
+"""Columns in memory: voltages between the samples, and whether the inputs of a row are known."""
 
 EDGE = 10
 """Samples at the ends of a log at which a derivative of q knows one side only."""
@@ -37,21 +38,12 @@ _FARTHER = 0.1
 """Share of the range of q that nothing but a log's first samples shows, from which they are kept."""
 
 
-@dataclass(frozen=True)
-class PriorKnowledge:
-    """What is known beside the logs: measured characteristic curves, and what siblings teach."""
-
-    curves: Table | None = None
-    siblings: NormalPopulation | None = None
-
-
 def training(
     tables: Sequence[Table],
     prototype: Prototype,
-    parameters: "JointParameters | None",
+    parameters: JointParameters | None,
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
-    keep: Keep = make_anew,
 ) -> Training:
     """The training data of a prototype.
 
@@ -67,8 +59,6 @@ def training(
         What is known beside the logs.
     on_progress : callable
         Told what a fit is doing.
-    keep : callable
-        Keeps what a fit has finished.
     """
     plant, beside = device(prototype), prior_knowledge or PriorKnowledge()
     return Training(
@@ -85,7 +75,6 @@ def training(
         log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
         on_progress=on_progress,
-        keep=keep,
     )
 
 
@@ -112,6 +101,44 @@ def motion(kinematics: Table, fine: Table, prototype: Prototype, notes: Mapping[
     the record tell them.
     """
     return with_parts(_rested(with_fine_voltages(kinematics, fine), prototype), notes.get(UNKNOWN, ()))
+
+
+def with_parts(table: Table, unknown: Sequence[Sequence[float]]) -> Table:
+    """The table with its rows marked that lie in the `unknown` spans [s], if there are any."""
+    return {**table, _PART: ~unknown_rows(table["t"], unknown)} if unknown else table
+
+
+def recorded(table: Table) -> BoolArray:
+    """Rows whose inputs are known, shape (N,)."""
+    marked: BoolArray = table.get(_PART, np.ones(len(table["t"]), dtype=np.bool_))
+    return marked
+
+
+def part_rows(table: Table) -> list[slice]:
+    """The rows of each part of a table, from its first valid sample on; parts of less than `SHORTEST` are left out.
+
+    Where all are so short, the rows are those of the table from its first valid sample on.
+    """
+    valid = table["segment"] >= 0
+    with_samples = [rows for rows in runs_of(recorded(table)) if valid[rows].any()]
+    from_valid = [slice(rows.start + int(np.argmax(valid[rows])), rows.stop) for rows in with_samples]
+    long_enough = [rows for rows in from_valid if rows.stop - rows.start >= SHORTEST]
+    return long_enough or [slice(int(np.argmax(valid)), len(valid))]
+
+
+def parts(table: Table) -> list[Table]:
+    """The parts of a table, each beginning with a valid sample."""
+    return [part(table, rows) for rows in part_rows(table)]
+
+
+def part(table: Table, rows: slice) -> Table:
+    """The rows of one part."""
+    return {name: values[rows] for name, values in table.items() if name != _PART}
+
+
+def longest_rows(table: Table) -> slice:
+    """The rows of the longest part."""
+    return max(part_rows(table), key=lambda rows: rows.stop - rows.start)
 
 
 def with_fine_voltages(table: Table, fine: Table) -> Table:

@@ -16,7 +16,6 @@ from pipeline.errors import DataRefusedError
 from pipeline.models.base import predictor
 from pipeline.models.kind import StoredModel, Training, fitted_samples
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.progress import kept_under
 from pipeline.scoring.cross_validation import free_run_error
 from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from pipeline.scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
@@ -43,8 +42,8 @@ POORER = 2.0
 """Times the error of the equations on what both were fitted to, beyond which a network does not replace them: a single
 slow passage of the last quarter may go wrong with equations that follow all others within 0.01 %."""
 
-JUDGED_NETWORKS = ((QUICK_TIME, "first rbf", "lag"), (JUDGED_TIME, "judged rbf", "auto"))
-"""Processor time [s] at most, title of what is kept, friction where that is left open: hidden shapes take time."""
+JUDGED_NETWORKS = ((QUICK_TIME, "lag"), (JUDGED_TIME, "auto"))
+"""Processor time [s] at most, friction where that is left open: hidden shapes take time."""
 
 DIVERGED_ERROR = 1.0
 """Error that a sample counts at most, a share of the operating range."""
@@ -173,13 +172,13 @@ def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatAr
     """
     parts = _first_parts(training)
     early = replace(training, records=parts)
-    for limit, name, friction in JUDGED_NETWORKS:
+    for limit, friction in JUDGED_NETWORKS:
         training_part = _within(early, limit)
         if training_part.identify.friction == "auto":
             training_part = replace(
                 training_part, identify=training_part.identify.model_copy(update={"friction": friction})
             )
-        model = rbf(replace(training_part, keep=kept_under(training.keep, name)))
+        model = rbf(training_part)
         errors = _errors(model, training.records)
         fitted = _rms(_errors(model, parts, held_out=False))
         if _rms(errors) > HOPELESS * rival and fitted < FOLLOWED:

@@ -13,7 +13,7 @@ from pipeline.fitting.population import NormalPopulation
 from pipeline.model_list import ENTRIES, entry
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.progress import Keep, OnProgress, make_anew, silent
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs.trees import read_tree
 from pipeline.settings import Compare, Identify
 from pipeline.signals.trajectory import Record, Trajectory
@@ -122,8 +122,6 @@ class Training:
         Prior of the deviations of `hybrid` from joints of the same drawing.
     on_progress : callable
         Called with the step of a fit, and the share of its time limit that is spent.
-    keep : callable
-        Keeps the finished parts of a fit, so that a killed fit continues from there.
     """
 
     stretches: tuple[Trajectory, ...]
@@ -139,7 +137,11 @@ class Training:
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     siblings: NormalPopulation | None = None
     on_progress: OnProgress = silent
-    keep: Keep = make_anew
+
+    @property
+    def finely_driven(self) -> list[Trajectory]:
+        """The stretches, with the voltages between the samples: a snap begins where a pulse does, not at a sample."""
+        return [stretch for record in self.records for stretch in record.stretches()]
 
     @property
     def mass(self) -> float:

@@ -75,12 +75,6 @@ class Table:
         return np.ascontiguousarray(array, dtype=np.int64 if self.whole else np.float64)
 
 
-def _lag(value: float) -> float:
-    if 0.0 < value < SHORTEST_LAG:
-        raise ValueError(f"is shorter than {SHORTEST_LAG:g} s")
-    return value
-
-
 def _short(exponents: IntArray) -> IntArray:
     if exponents.sum() > MOST_FACTORS:
         raise ValueError(f"has more than {MOST_FACTORS} factors")
@@ -98,7 +92,6 @@ MOST_FACTORS, _HIGHEST_POWER = 4000, 12
 Exponents = Annotated[IntArray, Table("P X", 0, _HIGHEST_POWER, whole=True), AfterValidator(_short)]
 """Powers of X variables in P terms."""
 PositiveRow = Annotated[FloatArray, Table("X", 1.0 / LARGEST)]
-LagIfAny = Annotated[float, Field(ge=0.0, le=LONGEST_LAG), AfterValidator(_lag)]
 Rising = Annotated[FloatArray, Table("M"), AfterValidator(_rising)]
 Span = Annotated[FloatArray, Table("2"), AfterValidator(_rising)]
 

@@ -109,7 +109,7 @@ class Cells:
     labels: tuple[str, ...]
     x: FloatArray
     y: FloatArray
-    index: "np.ndarray[tuple[int, int], np.dtype[np.int8]]"
+    index: np.ndarray[tuple[int, int], np.dtype[np.int8]]
 
 
 @dataclass(frozen=True)

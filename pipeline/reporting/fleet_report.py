@@ -63,7 +63,7 @@ def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:
     return replace(q, values=np.where(trained, np.nan, q.values))
 
 
-def outliers(values: "np.ndarray[tuple[int], np.dtype[np.float64]]") -> "np.ndarray[tuple[int], np.dtype[np.bool_]]":
+def outliers(values: np.ndarray[tuple[int], np.dtype[np.float64]]) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
     """Which values lie further from the median than 3.5 robust standard deviations, shape (n,)."""
     finite = values[np.isfinite(values)]
     if finite.size < LEAST_VALUES:

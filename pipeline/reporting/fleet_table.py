@@ -128,8 +128,8 @@ class FleetColumn:
 
     title: str
     unit: str
-    values: "np.ndarray[tuple[int], np.dtype[np.float64]]"
-    outliers: "np.ndarray[tuple[int], np.dtype[np.bool_]]"
+    values: np.ndarray[tuple[int], np.dtype[np.float64]]
+    outliers: np.ndarray[tuple[int], np.dtype[np.bool_]]
     scored: bool = False
 
     @property

@@ -107,7 +107,7 @@ def characteristics_figure(result: "Characteristics") -> Figure:
 
 
 def equilibria_figure(
-    joint: "JointParameters", rests: "list[JointEquilibrium]", energy: "tuple[Any, Any] | None"
+    joint: "JointParameters", rests: "list[JointEquilibrium]", energy: tuple[Any, Any] | None
 ) -> Figure:
     """Statics (eqs. 13 to 15): the energy over q with its equilibria, and the beam's shape in each.
 

@@ -114,7 +114,7 @@ def paper_look(figure: Figure, typeface: Typeface = "sans") -> Look:
     return Look(typeface) if figure.x_unit == "s" else Look(typeface, COLUMN_WIDTH, 1.85)
 
 
-def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, canvas: "Canvas | None" = None) -> Canvas:
+def plotted(figure: Figure, models: Sequence[str], look: Look | None = None, canvas: Canvas | None = None) -> Canvas:
     """The figure on a canvas of matplotlib.
 
     Parameters

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol
 
 from pipeline.errors import InputError
 from pipeline.runs.hashing import file_sha256
@@ -64,6 +64,9 @@ class Task:
 class Observer(Protocol):
     """Told what happens; the command prints it."""
 
+    def planned(self, stages: Sequence[str]) -> None:
+        """These tasks are to come, named by their stages, up-to-date ones too."""
+
     def started(self, task: Task, reasons: list[str]) -> None:
         """The task is being done, for these reasons."""
 
@@ -83,6 +86,9 @@ class Observer(Protocol):
 class Unheard:
     """An observer that reports nothing."""
 
+    def planned(self, stages: Sequence[str]) -> None:
+        """Say nothing."""
+
     def started(self, task: Task, reasons: list[str]) -> None:
         """Say nothing."""
 
@@ -97,14 +103,6 @@ class Unheard:
 
     def warned(self, what: str, warning: str) -> None:
         """Print nothing: the notes of the artifacts hold the warnings."""
-
-
-@runtime_checkable
-class Counting(Protocol):
-    """An observer that shows how far the whole is."""
-
-    def planned(self, stages: Sequence[str]) -> None:
-        """These tasks are to come, named by their stages, up-to-date ones too."""
 
 
 @dataclass(frozen=True)
@@ -139,7 +137,6 @@ def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) 
             observer.skipped(task)
             continue
         observer.started(task, reasons)
-        run.recipe = recipe
         began = time.perf_counter()
         for name in _outputs(run, task):
             if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):

@@ -13,7 +13,6 @@ from pipeline.errors import CorruptArtifactError, InputError, SupersededError
 from pipeline.plain_files import open_plain
 from pipeline.runs import layout, tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
-from pipeline.runs.checkpoints import Checkpoints, clear_checkpoints
 from pipeline.runs.hashing import file_sha256, json_sha256
 from pipeline.runs.manifest import (
     MANIFEST,
@@ -116,8 +115,6 @@ class RunFolder:
     def __init__(self, root: Path, manifest: Manifest) -> None:
         self.root = root
         self.manifest = manifest
-        self.recipe: Recipe | None = None
-        """Of the task that is at work."""
 
     @classmethod
     def open(cls, root: Path) -> "RunFolder":
@@ -301,7 +298,6 @@ class RunFolder:
         if any(stated.get(name, artifact.content_hash) != artifact.content_hash for name, artifact in written.items()):
             del self.manifest.stages[recipe.stage]
         commit(self.root, self.manifest, written)
-        clear_checkpoints(self.root)
 
     def state(self, stages: Mapping[str, Mapping[str, str]]) -> None:
         """Write the manifests of stages that are up to date: content hash by artifact, by stage.
@@ -317,12 +313,6 @@ class RunFolder:
             write_text(self._staged(stage_file(stage)), stage_text(stage, stages[stage]), within=self.root)
         if changed:
             commit(self.root, self.manifest, map(stage_file, changed))
-
-    def checkpoints(self) -> Checkpoints:
-        """The finished parts of the task that is at work, also those from before it was killed."""
-        if self.recipe is None:
-            raise ValueError("no task is at work")
-        return Checkpoints(self.root, self.recipe)
 
     def recover(self) -> None:
         """Complete a commit that was interrupted; remove what no commit will ask for."""

@@ -11,8 +11,7 @@ import scipy.special
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.metrics import rmse
 from pipeline.scoring.intervals import LEVEL, Interval
-from pipeline.scoring.outcomes import in_same_well
-from pipeline.scoring.wells import NoWells, Wells
+from pipeline.scoring.wells import NoWells, Wells, in_same_well
 from pipeline.signals.trajectory import Trajectory
 
 NRMSE_COLUMNS = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}

@@ -9,8 +9,7 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse, rmse, signal_range
 from pipeline.scoring.intervals import Interval, block_of, mean_interval, rms_interval, share_interval
-from pipeline.scoring.outcomes import in_same_well, switch_accuracy
-from pipeline.scoring.wells import NoWells, Wells
+from pipeline.scoring.wells import NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]
 
@@ -35,7 +34,7 @@ class Score:
     diverged_at_s : float or None
         Time of the divergence.
     well_agreement, switch_accuracy : float or None
-        See `pipeline.scoring.outcomes`; for q of a device with two known wells only.
+        See `pipeline.scoring.wells`; for q of a device with two known wells only.
     well_agreement_interval, switch_accuracy_interval : Interval or None
         95 % intervals: moving-block bootstrap of the samples, Bayesian bootstrap of the pulses.
     """

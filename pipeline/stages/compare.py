@@ -3,8 +3,9 @@
 import json
 import time
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import sources, training, training_tables
@@ -15,13 +16,10 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import FILM, Prototype
 
-if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
-
-ALGORITHM = "12"
+ALGORITHM = "13"
 
 
-def task(prototype: Prototype, parameters: "JointParameters | None", name: str) -> Task:
+def task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:
     """The fit of one baseline."""
     settings = {
         "model": name,
@@ -46,11 +44,10 @@ def _needs_parameters(name: str) -> bool:
 
 
 def _write_fit(
-    run: RunFolder, prototype: Prototype, parameters: "JointParameters | None", name: str, settings: Mapping[str, Any]
+    run: RunFolder, prototype: Prototype, parameters: JointParameters | None, name: str, settings: Mapping[str, Any]
 ) -> Mapping[str, Written]:
     began = time.process_time()
-    data, keep = training_tables(run, prototype), run.checkpoints().keep
-    model = kind(name).fit(training(data, prototype, parameters, keep=keep))
+    model = kind(name).fit(training(training_tables(run, prototype), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
     return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, device(prototype).model_column)}

@@ -3,34 +3,32 @@
 import json
 import time
 from collections.abc import Collection, Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
 from pipeline.device_facts.model_quality import not_converged
+from pipeline.device_parameters import JointParameters
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
-from pipeline.loading.held_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.siblings import siblings_of
-from pipeline.loading.trajectories import PriorKnowledge, sources, training, training_tables
+from pipeline.loading.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
+from pipeline.loading.run_models import CHOICE, EQUATIONS, IDENTIFIED
+from pipeline.loading.trajectories import sources, training, training_tables
 from pipeline.model_list import AUTO, ENTRIES
-from pipeline.models.kind import HEADLINE, kind
-from pipeline.numerics.progress import Keep, OnProgress, kept_under, make_anew, silent
+from pipeline.models.kind import HEADLINE, StoredModel, Training, kind
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
 from pipeline.settings import FILM, Prototype, TrainingGate
+from pipeline.signals.quality_gates import Finding
 from pipeline.signals.trajectory import voltages
 
 if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
     from pipeline.models.choose import Choice
-    from pipeline.models.kind import StoredModel, Training
-    from pipeline.signals.quality_gates import Finding
 
 ALGORITHM = "54"
 SEARCH_CUT = (
@@ -39,7 +37,7 @@ SEARCH_CUT = (
 )
 
 
-def tasks(prototype: Prototype, parameters: "JointParameters | None") -> list[Task]:
+def tasks(prototype: Prototype, parameters: JointParameters | None) -> list[Task]:
     """One task for all identified models: they share `model.h5`."""
     settings = {
         "identify": prototype.identify.model_dump(mode="json"),
@@ -68,13 +66,12 @@ def _identify(
     run: RunFolder,
     on_progress: OnProgress,
     prototype: Prototype,
-    parameters: "JointParameters | None",
+    parameters: JointParameters | None,
     settings: Mapping[str, Any],
 ) -> dict[str, Written]:
     plant, data = device(prototype), training_tables(run, prototype)
-    models, notes = identified(
-        data, prototype, parameters, prior_knowledge_of(run, prototype, parameters), on_progress, run.checkpoints().keep
-    )
+    known = prior_knowledge_of(run, prototype, parameters)
+    models, notes = identified(data, prototype, parameters, known, on_progress)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),
@@ -89,11 +86,10 @@ def _identify(
 def identified(
     data: list[Table],
     prototype: Prototype,
-    parameters: "JointParameters | None",
+    parameters: JointParameters | None,
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
-    keep: Keep = make_anew,
-) -> "tuple[dict[str, StoredModel], dict[str, Any]]":
+) -> tuple[dict[str, StoredModel], dict[str, Any]]:
     """Models of kinematics tables by name, the headline first, and notes on how they came about.
 
     Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
@@ -116,14 +112,14 @@ def identified(
     for wanted in prototype.identify.models:
         if wanted in notes.get(IDENTIFIED, ()):  # it was chosen already
             continue
-        began, given = time.process_time(), replace(whole, keep=kept_under(keep, wanted))
+        began = time.process_time()
         if wanted == AUTO:
-            choice = _choose(given, data, prototype)
+            choice = _choose(whole, data, prototype)
             model, notes[CHOICE] = choice.model, choice.to_json()
             if choice.other is not None:
                 beside[choice.other.name] = choice.other
         else:
-            asked = beside.get(wanted) or _asked(wanted, given, data, prototype, notes["warnings"])
+            asked = beside.get(wanted) or _asked(wanted, whole, data, prototype, notes["warnings"])
             if asked is None:
                 continue
             model = asked
@@ -143,7 +139,7 @@ def identified(
     return models, notes
 
 
-def _put_first(models: "Mapping[str, StoredModel]", whole: "Training", notes: dict[str, Any]) -> None:
+def _put_first(models: Mapping[str, StoredModel], whole: Training, notes: dict[str, Any]) -> None:
     """The headline first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
     from pipeline.models.choose import headline
 
@@ -171,8 +167,8 @@ def _stands_in(models: Collection[str]) -> tuple[tuple[str, ...], str]:
 
 
 def _asked(
-    wanted: str, given: "Training", data: list[Table], prototype: Prototype, warnings: list[str]
-) -> "StoredModel | None":
+    wanted: str, given: Training, data: list[Table], prototype: Prototype, warnings: list[str]
+) -> StoredModel | None:
     """A model that the settings name; no `rbf` beside "auto" where the logs refuse one, which `warnings` then state."""
     if wanted != "rbf" or AUTO not in prototype.identify.models:
         return kind(wanted).fit(given)
@@ -183,7 +179,7 @@ def _asked(
         return None
 
 
-def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choice":
+def _choose(given: Training, data: list[Table], prototype: Prototype) -> "Choice":
     from pipeline.models.choose import Choice, choose
 
     if given.known_curves is not None:
@@ -191,13 +187,13 @@ def _choose(given: "Training", data: list[Table], prototype: Prototype) -> "Choi
     return choose(given, kind("hybrid").fit, lambda part: _network(part, data, prototype))
 
 
-def _network(given: "Training", data: list[Table], prototype: Prototype) -> "StoredModel":
+def _network(given: Training, data: list[Table], prototype: Prototype) -> StoredModel:
     """The data-driven model; what the joint's equations would know the data must show."""
     judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
     return kind("rbf").fit(given)
 
 
-def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
+def _findings(data: list[Table], prototype: Prototype) -> list[Finding]:
     """What speaks against the training logs, taken together."""
     from pipeline.fitting.excitation import excitation_findings
 
@@ -214,25 +210,4 @@ def _findings(data: list[Table], prototype: Prototype) -> "list[Finding]":
         bistable=prototype.plant.parameters is not None,
         joint=device(prototype).joint,
         displacement=device(prototype).displacement.symbol,
-    )
-
-
-def known_inputs(prototype: Prototype) -> tuple[str, ...]:
-    """The artifacts of what the settings name beside the logs: curves that the fit keeps, and siblings."""
-    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.plant.siblings, layout.SIBLINGS))
-    return tuple(artifact for name, artifact in named if name is not None)
-
-
-def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: "JointParameters | None") -> PriorKnowledge:
-    """What is known beside the logs.
-
-    Raises
-    ------
-    InputError
-        The siblings have another parameter set.
-    """
-    named = known_inputs(prototype)
-    return PriorKnowledge(
-        run.read_table(layout.KNOWN_CURVES) if layout.KNOWN_CURVES in named else None,
-        siblings_of(run, parameters) if layout.SIBLINGS in named else None,
     )

@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pipeline.loading.held_models import control_documents
+from pipeline.device_parameters import JointParameters
 from pipeline.loading.parameter_sets import parameter_values
+from pipeline.loading.run_models import control_documents
 from pipeline.names import Typeface
 from pipeline.runs import layout, schemas
 from pipeline.runs.columns import StudyName
@@ -18,7 +19,6 @@ from pipeline.settings import Prototype
 if TYPE_CHECKING:
     from pipeline.device_facts.datasheet import Datasheet
     from pipeline.device_facts.run_data import RunData
-    from pipeline.device_parameters import JointParameters
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 
@@ -38,7 +38,7 @@ class Prepared:
 
 def tasks(
     prototype: Prototype,
-    parameters: "JointParameters | None",
+    parameters: JointParameters | None,
     models: Sequence[str],
     studies: Sequence[StudyName] = (),
     figures: Typeface | None = None,
@@ -59,7 +59,7 @@ def tasks(
     figures : {"sans", "serif"}, optional
         Typeface of the figures for a paper; None makes none.
     control : sequence of str
-        What `debist control` made of the present model (`pipeline.loading.held_models.made_control`).
+        What `debist control` made of the present model (`pipeline.loading.run_models.made_control`).
     """
     from pipeline.reporting.log_figures import LOG_FIGURES
 

@@ -6,13 +6,12 @@ from tempfile import TemporaryDirectory
 from typing import Literal
 
 from pipeline.errors import DebistError
-from pipeline.loading.held_models import identified_models, made_control
 from pipeline.loading.parameter_sets import parameter_set
+from pipeline.loading.run_models import identified_models, made_control
 from pipeline.names import Typeface
 from pipeline.runs import layout
 from pipeline.runs.atomic import sweep
-from pipeline.runs.checkpoints import clear_checkpoints
-from pipeline.runs.engine import Counting, Observer, Task, TaskStatus, bring_up_to_date, status
+from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
@@ -95,17 +94,15 @@ def run_prototype(
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
         _strike_lost(run, observer)
-        tasks = _of_stage(plan(run, prototype, prototype_file), only)
-        if isinstance(observer, Counting):
-            coming = _of_stage(plan(run, prototype, prototype_file), only)
-            observer.planned([task.stage for task in coming if with_report or task.stage != "report"])
+
+        def wanted() -> Iterator[Task]:
+            """The tasks, planned one after the other: what one makes may decide on the next."""
+            tasks = _of_stage(plan(run, prototype, prototype_file), only)
+            return (task for task in tasks if with_report or task.stage != "report")
+
+        observer.planned([task.stage for task in wanted()])
         stages = (only,) if only else tuple(stage for stage in STAGES if with_report or stage != "report")
-        done = _bring_up_to_date(
-            run, (task for task in tasks if with_report or task.stage != "report"), stages, observer
-        )
-        if only is None:
-            clear_checkpoints(root)
-        return done
+        return _bring_up_to_date(run, wanted(), stages, observer)
 
 
 def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:

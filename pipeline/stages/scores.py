@@ -7,33 +7,33 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
-from pipeline.loading.held_models import identified_models
 from pipeline.loading.parameter_sets import parameter_values
+from pipeline.loading.run_models import identified_models
 from pipeline.names import with_true_names
 from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.metrics import signal_range
 from pipeline.runs import layout, schemas
 from pipeline.runs.columns import NOTED_COLUMNS
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
-from pipeline.scoring.wells import wells_of
+from pipeline.scoring.intervals import SEED, Interval, excess_over_lowest
+from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Role
 from pipeline.signals.trajectory import voltages
 from pipeline.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
     from pipeline.reporting.tables import Format, NrmseTable
-    from pipeline.scoring.intervals import Interval
     from pipeline.scoring.scores import Score
-    from pipeline.scoring.wells import NoWells, Wells
 
 ALGORITHM = "11"
 
 
-def task(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> Task:
+def task(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> Task:
     """Score these models, the headline first, on every log."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
@@ -91,7 +91,7 @@ def _score(
 
 def _wells(
     run: RunFolder, tables: Sequence[Table], plant: Device, log: tuple[Role, str], models: Sequence[str]
-) -> "Wells | NoWells":
+) -> Wells | NoWells:
     """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
     from pipeline.device_facts.characteristics import believed_wells
 
@@ -119,11 +119,8 @@ def _pairs(
 
 def _above_lowest(
     runs: Mapping[str, ComparedRun], signal: str, interval: float, *, joint: bool
-) -> "dict[str, Interval | None]":
+) -> dict[str, Interval | None]:
     """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
-    from pipeline.numerics.metrics import signal_range
-    from pipeline.scoring.intervals import SEED, excess_over_lowest
-
     pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
     errors = {
         model: (calculated - measured) / span
@@ -133,15 +130,13 @@ def _above_lowest(
     return excess_over_lowest(errors, interval, SEED, joint=joint)
 
 
-def score_rows(plant: Device, measured: Table, compared: ComparedRun, wells: "Wells | NoWells") -> list[dict[str, Any]]:
+def score_rows(plant: Device, measured: Table, compared: ComparedRun, wells: Wells | NoWells) -> list[dict[str, Any]]:
     """The scores of a free run over kinematics, one row per signal, by the columns of ``scores.parquet``.
 
     Errors by horizon, outcomes and what else a stage noted of the run are columns where its notes hold them.
     """
-    from pipeline.scoring.intervals import SEED
     from pipeline.scoring.scores import score_run
     from pipeline.scoring.step_responses import response_errors
-    from pipeline.scoring.wells import Wells
 
     units = signal_units(plant.displacement.symbol)
     v, interval = voltages(measured), sample_interval(measured["t"])
@@ -175,7 +170,7 @@ def _score_row(score: "Score") -> dict[str, Any]:
     return row
 
 
-def _band(of: str, band: "Interval | None", unit: str = "") -> dict[str, float | None]:
+def _band(of: str, band: Interval | None, unit: str = "") -> dict[str, float | None]:
     """The columns of an interval."""
     return {f"{of}_low{unit}": band.low if band else None, f"{of}_high{unit}": band.high if band else None}
 

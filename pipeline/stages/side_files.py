@@ -5,8 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from pipeline.loading.device import Device, device
-from pipeline.loading.measured_curves import MEANINGS, column_units, named_curves, read_measured_curves
-from pipeline.loading.siblings import read_siblings
+from pipeline.loading.prior_knowledge import MEANINGS, column_units, named_curves, read_measured_curves, read_siblings
 from pipeline.runs import layout
 from pipeline.runs.columns import Column
 from pipeline.runs.engine import Task

@@ -6,16 +6,16 @@ Beside each run stands what it leaves open: errors by horizon, pulses whose well
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
+from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.parts import part_rows, parts, recorded
-from pipeline.loading.trajectories import drive, load_motion, sources
+from pipeline.loading.trajectories import drive, load_motion, part_rows, parts, recorded, sources
 from pipeline.models.base import DynamicModel, FreeRun, HasTubes, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray, sample_interval
@@ -23,28 +23,24 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.tables import Table
-from pipeline.scoring.wells import Wells, wells_of
+from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
+from pipeline.scoring.tubes import Tubes
+from pipeline.scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes, wells_of
 from pipeline.settings import Prototype
 from pipeline.signals.trajectory import voltages
 from pipeline.units import HORIZONS
-
-if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
-    from pipeline.scoring.horizons import MeasuredPath, Predict
-    from pipeline.scoring.tubes import Tubes
-    from pipeline.scoring.wells import NoWells
 
 ALGORITHM = "27"
 
 _RESTARTS = 60
 
 
-def tasks(prototype: Prototype, parameters: "JointParameters | None", models: Sequence[str]) -> list[Task]:
+def tasks(prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]) -> list[Task]:
     """One task per identified model."""
     return [task(prototype, parameters, "validate", name, layout.MODELS) for name in models]
 
 
-def task(prototype: Prototype, parameters: "JointParameters | None", stage: str, model: str, source: str) -> Task:
+def task(prototype: Prototype, parameters: JointParameters | None, stage: str, model: str, source: str) -> Task:
     """The free runs of `model`, which the artifact `source` holds."""
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     return Task(
@@ -94,10 +90,8 @@ def _compile(model: DynamicModel, table: Table) -> None:
     free_run({name: values[:3] for name, values in parts(table)[0].items()}, model)
 
 
-def measured_path(table: Table, model: DynamicModel) -> "tuple[MeasuredPath, Predict]":
+def measured_path(table: Table, model: DynamicModel) -> tuple[MeasuredPath, Predict]:
     """A log as the predictions of a model are compared with it, and what predicts."""
-    from pipeline.scoring.horizons import MeasuredPath
-
     v = drive(table, fine=model.fine_voltages).copy()
     v[~recorded(table)] = np.nan
     return MeasuredPath(table["t"], v, table["q"], table["qdot"]), predictor(model)
@@ -105,8 +99,6 @@ def measured_path(table: Table, model: DynamicModel) -> "tuple[MeasuredPath, Pre
 
 def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, horizon_errors
-
     shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
     possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
@@ -122,7 +114,7 @@ def _write(
     plant: Device,
     rotation: RotationMap | None,
     result: FreeRun,
-    tubes: "Tubes | None",
+    tubes: Tubes | None,
     notes: Mapping[str, Any],
 ) -> Written:
     columns = {"t": result.t, "q": result.q, "qdot": result.qdot, "qddot": result.qddot}
@@ -136,7 +128,7 @@ def _write(
 
 
 def trust_notes(
-    table: Table, wells: "Wells | NoWells", trained: Sequence[Table], ensemble: "FloatArray | None", *, joint: bool
+    table: Table, wells: Wells | NoWells, trained: Sequence[Table], ensemble: FloatArray | None, *, joint: bool
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
@@ -168,7 +160,7 @@ def trust_notes(
     }
 
 
-def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
+def _valid(tables: Sequence[Table]) -> tuple[FloatArray, FloatArray]:
     valid_rows = [table["segment"] >= 0 for table in tables]
     q, qdot = (
         np.concatenate([table[name][k] for table, k in zip(tables, valid_rows, strict=True)]) for name in ("q", "qdot")
@@ -177,11 +169,8 @@ def _valid(tables: Sequence[Table]) -> "tuple[FloatArray, FloatArray]":
 
 
 def _outcomes(
-    table: Table, wells: "Wells | NoWells", ensemble: "FloatArray | None", *, joint: bool
+    table: Table, wells: Wells | NoWells, ensemble: FloatArray | None, *, joint: bool
 ) -> dict[str, Any] | None:
-    from pipeline.scoring.outcomes import pulse_outcomes
-    from pipeline.scoring.wells import places_of_rest
-
     places, t = part_rows(table), table["t"]
     rests = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
     after = [rest for rest in rests if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]

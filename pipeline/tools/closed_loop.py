@@ -11,7 +11,7 @@ from pipeline.control.controller import begin_control, control
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.step_metrics import step_metrics
 from pipeline.errors import InputError
-from pipeline.loading.held_models import load_design
+from pipeline.loading.run_models import load_design
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.rig.bench import Bench, random_bench

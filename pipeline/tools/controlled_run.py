@@ -12,8 +12,7 @@ from pipeline.device_facts.converters import converter_lag
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
-from pipeline.loading.held_models import WORST, controlled_model, failed_validations
-from pipeline.loading.run_models import load_run_model
+from pipeline.loading.run_models import WORST, controlled_model, failed_validations, load_run_model
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
@@ -23,7 +22,7 @@ from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
 
-ALGORITHM = "17"
+ALGORITHM = "18"
 _MISSED, _UNSEEN = 0.09, 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
 [m] where the logs show no wells."""

@@ -11,8 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from pipeline.loading.device import device
-from pipeline.loading.held_models import identified_models
-from pipeline.loading.run_models import load_run_model
+from pipeline.loading.run_models import identified_models, load_run_model
 from pipeline.loading.trajectories import training_tables
 from pipeline.models.base import HasCurves
 from pipeline.names import log_title

@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 from pipeline.errors import InputError
-from pipeline.loading.held_models import failed_validations, model_artifact
-from pipeline.loading.measured_curves import named_curves
-from pipeline.loading.run_models import subject
+from pipeline.loading.prior_knowledge import named_curves
+from pipeline.loading.run_models import failed_validations, load_design, model_artifact, subject
 from pipeline.names import Target, log_name
 from pipeline.runs import layout
 from pipeline.runs.atomic import refuse_link
@@ -123,7 +122,6 @@ def write_model(target: str, subject: "Subject", folder: Path) -> "Exported":
 def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
     from pipeline.control.law import Law
     from pipeline.export.controller import ControllerSubject, write_controller
-    from pipeline.loading.held_models import load_design
 
     document = load_design(run)
     places = document["places_m"]

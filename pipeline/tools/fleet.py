@@ -12,9 +12,8 @@ from pipeline.device_facts.series import Series, common_stroke, facts_of, facts_
 from pipeline.errors import DebistError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
-from pipeline.loading.held_models import model_artifact
-from pipeline.loading.run_models import load_run_model
-from pipeline.loading.siblings import read_siblings
+from pipeline.loading.prior_knowledge import read_siblings
+from pipeline.loading.run_models import load_run_model, model_artifact
 from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.siblings import Learnt, column, learn, to_tree

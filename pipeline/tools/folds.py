@@ -1,7 +1,7 @@
 """Cross-validation on request: models fitted anew without each fold, and run freely over it."""
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,9 +14,10 @@ from pipeline.device_parameters import JointParameters
 from pipeline.errors import DataRefusedError, DebistError, InputError
 from pipeline.isolation import in_processes
 from pipeline.loading.device import device
-from pipeline.loading.held_models import identified_models
 from pipeline.loading.parameter_sets import parameter_set, parameter_values
-from pipeline.loading.trajectories import PriorKnowledge, load_motion, sources, training, trajectories
+from pipeline.loading.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
+from pipeline.loading.run_models import identified_models
+from pipeline.loading.trajectories import load_motion, sources, training, trajectories
 from pipeline.models.kind import kind
 from pipeline.numerics.arrays import BoolArray
 from pipeline.runs import layout, schemas
@@ -134,7 +135,7 @@ def _task(prototype: Prototype, parameters: JointParameters | None, split: Folds
         title=f"{split.count} folds over {split.by}, {model}",
         algorithm=ALGORITHM,
         settings=settings,
-        inputs=(*sources(prototype), *identify.known_inputs(prototype)),
+        inputs=(*sources(prototype), *known_inputs(prototype)),
         outputs=(layout.folds(model),),
         work=partial(_work, prototype=prototype, parameters=parameters, split=split, model=model, jobs=jobs),
     )
@@ -154,16 +155,11 @@ def _work(
         model,
         signal_ranges(data),
         wells,
-        identify.prior_knowledge_of(run, prototype, parameters),
+        prior_knowledge_of(run, prototype, parameters),
     )
     cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
              [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
-
-    def judged(missing: list[str]) -> Iterator[tuple[dict[str, Any], str, float]]:
-        """The folds without a checkpoint, in `jobs` processes."""
-        return in_processes(judge, [cuts[int(name)] for name in missing], jobs)
-
-    results = run.checkpoints().each(map(str, range(split.count)), judged)
+    results = list(in_processes(judge, cuts, jobs))
     if all(why for _, why, _ in results):
         raise DataRefusedError(f"none of {split.count} folds can be judged: {results[0][1]}; give fewer (--folds)")
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]

@@ -120,9 +120,10 @@ class Cleaned:
 
 
 def kinematics_of(table: Any) -> Table | None:
-    """What a model is scored on of a log of a run, as `pipeline.api.Run.log` returns it; None for other signals.
+    """Kinematics that a model is scored on, from a log of a run (`pipeline.api.Run.log`); None for other signals.
 
-    As it was returned, it is what the run itself simulates: with its parts and with the voltages between the samples.
+    A log that is still as `Run.log` returned it is read from the run again, with its parts and with the voltages
+    between the samples, as the run itself simulates it.
     """
     if not hasattr(table, "columns") or "segment" not in table:
         return None

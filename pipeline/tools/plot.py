@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pipeline.errors import InputError
-from pipeline.loading.held_models import made_control
+from pipeline.loading.run_models import made_control
 from pipeline.names import Typeface
 from pipeline.reporting.canvas import FORMATS, form_of, paper_figure
 from pipeline.reporting.figure import Figure, of_models, window, x_range

@@ -12,8 +12,8 @@ from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.subject import Exported, Subject, Validity
 from pipeline.loading.device import device
 from pipeline.loading.free_runs import start_of
-from pipeline.loading.parts import longest_rows, part
 from pipeline.loading.run_models import validity_of
+from pipeline.loading.trajectories import longest_rows, part
 from pipeline.models.kind import StoredModel, model_from_tree
 from pipeline.models.model_file import ModelFile, Sizes, Span, Table
 from pipeline.numerics.arrays import FloatArray
@@ -98,21 +98,21 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
     if not isinstance(tree.get(_CHECK), dict):
         raise CorruptArtifactError(f"{path}: is no saved model; `Model.save` writes one")
     held = _File.read(tree[_CHECK], "in the file", "identify")
-    if not isinstance(own := tree.get(held.name), dict):
+    if not isinstance(model_tree := tree.get(held.name), dict):
         raise CorruptArtifactError(f"{path}: holds no model {held.name!r}, which it names; save it again")
     try:
         document: Any = json.loads(held.settings_json)
         prototype = parse_prototype(document, str(path))
     except (ValueError, InputError) as error:
         raise CorruptArtifactError(f"{path}: its settings cannot be read ({error}); save the model again") from error
-    model, plant = model_from_tree(held.name, own), device(prototype)
+    model, plant = model_from_tree(held.name, model_tree), device(prototype)
     bounds = Validity(
         tuple(held.q), tuple(held.qdot), tuple(tuple(row) for row in held.inputs), prototype.ingest.sample_interval,
         plant.displacement.symbol, tuple(unit.symbol for unit in plant.inputs),
     )  # fmt: skip
-    begun = float(held.start[0]), float(held.start[1])
+    start = float(held.start[0]), float(held.start[1])
     subject = Subject(
-        prototype.name, held.name, model, bounds, tree_hash(own), held.t, held.v, begun, plant.curve_units
+        prototype.name, held.name, model, bounds, tree_hash(model_tree), held.t, held.v, start, plant.curve_units
     )
     return subject, prototype
 

@@ -1,6 +1,6 @@
 """Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -147,14 +147,8 @@ def _held_out(run: RunFolder, prototype: Prototype) -> list[Trajectory]:
 def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
     data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
     grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
-    points = {f"M={count} sigma_n={smoothing}": (count, smoothing) for count, smoothing in grid}
     work = partial(_one_basis, data, held_out, _asked(prototype, plant))
-
-    def rows(missing: list[str]) -> Iterator[tuple[float, float, float]]:
-        """The points without a checkpoint, in `jobs` processes."""
-        return in_processes(work, [points[name] for name in missing], jobs)
-
-    mse, condition, nrmse = np.array(run.checkpoints().each(points, rows)).T
+    mse, condition, nrmse = np.array(list(in_processes(work, grid, jobs))).T
     counts, smoothings = np.array(grid, dtype=np.float64).T
     return {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}, {
         "model": "rbf-paper"

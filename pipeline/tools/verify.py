@@ -11,7 +11,6 @@ from random import SystemRandom
 from pipeline.errors import CorruptArtifactError, DebistError, InputError, SupersededError
 from pipeline.names import part_holds, part_of
 from pipeline.runs.atomic import TEMPORARY_MARK, move
-from pipeline.runs.checkpoints import FOLDER as CHECKPOINTS
 from pipeline.runs.engine import Observer, TaskStatus
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.lock import HOLDER, LOCK, is_held, run_lock
@@ -162,7 +161,7 @@ def _others(run: RunFolder) -> Iterator[str]:
 def _is_leftover(path: str) -> bool:
     marks = (TEMPORARY_MARK, STAGED_MARK)
     temporary = any(name.startswith(".") and name.endswith(marks) for name in path.split("/"))
-    return temporary or path == HOLDER or path.startswith(f"{CHECKPOINTS}/")
+    return temporary or path == HOLDER
 
 
 _DEEPEST = 3

@@ -285,6 +285,29 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
     assert steps[2].rms_m < 0.01e-3
 
 
+@pytest.mark.parametrize("way", [0, 2])
+def test_a_snap_is_as_fast_as_one_full_push_and_one_full_brake(way: int) -> None:
+    plant, law = designed()
+    wells = [each.q for each in wells_and_saddle(plant)]
+    start, end = wells[way], wells[2 - way]
+    full = np.array([3000.0, 0.0]) if end > start else np.array([0.0, 3000.0])
+    fastest = np.inf
+    for pushed in range(80, 140):
+        joint, q = np.zeros(CONTROLLER_STATE), [start]
+        begin_control(start, law, joint)
+        while len(q) <= pushed or joint[1] * (end - start) > 0.0:
+            move(joint, full if len(q) <= pushed else full[::-1].copy(), law)
+            q.append(float(joint[0]))
+        inside = np.abs(np.array(q) - end) < 0.05 * abs(end - start)
+        if inside[-1]:
+            fastest = min(fastest, PERIOD * float(np.argmax(inside)))
+    target = np.full(1000, end)
+    q_closed, _ = closed_on_model(law, law, start, target)
+    settling = step_metrics(PERIOD * np.arange(q_closed.size), q_closed, target, abs(end - start))[0].settling_s
+    assert settling is not None
+    assert settling < 1.05 * fastest
+
+
 @pytest.mark.parametrize(
     ("length", "mass"), [(0.4, 0.064), (2.5, 15.6), (2.5, 400.0)], ids=["small", "large", "in units of another mass"]
 )
@@ -421,6 +444,20 @@ def test_a_well_takes_no_voltage_at_rest_and_a_load_there_is_balanced(side: int,
     assert np.abs(rows[-1000:, 0] - well).max() < 0.1e-3
     assert np.all(rows[-1000:, 1:].max(axis=1) > 0.0) if load else not np.any(rows[-1000:, 1:])
     assert np.abs(np.diff(rows[-1000:, 1:], axis=0)).max(initial=0.0) < 5.0
+
+
+@pytest.mark.parametrize(("softer", "status"), [(0.7, "ok"), (0.9, "no authority")])
+def test_a_well_that_has_moved_by_4_mm_is_held_as_long_as_voltage_is_left(softer: float, status: str) -> None:
+    plant, law = designed()
+    right = wells_and_saddle(plant)[2].q
+    other = plant_of(model(**{"log E": -softer}))
+    start, _, there = (each.q for each in wells_and_saddle(other))
+    assert there - right > 3.9e-3
+    moved = Moved(law, condensed_joint_law(other, (3e-3, 3e-3)), start)
+    rows = moved.run(right, 4000)
+    assert moved.status == status
+    assert (abs(rows[-1, 0] - right) < 0.1e-3) == (status == "ok")
+    assert bool(np.any(rows[-1, 1:])) == (status == "ok")
 
 
 def test_a_load_beyond_all_voltage_is_told_and_takes_none() -> None:

@@ -157,10 +157,10 @@ def test_a_folder_without_a_run_is_one_line(tmp_path: Path) -> None:
 def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_are_one_line(
     planted_run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from pipeline.loading import held_models
+    from pipeline.loading import run_models
     from pipeline.tools import controlled_run
 
-    monkeypatch.setattr(held_models, "WORST", -1.0)
+    monkeypatch.setattr(run_models, "WORST", -1.0)
     told = call("design", planted_run, "-q", code=3)
     assert "control on it would be a guess" in told
     assert (

@@ -18,7 +18,6 @@ PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "faults.md"
 BEGIN, END = "<!-- counts: begin -->", "<!-- counts: end -->"
 PLACES = (
     "tests/faults",
-    "tests/runs/test_checkpoints.py",
     "tests/runs/test_snapshots.py",
     "tests/runs/test_other_systems.py",
     "tests/runs/test_outputs.py",

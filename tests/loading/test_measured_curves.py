@@ -7,7 +7,7 @@ import pytest
 
 from pipeline.errors import InputError
 from pipeline.loading.device import Device, device
-from pipeline.loading.measured_curves import read_measured_curves
+from pipeline.loading.prior_knowledge import read_measured_curves
 from pipeline.loading.report_data import measured_curves
 from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder

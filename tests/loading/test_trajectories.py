@@ -5,13 +5,14 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from pipeline.loading.parts import part_rows, recorded
 from pipeline.loading.trajectories import (
     EDGE,
     begins_in_motion,
     drive,
     load_motion,
+    part_rows,
     record,
+    recorded,
     training,
     trajectories,
 )

@@ -18,8 +18,8 @@ from pipeline.reporting.tables import (
     scores_csv,
 )
 from pipeline.scoring.intervals import FEWEST
-from pipeline.scoring.outcomes import SURE
 from pipeline.scoring.step_responses import SETTLED
+from pipeline.scoring.wells import SURE
 
 
 def record(model: str, nrmse: float | None, above: float | None = None, **changes: Any) -> dict[str, Any]:

@@ -1,8 +1,7 @@
 import numpy as np
 import pytest
 
-from pipeline.scoring.outcomes import pulse_outcomes
-from pipeline.scoring.wells import Wells
+from pipeline.scoring.wells import Wells, pulse_outcomes
 
 WELLS = Wells(left=-1.0, right=1.0, barrier=0.1)
 

@@ -6,16 +6,17 @@ from scipy.signal import lfilter
 
 from pipeline.device_facts.events import rest_facts
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.outcomes import in_same_well, switch_accuracy
 from pipeline.scoring.wells import (
     SHORT_PAUSE,
     NoWells,
     Wells,
     find_wells,
+    in_same_well,
     outermost_pair,
     places_of_rest,
     rests,
     snaps,
+    switch_accuracy,
 )
 
 DT = 0.01

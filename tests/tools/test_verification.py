@@ -87,8 +87,7 @@ PLANTED = (
     "exports/foreign.c", "figures/new.svg",
 )  # fmt: skip
 LEFT = (
-    ".model.h5.debist-staged", "train/.x.1.debist-tmp", "exports/.a.debist-tmp/model.c", ".checkpoints/0/1.json",
-    ".lock-holder.json",
+    ".model.h5.debist-staged", "train/.x.1.debist-tmp", "exports/.a.debist-tmp/model.c", ".lock-holder.json",
 )  # fmt: skip
 
 

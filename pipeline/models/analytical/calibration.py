@@ -13,18 +13,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.device_parameters import JointParameters
-from pipeline.models.analytical.calibration_search import (
+from pipeline.models.analytical.calibration_problem import (
+    LOSS_SCALE,
     RESOLUTION,
     CalibrationProblem,
     Ended,
     SimulatedProblem,
-    loss_weights,
     search,
 )
 from pipeline.models.analytical.windows import Windows, cut_windows
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import Keep, make_anew
 from pipeline.signals.trajectory import MOST_SAMPLES, Trajectory, within
 
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")
@@ -106,7 +105,6 @@ def calibrate(
     starts: int = 3,
     jobs: int = 1,
     report: Report | None = None,
-    keep: Keep = make_anew,
 ) -> Calibration:
     """Fit parameters to measured motions.
 
@@ -126,15 +124,13 @@ def calibrate(
         Threads for the windows.
     report : callable, optional
         Told about the progress.
-    keep : callable
-        Keeps the end of each start and of each refinement.
 
     Notes
     -----
-    Least squares with soft-L1 loss (`calibration_search`): a window near a switching that ends in the wrong well must
+    Least squares with soft-L1 loss (`calibration_problem`): a window near a switching that ends in the wrong well must
     not decide the fit. Gradients are those of the variational equations. Cost: an iteration on 37.5 s
     at 10 ms takes 0.1 to 0.2 s of processor time, a third of that while starts are compared; a calibration with three
-    starts 0.6 to 4 s (docs/reference/speed.md).
+    starts 2 to 4 s (nine simulated joints).
     """
     taken = within(motions, MOST_SAMPLES)
     short, wide = cut_windows(taken, WINDOW), cut_windows(taken, 7.5 * WINDOW)
@@ -146,22 +142,17 @@ def calibrate(
             problem.at(short, SEARCH),
             problem.at(wide, REFINEMENT),
         )
+
+        def improve(name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float) -> Ended:
+            """A search from x0 over some windows, reported under a name."""
+            return search(windows, x0, limit, tolerance, share.at(name))
+
         candidates: list[Ended] = []
-
-        def improve(
-            name: str, windows: SimulatedProblem, x0: FloatArray, limit: int, tolerance: float, rival: float = np.inf
-        ) -> Ended:
-            """A search from x0 over some windows, as kept under its name or made now."""
-            made = keep(name, lambda: vars(search(windows, x0, limit, tolerance, share.at(name), rival)))
-            problem.evaluations = made["evaluations"]
-            return Ended(**made)
-
         for index in range(starts):
             draw = rng.standard_normal(len(problem.names)) if index else np.zeros(len(problem.names))
             x0 = np.clip(draw, 0.98 * problem.lower, 0.98 * problem.upper)
             x0 = np.where(problem.lower == 0.0, np.maximum(x0, 0.1), x0)
-            rival = min((result.cost for result in candidates), default=np.inf)
-            candidates.append(improve(f"start {index + 1} of {starts}", sample, x0, 6, 1e-2, rival))
+            candidates.append(improve(f"start {index + 1} of {starts}", sample, x0, 6, 1e-2))
         best = min(candidates, key=lambda result: result.cost)
         refined = improve("refining the best start", every, best.x, MOST_EVALUATIONS, 3e-2)
         lost_windows = _lost(wide, final.residuals(refined.x))
@@ -198,7 +189,7 @@ def _covariance(jacobian: FloatArray, residuals: FloatArray, labels: IntArray) -
     of a model, correlated over whole ring-downs; as independent samples they would promise ten times too much.
     """
     count = jacobian.shape[1]
-    weights = loss_weights(residuals)
+    weights = (1.0 + (residuals / LOSS_SCALE) ** 2) ** -0.5  # of the residuals in the gradient of the soft-L1 loss
     scores = (weights * residuals)[:, None] * jacobian
     windows = int(labels.max()) + 1
     clusters = np.zeros((windows, count))

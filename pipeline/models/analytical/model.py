@@ -10,12 +10,12 @@ from pydantic import Field
 from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.errors import InputError
 from pipeline.models.analytical.full_order import rest_state, simulate
+from pipeline.models.analytical.reduced_order import CURVES, accelerate, reduce_joint
 from pipeline.models.analytical.windows import voltage_knots
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind, Training
 from pipeline.models.model_file import JointValues, ModelFile
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.progress import Keep, make_anew
 from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.stiff import STATES
 
@@ -72,8 +72,6 @@ class AnalyticalModel:
 
         q does not determine the beam's other shapes, so they follow the static path here.
         """
-        from pipeline.models.analytical.reduced_order import accelerate, reduce_joint
-
         return accelerate(reduce_joint(self.parameters), t, v if v.ndim == 2 else v[:, 0], q, qdot)
 
     def curves(self, q: FloatArray) -> dict[str, FloatArray]:
@@ -86,8 +84,6 @@ class AnalyticalModel:
         InputError
             The beam snaps while its tip is held, so that no curve over q exists.
         """
-        from pipeline.models.analytical.reduced_order import CURVES, reduce_joint
-
         values, slopes = reduce_joint(self.parameters).evaluate(q)
         column = {name: CURVES.index(name) for name in CURVES}
         return {
@@ -129,9 +125,7 @@ class AnalyticalModel:
         return cls(NOMINAL.with_values(file.parameters), file.name, file.diagnostics, file.tolerance)
 
 
-def calibrate_analytical(
-    data: Sequence[Trajectory], start: JointParameters, *, keep: Keep = make_anew
-) -> AnalyticalModel:
+def calibrate_analytical(data: Sequence[Trajectory], start: JointParameters) -> AnalyticalModel:
     """`analytical-calibrated`: the designer's set fitted to the training stretches (§ 3.3).
 
     Fits the paper's seven parameters, the asymmetries that its analytical model lacks, and friction.
@@ -143,7 +137,7 @@ def calibrate_analytical(
     from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
     rng, names = np.random.default_rng(0), ASYMMETRIC_NAMES + FRICTION_NAMES
-    fit = calibrate(data, start, rng, names=names, keep=keep)
+    fit = calibrate(data, start, rng, names=names)
     units = [QUANTITIES[name].unit for name in fit.names]
     diagnostics = {
         "fitted": [f"{name} [{unit}]" for name, unit in zip(fit.names, units, strict=True)],
@@ -164,13 +158,8 @@ def _parameters(training: Training) -> JointParameters:
     return training.parameters
 
 
-def _stretches(training: Training) -> list[Trajectory]:
-    """With the voltages between the samples: a snap begins where a pulse does, not up to a sample interval off."""
-    return [stretch for record in training.records for stretch in record.stretches()]
-
-
 ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
 ANALYTICAL_CALIBRATED = Kind(
-    lambda training: calibrate_analytical(_stretches(training), _parameters(training), keep=training.keep),
+    lambda training: calibrate_analytical(training.finely_driven, _parameters(training)),
     AnalyticalModel.from_tree,
 )

@@ -23,7 +23,6 @@ from pipeline.models.kind import Kind, Training, fitted_samples
 from pipeline.models.tube_scales import scale_on
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import Keep, kept_under, make_anew
 from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
 
 TUBE_MARGIN = 4.0
@@ -85,7 +84,6 @@ def identify_hybrid(
     similarity: Similarity = SAME,
     corrections: Literal["auto", "none", "always"] = "auto",
     siblings: NormalPopulation | None = None,
-    keep: Keep = make_anew,
 ) -> HybridModel:
     """Identify the hybrid joint from whole training logs with two voltages.
 
@@ -107,8 +105,6 @@ def identify_hybrid(
         The prior of the deviations, where joints of the same drawing are known (`pipeline.models.hybrid.siblings`). It
         is set aside where errors on the first parts of the logs, or on the rest, are `HARMFUL_RATIO` times as large
         with it.
-    keep : callable
-        Keeps each level that is finished.
 
     Returns
     -------
@@ -132,7 +128,7 @@ def identify_hybrid(
     if any(record.v.shape[1] != 2 for record in records):
         raise InputError("hybrid: the joint has two membranes; give the channels v1 and v2, or take another model")
     scaled = tuple(similarity.in_reference_units(record) for record in records)
-    first = _first_fits(_Search(scaled, keep, siblings).within(MOST_SAMPLES), parameters, corrections)
+    first = _first_fits(_Search(scaled, siblings).within(MOST_SAMPLES), parameters, corrections)
     search, errors = first.search, first.held_out()
     early, fitted = _whole_fit(first, corrected=_corrections_help(errors, always=corrections == "always"))
     if not search.follows(fitted.fit, LOST_ERROR):
@@ -248,10 +244,9 @@ class _HeldOut(NamedTuple):
 
 @dataclass(frozen=True)
 class _Search:
-    """Training logs in the units of the set's joint, and what keeps finished levels."""
+    """Training logs in the units of the set's joint, and what siblings teach."""
 
     records: tuple[Record, ...]
-    keep: Keep
     siblings: NormalPopulation | None = None
 
     @property
@@ -286,12 +281,10 @@ class _Search:
         steps: int = STEPS,
     ) -> HomotopyFit:
         """The joint fitted at the poles in turn."""
-        name = f"{joint.centres} centres, {sum(len(r.t) for r in self.records)} samples, from {poles[0]:g}"
-        name += "" if self.siblings is None else ", with siblings"
         problem = CondensedProblem(joint, self.records)
         return fit_homotopy(
             problem, start, self.prior(len(start)), Schedule(poles, steps, last, noise_inflation=NOISE_INFLATION),
-            callbacks=Callbacks(begin=problem.hold_lost, keep=kept_under(self.keep, name)), descent=ParallelDescent,
+            callbacks=Callbacks(begin=problem.hold_lost), descent=ParallelDescent,
         )  # fmt: skip
 
     def anew(self, plain: CondensedJoint) -> _Fitted:
@@ -381,20 +374,18 @@ def _report(levels: Sequence[Level], final: HomotopyFit, similarity: Similarity)
 
 
 def _fit(training: Training) -> HybridModel:
-    mass, corrections, keep = training.known_mass, training.identify.corrections, training.keep
+    mass, corrections = training.known_mass, training.identify.corrections
     if training.parameters is not None:
         own = Similarity(mass=mass_factor(training.parameters, mass), origin=shift_of(training.records))
         return identify_hybrid(
-            training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings,
-            keep=keep,
-        )  # fmt: skip
-
+            training.records, training.parameters, similarity=own, corrections=corrections, siblings=training.siblings
+        )
     if training.units[0] != "m" or training.inputs != "squared" or training.records[0].v.shape[1] != 2:
         raise DataRefusedError("the joint has a displacement and two squared voltages; this device has others")
     units = similar_joint(training.records, NOMINAL, mass)
     if isinstance(units, NoJoint):
         raise DataRefusedError(units.reason)
-    return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections, keep=keep)
+    return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
 HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")

@@ -38,7 +38,7 @@ from pipeline.models.rbf.structure_search import Fit, Setting, cut, excerpts, se
 from pipeline.models.tube_scales import scale_on
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90, rms
-from pipeline.numerics.progress import Keep, OnProgress, kept_under, make_anew, silent
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record, operating_range
 
 UNLIKE = 0.8
@@ -80,7 +80,6 @@ def identify_rbf(
     measured: KnownCurves | None = None,
     time_limit: float = RBF_TIME_LIMIT,
     on_progress: OnProgress = silent,
-    keep: Keep = make_anew,
 ) -> RbfModel:
     """Identify the data-driven joint from whole training logs.
 
@@ -106,8 +105,6 @@ def identify_rbf(
         structure is searched on more than `SAMPLES_OF_LIMIT` samples, it is as many times as long.
     on_progress : callable
         Told what is going on, with the present error, and which share of the limit is spent.
-    keep : callable
-        Keeps each candidate that was judged and each level of the final fit.
 
     Raises
     ------
@@ -124,7 +121,7 @@ def identify_rbf(
     pair = is_bistable_pair(records, inputs)
     coupled = COUPLED if pair else GAINS[-1]
     effort = Effort(time_limit if pair else _search_limit(time_limit, records))
-    setting = Setting(inputs, measured, effort, on_progress, coupled=coupled, keep=keep)
+    setting = Setting(inputs, measured, effort, on_progress, coupled=coupled)
     fine = all(r.fine is not None for r in records)
     complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
@@ -234,8 +231,7 @@ def _fit_to_all(records: Sequence[Record], setting: Setting, option: Candidate, 
             problem, theta, prior,
             Schedule(gains, ITERATIONS, LAST_ITERATIONS, noise_inflation=option.noise_inflation),
             callbacks=Callbacks(
-                enough=lambda: setting.effort.exhausted(share), on_progress=report, is_chaotic=problem.is_chaotic,
-                keep=kept_under(setting.stored, f"final of {option.label} from {gains[0]:g}"),
+                enough=lambda: setting.effort.exhausted(share), on_progress=report, is_chaotic=problem.is_chaotic
             ),
         )  # fmt: skip
 
@@ -307,7 +303,6 @@ def _fit(training: Training) -> RbfModel:
         measured=training.known_curves,
         time_limit=training.identify.time_limit,
         on_progress=training.on_progress,
-        keep=training.keep,
     )
 
 

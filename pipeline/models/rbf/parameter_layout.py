@@ -157,9 +157,10 @@ class ParameterLayout:
         inertia = np.array([np.exp(part["inertia"][0]), part["inertia_centre"][0]]) if s.arc else np.zeros(2)
         low, high = -1.0 - 3.0 * OVERHANG, 1.0 + 3.0 * OVERHANG
         slip_length = SLIP_FLOOR + np.exp(part["slip_length"])
+        end_stops = np.concatenate((part["stops"][:2], np.exp(part["stops"][2:])))  # places; stiffness, resistance
         c = Coefficients(
             curves, np.exp(part["rate"]), np.exp(part["slip_force"]), slip_length, inertia,
-            self.centres, self.bend, low, high, self.arm, float(np.exp(part["drag"]).sum()), self._stops(part["stops"]),
+            self.centres, self.bend, low, high, self.arm, float(np.exp(part["drag"]).sum()), end_stops,
             np.zeros((2, curves.shape[1])), np.zeros(2),
         )  # fmt: skip
         ends = basis_rows(np.array([low, high]), c)
@@ -167,7 +168,7 @@ class ParameterLayout:
 
     @np.errstate(over="ignore")
     def sensitivity_parameters(self, theta: FloatArray) -> SensitivityParameters:
-        """Parameters of the sensitivities: all, in order."""
+        """For each parameter: the kind of coefficient that it moves, where that one stands, and its slope."""
         kind, first, second = (np.zeros(self.count, dtype=np.int64) for _ in range(3))
         factor = np.ones(self.count)
         for name, row in self.rows.items():
@@ -197,12 +198,8 @@ class ParameterLayout:
             first[self.slices[name]] = self.slices[name].start - shape
         return SensitivityParameters(kind, first, second, factor)
 
-    def _stops(self, part: FloatArray) -> FloatArray:
-        """Places of the end stops, stiffness and resistance, of which the last two are carried as logarithms."""
-        return np.concatenate((part[:2], np.exp(part[2:])))
-
     def columns(self, *, constant: bool) -> slice:
-        """Columns of the basis that a curve of its own weights has: the Gaussians, or the constant."""
+        """Columns of `Coefficients.curves` that a curve without polynomial uses: the Gaussians, or a constant."""
         return slice(0, 1) if constant else slice(POLYNOMIALS, None)
 
     @property

@@ -17,7 +17,7 @@ from pipeline.models.rbf.problem import COARSE_STEP, Effort, JointProblem
 from pipeline.models.rbf.start import TIMES, data_scales, starting_joint
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import Keep, OnProgress, StoredResult, make_anew, silent
+from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record
 
 FITTED_SHARE = 0.65
@@ -111,8 +111,6 @@ class Setting:
         One of so many samples is compared.
     coupled : float
         Smallest observer gain of a fit: 0, the free run, but for a chaotic and for a bistable device.
-    keep : callable
-        Keeps finished work.
     """
 
     inputs: InputLaw
@@ -121,13 +119,6 @@ class Setting:
     on_progress: OnProgress = silent
     thinning: int = 1
     coupled: float = 0.0
-    keep: Keep = make_anew
-
-    def stored(self, name: str, make: Callable[[], StoredResult]) -> StoredResult:
-        """Result of `make`, from `keep` if it is there; its effort counts either way."""
-        parts = dict(self.keep(name, lambda: {**make(), "spent": self.effort.spent}))
-        self.effort.spent = parts.pop("spent")
-        return parts
 
     def begin(self, records: Sequence[Record], option: Candidate, like: Fit | None = None) -> Begun:
         """Parameterisation, start and prior of a candidate; lag and delay start as in another fit of it."""
@@ -316,30 +307,19 @@ def _judge(records: Sequence[Record], setting: Setting, option: Candidate, near:
     """
     folds, timed = _folds(records), option.structure.input_lag or option.structure.input_delay
     first = setting.begin(folds[0][0], option)
-
-    def begin(i: int, thetas: Sequence[FloatArray]) -> Begun:
+    errors, fits, chaotic, followed = list[FloatArray](), list[Fit](), False, np.empty(0)
+    for i, (fitted, judged, after) in enumerate(folds):
         # One log may say little of lag and delay, and even of a gain's sign: they start as the fit of all has them.
-        return setting.begin(folds[i][0], option, (first[0], thetas[0]) if timed else None) if i else first
-
-    def make() -> StoredResult:
-        """Held-out errors and fitted θ of every fold."""
-        errors, thetas, chaotic, followed = list[FloatArray](), list[FloatArray](), False, np.empty(0)
-        for i, (fitted, judged, after) in enumerate(folds):
-            p, start, prior = begin(i, thetas)
-            fit = _quick_fit(p, fitted, start, prior, setting, option, near.fits[i] if near else None)
-            problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
-            at = (COUPLED, setting.coupled)
-            both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in at]
-            errors.append(p.scales.half * np.minimum(np.abs(both), DIVERGED_ERROR_HALF_RANGES))
-            thetas.append(fit.theta)
-            chaotic = chaotic or fit.chaotic
-            followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
-        return {"errors": np.concatenate(errors, axis=1), "thetas": thetas, "chaotic": chaotic, "fitted": followed}
-
-    parts = setting.stored(option.label + ", coupled" * bool(setting.coupled), make)
-    fits = tuple((begin(i, parts["thetas"])[0], theta) for i, theta in enumerate(parts["thetas"]))
-    idle = _idle(fits, records[0].interval)
-    return _Judged(parts["errors"], parts["fitted"], fits, bool(parts["chaotic"]), idle)
+        p, start, prior = setting.begin(folds[i][0], option, fits[0] if timed else None) if i else first
+        fit = _quick_fit(p, fitted, start, prior, setting, option, near.fits[i] if near else None)
+        problem = JointProblem(p, judged, after, step=COARSE_STEP, thinning=setting.thinning, effort=setting.effort)
+        at = (COUPLED, setting.coupled)
+        both = [np.concatenate(problem.held_out(fit.theta, GAINS[1], coupled)) for coupled in at]
+        errors.append(p.scales.half * np.minimum(np.abs(both), DIVERGED_ERROR_HALF_RANGES))
+        fits.append((p, fit.theta))
+        chaotic = chaotic or fit.chaotic
+        followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
+    return _Judged(np.concatenate(errors, axis=1), followed, tuple(fits), chaotic, _idle(fits, records[0].interval))
 
 
 def _followed(problem: JointProblem, theta: FloatArray, gain: float) -> FloatArray:

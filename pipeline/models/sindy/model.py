@@ -327,11 +327,7 @@ def _terms(dynamics: PolynomialDynamics) -> int:
 
 SINDY = Kind(
     lambda data: identify_sindy(
-        [stretch for record in data.records for stretch in record.stretches()],
-        inputs=data.inputs,
-        mass=data.mass,
-        units=data.units,
-        most=data.compare.candidates,
+        data.finely_driven, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
     ),
     SindyModel.from_tree,
     "pipeline.export.lagged:realise_polynomial",

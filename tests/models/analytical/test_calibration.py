@@ -6,7 +6,7 @@ import pytest
 from pipeline.device_parameters import NOMINAL, JointParameters
 from pipeline.errors import InputError
 from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES, calibrate
-from pipeline.models.analytical.calibration_search import PRIORS, prior_of
+from pipeline.models.analytical.calibration_problem import PRIORS, prior_of
 from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.model import AnalyticalModel, calibrate_analytical
 from pipeline.models.analytical.reduced_order import pulse_sequence

@@ -4,8 +4,6 @@ import pytest
 from pipeline.fitting.descent import Prior
 from pipeline.fitting.homotopy import Callbacks, Schedule, fit_homotopy
 from pipeline.models.rbf.problem import Effort
-from pipeline.runs.checkpoints import Checkpoints
-from pipeline.runs.manifest import Recipe
 
 
 def test_effort_counts_simulations_and_not_the_clock():
@@ -61,30 +59,3 @@ def test_a_spent_effort_leaves_the_least_steps_of_the_last_level_and_progress_is
     whole = fit_homotopy(Parabola(), np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1)), Schedule((1.0, 0.1, 0.0)))
     assert whole.converged
     assert whole.theta[0] == pytest.approx(np.sqrt(2.0), rel=1e-2)
-
-
-@pytest.mark.parametrize("finished", [1, 2, 3])
-def test_a_fit_that_is_stopped_goes_on_from_its_last_level(tmp_path, finished):
-    """Stopped while its next level is worked on, and continued through parts on the disk: equal to the last bit."""
-    start, prior = np.array([30.0]), Prior(np.zeros((1, 1)), np.zeros(1))
-    parts, made = Checkpoints(tmp_path, Recipe("s", "1", {}, {})), []
-
-    def keep(name, make):
-        def watched():
-            made.append(name)
-            if len(made) == finished + 1:
-                raise KeyboardInterrupt
-            return make()
-
-        return parts.keep(name, watched)
-
-    with pytest.raises(KeyboardInterrupt):
-        fit_homotopy(Parabola(), start, prior, Schedule((1.0, 0.3, 0.1, 0.0)), callbacks=Callbacks(keep=keep))
-    found = fit_homotopy(Parabola(), start, prior, Schedule((1.0, 0.3, 0.1, 0.0)), callbacks=Callbacks(keep=keep))
-    whole = fit_homotopy(Parabola(), start, prior, Schedule((1.0, 0.3, 0.1, 0.0)))
-    assert [name.partition(",")[0] for name in made] == [
-        f"level {number}" for number in (*range(finished), finished, *range(finished, 4))
-    ]
-    assert found.levels == whole.levels and found.noise == whole.noise
-    for name in ("theta", "residual", "hessian"):
-        assert getattr(found, name).tobytes() == getattr(whole, name).tobytes()

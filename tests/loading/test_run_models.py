@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.loading.held_models import compared_models, identified_models, model_artifact
 from pipeline.loading.report_data import choice_facts
+from pipeline.loading.run_models import compared_models, identified_models, model_artifact
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype

@@ -1,16 +1,23 @@
-"""Characteristic curves that were measured on a test stand, to compare those of the models with (fig. 14)."""
+"""What settings name beside the logs: curves that were measured on a test stand (fig. 14), and siblings."""
 
 import csv
 import re
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from pipeline.errors import InputError
+from pipeline.device_parameters import JointParameters
+from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.fitting.population import NormalPopulation
 from pipeline.loading.device import Device
 from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain
 from pipeline.runs import layout
+from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.tables import Table
+from pipeline.runs.trees import read_tree
 from pipeline.settings import Prototype
 from pipeline.units import curve_units, to_si
 
@@ -96,3 +103,73 @@ def _row(path: Path, number: int, row: list[str], width: int) -> list[float]:
     if any(np.isinf(value) for value in values):
         raise InputError(f"{path}: row {number} holds an infinite number")
     return values
+
+
+def read_siblings(path: Path) -> dict[str, Any]:
+    """The tree of a file of `debist fleet learn`, checked.
+
+    Raises
+    ------
+    InputError
+        There is no such file, or it is none of siblings.
+    """
+    from pipeline.models.hybrid.siblings import from_tree
+
+    try:
+        tree = read_tree(path)
+        from_tree(tree)
+    except CorruptArtifactError as error:
+        raise InputError(f"{path}: is no file of siblings ({error})") from error
+    return tree
+
+
+def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | None:
+    """What siblings teach, for the page; None where the settings name none."""
+    from pipeline.models.hybrid.siblings import from_tree
+
+    return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
+
+
+def siblings_of(run: RunFolder, parameters: JointParameters | None) -> NormalPopulation:
+    """What siblings teach, as the run holds it.
+
+    Raises
+    ------
+    InputError
+        They were learnt about another parameter set than the run's.
+    """
+    from pipeline.models.hybrid.siblings import from_tree
+
+    about, population, _ = from_tree(run.read_tree(layout.SIBLINGS))
+    if parameters is None or about != parameters:
+        raise InputError("plant.siblings: they were learnt about another parameter set than plant.parameters; use that")
+    return population
+
+
+@dataclass(frozen=True)
+class PriorKnowledge:
+    """What a fit takes beside the logs: measured characteristic curves, and what siblings teach."""
+
+    curves: Table | None = None
+    siblings: NormalPopulation | None = None
+
+
+def known_inputs(prototype: Prototype) -> tuple[str, ...]:
+    """The artifacts of what a fit takes beside the logs: curves that it keeps, and siblings."""
+    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.plant.siblings, layout.SIBLINGS))
+    return tuple(artifact for name, artifact in named if name is not None)
+
+
+def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
+    """What is known beside the logs.
+
+    Raises
+    ------
+    InputError
+        The siblings have another parameter set.
+    """
+    named = known_inputs(prototype)
+    return PriorKnowledge(
+        run.read_table(layout.KNOWN_CURVES) if layout.KNOWN_CURVES in named else None,
+        siblings_of(run, parameters) if layout.SIBLINGS in named else None,
+    )
