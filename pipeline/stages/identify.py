@@ -70,8 +70,8 @@ def _identify(
     settings: Mapping[str, Any],
 ) -> dict[str, Written]:
     plant, data = device(prototype), training_tables(run, prototype)
-    known = prior_knowledge_of(run, prototype, parameters)
-    models, notes = identified(data, prototype, parameters, known, on_progress)
+    prior = prior_knowledge_of(run, prototype, parameters)
+    models, notes = identified(data, prototype, parameters, prior, on_progress)
     tree: dict[str, Any] = {
         "units": {"q": plant.displacement.symbol, "v": plant.inputs[0].symbol, "t": "s"},
         "settings_json": json.dumps(settings, sort_keys=True),

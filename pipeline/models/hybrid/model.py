@@ -145,10 +145,10 @@ class HybridModel:
 
         The observer's pole is one over the sample interval; where nothing was measured it rests.
         """
-        joint, known = self.joint, np.isfinite(seen)
+        joint, measured = self.joint, np.isfinite(seen)
         k, weights, dt, steps, fine, u = self._inputs(self.theta, t, v)
-        reading = CubicSpline(t - t[0], bridged(seen, known))(fine)
-        followed = Followed(reading, (known & np.append(known[1:], False)) / dt)
+        reading = CubicSpline(t - t[0], bridged(seen, measured))(fine)
+        followed = Followed(reading, (measured & np.append(measured[1:], False)) / dt)
         start = np.array([seen[0], speed[0], age_at(t)])
         driving = Driving(u[None], np.zeros(1, np.int64), np.array([joint.instruments(self.theta).offset]), start)
         laws = Laws(k[None], weights[None], joint.basis)

@@ -155,11 +155,11 @@ class RbfModel:
 
         The observer's pole is one over the sample interval; where nothing was measured it rests.
         """
-        s, interval, known = self.parameters.scales, sample_interval(t), np.isfinite(seen)
-        x = (bridged(seen, known) - s.middle) / s.half
+        s, interval, measured = self.parameters.scales, sample_interval(t), np.isfinite(seen)
+        x = (bridged(seen, measured) - s.middle) / s.half
         driven = _Driven(self.parameters, self.theta, v, interval)
         begin = (float(x[0]), float(speed[0]) / s.half)
-        held, _ = driven.run(Coupling(x, known.astype(np.float64), 1.0 / interval), begin)
+        held, _ = driven.run(Coupling(x, measured.astype(np.float64), 1.0 / interval), begin)
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             states, _ = driven.run(_free(count + 1), np.delete(held[start], 2), start)
             yield s.middle + s.half * states[:, 0]
