@@ -6,8 +6,8 @@ voltage as large as the moment needs. With the target at q* and the distance s =
 * far from the target the joint is pushed towards it with the full moment, until its mass centre is as fast as a
   simulated joint that a brake, begun now, still stops at the target. Then it is braked with a share of the full moment,
   and the speed's error against the simulated brake is taken away by the rest (after M. L. Workman's proximate
-  time-optimal servomechanism, dissertation, Stanford 1987). The moment that brakes first accelerates the tip; the mass
-  centre it does not, so its speed is judged;
+  time-optimal servomechanism, dissertation, Stanford 1987). The braking moment at first accelerates the tip, but not
+  the mass centre, so the mass centre's speed is judged;
 * where the largest voltage does not suffice to push the joint over its barrier, it is pushed towards the
   barrier and away from it in turn, along its own velocity: every half swing then adds energy;
 * near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
