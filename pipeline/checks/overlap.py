@@ -130,8 +130,8 @@ def _by_inputs(first: LogSignals, second: LogSignals, sample_interval: float) ->
         begin, end = max(0, -shift), min(there.size, here.size - shift)
         if end - begin < width:
             continue
-        one, other = here[begin + shift : end + shift], there[begin:end]
-        products = [uniform_filter1d(a * b, width) for a, b in ((one, other), (one, one), (other, other))]
+        ours, theirs = here[begin + shift : end + shift], there[begin:end]
+        products = [uniform_filter1d(a * b, width) for a, b in ((ours, theirs), (ours, ours), (theirs, theirs))]
         runs = runs_of(products[0] > _TOGETHER * np.sqrt(products[1] * products[2]))
         longest = max(runs, key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
         if longest.stop - longest.start >= width:
