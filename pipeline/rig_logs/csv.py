@@ -73,27 +73,24 @@ class CsvSource(Source):
         local = [name for name in self._stamped if not STAMP.fullmatch(self._firsts[name])]
         self._clocks = {name: Clock(self._firsts[name]) for name in local}
         self.whole_seconds = {name for name in self._stamped if _WHOLE_SECONDS.search(self._firsts[name])}
-        dialect = self._dialect
-        self.notes = [
-            dialect.describe(),
-            *(note_on_rate(*each) for each in dialect.rates),
-            *dialect.scales,
-            *self.notes,
-        ]
-        self._open = {name for name, is_open in zip(self._columns, dialect.open_marks, strict=True) if is_open}
-        prefixed = [name for name, each in zip(self._columns, dialect.columns, strict=False) if each.prefixed]
-        self.notes += (
-            [f"SI prefixes behind numbers are applied in {', '.join(map(repr, prefixed))}"] if prefixed else []
-        )
+        self._open = {name for name, is_open in zip(self._columns, self._dialect.open_marks, strict=True) if is_open}
         texts = self._left_out()
         self.texts = {name: text if ";" in text else f"{text}; export it as numbers" for name, text in texts.items()}
-        headed = dict(zip(self._columns, dialect.headings, strict=True))
-        self.notes += left_out({name: text for name, text in texts.items() if self._firsts[name] or headed[name]})
-        self.starts = dict(
-            [*zip(self._columns, dialect.starts, strict=False)][1:]
-        )  # the first column is a time, or empty
+        self.notes = self._noted(texts)
+        # The first column is a time, or empty.
+        self.starts = dict([*zip(self._columns, self._dialect.starts, strict=False)][1:])
         # The number of rows is not declared anywhere.
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
+
+    def _noted(self, texts: dict[str, str]) -> list[str]:
+        """How the file is read, and which columns are left out as `texts`."""
+        dialect = self._dialect
+        prefixed = [repr(name) for name, each in zip(self._columns, dialect.columns, strict=False) if each.prefixed]
+        applied = [f"SI prefixes behind numbers are applied in {', '.join(prefixed)}"] if prefixed else []
+        headed = dict(zip(self._columns, dialect.headings, strict=True))
+        left = {name: text for name, text in texts.items() if self._firsts[name] or headed[name]}
+        rates = (note_on_rate(*each) for each in dialect.rates)
+        return [dialect.describe(), *rates, *dialect.scales, *self.notes, *applied, *left_out(left)]
 
     def _left_out(self) -> dict[str, str]:
         """What stands in the columns that are no numbers."""

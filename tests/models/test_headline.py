@@ -35,9 +35,10 @@ class Errs:
         q[0] = q0
         return FreeRun(t, q, 0.0 * q, 0.0 * q, "ok")
 
-    def predict(self, t, v, seen, speed):
-        ahead = np.arange(len(t) - len(seen) + 1) * 0.01
-        return np.interp(t[len(seen) - 1 :], T, Q) + self.rate * ahead * np.cos(40.0 * t[len(seen) - 1])
+    def predict(self, t, v, seen, speed, starts, ahead):
+        for start, count in zip(starts, ahead, strict=True):
+            times = t[start : start + count + 1]
+            yield np.interp(times, T, Q) + self.rate * (times - times[0]) * np.cos(40.0 * times[0])
 
 
 @pytest.mark.parametrize(

@@ -106,7 +106,9 @@ class SindyModel:
     ) -> Iterator[FloatArray]:
         """Predictions with lag states filtered from the measured signals; see `pipeline.models.base.Predicts`."""
         dt, lags, measured = sample_interval(t), len(self.dynamics.lags), np.isfinite(seen) & np.isfinite(speed)
-        followed = scaled_variables(self.dynamics, _at_samples(v), bridged(seen, measured), bridged(speed, measured), dt)
+        followed = scaled_variables(
+            self.dynamics, _at_samples(v), bridged(seen, measured), bridged(speed, measured), dt
+        )
         states = followed[:, followed.shape[1] - lags :]
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
             rows, begin = slice(start, start + count + 1), (float(seen[start]), float(speed[start]))

@@ -99,7 +99,7 @@ def test_too_few_or_unlike_runs_teach_nothing() -> None:
 def test_the_prior_of_a_fit_is_the_population_of_its_siblings() -> None:
     population = learn(siblings(6)).population
     for centres in (0, 6):
-        prior = _Search((), lambda name, work: work(), population).prior(COUNT + 9 * centres)
+        prior = _Search((), population).prior(COUNT + 9 * centres)
         assert np.linalg.norm(prior.residual(np.append(population.mean, np.zeros(9 * centres)))) < 1e-9
         covariance = np.linalg.inv(prior.matrix.T @ prior.matrix)
         assert covariance[:COUNT, :COUNT] == pytest.approx(population.covariance, rel=1e-6, abs=1e-9)
