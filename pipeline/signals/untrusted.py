@@ -35,21 +35,25 @@ _JUMP = 2
 """Samples that the jumps to it and back may show between the two."""
 
 UNBOUNDED = (-np.inf, np.inf)
-_SHORTEST_PULSE, _SELDOM = 3.0, 0.01
-"""Samples a sample interval from which on one of them is no pulse, and share of the samples that spikes may be."""
+_SHORTEST_PULSE, _SELDOM = 1e-3, 0.01
+"""Time [s] within which no amplifier goes there and back, and share of the samples that spikes may be."""
+_LEAST_SAMPLES = 3.0
+"""Samples a sample interval from which on one of them is no pulse."""
 
 
 def without_spikes(signal: Signal, step: float, interval: float) -> tuple[Signal, int, float]:
     """An input with its single samples far off neighbours that agree on the line between these; how many, and the
     stamp [s] of the first.
 
-    Nothing is changed where a sample interval has less than three steps [s], where such samples are frequent, and in
-    a command without noise: there pulses may be as short.
+    Nothing is changed where a step [s] is longer than 1 ms or a third of a sample interval, where such samples are
+    frequent, and in a command without noise: there pulses may be as short. A controller that differentiates kicks for
+    one of its periods, and the device follows.
     """
     time, samples = signal
     usable = finite(samples)
     values = select(samples, usable)
-    noise = noise_level(values) if _SHORTEST_PULSE * step <= interval and values.size else 0.0
+    short = step <= min(1.01 * _SHORTEST_PULSE, interval / _LEAST_SAMPLES)
+    noise = noise_level(values) if short and values.size else 0.0
     count, first = single_spikes(values, noise)
     if not 0 < count <= _SELDOM * values.size:
         return signal, 0, np.nan

@@ -3,7 +3,7 @@ import pytest
 
 from pipeline.signals.columns import CHUNK
 from pipeline.signals.signal_quality import examine_signal
-from pipeline.signals.untrusted import trusted
+from pipeline.signals.untrusted import trusted, without_spikes
 
 STEP = 1e-3
 
@@ -204,3 +204,18 @@ def test_the_noise_of_a_fast_device_is_not_its_motion():
     assert quality.noise == pytest.approx(1e-3, rel=0.9)
     assert quality.roughness > 0.05
     assert quality.spikes == 0
+
+
+@pytest.mark.parametrize(("step", "bridged"), [(1e-4, True), (1e-3, True), (2e-3, False), (1e-2, False)])
+def test_single_samples_of_an_input_are_bridged_where_no_drive_is_as_fast(step, bridged):
+    """A controller at 100 Hz kicks for one period; a probe at 1 kHz that shows one sample of 3 kV has erred."""
+    rng, t = np.random.default_rng(8), step * np.arange(4000)
+    v = 1000.0 + 3.0 * rng.standard_normal(t.size)
+    v[[700, 2000, 3300]] += [2000.0, -800.0, 300.0]
+    (_, after), count, first = without_spikes((t, v), step, 0.05)
+    if not bridged:
+        assert count == 0 and after is v
+    else:
+        assert count == 3 and first == t[700]
+        assert np.flatnonzero(np.abs(after[:] - v) > 0.0).tolist() == [700, 2000, 3300]
+        assert np.abs(after[:] - 1000.0).max() < 20.0
