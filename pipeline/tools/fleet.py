@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.series import Series, common_stroke, facts_of, facts_over_time
-from pipeline.errors import DebistError, InputError
+from pipeline.errors import DataRefusedError, DebistError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
 from pipeline.loading.prior_knowledge import read_siblings
@@ -75,7 +75,11 @@ def learn_siblings(roots: Sequence[Path], output: Path) -> LearntFile:
         if name in models:
             raise InputError(f"{root}: a second run of {name!r}; a joint enters once, name one of its runs")
         models[name], origins[name] = model, origin
-    learnt = learn(models)
+    try:
+        learnt = learn(models)
+    except DataRefusedError as error:
+        reasons = "".join(f"; left out: {reason}" for reason in left_out.values())
+        raise DataRefusedError(f"{error}{reasons}") from None
     parameters = next(iter(models.values())).joint.parameters
     write_tree(output, to_tree(learnt, parameters, origins), column)
     return LearntFile(output, tuple(models), left_out, learnt)
