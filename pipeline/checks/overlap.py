@@ -38,8 +38,12 @@ _SAME_RATE = 0.01
 _SAME_STEP = 1e-9
 _WHITE, _OF_INPUT = 0.2, 0.05
 """Least noise by differences of the eighth order over that by the fourth, and largest share of a measured input."""
-_TOGETHER = 0.5
+_TOGETHER = 0.8
 """Correlation of the noise of an input in two logs from which it is one recording; two of their own have 0.0."""
+_STEPS, _RESTING = 4.0, 8
+"""Standard deviations of the noise beyond which an input moves, and samples over which that is judged."""
+_LINE, _RIPPLE = 16.0, 0.2
+"""Power of a spectral line of ripple over the median one, and the largest share of such lines in the noise."""
 _ORDER, _SMOOTHED = 4, 3
 _GAIN = 6.32
 """Standard deviation that these differences make of white noise of 1."""
@@ -122,17 +126,19 @@ def _by_inputs(first: LogSignals, second: LogSignals, sample_interval: float) ->
     if abs(first.interval / second.interval - 1.0) > _SAME_STEP or width > min(first.t.size, second.t.size) - _ORDER:
         return None
     for columns in zip(first.v.T, second.v.T, strict=False):
-        noises = [_measured_noise(column) for column in columns]
-        if not all(noises):
+        (here, rests_here), (there, rests_there) = map(_noise_at_rest, columns)
+        if not (rests_here.any() and rests_there.any()):
             continue
-        here, there = (_noise_alone(column, noise) for column, noise in zip(columns, noises, strict=True))
         shift = int(np.argmax(correlate(here, there, "full", "fft"))) - (there.size - 1)
         begin, end = max(0, -shift), min(there.size, here.size - shift)
         if end - begin < width:
             continue
         ours, theirs = here[begin + shift : end + shift], there[begin:end]
         products = [uniform_filter1d(a * b, width) for a, b in ((ours, theirs), (ours, ours), (theirs, theirs))]
-        runs = runs_of(products[0] > _TOGETHER * np.sqrt(products[1] * products[2]))
+        resting = uniform_filter1d(1.0 * (rests_here[begin + shift : end + shift] & rests_there[begin:end]), width)
+        runs = runs_of(
+            (resting > 0.5) & (products[0] > _TOGETHER * np.sqrt(np.maximum(products[1] * products[2], 0.0)))
+        )
         longest = max(runs, key=lambda rows: rows.stop - rows.start, default=slice(0, 0))
         if longest.stop - longest.start >= width:
             rows = np.array([begin + longest.start, begin + longest.stop - 1])
@@ -143,21 +149,31 @@ def _by_inputs(first: LogSignals, second: LogSignals, sample_interval: float) ->
     return None
 
 
-def _noise_alone(v: FloatArray, noise: float) -> FloatArray:
-    """Differences of an input in which its noise outweighs the rest, steps cut down."""
-    limit = 5.0 * noise * math.sqrt(math.comb(2 * _ORDER, _ORDER))
-    cut: FloatArray = np.clip(np.diff(v, _ORDER), -limit, limit)
-    return cut
+def _noise_at_rest(v: FloatArray) -> tuple[FloatArray, BoolArray]:
+    """Differences of an input in which its noise outweighs the rest, zero where the input moves, and where it rests.
 
+    It rests nowhere where it shows no noise of a measurement: a command has none, some inputs are noises themselves,
+    and ripple of an amplifier is alike in all logs of a rig.
+    """
+    from scipy.fft import rfft
+    from scipy.ndimage import maximum_filter1d, uniform_filter1d
 
-def _measured_noise(v: FloatArray) -> float:
-    """Standard deviation of the noise of an input that was measured; 0 where it is a command, or is itself a noise."""
     noise, higher = (
         robust_std(np.diff(v, order)) / math.sqrt(math.comb(2 * order, order)) for order in (_ORDER, 2 * _ORDER)
     )
-    size = float(np.std(v))
+    differences = np.diff(v, _ORDER)
+    steps = np.abs(np.diff(uniform_filter1d(v, _RESTING), prepend=v[0]))
+    moves = maximum_filter1d(steps > _STEPS * noise * math.sqrt(2.0) / _RESTING, 2 * _RESTING + 1)
+    rests = ~moves[_ORDER // 2 : _ORDER // 2 + differences.size]
+    alone = np.where(rests, differences, 0.0)
+    lines = np.abs(rfft(alone)) ** 2
+    fast = np.arange(lines.size // 4, lines.size)  # where noise outweighs what is left of the sequence
+    lines = lines[fast] / np.sin(math.pi * fast / alone.size) ** (2 * _ORDER)
+    ripple = float(np.sum(lines[lines > _LINE * np.median(lines)]))
     is_noise = higher > _WHITE * noise  # of a smooth command, higher differences are far smaller
-    return noise if is_noise and 0.0 < noise < _OF_INPUT * size else 0.0
+    if not (is_noise and 0.0 < noise < _OF_INPUT * float(np.std(v)) and ripple < _RIPPLE * float(np.sum(lines))):
+        rests = np.zeros_like(rests)
+    return alone, rests
 
 
 def _candidates(

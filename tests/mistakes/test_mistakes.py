@@ -1,11 +1,14 @@
 """Every mistake of the first week is told, in every format, and honest logs are told nothing of."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from pipeline.checks.overlap import shared_recordings
+from pipeline.checks.weak_form import LogSignals
 from pipeline.rig_logs.inspection import inspect_log
 from tests.mistakes.table import HEAD, MISTAKES, PAGE, Log, Mistake, bursts, log, lose_rows, noisy, rows, sentence, told
 from tests.prototypes import motion
@@ -41,6 +44,23 @@ def test_a_sequence_that_is_run_twice_is_no_copy(noise):
         q = once[1] + draw.normal(0.0, 3e-6, once[0].size)
         runs.append(Log(once[0], q, once[2] + draw.normal(0.0, noise, once[2].shape)))
     assert not [text for text in told(runs) if "shared" in text]
+
+
+@pytest.mark.parametrize("rate", [1000.0, 200.0, 100.0])
+@pytest.mark.parametrize("ripple", [0.0, 4.0, 20.0])
+@pytest.mark.parametrize("seeds", [(1, 3), (1, 1)])
+def test_ripple_of_an_amplifier_makes_no_copy(rate, ripple, seeds):
+    """All logs of a rig have the same tones, and often the same steps; the noise is each log's own."""
+    logs = []
+    for number, seed in enumerate(seeds):
+        draw, (t, q, v) = np.random.default_rng(60 + number), motion(20.0, rate, seed, noise=3e-6)
+        v = v + draw.normal(0.0, 4.0, v.shape)
+        for tone in (47.3, 220.0, 451.0):
+            v += ripple * np.sin(2.0 * np.pi * tone * t + draw.uniform(0.0, 6.0))[:, None]
+        logs.append(LogSignals("", t, q + draw.normal(0.0, 3e-6, t.size), v, 1.0 / rate, 3e-6, 0.0, None))
+    assert shared_recordings(logs, 0.01) == []
+    again = replace(logs[0], q=logs[0].q + np.random.default_rng(9).normal(0.0, 3e-4, logs[0].q.size))
+    assert bool(shared_recordings([logs[0], again], 0.01)) == (ripple == 0.0)
 
 
 def test_of_a_copy_with_another_q_the_span_is_that_of_its_inputs():
