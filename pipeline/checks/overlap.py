@@ -41,7 +41,7 @@ _WHITE, _OF_INPUT = 0.2, 0.05
 _TOGETHER = 0.8
 """Correlation of the noise of an input in two logs from which it is one recording; two of their own have 0.0."""
 _STEPS, _RESTING = 4.0, 8
-"""Standard deviations of the noise beyond which an input moves, and samples over which that is judged."""
+"""Standard deviations of steps beyond which an input moves, and samples whose means are compared."""
 _LINE, _RIPPLE = 16.0, 0.2
 """Power of a spectral line of ripple over the median one, and the largest share of such lines in the noise."""
 _ORDER, _SMOOTHED = 4, 3
@@ -118,12 +118,18 @@ def overlap(first: LogSignals, second: LogSignals, sample_interval: float) -> Ov
 
 
 def _by_inputs(first: LogSignals, second: LogSignals, sample_interval: float) -> Overlap | None:
-    """What two logs share by the noise of a measured input, where q was filtered since or noise was added to it."""
+    """What two logs share by the noise of a measured input, where q was filtered since or noise was added to it.
+
+    Logs coarser than the sample interval are not judged: between steps they have too few samples at rest.
+    """
     from scipy.ndimage import uniform_filter1d
     from scipy.signal import correlate
 
     width = samples_of(_WINDOW * sample_interval, first.interval)
-    if abs(first.interval / second.interval - 1.0) > _SAME_STEP or width > min(first.t.size, second.t.size) - _ORDER:
+    coarse = first.interval > sample_interval * (1.0 + _SAME_STEP)
+    if coarse or abs(first.interval / second.interval - 1.0) > _SAME_STEP:
+        return None
+    if width > min(first.t.size, second.t.size) - _ORDER:
         return None
     for columns in zip(first.v.T, second.v.T, strict=False):
         (here, rests_here), (there, rests_there) = map(_noise_at_rest, columns)
@@ -162,8 +168,8 @@ def _noise_at_rest(v: FloatArray) -> tuple[FloatArray, BoolArray]:
         robust_std(np.diff(v, order)) / math.sqrt(math.comb(2 * order, order)) for order in (_ORDER, 2 * _ORDER)
     )
     differences = np.diff(v, _ORDER)
-    steps = np.abs(np.diff(uniform_filter1d(v, _RESTING), prepend=v[0]))
-    moves = maximum_filter1d(steps > _STEPS * noise * math.sqrt(2.0) / _RESTING, 2 * _RESTING + 1)
+    steps = np.diff(uniform_filter1d(v, _RESTING), prepend=v[0])
+    moves = maximum_filter1d(np.abs(steps) > _STEPS * robust_std(steps), 2 * _RESTING + 1)
     rests = ~moves[_ORDER // 2 : _ORDER // 2 + differences.size]
     alone = np.where(rests, differences, 0.0)
     lines = np.abs(rfft(alone)) ** 2
