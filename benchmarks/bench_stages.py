@@ -16,11 +16,11 @@ from pipeline.machine import settle_machine
 
 settle_machine()
 
-from pipeline.runs.engine import Task  # noqa: E402
+from pipeline.runs.engine import Task, Unheard  # noqa: E402
 from pipeline.stages.run import run_prototype  # noqa: E402
 
 
-class Clock:
+class Clock(Unheard):
     """An observer that adds up processor time [s] by stage, and by model for fits of baselines."""
 
     def __init__(self) -> None:
@@ -30,19 +30,10 @@ class Clock:
         """A task begins."""
         self._began = _now()
 
-    def progressed(self, task: Task, what: str, share: float) -> None:
-        """Nothing to do."""
-
     def finished(self, task: Task, seconds: float) -> None:
         """A task ends."""
         name = task.title if task.title.startswith("fit of") else f"{task.stage}: all tasks"
         self.spent[name.replace("compare: all tasks", "free runs of baselines")] += _now() - self._began
-
-    def skipped(self, task: Task) -> None:
-        """Nothing to do."""
-
-    def warned(self, what: str, warning: str) -> None:
-        """Nothing to do."""
 
 
 def _now() -> float:
