@@ -226,7 +226,9 @@ def _freed_rms(records: Sequence[Record], setting: Setting, fitted: _Fitted, opt
     last = fitted.fit.levels[-1].gain
     schedule = Schedule([last], last_iterations=FREED_STEPS, noise_inflation=option.noise_inflation)
     freed = fit_homotopy(fitted.problem, fitted.fit.theta, prior, schedule)
-    return fitted.parameters.scales.half * rms(freed.residual[fitted.problem.of_displacement]) if freed.levels else np.inf
+    if not freed.levels:
+        return np.inf
+    return fitted.parameters.scales.half * rms(freed.residual[fitted.problem.of_displacement])
 
 
 def _fit_to_all(records: Sequence[Record], setting: Setting, option: Candidate, like: Fit | None) -> _Fitted:
