@@ -25,6 +25,8 @@ from joints import OCTAVE, CompiledModel, half_steps  # noqa: E402
 from pipeline.export.sources import write_matlab  # noqa: E402
 from pipeline.export.subject import Subject, curve_tables  # noqa: E402
 from pipeline.loading.run_models import identified_models, subject  # noqa: E402
+from pipeline.models.hybrid.model import HybridModel  # noqa: E402
+from pipeline.models.rbf.model import RbfModel  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
 from pipeline.settings import parse_prototype  # noqa: E402
@@ -79,6 +81,7 @@ def octave_run(what: Subject, folder: Path) -> tuple[FloatArray, float]:
 def lookup_run(what: Subject) -> FloatArray:
     """Displacement by m q̈ = −F(q) − d(q) q̇ + ½ C'(q) v² with the lookup tables, as Simulink would give it."""
     tables = {table.name: table for table in curve_tables(what)}
+    assert isinstance(what.model, HybridModel | RbfModel)
     t, mass, h = what.t - what.t[0], what.model.mass, 1e-3
     fine = np.arange(2 * round(t[-1] / h) + 1) * 0.5 * h
     u = CubicSpline(t, what.v)(np.minimum(fine, t[-1])) ** 2
