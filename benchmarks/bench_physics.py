@@ -35,12 +35,12 @@ def line(name: str, value: float, note: str = "") -> None:
 def scipy_run(method: Literal["LSODA", "BDF"], t: np.ndarray, v: np.ndarray, x0: np.ndarray) -> np.ndarray:
     """Displacement [m] by SciPy, no step longer than the sample interval, so that it misses no pulse."""
     p, force = NOMINAL.vector(), np.zeros(1)
-    mass, tau, z_dot = np.empty((4, 4)), np.empty(4), np.empty(3)
+    mass, rates = np.empty((4, 4)), np.empty(11)
 
     def derivative(time: float, x: np.ndarray) -> np.ndarray:
         voltage = np.array([np.interp(time, t, v[:, side]) for side in range(2)])
-        kernels.dynamics(x[:4], x[4:8], x[8:], voltage**2, force, p, mass, tau, z_dot)
-        return np.concatenate([x[4:8], np.linalg.solve(mass, tau), z_dot])
+        kernels.motion(np.ascontiguousarray(x), voltage**2, force, p, mass, rates)
+        return np.concatenate([rates[:4], np.linalg.solve(mass, rates[4:8]), rates[8:]])
 
     path = solve_ivp(derivative, (t[0], t[-1]), x0, method, t, rtol=1e-5, atol=1e-7, max_step=t[1] - t[0]).y
     return np.asarray(path[:3].T @ NOMINAL.l ** np.arange(2, 5))

@@ -190,7 +190,7 @@ def test_a_probe_with_a_zero_error_is_told(pair: list[LogSignals]) -> None:
     ]
 
 
-@pytest.mark.parametrize("zero", [-0.04, 0.04])
+@pytest.mark.parametrize("zero", [-0.04, pytest.param(0.04, marks=pytest.mark.long)])
 def test_a_laser_that_was_not_zeroed_is_told_and_refuses_nothing(pair: list[LogSignals], zero: float) -> None:
     rows = check_logs([replace(log, q=log.q + zero) for log in pair], JOINT)
     assert {row.state for row in rows if row.what == "rests"} == {"note"} and not _wrong(rows)
@@ -245,7 +245,7 @@ def test_logs_of_one_simple_device_at_two_rates_are_of_one_device(pair: list[Log
     assert not _wrong(check_logs([pair[0], coarse], JOINT))
 
 
-@pytest.mark.parametrize("lag", [40, 120])
+@pytest.mark.parametrize("lag", [pytest.param(40, marks=pytest.mark.long), 120])
 def test_the_delay_is_told(pair: list[LogSignals], lag: int) -> None:
     rows = check_logs([_later(pair[0], lag)], JOINT)
     for what in ("delay of q after v1", "delay of q after v2"):
@@ -377,7 +377,7 @@ def test_gain_offset_and_delay_of_a_log_are_told_apart(
     assert rows["same device"].state in ("ok", "note")
 
 
-@pytest.mark.parametrize("bias", [150.0, 600.0])
+@pytest.mark.parametrize("bias", [pytest.param(150.0, marks=pytest.mark.long), 600.0])
 def test_a_drive_that_was_biased_in_one_log_is_no_error_of_its_probe(pair: list[LogSignals], bias: float) -> None:
     t, _, v = motion(DURATION, RATE, 36, excitation="validation")
     v = np.maximum(v, bias)
