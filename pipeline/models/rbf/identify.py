@@ -48,7 +48,7 @@ sides may differ by 10 % and not 3, with a laser that bends its readings by 15 %
 UNLIKE_POPULATION, FREED_STEPS = 0.6, 15
 """Share of the residual below which a joint is unlike simulated ones, once it need not be like others for so many steps
 and its sides may differ by 10 %. Twenty simulated joints and the example logs leave 0.73 to 0.94 of it. Behind a laser
-that bends its readings by 10 to 20 % or reads 2 or 3 mm too much, 13 of 16 leave 0.25 to 0.54, the others 0.75 to 0.91."""
+that bends its readings by 10 to 20 % or reads 2 or 3 mm too much, 13 of 16 leave 0.25 to 0.54, others 0.75 to 0.91."""
 
 NEGLIGIBLE_INPUT = 0.01
 """Share of the largest input below which one does nothing."""
