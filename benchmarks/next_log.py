@@ -99,9 +99,10 @@ def main() -> None:
             errors, design = measure(kind, given.first + number, given.candidates, Path(folder))
         table.append([*errors, *(1e6 * sd for sd in (design.now, design.usual, design.designed))])
         print(f"{kind + f'-{given.first + number}':20s}" + "".join(f"{x:10.3f}" for x in table[-1]), flush=True)
-    half = len(table) // 2
+    half = (len(table) + 1) // 2
     for name, rows in (("same", table[:half]), ("foreign", table[half:]), ("all", table)):
-        print(f"{'median ' + name:20s}" + "".join(f"{x:10.3f}" for x in np.median(rows, axis=0)))
+        if rows:
+            print(f"{'median ' + name:20s}" + "".join(f"{x:10.3f}" for x in np.median(rows, axis=0)))
 
 
 if __name__ == "__main__":
