@@ -55,15 +55,20 @@ def held_at(joint: RigParameters, x: FloatArray, at: float) -> tuple[FloatArray,
 
     The minimiser finds the valley, but stops short of its floor or gives up; what is left is solved for.
     """
-    none, held = np.zeros(2), {"type": "eq", "fun": lambda x: 1e3 * (tip_displacement(joint, x) - at)}
-    found = minimize(lambda x: 1e3 * potential(joint, x, none), x, method="SLSQP", constraints=held)
+    none = np.zeros(2)
+
+    def energy_of(x: FloatArray) -> float:
+        return 1e3 * potential(joint, x, none)
+
+    def off(x: FloatArray) -> float:
+        return 1e3 * (tip_displacement(joint, x) - at)
+
+    found = minimize(energy_of, x, method="SLSQP", constraints={"type": "eq", "fun": off})
 
     def unbalanced(z: FloatArray) -> FloatArray:
         beside = [z[:-1] + step for step in np.vstack([NUDGE * np.eye(len(x)), -NUDGE * np.eye(len(x))])]
-        energy, tip = (
-            np.array([of(one) for one in beside]).reshape(2, -1)
-            for of in (lambda x: potential(joint, x, none), lambda x: tip_displacement(joint, x))
-        )
+        energy = np.array([potential(joint, x, none) for x in beside]).reshape(2, -1)
+        tip = np.array([tip_displacement(joint, x) for x in beside]).reshape(2, -1)
         balance = (energy[0] - energy[1] - z[-1] * (tip[0] - tip[1])) / (2.0 * NUDGE)
         return np.append(1e3 * balance, 1e3 * (tip_displacement(joint, z[:-1]) - at))
 
@@ -93,7 +98,8 @@ def main() -> None:
         if not isinstance(model, HybridModel):
             continue
         measured = run.log("train")["q_m"].dropna().to_numpy()
-        q = np.linspace(*np.percentile(measured, [1.0, 99.0]), POINTS)
+        least, most = np.percentile(measured, [1.0, 99.0])
+        q = np.linspace(least, most, POINTS)
         joint = joint_of(path)
         truth, found, drawn = true_curves(joint, q), model.curves(q), model.curve_ensemble(q, DRAWS)
         unit = moving_mass(joint) if abs(model.mass - 1.0) < UNIT else 1.0

@@ -21,8 +21,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
+from measure import adopt_orphans, cost
 
-from benchmarks.measure import adopt_orphans, cost
 from tests.double_well import DoubleWell
 
 TOML = """name = "{name}"

@@ -16,7 +16,9 @@ import sys
 import time
 import warnings
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
+from typing import Literal
 
 for threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ.setdefault(threads, "1")
@@ -28,9 +30,16 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "signals")]  # the signals are s
 
 import differentiation_signals as signals  # noqa: E402 - after the path to it
 
+from pipeline.numerics.tvregdiff import Order, tvregdiff  # noqa: E402
+
 Derivatives = tuple[np.ndarray, np.ndarray]
 Differentiator = Callable[[np.ndarray, float], Derivatives]
 
+ORDERS: tuple[Order, ...] = (1, 2, 3, 4)
+DEGREES: tuple[Literal[3, 5], ...] = (3, 5)
+FORMS: tuple[tuple[Literal["large", "small"], Literal["exact", "fitted"]], ...] = (
+    ("large", "exact"), ("large", "fitted"), ("small", "exact"), ("small", "fitted"),
+)  # fmt: skip
 CASES = [
     (signals.corner(), (0.05,)),
     (signals.sine(), (0.001, 0.05)),
@@ -61,7 +70,8 @@ def savitzky_golay(window: int, degree: int) -> Differentiator:
     from scipy.signal import savgol_filter
 
     def both(y: np.ndarray, dt: float) -> Derivatives:
-        return tuple(savgol_filter(y, window, degree, deriv=d, delta=dt) for d in (1, 2))
+        first, second = (np.asarray(savgol_filter(y, window, degree, deriv=d, delta=dt)) for d in (1, 2))
+        return first, second
 
     return both
 
@@ -82,7 +92,7 @@ def butterworth(order: int, cutoff: float) -> Differentiator:
     return twice(lambda y, dt: pynumdiff.butterdiff(y, dt, filter_order=order, cutoff_freq=cutoff)[1])
 
 
-def spline(degree: int, smoothing: float) -> Differentiator:
+def spline(degree: Literal[3, 5], smoothing: float) -> Differentiator:
     from scipy.interpolate import UnivariateSpline
 
     def both(y: np.ndarray, dt: float) -> Derivatives:
@@ -142,7 +152,7 @@ def grid(name: str, n: int, noise_std: float) -> Iterator[tuple[object, Differen
     elif name == "PyNumDiff Butterworth":
         yield from (((m, c), butterworth(m, c)) for m in (2, 4) for c in np.geomspace(0.005, 0.5, 11))
     elif name == "SciPy smoothing spline":
-        yield from (((k, f), spline(k, f * noise_std)) for k in (3, 5) for f in (0.9, 0.97, 1.0, 1.03, 1.1))
+        yield from (((k, f), spline(k, f * noise_std)) for k in DEGREES for f in (0.9, 0.97, 1.0, 1.03, 1.1))
     elif name == "PyNumDiff tvrdiff":
         yield from (((m, g), convex_tv(m, g)) for m in (1, 2, 3) for g in np.geomspace(1e-6, 1e2, 9))
     elif name == "PyNumDiff iterative TV" and n <= 100:
@@ -176,7 +186,7 @@ def errors(case: signals.Signal, derivatives: Derivatives) -> tuple[float, float
 def own(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[float, float]]]:
     from pipeline.signals.differentiate import differentiate
 
-    for order in (1, 2, 3, 4):
+    for order in ORDERS:
         k = differentiate(y, case.dt, order=order)
         yield f"ours, order {order}, automatic", errors(case, (k.qdot, k.qddot))
 
@@ -190,7 +200,7 @@ def own_best(case: signals.Signal, y: np.ndarray) -> Iterator[tuple[str, tuple[f
     from pipeline.signals.noise import noise_std
 
     n, sigma = y.size, noise_std(y)
-    for order in (1, 2, 3, 4):
+    for order in ORDERS:
         for memory in np.geomspace(2.0, 64.0, 16):
             typical = sigma / memory ** (order + 0.5)
             for rounding in (*np.geomspace(1e-2, 1e2, 7), 1e9):
@@ -238,7 +248,7 @@ def relaxed_ends(n: int, order: int, memory: float) -> np.ndarray:
 def reweighted_fits(
     case: signals.Signal,
     y: np.ndarray,
-    order: int,
+    order: Order,
     lam: float,
     delta: float,
     weights: np.ndarray | None,
@@ -246,7 +256,6 @@ def reweighted_fits(
 ) -> Iterator[tuple[float, float]]:
     """Errors of a solution and of those after each reweighting, parameters in steps."""
     from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
-    from pipeline.numerics.tvregdiff import tvregdiff
     from pipeline.signals.smoothing_parameter import jump_weights
 
     for k in range(reweightings + 1):
@@ -299,7 +308,7 @@ def _best(name: str, case: signals.Signal, y: np.ndarray, noise: float) -> list[
 
 
 def _least(name: str, tried: list[tuple[tuple[float, float], object]]) -> tuple[str, tuple[float, float], str]:
-    first, second = (min(tried, key=lambda row, which=which: row[0][which]) for which in (0, 1))
+    first, second = (min(tried, key=lambda row: row[0][which]) for which in (0, 1))
     return name, (first[0][0], second[0][1]), f"{first[1]} · {second[1]}"
 
 
@@ -333,8 +342,6 @@ def long_record(n: int) -> tuple[np.ndarray, float]:
 
 
 def speed(largest: int) -> None:
-    from pipeline.numerics.tvregdiff import tvregdiff
-
     sizes = [
         n for n in (1000, 3750, 10_000, 30_000, 100_000, 300_000, 1_125_000, 3_000_000, 10_000_000) if n <= largest
     ]
@@ -343,7 +350,7 @@ def speed(largest: int) -> None:
     for n in sizes:
         y, dt = long_record(n)
         result = tvregdiff(y, dt, alpha=0.01)
-        seconds = timed(lambda y=y, dt=dt: tvregdiff(y, dt, alpha=0.01))
+        seconds = timed(partial(tvregdiff, y, dt, alpha=0.01))
         ratio = seconds / result.iterations / timed(banded_solve(n))
         print(
             f"{n:9d} {seconds:9.4f} {1e9 * seconds / n:9.0f} {result.iterations:5d} {ratio:17.2f} {peak_memory(n):9.0f}"
@@ -355,21 +362,18 @@ def speed(largest: int) -> None:
 
 def forms(n: int) -> None:
     """Processor time of every form, start and rounding on one record."""
-    from pipeline.numerics.tvregdiff import tvregdiff
-
     y, dt = long_record(n)
     print(f"\nN = {n}, alpha = 0.01 mm s, to a relative duality gap of 1e-10")
     print(f"{'form':28s} {'epsilon':>8s} {'time [s]':>9s} {'steps':>5s}")
-    for form, start in (("large", "exact"), ("large", "fitted"), ("small", "exact"), ("small", "fitted")):
+    for form, start in FORMS:
         for epsilon in (1e-12, 1e-6, 1e-2):
-            options = {"alpha": 0.01, "form": form, "start": start, "epsilon": epsilon}
-            steps = tvregdiff(y, dt, **options).iterations
-            seconds = timed(lambda options=options: tvregdiff(y, dt, **options), least=1.0)
+            solve = partial(tvregdiff, y, dt, alpha=0.01, form=form, start=start, epsilon=epsilon)
+            steps = solve().iterations
+            seconds = timed(solve, least=1.0)
             print(f"{form + ', start ' + start:28s} {epsilon:8.0e} {seconds:9.3f} {steps:5d}", flush=True)
 
 
 def beside_peers(n: int) -> None:
-    from pipeline.numerics.tvregdiff import tvregdiff
     from pipeline.signals.differentiate import differentiate
 
     print(f"\nN = {n}: processor time of a first derivative, and its ratio to ours")
@@ -414,8 +418,6 @@ def peak_memory(n: int) -> float:
 
 
 def peak(n: int) -> None:
-    from pipeline.numerics.tvregdiff import tvregdiff
-
     rng = np.random.default_rng(2)
     y = rng.standard_normal(n)
     np.cumsum(y, out=y)

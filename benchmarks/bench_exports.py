@@ -25,12 +25,17 @@ from joints import OCTAVE, CompiledModel, half_steps  # noqa: E402
 from pipeline.export.sources import write_matlab  # noqa: E402
 from pipeline.export.subject import Subject, curve_tables  # noqa: E402
 from pipeline.loading.run_models import identified_models, subject  # noqa: E402
+from pipeline.models.hybrid.model import HybridModel  # noqa: E402
+from pipeline.models.paper.model import RbfPaperModel  # noqa: E402
+from pipeline.models.rbf.model import RbfModel  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
 from pipeline.settings import parse_prototype  # noqa: E402
 
 REPEATS = 5
 OCTAVE_SECONDS = 3.0  # interpreted, it runs slower than the joint
+
+WITH_CURVES = (HybridModel, RbfModel, RbfPaperModel)
 
 
 def target_rate(what: Subject, folder: Path, rate: float) -> tuple[FloatArray, float]:
@@ -79,6 +84,7 @@ def octave_run(what: Subject, folder: Path) -> tuple[FloatArray, float]:
 def lookup_run(what: Subject) -> FloatArray:
     """Displacement by m q̈ = −F(q) − d(q) q̇ + ½ C'(q) v² with the lookup tables, as Simulink would give it."""
     tables = {table.name: table for table in curve_tables(what)}
+    assert isinstance(what.model, WITH_CURVES)
     t, mass, h = what.t - what.t[0], what.model.mass, 1e-3
     fine = np.arange(2 * round(t[-1] / h) + 1) * 0.5 * h
     u = CubicSpline(t, what.v)(np.minimum(fine, t[-1])) ** 2
@@ -119,7 +125,8 @@ def measure(what: Subject, folder: Path) -> Iterator[tuple[str, str]]:
         yield f"C, step at {rate:g} Hz", f"{told(q, truth)}; {1e6 * seconds:.2f} µs a step"
     yield "FMU, co-simulation", told(co_simulated(what, folder)[:, 0], truth)
     yield "FMU, model exchange", told(exchanged(what, folder), truth)
-    yield "lookup tables alone", told(lookup_run(what), truth)
+    if isinstance(what.model, WITH_CURVES):
+        yield "lookup tables alone", told(lookup_run(what), truth)
     if OCTAVE:
         q, seconds = octave_run(what, folder)
         yield "MATLAB function in Octave", f"{told(q, truth)}; {seconds:.0f} s for {OCTAVE_SECONDS:g} s"

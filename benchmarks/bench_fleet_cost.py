@@ -19,7 +19,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from benchmarks.measure import adopt_orphans, cost
+from measure import adopt_orphans, cost
 
 NOISE = 2e-6  # m
 _DEBIST = [sys.executable, "-c", "from cli import app; app()"]

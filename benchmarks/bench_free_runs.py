@@ -15,8 +15,9 @@ from pipeline.machine import settle_machine
 settle_machine()
 
 import numpy as np  # noqa: E402
+from measure import fits, seconds  # noqa: E402
 
-from benchmarks.measure import fits, seconds  # noqa: E402
+from pipeline.models.base import HasDraws  # noqa: E402
 from pipeline.models.kind import load_model  # noqa: E402
 from pipeline.runs.tables import read_table  # noqa: E402
 
@@ -24,6 +25,7 @@ from pipeline.runs.tables import read_table  # noqa: E402
 def row(folder: Path) -> tuple[float, float, float]:
     """Fit [s], free run [ms] and ensemble [ms] of a run."""
     model = load_model(folder / "model.h5")
+    assert isinstance(model, HasDraws)
     table = read_table(sorted(folder.glob("validation/*/signals.parquet"))[0])
     t, v = table["t"], np.stack([table["v1"], table["v2"]], axis=1)
     q = float(table["q"][np.flatnonzero(np.isfinite(table["q"]))[0]])

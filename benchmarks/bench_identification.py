@@ -8,6 +8,7 @@ The motion is that of a smooth random walk between ±12 mm under random pulses; 
 import os
 import time
 from collections.abc import Callable
+from functools import partial
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -16,6 +17,7 @@ import numpy as np
 
 from pipeline.fitting.regression import pseudo_inverse_fit, triangular_factor
 from pipeline.models.paper.model import identify_rbf_paper
+from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Trajectory
 
 SPAN = 37.5  # s
@@ -28,7 +30,8 @@ def motion(samples: int) -> Trajectory:
     q = 4e-3 * np.sin(2 * np.pi * np.outer(t, frequencies) + phases).sum(axis=1)
     qdot = np.gradient(q, t)
     v = 3000.0 * (np.sin(2 * np.pi * np.outer(t, [0.4, 0.31])) > 0.3)
-    return Trajectory(t, q, qdot, np.gradient(qdot, t), v)
+    qddot: FloatArray = np.gradient(qdot, t)
+    return Trajectory(t, q, qdot, qddot, v.astype(np.float64))
 
 
 def best_of(work: Callable[[], object], repeats: int) -> float:
@@ -59,7 +62,7 @@ def speed() -> None:
         def with_pinv(rows: np.ndarray = matrix) -> object:
             return np.linalg.pinv(rows[:, :40]) @ rows[:, 40]
 
-        whole = best_of(lambda x=log: identify_rbf_paper([x]), repeats)
+        whole = best_of(partial(identify_rbf_paper, [log]), repeats)
         parts = [best_of(work, repeats) for work in (in_blocks, with_lstsq, with_pinv)]
         print(f"{samples:9d}  {whole:10.1f}  {parts[0]:12.1f}  {parts[1]:8.1f}  {parts[2]:8.1f}")
 

@@ -9,14 +9,15 @@ import os
 import sys
 import time
 from pathlib import Path
+from typing import Literal
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import numpy as np
+from measure import seconds
 from scipy.integrate import solve_ivp
 
-from benchmarks.measure import seconds
 from pipeline.device_parameters import NOMINAL
 from pipeline.generated import analytical_joint as kernels
 from pipeline.models.analytical.bifurcation import characteristics
@@ -24,23 +25,25 @@ from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.reduced_order import pulse_sequence, reduce_joint, simulate_reduced
 from pipeline.models.analytical.statics import equilibria
 
+METHODS: tuple[Literal["LSODA", "BDF"], ...] = ("LSODA", "BDF")
+
 
 def line(name: str, value: float, note: str = "") -> None:
     print(f"{name:<58} {1e3 * value:10.2f} ms  {note}")
 
 
-def scipy_run(method: str, t: np.ndarray, v: np.ndarray, x0: np.ndarray) -> np.ndarray:
+def scipy_run(method: Literal["LSODA", "BDF"], t: np.ndarray, v: np.ndarray, x0: np.ndarray) -> np.ndarray:
     """Displacement [m] by SciPy, no step longer than the sample interval, so that it misses no pulse."""
     p, force = NOMINAL.vector(), np.zeros(1)
-    mass, tau, z_dot = np.empty((4, 4)), np.empty(4), np.empty(3)
+    mass, rates = np.empty((4, 4)), np.empty(11)
 
     def derivative(time: float, x: np.ndarray) -> np.ndarray:
         voltage = np.array([np.interp(time, t, v[:, side]) for side in range(2)])
-        kernels.dynamics(x[:4], x[4:8], x[8:], voltage**2, force, p, mass, tau, z_dot)
-        return np.concatenate([x[4:8], np.linalg.solve(mass, tau), z_dot])
+        kernels.motion(np.ascontiguousarray(x), voltage**2, force, p, mass, rates)
+        return np.concatenate([rates[:4], np.linalg.solve(mass, rates[4:8]), rates[8:]])
 
     path = solve_ivp(derivative, (t[0], t[-1]), x0, method, t, rtol=1e-5, atol=1e-7, max_step=t[1] - t[0]).y
-    return path[:3].T @ NOMINAL.l ** np.arange(2, 5)
+    return np.asarray(path[:3].T @ NOMINAL.l ** np.arange(2, 5))
 
 
 def main() -> None:
@@ -62,7 +65,7 @@ def main() -> None:
     x0 = rest_state(NOMINAL, start, 0.0, v[0])
     truth = simulate(NOMINAL, t, v, x0, tolerance=1e-8)
     line(f"full order, {t[-1]:.1f} s of a pulse at 10 ms", seconds(lambda: simulate(NOMINAL, t, v, x0, tolerance=1e-5)))
-    for method in ("LSODA", "BDF"):
+    for method in METHODS:
         begin = time.process_time()
         error = np.abs(scipy_run(method, t, v, x0) - truth.q).max()
         spent = time.process_time() - begin

@@ -26,12 +26,12 @@ from pipeline.machine import settle_machine  # noqa: E402
 
 settle_machine()
 
-from benchmarks.bench_batch import batch, write_fleet  # noqa: E402
-from benchmarks.bench_compilation import costs  # noqa: E402
-from benchmarks.bench_fleet_page import members  # noqa: E402
-from benchmarks.measure import Cost, adopt_orphans, cost, fits  # noqa: E402
+from bench_batch import batch, write_fleet  # noqa: E402
+from bench_compilation import costs  # noqa: E402
+from bench_fleet_page import members  # noqa: E402
+from measure import Cost, adopt_orphans, cost, fits, has_logs  # noqa: E402
+
 from pipeline.reporting.fleet_report import fleet_report  # noqa: E402
-from pipeline.settings import load_prototype  # noqa: E402
 
 P1 = HOME / "benchmarks" / "prototypes" / "P1.toml"
 BEGIN, END = "<!-- table: benchmarks/bench_speed.py -->\n", "<!-- end of table -->\n"
@@ -40,7 +40,7 @@ _DEBIST = [sys.executable, "-c", "from cli import app; app()"]
 _INSIDE = """
 import sys
 from pathlib import Path
-from benchmarks.measure import seconds
+from measure import seconds
 from pipeline.api import open_run
 from pipeline.machine import settle_machine
 settle_machine()
@@ -104,7 +104,7 @@ def told(program: str, run: Path, *more: str) -> float:
 _DERIVATIVE = """
 import sys, time
 import numpy as np
-from benchmarks.measure import seconds
+from measure import seconds
 from pipeline.numerics.tvregdiff import tvregdiff
 t = 0.01 * np.arange(3750)
 y = 9.0 * np.sin(2.0 * t) + 4.0 * np.sin(7.0 * t) + np.random.default_rng(1).normal(0.0, 3e-3, t.size)  # mm
@@ -119,7 +119,7 @@ else:
 _LEAST_SQUARES = """
 import sys
 import numpy as np
-from benchmarks.measure import seconds
+from measure import seconds
 from pipeline.fitting.regression import pseudo_inverse_fit, triangular_factor
 rows = np.random.default_rng(2).standard_normal((3750, 41))
 ours = lambda: pseudo_inverse_fit(*triangular_factor([rows.copy()]))
@@ -251,7 +251,7 @@ def main() -> None:
     parser.add_argument("--page", type=Path, help="Markdown page that holds the table")
     options = parser.parse_args()
     folder, made = Path(tempfile.mkdtemp()), list[tuple[str, float, float, str, float]]()
-    load, there = os.getloadavg()[0], _are_there(P1)
+    load, there = os.getloadavg()[0], has_logs(P1)
     adopt_orphans()
     try:
         bench = Bench(folder)
@@ -268,11 +268,6 @@ def main() -> None:
         before, _, rest = options.page.read_text(encoding="utf-8").partition(BEGIN)
         text = before + BEGIN + _markdown(made, load) + END + rest.partition(END)[2]
         options.page.write_text(text, encoding="utf-8")
-
-
-def _are_there(prototype: Path) -> bool:
-    """Whether the logs of a prototype are."""
-    return all((prototype.parent / log).is_file() for log in load_prototype(prototype).logs.train)
 
 
 def _markdown(made: list[tuple[str, float, float, str, float]], load: float) -> str:

@@ -8,7 +8,7 @@ One process, all baselines and the page; P1 if no settings are given. Imports ar
 import os
 import sys
 import tempfile
-from collections import Counter
+from collections import defaultdict
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -24,7 +24,7 @@ class Clock(Unheard):
     """An observer that adds up processor time [s] by stage, and by model for fits of baselines."""
 
     def __init__(self) -> None:
-        self.spent, self._began = Counter[str](), 0.0
+        self.spent, self._began = defaultdict[str, float](float), 0.0
 
     def started(self, task: Task, reasons: list[str]) -> None:
         """A task begins."""

@@ -26,6 +26,7 @@ sys.path.insert(0, str(ROOT))
 
 import matplotlib.pyplot as plt  # noqa: E402 - after the choice of the backend
 import numpy as np  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
 
 from pipeline.loading.report_data import load_scores  # noqa: E402
 from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402
@@ -53,7 +54,7 @@ MEANING = """Rows are of the validation logs, which no fit has seen.
 - Folds: mean with its 95 % interval; a run that diverged has the error 100.
 """
 SHOWN = ("model", "q [%]", "wells [%]", "switches [%]", "fit [s]", "one step [%]", "0.1 s [%]", "1 s [%]")
-STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
+STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 MODELS = ("hybrid", "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
 COLOUR = dict(zip(MODELS, MODEL_COLOURS, strict=False))
 HORIZONS = (("nrmse_one_step", 0.01), ("nrmse_100ms", 0.1), ("nrmse_1s", 1.0), ("nrmse", 37.5))
@@ -112,7 +113,7 @@ def folds(run: RunFolder) -> Iterator[str]:
         yield "| " + " | ".join(line) + " |\n"
 
 
-def save(figure: plt.Figure, name: str) -> None:
+def save(figure: Figure, name: str) -> None:
     figure.savefig(FIGURES / f"comparison-{name}.svg", metadata={"Date": None})
     plt.close(figure)
 

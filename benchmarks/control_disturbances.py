@@ -12,6 +12,7 @@ import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -67,15 +68,15 @@ class Tested:
         """What a newton on the drawn joint is on this one [N]."""
         return self.size**3
 
-    def run(self, targets: dict[float, float], duration: float, side: int = -1, **other: object) -> ClosedLoop:
+    def run(self, targets: dict[float, float], duration: float, side: int = -1, **other: Any) -> ClosedLoop:
         """The loop with targets [m] from times [s] on."""
-        friction = float(other.get("friction", 1.0))  # type: ignore[arg-type]
+        friction = float(other.get("friction", 1.0))
         p = self.joint.parameters
         slippery = p._replace(slip_force=friction * p.slip_force, slip_stiffness=friction * p.slip_stiffness)
         if (side, friction) not in self.starts:
             self.starts[side, friction] = rest(slippery, side=side)
         times, values = np.array(list(targets)), np.array(list(targets.values()))
-        scenario = Scenario(times, values, duration, side=side, seed=7, **other)  # type: ignore[arg-type]
+        scenario = Scenario(times, values, duration, side=side, seed=7, **other)
         return run_loop(p, self.joint.bench, scenario, designed(self.law), self.starts[side, friction])
 
 
@@ -101,7 +102,7 @@ def settling(run: ClosedLoop, part: BoolArray, target: float, distance: float) -
     return np.inf if step.settling_s is None else step.settling_s
 
 
-def snaps(one: Tested, count: int, each: float, **other: object) -> list[float]:
+def snaps(one: Tested, count: int, each: float, **other: Any) -> list[float]:
     """Settling times [s] of snaps to right and left in turn, from the left well, every `each` seconds."""
     left, _, right = one.places
     ways, begin = (right, left), 0.3 + each * np.arange(count)
@@ -115,7 +116,7 @@ def saddles(one: Tested) -> Iterator[Row]:
     """What is held at the saddle: largest distance [m] in the last second."""
     left, saddle, _ = one.places
 
-    def held(name: str, **other: object) -> Row:
+    def held(name: str, **other: Any) -> Row:
         far = float(np.abs(off(one.run({0.0: left, 0.3: saddle}, 5.5, **other))).max())
         return name, far, far < HELD * one.size
 

@@ -34,7 +34,7 @@ WAYS: tuple[Well, Well] = ("right", "left")
 
 def play(one: Tested, u: FloatArray, to: Well) -> ClosedLoop:
     """The joint from rest under commands, shape (N, 2) [V], at 1 kHz."""
-    t, side = np.arange(len(u)) * 1e-3, -1 if to == "right" else 1
+    t, side = np.arange(float(len(u))) * 1e-3, -1 if to == "right" else 1
     if (side, 1.0) not in one.starts:
         one.starts[side, 1.0] = rest(one.joint.parameters, side=side)
     scenario = Scenario(np.zeros(1), np.zeros(1), float(t[-1]), side=side, seed=7)

@@ -13,7 +13,7 @@ import tomllib
 from pathlib import Path
 
 EXAMPLES = Path(__file__).resolve().parent / "prototypes"
-VARIANTS = {
+VARIANTS: dict[str, dict[str, object]] = {
     "order 3, 1 ms (default)": {},
     "order 3, 1 ms, without reweighting": {"reweighted": False},
     "order 2, 1 ms": {"order": 2},

@@ -3,6 +3,7 @@
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
@@ -15,21 +16,25 @@ sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "signals")]  # the signals are s
 
 import differentiation_signals as signals  # noqa: E402 - after the path to it
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
 from scipy.integrate import solve_ivp  # noqa: E402
 
+from pipeline.numerics.tvregdiff import Order  # noqa: E402
 from pipeline.signals.differentiate import alpha_study, differentiate  # noqa: E402
 from pipeline.signals.resampling import decimate  # noqa: E402
 
 FIGURES = ROOT / "docs" / "figures"
 NOISE = 0.003
-STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
+ORDERS: tuple[Order, ...] = (1, 2, 3, 4)
+FORMS: tuple[tuple[Order, bool], ...] = ((2, True), (3, True), (4, True), (3, False))
+STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 
 
 def rms(error: np.ndarray) -> float:
     return float(np.sqrt(np.mean(error**2)))
 
 
-def save(figure: plt.Figure, name: str) -> None:
+def save(figure: Figure, name: str) -> None:
     figure.savefig(FIGURES / f"differentiation-{name}.svg", metadata={"Date": None})
     plt.close(figure)
 
@@ -66,7 +71,7 @@ def orders() -> None:
     t = record.dt * np.arange(samples.size)
     figure, axes = plt.subplots(1, 4, figsize=(7.5, 2.0), sharey=True, layout="constrained")
     shown = slice(430, 700)
-    for axis, order in zip(axes, (1, 2, 3, 4), strict=True):
+    for axis, order in zip(axes, ORDERS, strict=True):
         k = differentiate(samples, record.dt, order=order)
         axis.plot(t[shown], 1e-3 * record.second[shown], color="0.7", lw=2.5, label="truth")
         axis.plot(t[shown], 1e-3 * k.qddot[shown], color="tab:blue", lw=1.0, label="from the record")
@@ -89,13 +94,13 @@ def rates() -> None:
         grid = interval * np.arange(fine.value.size // steps)
         record = samples if steps == 1 else decimate(t, [samples], grid, interval)[0]
         read = slice(None, None, round(0.01 / interval))
-        for order in (1, 2, 3, 4):
+        for order in ORDERS:
             k = differentiate(record, interval, order=order)
             errors[order - 1, 0, j] = rms(k.qdot[read] - fine.first[::300])
             errors[order - 1, 1, j] = rms(k.qddot[read] - fine.second[::300])
     figure, axes = plt.subplots(1, 2, figsize=(6.0, 2.4), layout="constrained")
     for axis, which, unit in ((axes[0], 0, "velocity error [mm/s]"), (axes[1], 1, "acceleration error [mm/s²]")):
-        for order in (1, 2, 3, 4):
+        for order in ORDERS:
             axis.loglog(1e3 * intervals, errors[order - 1, which], "o-", ms=3, lw=1, label=f"order {order}")
         axis.set_xlabel("differentiated at an interval of [ms]")
         axis.set_ylabel(unit)
@@ -114,7 +119,7 @@ def joint(time_constant: float, rate: float = 30_000.0) -> tuple[np.ndarray, np.
     stiffness, well, damping = 0.5 * (2.0 * np.pi * 5.0) ** 2, 11.0, 6.0
 
     def acceleration(q: np.ndarray, v: np.ndarray, force: np.ndarray) -> np.ndarray:
-        return stiffness * (q - q**3 / well**2) - damping * v + force
+        return np.asarray(stiffness * (q - q**3 / well**2) - damping * v + force)
 
     def rates_of_change(t: float, state: np.ndarray) -> list[float]:
         q, v, force = state
@@ -122,8 +127,9 @@ def joint(time_constant: float, rate: float = 30_000.0) -> tuple[np.ndarray, np.
         return [v, acceleration(q, v, force), (command - force) / time_constant]
 
     t = np.arange(0.0, 8.0, 1.0 / rate)
-    options = {"rtol": 1e-9, "atol": 1e-9, "max_step": 0.5 * time_constant}
-    q, v, force = solve_ivp(rates_of_change, (0.0, 8.0), [-well, 0.0, 0.0], t_eval=t, **options).y
+    path = solve_ivp(rates_of_change, (0.0, 8.0), [-well, 0.0, 0.0], t_eval=t, rtol=1e-9, atol=1e-9,
+                     max_step=0.5 * time_constant)  # fmt: skip
+    q, v, force = path.y
     return t, q, v, acceleration(q, v, force)
 
 
@@ -132,11 +138,11 @@ def drives() -> None:
     print("time constant [ms], noise [mm], then RMS errors of orders 2, 3, 4 and of order 3 without reweighting")
     for time_constant in (1e-3, 5e-3):
         t, q, v, a = joint(time_constant)
-        grid = 1e-3 * np.arange(t.size // 30)
+        grid = 1e-3 * np.arange(float(t.size // 30))
         for noise in (0.0003, 0.003, 0.01):
             record = decimate(t, [q + noise * np.random.default_rng(3).standard_normal(q.size)], grid, 1e-3)[0]
             columns = []
-            for order, reweighted in ((2, True), (3, True), (4, True), (3, False)):
+            for order, reweighted in FORMS:
                 k = differentiate(record, 1e-3, order=order, reweighted=reweighted)
                 columns.append(f"{rms(k.qdot[::10] - v[::300]):.3g}/{rms(k.qddot[::10] - a[::300]):.4g}")
             print(f"{1e3 * time_constant:g}  {noise:g}  " + "  ".join(columns))

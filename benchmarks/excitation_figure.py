@@ -1,6 +1,7 @@
 """Figure of docs/how-to/excitation.md: `python benchmarks/excitation_figure.py`; 15 s of processor time."""
 
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import matplotlib.pyplot as plt
@@ -14,14 +15,14 @@ from pipeline.tools.excitation import drawn_simulators
 from pipeline.tools.excitation_design import Design, Requirements, Simulator, design_excitation
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "figures" / "excitation.svg"
-STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
+STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 
 
 def draw(
     axes: np.ndarray, title: str, bursts: list[Burst], design: Design, simulate: Simulator, visits: Coverage
 ) -> None:
     """Voltages, state plane, and samples per centre of one sequence, in a row of three."""
-    t = 0.01 * np.arange(3750)
+    t = 0.01 * np.arange(3750.0)
     u = command(bursts, t)
     q, qdot = simulate(t, u)
     for column, name, side in zip(u.T, ("v1", "v2"), (1, -1), strict=True):

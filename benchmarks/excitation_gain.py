@@ -12,7 +12,6 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from measure import Silent
 
 from pipeline.device_parameters import NOMINAL
 from pipeline.errors import DataRefusedError
@@ -21,6 +20,7 @@ from pipeline.rig.bench import random_bench, record
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.random_joint import random_joint
+from pipeline.runs.engine import Unheard
 from pipeline.stages.run import run_prototype, run_stage
 from pipeline.tools.excitation import drawn_simulators
 from pipeline.tools.excitation_design import Requirements, design_excitation
@@ -50,9 +50,9 @@ def errors(folder: Path, name: str) -> dict[str, float]:
     settings.write_text(SETTINGS.format(name=name, channels=FORM.toml()), encoding="utf-8")
     root = folder / "runs" / name
     try:
-        run_prototype(settings, root, Silent(), only="ingest")
+        run_prototype(settings, root, Unheard(), only="ingest")
         for stage in ("differentiate", "identify", "validate"):
-            run_stage(root, stage, Silent())
+            run_stage(root, stage, Unheard())
     except DataRefusedError:
         return dict.fromkeys(MODELS, np.inf)
     rows = [row for row in load_scores(root) if row["role"] == "validation" and row["signal"] == "q"]

@@ -9,6 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from measure import has_logs
+
 from pipeline.checks.check import check_logs
 from pipeline.checks.declared import Declared
 from pipeline.checks.rows import findings
@@ -33,7 +35,7 @@ SHOWN = ("push of v1", "push of v2", "delay of q after v", "natural frequency", 
 
 def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Declared]]:
     """Name, logs and declared device of every pair."""
-    made = [path for name in ("P1", "P2", "P3") if (path := PROTOTYPES / f"{name}.toml").exists() and _there(path)]
+    made = [path for name in ("P1", "P2", "P3") if (path := PROTOTYPES / f"{name}.toml").exists() and has_logs(path)]
     for number, (kind, excitation) in enumerate(DRAWS):
         experiment = Experiment(kind, "parquet", rate=2000.0, excitation=excitation)
         made.append(
@@ -49,10 +51,6 @@ def pairs(folder: Path) -> Iterator[tuple[str, list[LogSignals], Declared]]:
         if path.stem in ("P1", "P2", "P3"):
             for n in SIZES:
                 yield f"{path.stem}, {n:g} times as large", [_built(log, n) for log in logs], _declared(declared, n)
-
-
-def _there(path: Path) -> bool:
-    return all((path.parent / log).exists() for log in load_prototype(path).logs.train)
 
 
 def _built(log: LogSignals, n: float) -> LogSignals:

@@ -14,7 +14,6 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
-from measure import Silent
 from population_estimate import estimate_symmetric_population, information_of, write_population
 
 from pipeline.fitting.homotopy import COUPLED
@@ -27,6 +26,7 @@ from pipeline.models.rbf.prior import ASSET, joint_prior, mirror_image
 from pipeline.models.rbf.problem import JointProblem
 from pipeline.models.rbf.start import starting_joint
 from pipeline.numerics.arrays import FloatArray
+from pipeline.runs.engine import Unheard
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import load_prototype
 from pipeline.signals.trajectory import Record
@@ -52,8 +52,8 @@ def records(folder: Path) -> tuple[Record, ...]:
     lines = [line for line in plain.splitlines() if not line.startswith("validation")]
     settings.write_text("\n".join(logs if line.startswith("train") else line for line in lines), encoding="utf-8")
     root = folder / "run"
-    run_prototype(settings, root, Silent(), only="ingest")
-    run_stage(root, "differentiate", Silent())
+    run_prototype(settings, root, Unheard(), only="ingest")
+    run_stage(root, "differentiate", Unheard())
     prototype = load_prototype(settings)
     return training(training_tables(RunFolder.open(root), prototype), prototype, None).records
 
@@ -68,7 +68,7 @@ def fitted(folder: Path) -> Fitted:
     noise = one.noise_inflation * float(np.sqrt(np.mean(residual**2)))
     offset, scale = p.dimensionless
     precision = scale[:, None] * (prior.matrix.T @ prior.matrix) * scale
-    covariance = np.linalg.inv(precision)
+    covariance = np.asarray(np.linalg.inv(precision), dtype=np.float64)
     mean = covariance @ (scale * (prior.matrix.T @ (prior.right - prior.matrix @ offset)))
     return p, information_of(p, theta, jacobian.T @ jacobian, noise, prior), mean, covariance
 

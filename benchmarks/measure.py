@@ -12,17 +12,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from pipeline.batch.worker import Outcome
+from pipeline.settings import load_prototype
+
 HOME = Path(__file__).resolve().parents[1]
 
 
-class Silent:
-    """An observer of a run that says nothing."""
+class UnheardBatch:
+    """An observer of a batch that reports nothing."""
 
-    def started(self, *_: object) -> None: ...
-    def progressed(self, *_: object) -> None: ...
-    def finished(self, *_: object) -> None: ...
-    def skipped(self, *_: object) -> None: ...
-    def warned(self, *_: object) -> None: ...
+    def started(self, name: str) -> None: ...
+    def finished(self, outcome: Outcome) -> None: ...
 
 
 @dataclass(frozen=True)
@@ -61,6 +61,12 @@ def cost(command: list[str], **surroundings: str) -> Cost:
             os.wait()
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return Cost(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, wall, done.stdout)
+
+
+def has_logs(settings: Path) -> bool:
+    """Whether the training logs that a settings file names are there."""
+    logs = load_prototype(settings).logs.train
+    return all((settings.parent / (log if isinstance(log, str) else log.file)).is_file() for log in logs)
 
 
 def fits(document: object) -> list[float]:

@@ -12,7 +12,6 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from measure import Silent
 
 from pipeline.errors import DataRefusedError
 from pipeline.loading.report_data import load_scores
@@ -22,6 +21,7 @@ from pipeline.rig.bench import record
 from pipeline.rig.excitation import Burst, command, random_excitation
 from pipeline.rig.fleet import Experiment, draw, moving_mass
 from pipeline.rig.log import LAYOUTS, RawLog
+from pipeline.runs.engine import Unheard
 from pipeline.runs.run_folder import in_snapshot
 from pipeline.stages.run import run_prototype, run_stage
 from pipeline.tools.excitation_design import Requirements
@@ -50,9 +50,9 @@ def identified(folder: Path, arm: str, mass: float) -> float:
     settings = folder / f"{arm}.toml"
     settings.write_text(SETTINGS.format(name=arm, train=train, channels=FORM.toml(), mass=mass), encoding="utf-8")
     try:
-        run_prototype(settings, folder / "runs" / arm, Silent(), only="ingest")
+        run_prototype(settings, folder / "runs" / arm, Unheard(), only="ingest")
         for stage in ("differentiate", "identify", "validate"):
-            run_stage(folder / "runs" / arm, stage, Silent())
+            run_stage(folder / "runs" / arm, stage, Unheard())
     except DataRefusedError:
         return np.inf
     rows = load_scores(folder / "runs" / arm)
@@ -99,9 +99,10 @@ def main() -> None:
             errors, design = measure(kind, given.first + number, given.candidates, Path(folder))
         table.append([*errors, *(1e6 * sd for sd in (design.now, design.usual, design.designed))])
         print(f"{kind + f'-{given.first + number}':20s}" + "".join(f"{x:10.3f}" for x in table[-1]), flush=True)
-    half = len(table) // 2
+    half = (len(table) + 1) // 2
     for name, rows in (("same", table[:half]), ("foreign", table[half:]), ("all", table)):
-        print(f"{'median ' + name:20s}" + "".join(f"{x:10.3f}" for x in np.median(rows, axis=0)))
+        if rows:
+            print(f"{'median ' + name:20s}" + "".join(f"{x:10.3f}" for x in np.median(rows, axis=0)))
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from unittest import mock
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
-from measure import Silent
+from measure import UnheardBatch
 
 import pipeline.rig.fleet
 from cli import debist
@@ -56,7 +56,7 @@ def main(folder: Path, siblings: int = 30, odd: int = 5, seed: int = 57114000) -
         for place, (case, count) in enumerate(zip(CASES, (siblings, odd, odd), strict=True)):
             for i in range(count):
                 simulate(folder / "logs", kind, case, seed + 1000 * number + 100 * place + i)
-    run_batch(named_prototypes(prototype_files([folder / "logs"])), folder / "runs", Silent(), debist,
+    run_batch(named_prototypes(prototype_files([folder / "logs"])), folder / "runs", UnheardBatch(), debist,
               Execution(1, report=False))  # fmt: skip
     for kind in KINDS:
         runs = sorted((folder / "runs").glob(f"{kind}-*"))

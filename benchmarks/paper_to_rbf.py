@@ -80,6 +80,7 @@ def linear(data: Training, *, functions: int, smoothing: float, bounded: bool = 
     """`rbf-paper` whose weights have a ridge, and with `bounded` a damping ≥ 0 and gains of one sign each."""
     identify = data.identify.model_copy(update={"basis_functions": functions, "smoothing": smoothing})
     model = RBF_PAPER.fit(replace(data, identify=identify))
+    assert isinstance(model, RbfPaperModel)
     matrix = np.concatenate([model.regressors(x) for x in data.stretches])
     target = data.mass * np.concatenate([x.qddot for x in data.stretches])
     norms, size = np.linalg.norm(matrix, axis=0), float(np.linalg.norm(target))
@@ -89,7 +90,7 @@ def linear(data: Training, *, functions: int, smoothing: float, bounded: bool = 
 
     def solved(low: FloatArray, high: FloatArray) -> FloatArray:
         weights = lsq_linear(r, right, (low.ravel(), high.ravel())).x / norms * size
-        return weights.reshape(model.weights.shape)
+        return np.asarray(weights.reshape(model.weights.shape))
 
     free = np.full(model.weights.shape, np.inf)
     weights = solved(-free, free)

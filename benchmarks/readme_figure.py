@@ -6,6 +6,7 @@ the run's first model over its validation log.
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import matplotlib.pyplot as plt
@@ -19,7 +20,7 @@ from pipeline.models.analytical.statics import JointEquilibrium, equilibria
 from pipeline.reporting.legend import FIXED
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "figures" / "joint-and-free-run.svg"
-STYLE = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
+STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 WINDOW = (3.0, 18.0)
 """Part of the log that is drawn [s]."""
 

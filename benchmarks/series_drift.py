@@ -33,6 +33,10 @@ def truth_of(logs: Path) -> dict[str, float]:
     }
 
 
+def _sum(*values: float | None) -> float:
+    return sum(np.nan if value is None else value for value in values)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("logs", type=Path)
@@ -46,10 +50,11 @@ def main() -> None:
     print(f"{'fact':16s}{'true a day':>14s}{'claimed a day':>14s}{'± 95 %':>12s}  claim")
     for key, fact in facts.items():
         true = np.polyfit(days, [truth.get(key, np.nan) for truth in truths], 1)[0] if key in truths[0] else np.nan
-        print(f"{key:16s}{true:14.3g}{fact.trend.slope:14.3g}{fact.trend.slope_error:12.2g}  {fact.trend.kind}")
+        slope, half = _sum(fact.trend.slope), _sum(fact.trend.slope_error)
+        print(f"{key:16s}{true:14.3g}{slope:14.3g}{half:12.2g}  {fact.trend.kind}")
     if {"barrier_left", "barrier_right"} <= facts.keys():
         left, right = facts["barrier_left"].trend, facts["barrier_right"].trend
-        mean, half = 0.5 * (left.slope + right.slope), 0.5 * (left.slope_error + right.slope_error)
+        mean, half = 0.5 * _sum(left.slope, right.slope), 0.5 * _sum(left.slope_error, right.slope_error)
         true = np.polyfit(days, [truth["barrier"] for truth in truths], 1)[0]
         print(f"{'mean barrier':16s}{true:14.3g}{mean:14.3g}{half:12.2g}")
     rng, alarms, level = np.random.default_rng(1), 0, ALARM / len(facts)

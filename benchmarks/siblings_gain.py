@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pyarrow.parquet as pq
-from measure import Silent
+from measure import UnheardBatch
 
 from cli import debist
 from debist import open_run
@@ -42,7 +42,7 @@ def write_settings(fleet: Path, folder: Path) -> None:
 
 def error(run: Path) -> float:
     rows = pq.read_table(run / "scores.parquet").to_pylist()
-    return 100.0 * next(r["nrmse"] for r in rows if (r["role"], r["signal"]) == ("validation", "q"))
+    return 100.0 * next(float(r["nrmse"]) for r in rows if (r["role"], r["signal"]) == ("validation", "q"))
 
 
 def widths(run: Path) -> dict[str, FloatArray]:
@@ -61,8 +61,8 @@ def main() -> None:
     write_settings(given.fleet, given.output / "settings")
     named = named_prototypes(prototype_files([given.output / "settings"]))
     without, taught = given.output / "without", given.output / "taught"
-    run_batch(named, without, Silent(), debist, Execution(1, report=False))
-    run_batch(with_siblings(named, given.siblings, taught), taught, Silent(), debist, Execution(1, report=False))
+    run_batch(named, without, UnheardBatch(), debist, Execution(1, report=False))
+    run_batch(with_siblings(named, given.siblings, taught), taught, UnheardBatch(), debist, Execution(1, report=False))
     for length in ("long", "short"):
         for kind in ("same", "foreign"):
             names = [name for name, _ in named if name.startswith(kind) and name.endswith(length)]

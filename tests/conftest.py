@@ -7,9 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from pipeline.isolation import preload
 from pipeline.machine import settle_machine
 
 settle_machine()  # before a test module loads NumPy
+preload(["pipeline.batch.preloaded", "asammdf"])  # once for all processes that tests have forked
 gc.disable()  # while tests are collected: what is imported stays, and looking it through took a seventh of that time
 os.environ.pop("COLUMNS", None)  # set by tests side by side, which have no terminal either
 
@@ -17,6 +19,7 @@ SHARED = Path(__file__).resolve().parents[2] / "shared"
 
 
 def pytest_collection_finish() -> None:
+    gc.freeze()
     gc.enable()
 
 

@@ -45,7 +45,7 @@ def test_arrays_series_and_a_data_frame_give_the_same_model(log, model):
     assert repr(model) == "Model('rbf-paper', 2 inputs, trained on 1 log of 12 s)"
 
 
-@pytest.mark.parametrize("before", ["first", "zero"])
+@pytest.mark.parametrize("before", [pytest.param("first", marks=pytest.mark.long), "zero"])
 def test_a_run_of_the_same_signals_gives_the_same_model(log, before, tmp_path):
     """Also of a log that begins while a voltage is on, where the inputs were zero before it."""
     if before == "zero":
@@ -99,7 +99,7 @@ def test_a_free_run_is_a_table_with_units_and_a_status(model):
     assert list(model.curves([0.0, 0.01])) == ["q_m", "F_N", "d_N_s_per_m", "dC1_dq_F_per_m", "dC2_dq_F_per_m"]
 
 
-@pytest.mark.parametrize("name", ["sindy", "narx"])
+@pytest.mark.parametrize("name", [pytest.param("sindy", marks=pytest.mark.long), "narx"])
 def test_baselines_are_identified_and_saved_like_other_models(log, tmp_path, name):
     model = debist.identify(log, mass=0.04, model=name)
     assert model.name == name

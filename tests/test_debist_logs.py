@@ -25,6 +25,11 @@ def model(folder: Path) -> debist.Model:
     return debist.identify(debist.read_log(folder / "log.csv", folder / "P.toml"), model="rbf-paper")
 
 
+@pytest.fixture(scope="module")
+def log(folder: Path) -> pd.DataFrame:
+    return debist.read_log(folder / "other.csv", folder / "P.toml")
+
+
 def test_a_log_is_read_in_si_units(folder: Path) -> None:
     raw = np.loadtxt(folder / "other.csv", delimiter=",", skiprows=1)
     table = debist.read_log(folder / "other.csv", folder / "P.toml")
@@ -49,8 +54,7 @@ def test_derivatives_of_a_sine_are_a_cosine() -> None:
         debist.differentiate(t**2, t)
 
 
-def test_models_are_compared_on_one_log(folder: Path, model: debist.Model) -> None:
-    log = debist.read_log(folder / "other.csv", folder / "P.toml")
+def test_models_are_compared_on_one_log(model: debist.Model, log: pd.DataFrame) -> None:
     both = debist.compare([model, model], log)
     assert list(both.columns[:2]) == ["model", "signal"] and len(both) == 6
     for rows in (both[:3], both[3:]):
@@ -60,8 +64,7 @@ def test_models_are_compared_on_one_log(folder: Path, model: debist.Model) -> No
             debist.compare(wrong, log)
 
 
-def test_times_and_tables_of_other_libraries_are_read(folder: Path, model: debist.Model) -> None:
-    log = debist.read_log(folder / "other.csv", folder / "P.toml")
+def test_times_and_tables_of_other_libraries_are_read(model: debist.Model, log: pd.DataFrame) -> None:
     stamps = np.datetime64("2026-11-27T10:15") + (1e9 * log.t_s.to_numpy()).round().astype("m8[ns]")
     for other in (pa.table(log), log.assign(t_s=stamps)):
         np.testing.assert_allclose(model.predict(other).q_m, model.predict(log).q_m, atol=1e-8)
@@ -89,14 +92,12 @@ def test_times_and_tables_of_other_libraries_are_read(folder: Path, model: debis
         (lambda m, t: m.curves("a"), "q does not consist of numbers"),
     ],
 )
-def test_wrong_arguments_are_named(folder: Path, model: debist.Model, call, match) -> None:
-    log = debist.read_log(folder / "other.csv", folder / "P.toml")
+def test_wrong_arguments_are_named(model: debist.Model, log: pd.DataFrame, call, match) -> None:
     with pytest.raises(debist.DebistError, match=match):
         call(model, log)
 
 
-def test_a_prediction_ahead_is_a_restart_from_the_measurement(folder: Path, model: debist.Model) -> None:
-    log = debist.read_log(folder / "other.csv", folder / "P.toml")
+def test_a_prediction_ahead_is_a_restart_from_the_measurement(model: debist.Model, log: pd.DataFrame) -> None:
     errors = []
     for ahead in (1, 20):
         table = model.predict(log, ahead=ahead)

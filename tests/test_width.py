@@ -53,7 +53,7 @@ _COMMANDS = (
     ("study", "alpha", "run"),
     ("batch", "P.toml", "-o", "batch", "--collect"),
     ("physics", "equilibria", *_JOINT),
-    ("physics", "curves", *_JOINT),
+    pytest.param(("physics", "curves", *_JOINT), marks=pytest.mark.long),
 )
 
 

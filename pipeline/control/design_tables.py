@@ -16,6 +16,7 @@ from pipeline.control.linear import LinearModel, held, held_at, jacobian
 from pipeline.control.plant import ControlledJoint, inertia
 from pipeline.generated.condensed_joint import STATES
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.inner_loops import copy_into
 
 STABLE, UNSTABLE = (0.2e-3, 0.3, 1e6, 0.2), (0.7e-3, 10.0, 3.0, 1.0)
 """Displacement [m], speed [m/s], rate of the slope [1/s] and share of the largest moment that weigh alike in the
@@ -217,7 +218,8 @@ def pushed(
     """
     motion, turns, count = np.empty((300, s.size)), np.empty(300), 0
     for i in range(300):
-        motion[i], turns[i] = s, braked(law, s, push, brake, towards)[-1, 0]
+        copy_into(motion[i], s)
+        turns[i] = braked(law, s, push, brake, towards)[-1, 0]
         count = i + 1
         for _ in range(2):
             move(s, push, law)
@@ -235,11 +237,12 @@ def braked(law: Law, s: FloatArray, push: FloatArray, brake: FloatArray, towards
     end, v, motion, count = s.copy(), push.copy(), np.empty((301, 2)), 0
     slew, lever = law.numbers[_SLEW], law.numbers[_LEVER]
     for _ in range(301):
-        motion[count] = end[0], end[1] + lever * end[3]
+        motion[count, 0], motion[count, 1] = end[0], end[1] + lever * end[3]
         count += 1
         if towards * end[1] <= 0.0:
             break
-        v[:] = np.minimum(np.maximum(brake, v - slew), v + slew)
+        for side in range(2):
+            v[side] = min(max(brake[side], v[side] - slew), v[side] + slew)
         move(end, v, law)
     return motion[:count]
 

@@ -3,6 +3,7 @@
 import csv
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 
 from pipeline.rig_logs.source import UnreadableLogError
 
@@ -56,6 +57,10 @@ CLOCKS = (
 )
 """Time of day with colons, whatever date stands before it, or minutes and seconds with a fraction, zones and years
 behind it; date and time in one number; time of day with other marks and a fraction. As Arrow's expressions."""
+_DIGITS_OF_STAMP = 14
+"""Fewest digits of date and time in one number."""
+_SAMPLED = 1 << 14
+"""Cells whose kind is remembered: each of the sample is looked at for every delimiter and decimal mark."""
 _CLOCKS = [re.compile(re.sub(r"\\x{(\w+)}", lambda code: chr(int(code[1], 16)), form)) for form in CLOCKS]
 
 
@@ -65,8 +70,11 @@ def clock_of(cell: str) -> tuple[str, re.Match[str]] | None:
     return next(((form, match) for form, match in matches if match), None)
 
 
+@lru_cache(_SAMPLED)
 def is_stamp(cell: str) -> bool:
     """Whether a cell is a time of day, with or without a date."""
+    if len(cell) < _DIGITS_OF_STAMP and NUMBER.match(cell):
+        return False
     return bool(STAMP.fullmatch(cell)) or clock_of(cell) is not None
 
 
@@ -81,11 +89,12 @@ def plain_number(cell: str, decimal: str) -> str:
     return _POWER.sub("e", cell)
 
 
+@lru_cache(_SAMPLED)
 def is_value(cell: str, decimal: str) -> bool:
     """Whether a cell is a number, a switch, missing, or a time stamp."""
-    if cell.lower() in MISSING or cell.lower() in SWITCH or is_stamp(cell):
+    if cell.lower() in MISSING or cell.lower() in SWITCH or NUMBER.match(plain_number(cell, decimal)):
         return True
-    return bool(NUMBER.match(plain_number(cell, decimal)))
+    return is_stamp(cell)
 
 
 def is_word(cell: str) -> bool:

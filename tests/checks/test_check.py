@@ -140,7 +140,7 @@ def test_what_cannot_be_seen_of_an_input_is_said_by_what_the_input_does(pair: li
     assert said["noise"] == ("nothing but noise", "note")
 
 
-@pytest.mark.parametrize("slower", [0.25, 4.0])
+@pytest.mark.parametrize("slower", [0.25, pytest.param(4.0, marks=pytest.mark.long)])
 def test_a_smaller_or_larger_joint_passes(pair: list[LogSignals], slower: float) -> None:
     """Built n times as large: n times as slow and as long, n³ times as heavy, the same slope of the capacitance."""
     logs = [replace(log, t=slower * log.t, q=slower * log.q, v=log.v * slower) for log in pair]
@@ -162,7 +162,14 @@ def test_a_mistake_in_both_logs_is_caught(pair: list[LogSignals], spoilt, gate: 
     assert gate in _wrong(check_logs([spoilt(log) for log in pair], JOINT))
 
 
-@pytest.mark.parametrize(("factor", "state"), [(2.0, "note"), (0.5, "note"), (10.0, "wrong"), (0.1, "wrong")])
+@pytest.mark.parametrize(
+    ("factor", "state"),
+    [
+        (2.0, "note"),
+        (0.1, "wrong"),
+        *(pytest.param(*each, marks=pytest.mark.long) for each in ((0.5, "note"), (10.0, "wrong"))),
+    ],
+)
 def test_a_wrong_scale_of_one_side_shows_between_the_sides(pair: list[LogSignals], factor: float, state: str) -> None:
     rows = check_logs([replace(log, v=log.v * [1.0, factor]) for log in pair], replace(JOINT, mass=None))
     assert {row.state for row in rows if row.what == "coupling of v1 over v2"} == {state}
@@ -183,7 +190,7 @@ def test_a_probe_with_a_zero_error_is_told(pair: list[LogSignals]) -> None:
     ]
 
 
-@pytest.mark.parametrize("zero", [-0.04, 0.04])
+@pytest.mark.parametrize("zero", [-0.04, pytest.param(0.04, marks=pytest.mark.long)])
 def test_a_laser_that_was_not_zeroed_is_told_and_refuses_nothing(pair: list[LogSignals], zero: float) -> None:
     rows = check_logs([replace(log, q=log.q + zero) for log in pair], JOINT)
     assert {row.state for row in rows if row.what == "rests"} == {"note"} and not _wrong(rows)
@@ -238,7 +245,7 @@ def test_logs_of_one_simple_device_at_two_rates_are_of_one_device(pair: list[Log
     assert not _wrong(check_logs([pair[0], coarse], JOINT))
 
 
-@pytest.mark.parametrize("lag", [40, 120])
+@pytest.mark.parametrize("lag", [pytest.param(40, marks=pytest.mark.long), 120])
 def test_the_delay_is_told(pair: list[LogSignals], lag: int) -> None:
     rows = check_logs([_later(pair[0], lag)], JOINT)
     for what in ("delay of q after v1", "delay of q after v2"):
@@ -341,7 +348,12 @@ def _probe(log: LogSignals, *, gain: float = 1.0, offset: float = 0.0) -> LogSig
 
 @pytest.mark.parametrize(
     ("gain", "offset", "samples"),
-    [(1.0, 25.0, 0), (1.0, -150.0, 0), (0.95, 60.0, 0), (1.05, 0.0, 40), (0.9, -60.0, -25), (1.0, 300.0, 15)],
+    [
+        (1.0, 25.0, 0),
+        (0.9, -60.0, -25),
+        (1.0, 300.0, 15),
+        *(pytest.param(*each, marks=pytest.mark.long) for each in ((1.0, -150.0, 0), (0.95, 60.0, 0), (1.05, 0.0, 40))),
+    ],
 )
 def test_gain_offset_and_delay_of_a_log_are_told_apart(
     pair: list[LogSignals], gain: float, offset: float, samples: int
@@ -365,7 +377,7 @@ def test_gain_offset_and_delay_of_a_log_are_told_apart(
     assert rows["same device"].state in ("ok", "note")
 
 
-@pytest.mark.parametrize("bias", [150.0, 600.0])
+@pytest.mark.parametrize("bias", [pytest.param(150.0, marks=pytest.mark.long), 600.0])
 def test_a_drive_that_was_biased_in_one_log_is_no_error_of_its_probe(pair: list[LogSignals], bias: float) -> None:
     t, _, v = motion(DURATION, RATE, 36, excitation="validation")
     v = np.maximum(v, bias)

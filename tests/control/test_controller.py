@@ -309,7 +309,9 @@ def test_a_snap_is_as_fast_as_one_full_push_and_one_full_brake(way: int) -> None
 
 
 @pytest.mark.parametrize(
-    ("length", "mass"), [(0.4, 0.064), (2.5, 15.6), (2.5, 400.0)], ids=["small", "large", "in units of another mass"]
+    ("length", "mass"),
+    [(0.4, 0.064), (2.5, 15.6), pytest.param(2.5, 400.0, marks=pytest.mark.long)],
+    ids=["small", "large", "in units of another mass"],
 )
 def test_joints_of_other_sizes_snap_and_are_held(length: float, mass: float) -> None:
     time = float(np.sqrt(length))

@@ -70,7 +70,7 @@ def lost(gain: float = 1.0, delay: int = 0) -> bool:
     return any(grows(controller, joint, gain, delay) for controller, joint in loops)
 
 
-@pytest.mark.parametrize("end", ["gain_low", "gain_high"])
+@pytest.mark.parametrize("end", [pytest.param("gain_low", marks=pytest.mark.long), "gain_high"])
 def test_the_loop_stands_a_gain_up_to_its_margin_and_none_beyond(end: str) -> None:
     margin = getattr(margins_of_the_model(), end)
     assert GAINS[0] < margin < GAINS[1]

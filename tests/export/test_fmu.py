@@ -25,6 +25,7 @@ MODELS = {
     "paper": paper(),
     "sindy": sindy(),
 }
+VARIED = [name if name != "data-driven" else pytest.param(name, marks=pytest.mark.long) for name in MODELS]
 
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler here")
 _KNOWN = dict[str, dict[str, bytes]]()
@@ -71,7 +72,7 @@ def test_co_simulation_follows_a_spline_by_its_three_derivatives(tmp_path):
 
 @pytest.mark.usefixtures("compiled_once")
 @needs_compiler
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", VARIED)
 def test_model_exchange_is_the_models_own_run(name, tmp_path):
     what = subject(MODELS[name], 3.0)
     # Dahl's friction and the charging of membranes are exact in a step of the model, and stiff differential equations.
@@ -121,7 +122,7 @@ def test_states_are_kept_set_and_written_out(tmp_path):
     opened.close()
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", VARIED)
 def test_fmpy_finds_nothing_wrong_and_equal_models_give_equal_bytes(name, tmp_path, compiled_once, monkeypatch):
     what = subject(MODELS[name])
     path = write_fmu(what, tmp_path).written[0]

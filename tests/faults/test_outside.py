@@ -31,7 +31,11 @@ def debist(*arguments: object, **options):
 
 
 @pytest.mark.parametrize(
-    "arguments", [("--help",), pytest.param(("status", "{run}"), marks=pytest.mark.long), ("status", "{run}", "--json")]
+    "arguments",
+    [
+        ("status", "{run}", "--json"),
+        *(pytest.param(each, marks=pytest.mark.long) for each in (("--help",), ("status", "{run}"))),
+    ],
 )
 def test_a_reader_that_has_gone_ends_a_command_as_other_programs(bench, arguments):
     """`debist show RUN | head -1`: no message, and the exit code of SIGPIPE."""
@@ -72,7 +76,10 @@ def test_messages_that_cannot_be_written_fail_no_command(bench):
 
 
 @pytest.mark.skipif(os.name == "nt", reason="the shell's redirections")
-@pytest.mark.parametrize(("closed", "code"), [(">&-", 0), ("2>&-", 0), ("<&-", 0), (">&-", 4)])
+@pytest.mark.parametrize(
+    ("closed", "code"),
+    [(">&-", 0), *(pytest.param(*each, marks=pytest.mark.long) for each in (("2>&-", 0), ("<&-", 0))), (">&-", 4)],
+)
 def test_streams_that_are_closed_change_no_exit_code(bench, closed, code):
     bench.start("intact")
     (bench.run / "manifest.json").write_text("{}") if code else None
@@ -89,7 +96,7 @@ def test_a_parent_that_ignores_the_end_of_processes_changes_nothing(bench):
     assert ended.returncode == 0, ended.stderr
 
 
-@pytest.mark.parametrize("command", ["run", "batch"])
+@pytest.mark.parametrize("command", [pytest.param("run", marks=pytest.mark.long), "batch"])
 def test_a_current_folder_that_was_deleted_is_a_line(bench, tmp_path, command):
     (tmp_path / "gone").mkdir()
     script = f'cd {tmp_path}/gone && rmdir {tmp_path}/gone && exec "$@" -q --no-report'

@@ -46,8 +46,8 @@ def test_a_sequence_that_is_run_twice_is_no_copy(noise):
     assert not [text for text in told(runs) if "shared" in text]
 
 
-@pytest.mark.parametrize("rate", [1000.0, 200.0, 100.0])
-@pytest.mark.parametrize("ripple", [0.0, 4.0, 20.0])
+@pytest.mark.parametrize("rate", [1000.0, pytest.param(200.0, marks=pytest.mark.long), 100.0])
+@pytest.mark.parametrize("ripple", [0.0, pytest.param(4.0, marks=pytest.mark.long), 20.0])
 @pytest.mark.parametrize("seeds", [(1, 3), (1, 1)])
 def test_ripple_of_an_amplifier_makes_no_copy(rate, ripple, seeds):
     """All logs of a rig have the same tones, and often the same steps; the noise is each log's own."""
@@ -89,7 +89,15 @@ def test_their_siblings_are_told(second: Callable[[Log], Log], part: str) -> Non
     assert any(part in text for text in told([log(1), second(log(1))]))
 
 
-@pytest.mark.parametrize(("every", "digits"), [(1, 1e-5), (2, 1e-6), (5, None), (10, 1e-5)])
+@pytest.mark.parametrize(
+    ("every", "digits"),
+    [
+        (1, 1e-5),
+        pytest.param(2, 1e-6, marks=pytest.mark.long),
+        pytest.param(5, None, marks=pytest.mark.long),
+        (10, 1e-5),
+    ],
+)
 def test_coarser_rates_and_digits_are_no_fault(every: int, digits: float | None) -> None:
     said = told([rows(log(seed), slice(None, None, every), 0.0, digits) for seed in (1, 3)])
     assert not [text for text in said if "burst" in text or "jump" in text or "held" in text or "shared" in text]

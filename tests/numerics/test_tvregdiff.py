@@ -31,7 +31,7 @@ def functional(u: FloatArray, samples: FloatArray, h: float, alpha: float, epsil
 
 
 @pytest.mark.parametrize("form", FORMS)
-@pytest.mark.parametrize("alpha", [1e-3, 1e-2, 0.2])
+@pytest.mark.parametrize("alpha", [pytest.param(1e-3, marks=pytest.mark.long), 1e-2, 0.2])
 def test_objective_is_the_minimum_of_the_functional(form: str, alpha: float) -> None:
     samples, h = chartrand(20)
     epsilon = 1e-3

@@ -85,8 +85,14 @@ def _zoomed(browser: Any, before: tuple[float, float], number: int = 0) -> tuple
     return _view(browser, number)
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize(
+    ("width", "scheme"),
+    [
+        (WIDTHS[0], "light"),
+        (WIDTHS[1], "dark"),
+        *(pytest.param(*each, marks=pytest.mark.long) for each in ((WIDTHS[0], "dark"), (WIDTHS[1], "light"))),
+    ],
+)
 @pytest.mark.parametrize("name", ["report", "fleet"])
 def test_a_page_renders_without_complaint(
     browser: Any, pages: dict[str, str], name: str, width: int, scheme: str

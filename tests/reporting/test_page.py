@@ -246,7 +246,7 @@ def test_a_run_without_models_or_notes_still_has_a_page() -> None:
     assert sheet.headline == "rbf"
 
 
-@pytest.mark.parametrize("unit", ["rad", "m", "V"])
+@pytest.mark.parametrize("unit", ["rad", *(pytest.param(unit, marks=pytest.mark.long) for unit in ("m", "V"))])
 def test_one_input_an_angle_and_no_validation_log(unit: str) -> None:
     data = run_data()
     log = data.logs[0]

@@ -58,7 +58,7 @@ STAMPS = 1_700_000_000_400_000_000 + np.round(TIME * 1e9).astype(np.int64)
     ("whole", "part", "per_second", "clock"),
     [
         ("header.stamp.sec", "header.stamp.nanosec", 10**9, "header.stamp.time"),
-        ("stamp_secs", "stamp_nsecs", 10**9, "stamp_time"),
+        pytest.param("stamp_secs", "stamp_nsecs", 10**9, "stamp_time", marks=pytest.mark.long),
         ("tv_sec", "tv_usec", 10**6, "tv_time"),
         ("Seconds", "Milliseconds", 10**3, "time"),
     ],

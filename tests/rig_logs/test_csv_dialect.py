@@ -311,8 +311,17 @@ def test_words_in_place_of_numbers_are_missing_values_and_named(tmp_path, word, 
 @pytest.mark.parametrize(
     "line", ["# pulse 7", "# pulse 7, early", "Event: the pulse", "t,q", "% a, b", "// x,,,", "End of data"]
 )
-@pytest.mark.parametrize("row", [3, 8_000, 8_100])
-@pytest.mark.parametrize("end", ["\n", "\r\n", ""])
+@pytest.mark.parametrize(
+    ("row", "end"),
+    [
+        (3, "\n"),
+        (8_000, "\r\n"),
+        (8_100, ""),
+        *(pytest.param(row, "\n", marks=pytest.mark.long) for row in (8_000, 8_100)),
+        *(pytest.param(row, "\r\n", marks=pytest.mark.long) for row in (3, 8_100)),
+        *(pytest.param(row, "", marks=pytest.mark.long) for row in (3, 8_000)),
+    ],
+)
 def test_lines_that_are_no_rows_of_numbers_are_left_out_and_named(tmp_path, line, row, end):
     rows = [f"{i},{2 * i}.5" for i in range(8_100)]
     rows.insert(row, line)

@@ -196,6 +196,7 @@ def _choose_prior(
     tried: dict[str, float] = {}
 
     def fitted(symmetry: Candidate) -> _Fitted:
+        """The fit of all logs under a symmetry, made once."""
         if symmetry.label not in fits:
             fits[symmetry.label] = _fit_to_all(records, setting, symmetry, None)
             tried[symmetry.label] = fits[symmetry.label].rms

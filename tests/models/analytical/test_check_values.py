@@ -66,7 +66,10 @@ def test_eigenvalues_in_the_right_well(
     assert np.min(np.abs(spectrum - fast)) < 0.75
 
 
-@pytest.mark.parametrize(("parameters", "off", "both", "switches", "locks", "lowest"), BIFURCATIONS)
+@pytest.mark.parametrize(
+    ("parameters", "off", "both", "switches", "locks", "lowest"),
+    [pytest.param(*BIFURCATIONS[0], marks=pytest.mark.long), *BIFURCATIONS[1:]],
+)
 def test_bifurcations(
     parameters: JointParameters, off: float, both: float, switches: float, locks: float | None, lowest: float
 ) -> None:

@@ -89,7 +89,10 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
 
 
-@pytest.mark.parametrize(("corrections", "follows", "centres"), [("none", False, 0), ("always", True, BASIS_FUNCTIONS)])
+@pytest.mark.parametrize(
+    ("corrections", "follows", "centres"),
+    [pytest.param("none", False, 0, marks=pytest.mark.long), ("always", True, BASIS_FUNCTIONS)],
+)
 def test_corrections_are_fitted_as_asked_whatever_the_logs_say(
     corrections: Any, follows: bool, centres: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:

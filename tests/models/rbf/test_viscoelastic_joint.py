@@ -77,7 +77,7 @@ def test_the_traced_law_is_the_one_that_runs_integrate(changes):
     np.testing.assert_allclose(rates[:, 1], states[:, 2], rtol=0.0, atol=1e-12 * np.abs(states[:, 2]).max())
 
 
-@pytest.mark.parametrize("gain", [0.0, 2.0])
+@pytest.mark.parametrize("gain", [pytest.param(0.0, marks=pytest.mark.long), 2.0])
 @pytest.mark.parametrize(
     "changes",
     [
