@@ -29,8 +29,10 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared, differs: D
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
     if not declared.joint:
         return _of_other_device(other.signals.name, what, measured, differs)
-    same, lasts = measured.ratio <= limits.MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
-    sure = measured.ratio > limits.SURELY_MISFIT and measured.unexplained <= limits.MOST_UNEXPLAINED
+    lasts, costs = min(float(np.ptp(fact.signals.t)) for fact in (first, other)), measured.together
+    same = measured.ratio <= limits.MOST_MISFIT or costs <= limits.MOST_COST * measured.unexplained
+    sure = measured.ratio > limits.SURELY_MISFIT and costs > limits.SURE_COST * measured.unexplained
+    sure = sure and measured.unexplained <= limits.MOST_UNEXPLAINED
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
     sure = sure and lasts > limits.SURE_LENGTH * declared.sample_interval and coarsest < limits.SURE_INTERVAL
     sure = sure and _driven_alike(first, other)

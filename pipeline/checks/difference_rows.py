@@ -133,7 +133,10 @@ def _clock(first: LogFacts, other: LogFacts, declared: Declared) -> Estimate | N
     later, errors = (np.array(column) for column in zip(*delays, strict=True))
     weights = 1.0 / np.maximum(errors, np.finfo(float).tiny) ** 2
     mean, error = float(weights @ later / weights.sum()), float(weights.sum() ** -0.5)
-    sure = abs(mean) > max(limits.OTHER_CLOCK * declared.sample_interval, limits.SIGN_CERTAINTY * error)
+    usual = max(
+        limits.OTHER_CLOCK * declared.sample_interval, limits.OF_CLOCK * max(first.lag or 0.0, other.lag or 0.0)
+    )
+    sure = abs(mean) > max(usual, limits.SIGN_CERTAINTY * error)
     return Estimate(mean, error) if sure else None
 
 
