@@ -92,11 +92,21 @@ def input_facts(terms: WeakTerms, sample_interval: float) -> tuple[InputFacts | 
         errors = _scan(terms, best, (i,), offsets)
         best[i] = offsets[int(np.argmin(errors.sum(axis=1)))]
         delays.append(_minimum(errors, offsets.astype(np.float64) * terms.interval))
-    usual = limits.HARDLY * terms.scales.size * rms(terms.inertia)
+    usual, pushes, late = limits.HARDLY * terms.scales.size * rms(terms.inertia), _pushes(terms), _pushes(terms, best)
+    if not _acts(late, driven):
+        unsure = reach * step * terms.interval
+        delays = [(replace(delay, error=unsure), at_the_end) for delay, at_the_end in delays]
     return tuple(
         InputFacts(push, abs(push.value) + limits.SIGN_CERTAINTY * push.error < usual, *delay) if on else None
-        for push, delay, on in zip(_pushes(terms), delays, driven, strict=True)
+        for push, delay, on in zip(pushes, delays, driven, strict=True)
     )
+
+
+def _acts(pushes: Sequence[Estimate], driven: Sequence[bool]) -> bool:
+    """Whether inputs that are driven surely push, two of them to both sides: else their delays are of chance."""
+    acting = [push for push, on in zip(pushes, driven, strict=True) if on]
+    sure = all(abs(push.value) > limits.SIGN_CERTAINTY * push.error for push in acting)
+    return sure and (len(acting) < 2 or min(push.value for push in acting) < 0.0 < max(push.value for push in acting))
 
 
 def _scan(terms: WeakTerms, base: IntArray, moved: "range | tuple[int, ...]", offsets: IntArray) -> FloatArray:
@@ -130,12 +140,12 @@ def _vertex(values: FloatArray, places: FloatArray) -> float:
     return float(places[k] + float(np.clip(move, -1.0, 1.0)) * (places[1] - places[0]))
 
 
-def _pushes(terms: WeakTerms) -> list[Estimate]:
-    """Mean acceleration of each input while it is on, at its largest drive.
+def _pushes(terms: WeakTerms, lags: IntArray | None = None) -> list[Estimate]:
+    """Mean acceleration of each input while it is on, at its largest drive; inputs act `lags` samples later.
 
     Parts of a log that are left out do not show what the weak form has wrong, and that grows as inputs go together.
     """
-    design = terms.design()
+    design = terms.design(lags)
     blocks = np.array_split(np.arange(terms.rows.size), BLOCKS)
     everything = np.arange(terms.rows.size)
     pushes = [_push_of(terms, design, np.setdiff1d(everything, block)) for block in (np.empty(0, np.int64), *blocks)]

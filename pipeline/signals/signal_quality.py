@@ -27,9 +27,9 @@ _BESIDE = 100
 """Samples beside a run at an extreme that show whether the signal was clipped there."""
 _FINE = 1e-4
 """Share of the range below which the steps of a signal are those of its digits."""
-_LEAVING, _LINEAR, _FEW = 6.0, 1.0 / 3.0, 4
+_LEAVING, _LINEAR, _FEW = 6.0, 0.4, 4
 """Steps of the converter by which a clipped signal is off there, and the least share of that at half the distance, if
-that is two samples or more: what leaves a rest has gone a quarter by then."""
+that is two samples or more: clipped at a turning point it has gone 0.42 by then, from a rest a quarter."""
 _CHANCE = 1e-3
 """Probability below which noise does not make a run of equal samples."""
 _OVERSHOOT, _PASSED = 0.3, 3
@@ -271,11 +271,11 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
 
 
 def _noise_around(part: FloatArray, at: IntArray) -> FloatArray:
-    """Noise of the samples around each place, without the one there, from the median of their second differences."""
-    reach = np.concatenate((np.arange(-BESIDE_SPIKE, 0), np.arange(1, BESIDE_SPIKE + 1)))
-    around = part[np.clip(at[:, None] + reach, 0, part.size - 1)]
-    second = np.nan_to_num(np.diff(around, 2, axis=1), posinf=0.0, neginf=0.0)
-    noise: FloatArray = NORMAL_MEDIAN / np.sqrt(6.0) * np.median(np.abs(second), axis=1)
+    """Noise of the samples before or behind each place, whichever is larger, from the median of second differences."""
+    beside = np.arange(1, BESIDE_SPIKE + 1)
+    sides = [part[np.clip(at[:, None] + side * beside, 0, part.size - 1)] for side in (-1, 1)]
+    second = np.nan_to_num(np.diff(sides, 2, axis=2), posinf=0.0, neginf=0.0)
+    noise: FloatArray = NORMAL_MEDIAN / np.sqrt(6.0) * np.median(np.abs(second), axis=2).max(axis=0)
     return noise
 
 
