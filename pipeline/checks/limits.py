@@ -103,9 +103,9 @@ OTHER_LAW_OF_ONE_SIGN = 0.93
 """The same for inputs of one sign, between whose laws only pulses of several heights tell. Declared rightly, logs of
 16 devices have 0.99 to 1.5; joints declared "linear" have 0.64 to 0.92 in two of three, P1 to P3 0.73 to 0.89."""
 
-SEVERAL_HEIGHTS = 0.08
+SEVERAL_HEIGHTS = 0.1
 """Standard deviation of the square of an input that a line through the input leaves, over that of the square, from
-which on its laws can be told apart. Inputs of one height have up to 0.07, of several 0.084 and more."""
+which on its laws can be told apart. Inputs of one height have up to 0.07, of several mostly 0.11 and more."""
 
 DRAWN_RING_DOWN = 2.8
 """Hz, of the joint as drawn (parameter set `nominal`) in its wells without voltage."""

@@ -274,7 +274,8 @@ def _noise_around(part: FloatArray, at: IntArray) -> FloatArray:
     """Noise of the samples before or behind each place, whichever is larger, from the median of second differences."""
     beside = np.arange(1, BESIDE_SPIKE + 1)
     sides = [part[np.clip(at[:, None] + side * beside, 0, part.size - 1)] for side in (-1, 1)]
-    second = np.nan_to_num(np.diff(sides, 2, axis=2), posinf=0.0, neginf=0.0)
+    with np.errstate(invalid="ignore"):  # infinite samples
+        second = np.nan_to_num(np.diff(sides, 2, axis=2), posinf=0.0, neginf=0.0)
     noise: FloatArray = NORMAL_MEDIAN / np.sqrt(6.0) * np.median(np.abs(second), axis=2).max(axis=0)
     return noise
 
@@ -333,8 +334,9 @@ def _clipped(values: FloatArray, rail: float) -> bool:
     digit = resolution(others)
     if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others)):
         equal = float(np.mean(np.diff(others) == 0.0)) if others.size > 1 else 0.0
-        if at.size * equal ** (last - first) < _CHANCE:
-            return True
+        by_chance = at.size * equal ** (last - first) > _CHANCE
+        if equal < 0.5 or not by_chance:  # beyond, the steps hide the noise
+            return not by_chance
     reach = min(max((last - first + 1) // 2, 1), _BESIDE)
     around = values[max(0, first - 4 * reach) : last + 4 * reach + 1]
     steps = np.abs(np.diff(around))
