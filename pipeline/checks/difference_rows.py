@@ -248,7 +248,7 @@ def _zero_row(log: str, beside: str, zero: Estimate, first: LogFacts, declared: 
     unit, size = declared.displacement, float(np.nanstd(first.signals.q))
     higher = zero.value > 0.0
     amount = quantity(abs(zero.value), unit, zero.error)
-    wrong = abs(zero.value) > limits.WRONG_ZERO * size
+    wrong = abs(zero.value) > max(limits.WRONG_ZERO * size, limits.SIGN_CERTAINTY * zero.error)
     advice = (
         f"against {beside}, q of this log looks {amount} {'high' if higher else 'low'}: if the sensor was zeroed anew, "
         f"{'take that off q in this log' if higher else 'add that to q in this log'}, or leave the log out"

@@ -38,9 +38,9 @@ ALIKE = 1.5
 """Factor between the largest voltages of two logs up to which they can be of one device for sure or not: a joint driven
 at 35 % of the voltage, or by one side only, has had 2.4 to 5.7 times the misfit of its training log."""
 
-GAIN_OF_ALL, GAIN_OF_ONE = (0.032, 3.5), (0.08, 4.0)
+GAIN_OF_ALL, GAIN_OF_ONE = (0.032, 3.0), (0.08, 4.0)
 """Least deviation, and standard errors, from which the gain of a log's inputs is off: of all of them together, or of
-one. Of 45 honest pairs with any excitation one is off by more; of as many with probes 10 % off, 27 are."""
+one. Of 45 honest pairs with any excitation one is off by more; of as many with probes 10 % off, 28 are."""
 
 WRONG_GAIN = 0.25
 """Deviation from which on a log's voltages are refused: forces go with their square."""
@@ -49,9 +49,9 @@ OTHER_LEVEL, BIAS = 0.005, 0.04
 """Share of an input's largest magnitude by which its levels at rest may differ between logs, and from which on the
 drive itself may have been biased. Rests of 13 joints differ by less than 0.3 V at 3 kV; 0.5 % is 1 % of the force."""
 
-OTHER_ZERO, SURE_ZERO, WRONG_ZERO = 0.025, 4.0, 0.05
+OTHER_ZERO, SURE_ZERO, WRONG_ZERO = 0.025, 2.5, 0.05
 """Standard deviations of q, and standard errors, from which the zero of q is off; from where it is refused. Of honest
-pairs of logs of 13 joints it is off by up to 0.015."""
+pairs of logs of 13 joints it is off by up to 0.015; refused only where four standard errors are sure of it too."""
 
 OF_LAG = 2.0
 """Times a lag that some log of the device shows, up to which an input that acts late is explained by it."""
