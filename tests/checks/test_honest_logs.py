@@ -79,7 +79,7 @@ def test_a_joint_of_half_the_size_couples_as_it_may() -> None:
 
 def test_two_short_logs_are_not_of_two_devices() -> None:
     logs = [_run(motion(8.0, RATE, seed)[2], f"train/{seed}") for seed in (35, 36)]
-    logs[1] = replace(logs[1], q=logs[1].q * 1.1)
+    logs[1] = replace(logs[1], q=DoubleWell(left_well=9.5e-3).simulate(logs[1].v, 1.0 / RATE))
     (row,) = (row for row in check_logs(logs, JOINT) if row.what == "same device")
     assert (row.state, row.found) == ("not seen", "too short to tell")
 
