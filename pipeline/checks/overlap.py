@@ -246,9 +246,9 @@ def _agreement(
         return float(np.nanstd(_difference(first, second, t, shift)))
 
     shifts, few = offset + np.linspace(-1.0, 1.0, 17) * sample_interval, t[:: max(1, t.size // _WINDOW)]
-    tried = [float(np.nanstd(_difference(first, second, few, shift))) for shift in shifts]
+    tried = np.nanstd(_difference(first, second, few, shifts[:, None]), axis=1)
     best, reach = float(shifts[int(np.nanargmin(tried))]), 0.125 * sample_interval
-    if not min(tried) <= _CLOSE * float(np.nanstd(_interpolated(second, few))):
+    if not np.min(tried) <= _CLOSE * float(np.nanstd(_interpolated(second, few))):
         return None
     exact = float(
         minimize_scalar(apart, bounds=(best - reach, best + reach), options={"xatol": 1e-6 * sample_interval}).x
@@ -281,8 +281,10 @@ def _grid(first: LogSignals, second: LogSignals) -> FloatArray:
     return second.t[:: max(1, round(first.interval / second.interval))]
 
 
-def _difference(first: LogSignals, second: LogSignals, t: FloatArray, offset: float) -> FloatArray:
-    """First less second log at stamps of the second [s]; NaN where one is not measured."""
+def _difference(first: LogSignals, second: LogSignals, t: FloatArray, offset: FloatArray | float) -> FloatArray:
+    """First less second log at stamps of the second [s], in a row for each offset of a column; NaN where one is not
+    measured.
+    """
     step = round((t[1] - t[0]) / second.interval) if t.size > 1 else 1
     row = round((t[0] - second.t[0]) / second.interval)
     return _interpolated(first, t + offset) - second.q[row : row + step * t.size : step][: t.size]

@@ -212,23 +212,18 @@ def lowest_voltage(
     return LowestVoltage(duration, lowest, float(low), float(high), until, of_parameters, of_lags, converters.probe)
 
 
-OF_SETTLING = 0.6
-"""Share of the lowest voltage's deviation by which the settling of a designed pulse errs: with it the interval of 90 %
-held 28 of 32 settling times on eight simulated joints, with 0.5 it held 26, with 0.7 and with 1 it held 31."""
-
-
-def uncertain(joint: Ensemble, lowest: Sequence[LowestVoltage | None], share: float = 1.0) -> Ensemble:
+def uncertain(joint: Ensemble, lowest: Sequence[LowestVoltage | None]) -> Ensemble:
     """The same joint with draws whose voltages err as its lowest voltage may: for pulses near it.
 
     What the parameters do acts as a voltage that is too high or too low: on four joints its deviations at 0.1 s and at
     0.8 s were 0.72 to 1.36 times that at `TYPICAL`, and correlated with it by 0.83 to 1.00. So all pulses are scaled
-    alike, by this share of the deviation of the first of `lowest` that lasts as long.
+    alike, by the deviation of the first of `lowest` that lasts as long.
     """
     switching = [pulse for pulse in lowest if pulse is not None]
     if not switching:
         return joint
     typical = next((pulse for pulse in switching if pulse.duration >= TYPICAL), switching[-1])
-    return joint.erring(share * float(np.hypot(typical.of_parameters, typical.of_probe)))
+    return joint.erring(float(np.hypot(typical.of_parameters, typical.of_probe)))
 
 
 def _switched(

@@ -210,11 +210,11 @@ def usual_span(samples: FloatArray) -> tuple[float, float]:
     lowest, highest = np.nan, np.nan
     for rows in chunks(samples.size, overlap=2):
         part = samples[rows]
-        three = np.lib.stride_tricks.sliding_window_view(part, 3) if part.size >= 3 else part[None]
-        inside = ~np.isnan(three).any(axis=1)
-        if inside.any():
-            lowest = np.fmin(lowest, three[inside].max(axis=1).min())
-            highest = np.fmax(highest, three[inside].min(axis=1).max())
+        first, *others = (part[:-2], part[1:-1], part[2:]) if part.size >= 3 else part[:, None]
+        largest, smallest = first, first
+        for other in others:
+            largest, smallest = np.maximum(largest, other), np.minimum(smallest, other)
+        lowest, highest = np.fmin(lowest, np.fmin.reduce(largest)), np.fmax(highest, np.fmax.reduce(smallest))
     # A signal that nowhere stays for three samples reaches its highest value less often than its lowest.
     return float(np.fmin(lowest, highest)), float(np.fmax(lowest, highest))
 

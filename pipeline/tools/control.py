@@ -16,7 +16,7 @@ from pipeline.control.linear import wells_and_saddle
 from pipeline.control.margins import Margins, margins
 from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import BAND, step_metrics
-from pipeline.control.switching_map import OF_SETTLING, PULSES, TYPICAL, lowest_voltage, switching_map, uncertain
+from pipeline.control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, uncertain
 from pipeline.errors import InputError
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.names import Goal, Well
@@ -114,9 +114,9 @@ def pulse(
 
 
 def with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
-    """The joint with the draws that judge a pulse to a well: their voltages err as its settling may."""
+    """The joint with the draws that judge a pulse to a well: their voltages err as its lowest voltage may."""
     lowest = lowest_voltage(model, converters, places, to, TYPICAL)
-    return uncertain(ensemble_of(model, DRAWS, converters), [lowest], OF_SETTLING)
+    return uncertain(ensemble_of(model, DRAWS, converters), [lowest])
 
 
 def _finite(value: float) -> float | None:
