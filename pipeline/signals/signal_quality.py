@@ -332,11 +332,12 @@ def _clipped(values: FloatArray, rail: float) -> bool:
     begin = values[: 1 << 17]
     others = begin[np.isfinite(begin) & (begin != rail)]
     digit = resolution(others)
-    if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others)):
-        equal = float(np.mean(np.diff(others) == 0.0)) if others.size > 1 else 0.0
-        by_chance = at.size * equal ** (last - first) > _CHANCE
-        if equal < 0.5 or not by_chance:  # beyond, the steps hide the noise
-            return not by_chance
+    equal = float(np.mean(np.diff(others) == 0.0)) if others.size > 1 else 0.0
+    by_chance = at.size * equal ** (last - first) > _CHANCE
+    if by_chance and equal < 0.5:  # beyond, the steps hide the noise
+        return False
+    if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others) and not by_chance):
+        return True
     reach = min(max((last - first + 1) // 2, 1), _BESIDE)
     around = values[max(0, first - 4 * reach) : last + 4 * reach + 1]
     steps = np.abs(np.diff(around))
