@@ -21,6 +21,8 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
     lags = [fact.lag for fact in facts if fact.lag is not None]  # a lag is the device's, so one log may show it for all
     facts = [replace(fact, lag=lags[0]) if lags and fact.lag is None else fact for fact in facts]
     rows = [row for fact in facts for row in (*motion_rows(fact, declared), *input_rows(fact, declared))]
+    shown = {row.what for row in rows if row.state == "ok" and row.what.startswith("push")}  # in another log
+    rows = [replace(row, state="not seen") if row.state == "note" and row.what in shown else row for row in rows]
     rows += start_rows(facts)
     beside = [row for other in facts[1:] for row in device_rows(facts[0], other, declared)]
     superseded = {(log, row.what) for row in beside for log in (facts[0].signals.name, row.log)}

@@ -29,11 +29,13 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared, differs: D
         return CheckRow(other.signals.name, what, "too little in common to tell", "", "not seen")
     if not declared.joint:
         return _of_other_device(other.signals.name, what, measured, differs)
-    same, lasts = measured.ratio <= limits.MOST_MISFIT, min(float(np.ptp(fact.signals.t)) for fact in (first, other))
-    sure = measured.ratio > limits.SURELY_MISFIT and measured.unexplained <= limits.MOST_UNEXPLAINED
+    lasts, costs = min(float(np.ptp(fact.signals.t)) for fact in (first, other)), measured.together
+    same = measured.ratio <= limits.MOST_MISFIT or costs <= limits.MOST_COST * measured.unexplained
+    sure = measured.ratio > limits.SURELY_MISFIT and costs > limits.SURE_COST * measured.unexplained
+    sure = sure and measured.unexplained <= limits.MOST_UNEXPLAINED
     coarsest = max(fact.signals.interval for fact in (first, other)) / declared.sample_interval
-    sure = sure and lasts > limits.SURE_LENGTH * declared.sample_interval and coarsest < limits.SURE_INTERVAL
-    sure = sure and _driven_alike(first, other)
+    long = lasts > limits.SURE_LENGTH * declared.sample_interval
+    sure = sure and long and coarsest < limits.SURE_INTERVAL and _driven_alike(first, other)
     values = in_si("misfit", "1", measured.ratio)
     if not same and differs.names and mended(first, differs.corrected, declared):
         advice = _but_for(differs)
@@ -41,6 +43,8 @@ def _device_row(first: LogFacts, other: LogFacts, declared: Declared, differs: D
             other.signals.name, what, f"{significant(measured.ratio, 2)} × misfit", f"≤ {limits.MOST_MISFIT:g}", "note",
             None, advice, values=values,
         )  # fmt: skip
+    if not (same or long):
+        return CheckRow(other.signals.name, what, "too short to tell", "", "not seen", values=values)
     state: State = "ok" if same else "wrong" if sure else "note"
     return CheckRow(
         other.signals.name,

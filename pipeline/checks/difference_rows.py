@@ -9,7 +9,7 @@ from pipeline.checks import limits
 from pipeline.checks.declared import Declared
 from pipeline.checks.log_differences import LogDifferences, log_differences
 from pipeline.checks.log_facts import Estimate, LogFacts
-from pipeline.checks.misfit import misfit
+from pipeline.checks.misfit import Misfit, misfit
 from pipeline.checks.rest_level import rest_level
 from pipeline.checks.rows import CheckRow, State, in_si, short_quantity
 from pipeline.checks.weak_form import LogSignals, WeakTerms, scales_of, weak_terms
@@ -75,7 +75,7 @@ def differences(first: LogFacts, other: LogFacts, declared: Declared) -> Differe
         zero, moved = replace(zero, value=zero.value + again), replace(moved, q=moved.q - again)
     gain = measured if _off(measured) else None
     corrected = moved if gain is None else replace(moved, v=moved.v * gain.factors)
-    if (gain or zero) and not mended(first, corrected, declared):
+    if (gain or zero) and not _helps(first, driven, corrected, declared):
         gain, zero, corrected = None, None, driven
     return Differences(clock, levels, gain, zero, corrected)
 
@@ -103,9 +103,21 @@ def weak_forms(first: LogSignals, other: LogSignals, declared: Declared) -> tupl
 
 def mended(first: LogFacts, corrected: LogSignals, declared: Declared) -> bool:
     """Whether a corrected log shows the device of the first one."""
-    terms = weak_forms(first.signals, corrected, declared)
-    measured = None if terms is None else misfit(*terms)
+    measured = _misfit(first, corrected, declared)
     return measured is not None and measured.ratio <= limits.MOST_MISFIT
+
+
+def _misfit(first: LogFacts, log: LogSignals, declared: Declared) -> Misfit | None:
+    terms = weak_forms(first.signals, log, declared)
+    return None if terms is None else misfit(*terms)
+
+
+def _helps(first: LogFacts, driven: LogSignals, corrected: LogSignals, declared: Declared) -> bool:
+    """Whether a log without gain and zero shows the device of the first one, and weights in common leave less of it."""
+    before, after = (_misfit(first, log, declared) for log in (driven, corrected))
+    if before is None or after is None:
+        return False
+    return after.ratio <= limits.MOST_MISFIT and after.together < before.together
 
 
 def _measured(first: LogFacts, other: LogFacts, signals: LogSignals, declared: Declared) -> LogDifferences | None:
@@ -121,14 +133,15 @@ def _measured(first: LogFacts, other: LogFacts, signals: LogSignals, declared: D
 def _clock(first: LogFacts, other: LogFacts, declared: Declared) -> Estimate | None:
     """By how much later q answers than in the first log, if surely so: the recorders were not started together.
 
-    Of the joint alone: the lag of another law's answer depends on frequency and amplitude.
+    Of the joint alone: the lag of another law's answer depends on frequency and amplitude, as it does behind electrodes
+    that charge slowly.
     """
     delays = [
         (there.delay.value - here.delay.value, float(np.hypot(here.delay.error, there.delay.error)))
         for here, there in zip(first.inputs, other.inputs, strict=True)
         if here is not None and there is not None and not (here.at_the_end or there.at_the_end)
     ]
-    if not delays or not declared.joint:
+    if not delays or not declared.joint or first.lag or other.lag:
         return None
     later, errors = (np.array(column) for column in zip(*delays, strict=True))
     weights = 1.0 / np.maximum(errors, np.finfo(float).tiny) ** 2
@@ -235,7 +248,7 @@ def _zero_row(log: str, beside: str, zero: Estimate, first: LogFacts, declared: 
     unit, size = declared.displacement, float(np.nanstd(first.signals.q))
     higher = zero.value > 0.0
     amount = quantity(abs(zero.value), unit, zero.error)
-    wrong = abs(zero.value) > limits.WRONG_ZERO * size
+    wrong = abs(zero.value) > max(limits.WRONG_ZERO * size, limits.SIGN_CERTAINTY * zero.error)
     advice = (
         f"against {beside}, q of this log looks {amount} {'high' if higher else 'low'}: if the sensor was zeroed anew, "
         f"{'take that off q in this log' if higher else 'add that to q in this log'}, or leave the log out"

@@ -21,6 +21,7 @@ from pipeline.checks.weak_form import (
 )
 from pipeline.device_facts.events import RestFacts, RingDown, rest_facts
 from pipeline.numerics.arrays import FloatArray, IntArray, samples_of
+from pipeline.numerics.metrics import rms
 from pipeline.scoring.wells import SHORTEST_REST, NoWells, Wells, find_wells, snaps
 from pipeline.scoring.wells import rests as quiet_rows
 from pipeline.signals.signal_quality import takes_both_signs
@@ -32,6 +33,7 @@ REACH = 20
 _ON = 0.25  # of an input's largest drive: there it counts as switched on
 _LEAST_ON = 20  # bumps with the input on, for a statement about it
 _RING_INTERVAL = 0.01  # s, at which ring-downs are looked for where there are none at the sample interval
+_MOST_TOGETHER = 0.9999  # correlation of two inputs, beyond which it hardly matters
 _CLEAR_RING = 0.15  # unexplained share up to which a ring-down's frequency counts
 
 
@@ -51,6 +53,8 @@ class InputFacts:
     ----------
     push : Estimate
         Mean acceleration while it is on, at its largest value [m/s² or rad/s²].
+    hardly_moves : bool
+        Whether it surely pushes by less than the device usually accelerates.
     delay : Estimate
         By how much the motion answers later than the input says [s]; negative: earlier.
     at_the_end : bool
@@ -58,6 +62,7 @@ class InputFacts:
     """
 
     push: Estimate
+    hardly_moves: bool
     delay: Estimate
     at_the_end: bool
 
@@ -87,8 +92,21 @@ def input_facts(terms: WeakTerms, sample_interval: float) -> tuple[InputFacts | 
         errors = _scan(terms, best, (i,), offsets)
         best[i] = offsets[int(np.argmin(errors.sum(axis=1)))]
         delays.append(_minimum(errors, offsets.astype(np.float64) * terms.interval))
-    pushes = _pushes(terms)
-    return tuple(InputFacts(pushes[i], *delays[i]) if driven[i] else None for i in range(count))
+    usual, pushes, late = limits.HARDLY * terms.scales.size * rms(terms.inertia), _pushes(terms), _pushes(terms, best)
+    if not _acts(late, driven):
+        unsure = reach * step * terms.interval
+        delays = [(replace(delay, error=unsure), at_the_end) for delay, at_the_end in delays]
+    return tuple(
+        InputFacts(push, abs(push.value) + limits.SIGN_CERTAINTY * push.error < usual, *delay) if on else None
+        for push, delay, on in zip(pushes, delays, driven, strict=True)
+    )
+
+
+def _acts(pushes: Sequence[Estimate], driven: Sequence[bool]) -> bool:
+    """Whether inputs that are driven surely push, two of them to both sides: else their delays are of chance."""
+    acting = [push for push, on in zip(pushes, driven, strict=True) if on]
+    sure = all(abs(push.value) > limits.SIGN_CERTAINTY * push.error for push in acting)
+    return sure and (len(acting) < 2 or min(push.value for push in acting) < 0.0 < max(push.value for push in acting))
 
 
 def _scan(terms: WeakTerms, base: IntArray, moved: "range | tuple[int, ...]", offsets: IntArray) -> FloatArray:
@@ -122,14 +140,20 @@ def _vertex(values: FloatArray, places: FloatArray) -> float:
     return float(places[k] + float(np.clip(move, -1.0, 1.0)) * (places[1] - places[0]))
 
 
-def _pushes(terms: WeakTerms) -> list[Estimate]:
-    """Mean acceleration of each input while it is on, at its largest drive."""
-    design = terms.design()
+def _pushes(terms: WeakTerms, lags: IntArray | None = None) -> list[Estimate]:
+    """Mean acceleration of each input while it is on, at its largest drive; inputs act `lags` samples later.
+
+    Parts of a log that are left out do not show what the weak form has wrong, and that grows as inputs go together.
+    """
+    design = terms.design(lags)
     blocks = np.array_split(np.arange(terms.rows.size), BLOCKS)
     everything = np.arange(terms.rows.size)
     pushes = [_push_of(terms, design, np.setdiff1d(everything, block)) for block in (np.empty(0, np.int64), *blocks)]
-    whole, parts = pushes[0], np.array(pushes[1:])
-    return [Estimate(float(w), float(e)) for w, e in zip(whole, _jackknife_error(parts), strict=True)]
+    whole, errors = pushes[0], _jackknife_error(np.array(pushes[1:]))
+    with np.errstate(invalid="ignore", divide="ignore"):  # of inputs that never change
+        together = np.abs(np.atleast_2d(np.corrcoef(terms.push[terms.rows, :, 0].T)) - np.eye(whole.size)).max(axis=0)
+    errors /= np.sqrt(1.0 - np.minimum(np.nan_to_num(together), _MOST_TOGETHER) ** 2)
+    return [Estimate(float(w), float(e)) for w, e in zip(whole, errors, strict=True)]
 
 
 def _jackknife_error(left_out: FloatArray) -> FloatArray:
@@ -174,7 +198,7 @@ class LogFacts:
         How often q passes from well to well after all inputs were off: something that was not named moves it.
     unexplained, under_other_law : float or None
         Share of the accelerations that the weak form leaves, and that it leaves where inputs act by their other law (in
-        proportion for by their squares).
+        proportion for by their squares); None where inputs of one height act alike by both.
     as_signed_monitor : float or None
         The same where the one input is the signed monitor of two membranes; None unless it takes both signs.
     both_signs : bool
@@ -234,7 +258,7 @@ def log_facts(log: LogSignals, sample_interval: float, *, squared: bool, joint: 
         natural=natural,
         undriven=_undriven(q, v, every * log.interval, wells, natural, joint=joint),
         unexplained=None if terms is None else unexplained(terms),
-        under_other_law=_unexplained_by(log, sample_interval, squared=not squared),
+        under_other_law=_unexplained_by(log, sample_interval, squared=not squared) if _several_heights(log.v) else None,
         as_signed_monitor=_unexplained_by(_of_two(log), sample_interval, squared=True)
         if both_signs and log.v.shape[1] == 1
         else None,
@@ -271,6 +295,14 @@ def _rings(rests: RestFacts) -> list[RingDown]:
 def _of_two(log: LogSignals) -> LogSignals:
     """A log whose input of both signs is taken for the signed monitor of two membranes."""
     return replace(log, v=np.hstack([np.maximum(log.v, 0.0), np.maximum(-log.v, 0.0)]))
+
+
+def _several_heights(v: FloatArray) -> bool:
+    """Whether the square of an input is not in proportion to it."""
+    away, squares = v - v.mean(axis=0), v**2 - np.mean(v**2, axis=0)
+    both, own = np.mean(away * squares, axis=0) ** 2, np.mean(away**2, axis=0)
+    left = np.mean(squares**2, axis=0) * own - both  # that a line through the input leaves, times its variance
+    return bool(np.any((own > 0.0) & (left >= limits.SEVERAL_HEIGHTS**2 * (left + both))))
 
 
 def _unexplained_by(log: LogSignals, sample_interval: float, *, squared: bool) -> float | None:

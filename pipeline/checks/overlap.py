@@ -44,6 +44,8 @@ _STEPS, _RESTING = 4.0, 8
 """Standard deviations of steps beyond which an input moves, and samples whose means are compared."""
 _LINE, _RIPPLE = 16.0, 0.2
 """Power of a spectral line of ripple over the median one, and the largest share of such lines in the noise."""
+_FEWEST = 32
+"""Samples that show whether noise is shared."""
 _ORDER, _SMOOTHED = 4, 3
 _GAIN = 6.32
 """Standard deviation that these differences make of white noise of 1."""
@@ -308,14 +310,19 @@ def _limit(first: LogSignals, second: LogSignals, t: FloatArray, offset: float) 
     other, size = own - _difference(first, second, t, offset), float(np.nanstd(own))
     steps = [rounding(log.resolution) for log in (first, second)]
     noises = [max(log.noise or 0.0, step) for log, step in zip((first, second), steps, strict=True)]
-    rough = [min(robust_std(_detail(q)), _GAIN * noise) for q, noise in zip((own, other), noises, strict=True)]
     within = float(math.hypot(math.hypot(*noises) * _WITHIN, _FLOOR * size))
-    if abs(first.raw_step / second.raw_step - 1.0) > _SAME_RATE:
+    hidden, alike = max(steps) > 0.5 * min(noises), math.isclose(*steps, rel_tol=_SAME_RATE)
+    if abs(first.raw_step / second.raw_step - 1.0) > _SAME_RATE or (hidden and not alike):
         return within, False
-    if robust_std(_detail(own - other)) <= _SHARED_NOISE * math.hypot(*rough):
-        return within, True
-    hidden = max(steps) > 0.5 * min(noises) or math.hypot(*noises) < 0.1 * _FLOOR * size
-    return within if hidden else 0.0, False
+    details = np.array([_detail(q) for q in (own, other, own - other)])
+    if hidden:  # at rest they are equal anyway, while what moves is rounded up or down by chance
+        details = details[:, np.abs(np.diff(own))[: details.shape[1]] > (first.resolution or 0.0)]
+    usable = details[:, np.isfinite(details).all(axis=0)]
+    if usable.shape[1] < _FEWEST:
+        return 0.0, False
+    rough = [min(robust_std(detail), _GAIN * noise) for detail, noise in zip(usable, noises, strict=False)]
+    shared = robust_std(usable[2]) <= _SHARED_NOISE * math.hypot(*rough)
+    return (within if shared else 0.0), shared and not hidden
 
 
 def _detail(q: FloatArray) -> FloatArray:
@@ -323,8 +330,8 @@ def _detail(q: FloatArray) -> FloatArray:
     differences = np.diff(q, _ORDER)
     for _ in range(_SMOOTHED):
         differences = differences[1:] + differences[:-1]
-    usable: FloatArray = differences[np.isfinite(differences)]
-    return usable if usable.size else np.zeros(1)
+    detail: FloatArray = differences
+    return detail
 
 
 def _agreeing(difference: FloatArray, limit: float, width: int) -> BoolArray:

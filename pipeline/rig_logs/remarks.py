@@ -9,6 +9,8 @@ from pipeline.signals.signal_quality import SignalQuality
 
 _RAIL_SHARE = 1e-3
 _FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
+_SHOWS = 1e-4
+"""Share of the range of a signal that a hum is worth a remark from."""
 _LONG_AGO = 1e5
 """Seconds of a clock from which on stamps are written to the millisecond: it counts from a day or an epoch long ago."""
 _MUCH = 10.0
@@ -58,7 +60,7 @@ def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[st
         f"{line.frequency:g} Hz hum {line.above_floor_db:.0f} dB over the spectrum beside it, "
         f"amplitude {line.amplitude:.3g}"
         for line in quality.hum
-        if line.stands_out and clock == "s"
+        if line.stands_out and line.amplitude > _SHOWS * quality.span and clock == "s"
     ]
     return tuple(remarks)
 
@@ -73,7 +75,7 @@ def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
         if share > _RAIL_SHARE:
             remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
-    if clock == "s" and long and not quality.stepped:
+    if clock == "s" and long and not (quality.stepped or quality.rests):
         remarks.append(f"unchanged for {quality.longest_frozen:.3g} s from {stamped(quality.frozen_at)} s on")
     return remarks
 

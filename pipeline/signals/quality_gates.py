@@ -222,6 +222,8 @@ def plausible_span(symbol: str, *, joint: bool = True) -> tuple[float, float] | 
 
 _SHARE = 0.005
 """Share of the samples that stay at an end."""
+_ABOUT_ZERO = 0.02
+"""Share of the largest magnitude of an input below which a level is a rest about zero."""
 _RAGGED = 0.5
 """Share of the samples elsewhere that differ from the one before, where a probe has noise or the input moves."""
 
@@ -229,15 +231,15 @@ _RAGGED = 0.5
 def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
     """Remarks on an input that stays at its largest or smallest value to the last digit, though it has noise.
 
-    A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests at
-    zero, as the part of a signed monitor does, is not at a rail there.
+    A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests about
+    zero is not at a rail there: its steps may hide the noise, and an amplifier that is off makes none.
     """
     quality = examine_signal(time, samples, step)
     if quality.constant or quality.stepped or quality.levels:
         return []
     remarks = []
     for share, rail in ((quality.low_rail, quality.usual[0]), (quality.high_rail, quality.usual[1])):
-        if share < _SHARE or abs(rail) <= 1e-3 * max(abs(quality.smallest), abs(quality.largest)):
+        if share < _SHARE or abs(rail) <= _ABOUT_ZERO * max(abs(quality.smallest), abs(quality.largest)):
             continue
         elsewhere = samples[np.isfinite(samples) & (samples != rail)]
         if np.mean(np.diff(elsewhere) != 0.0) < _RAGGED:

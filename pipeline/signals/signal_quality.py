@@ -7,20 +7,31 @@ from itertools import chain, islice
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from pipeline.numerics.metrics import NORMAL_MEDIAN
 from pipeline.signals.columns import chunks, column, finite, select
-from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
+from pipeline.signals.noise import (
+    high_difference_level,
+    is_idle,
+    is_stepped,
+    mostly_repeated,
+    noise_level,
+    resolution,
+)
 from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0
-BESIDE_SPIKE = 2
-"""Samples on either side that a spike is compared with."""
+BESIDE_SPIKE = 32
+"""Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
 _BESIDE = 100
 """Samples beside a run at an extreme that show whether the signal was clipped there."""
 _FINE = 1e-4
 """Share of the range below which the steps of a signal are those of its digits."""
-_LEAVING = 6.0
-"""Steps of the converter by which a clipped signal is off there."""
+_LEAVING, _LINEAR, _FEW = 6.0, 0.4, 4
+"""Steps of the converter by which a clipped signal is off there, and the least share of that at half the distance, if
+that is two samples or more: clipped at a turning point it has gone 0.42 by then, from a rest a quarter."""
+_CHANCE = 1e-3
+"""Probability below which noise does not make a run of equal samples."""
 _OVERSHOOT, _PASSED = 0.3, 3
 """Share of the usual span by which a signal may overshoot a rest, and how many values there, in neighbouring samples as
 no spike is, tell that it does."""
@@ -61,6 +72,8 @@ class SignalQuality:
         How many samples it has.
     frozen_at : float
         Where that run starts [s].
+    rests : bool
+        Whether that run may be a rest in the steps of a sensor, as it is entered and left by few of them.
     spikes : int
         Single samples that leave the line between their neighbours by more than 12 times the roughness.
     spikes_at : tuple of float
@@ -88,6 +101,7 @@ class SignalQuality:
     longest_frozen: float
     frozen_samples: int
     frozen_at: float
+    rests: bool
     spikes: int
     spikes_at: tuple[float, ...]
     hum: tuple[Hum, ...]
@@ -138,7 +152,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
         nan = float("nan")
-        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan
+        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan, False
         return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), (), Bandwidth(nan, nan))
     (smallest, largest), roughness = span(values), noise_level(values)
     frozen, start = _longest_run(values)
@@ -163,6 +177,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         longest_frozen=ended - began,
         frozen_samples=frozen,
         frozen_at=began,
+        rests=_rests(values, start, start + frozen),
         spikes=spikes,
         spikes_at=tuple(stamps[first_spikes].tolist()),
         hum=tuple(line for f in MAINS if (line := hum(values[:EXCERPT], step, f)) is not None),
@@ -242,7 +257,7 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
     """Single samples far off the line between neighbours that agree with each other, shape (N − 2,).
 
     Two samples further on either side lie on that line too; beside a turning point, of which a slow log has few
-    samples, they bend away from it.
+    samples, they bend away from it. And it is far beyond the noise of the samples around it.
     """
     with np.errstate(invalid="ignore"):  # infinite samples
         off = np.abs(part[1:-1] - 0.5 * (part[:-2] + part[2:]))
@@ -250,7 +265,19 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
         bend = np.zeros_like(off)
         bend[1:-1] = 0.5 * np.abs(part[:-4] + part[4:] - part[1:-3] - part[3:-1])
     spikes: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * np.maximum(apart, bend)) & (noise > 0.0)
+    at = np.flatnonzero(spikes)
+    spikes[at] = off[at] > _SPIKE_NOISES * _noise_around(part, at + 1)
     return spikes
+
+
+def _noise_around(part: FloatArray, at: IntArray) -> FloatArray:
+    """Noise of the samples before or behind each place, whichever is larger, from the median of second differences."""
+    beside = np.arange(1, BESIDE_SPIKE + 1)
+    sides = [part[np.clip(at[:, None] + side * beside, 0, part.size - 1)] for side in (-1, 1)]
+    with np.errstate(invalid="ignore"):  # infinite samples
+        second = np.nan_to_num(np.diff(sides, 2, axis=2), posinf=0.0, neginf=0.0)
+    noise: FloatArray = NORMAL_MEDIAN / np.sqrt(6.0) * np.median(np.abs(second), axis=2).max(axis=0)
+    return noise
 
 
 def three_in_a_row(flags: BoolArray) -> BoolArray:
@@ -290,31 +317,45 @@ def _passed(values: FloatArray, rail: float, other: float) -> bool:
 
 
 def _clipped(values: FloatArray, rail: float) -> bool:
-    """Whether the signal leaves its longest run at `rail` at a slope, as a clipped one, and not as at a turning point.
+    """Whether the signal leaves its longest run at `rail` at a slope, as a clipped one, and not as a turning point or a
+    rest.
 
     A signal in steps of a converter stays at the value of a turning point for a few samples, and beside them is one or
-    two steps off. Without such steps, or with those of a text's last digit, no two samples are equal by chance, and a
-    run of them is a clipped one.
+    two steps off. Without such steps, or with those of a text's last digit, a run longer than chance is a clipped one.
     """
-    begin = values[: 1 << 17]
-    others = begin[np.isfinite(begin) & (begin != rail)]
-    digit = resolution(others)
-    if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others)):
-        return True
     at = np.flatnonzero(values == rail)
     if at.size < 3:
         return False
-    runs = np.split(at, np.flatnonzero(np.diff(at) > 1) + 1)
-    longest = max(runs, key=len)
-    reach = min(max(len(longest) // 2, 1), _BESIDE)
-    first, last = int(longest[0]), int(longest[-1])
+    edges = np.concatenate(([0], np.flatnonzero(np.diff(at) > 1) + 1, [at.size]))
+    k = int(np.argmax(np.diff(edges)))
+    first, last = int(at[edges[k]]), int(at[edges[k + 1] - 1])
+    begin = values[: 1 << 17]
+    others = begin[np.isfinite(begin) & (begin != rail)]
+    digit = resolution(others)
+    equal = float(np.mean(np.diff(others) == 0.0)) if others.size > 1 else 0.0
+    by_chance = at.size * equal ** (last - first) > _CHANCE
+    if by_chance and equal < 0.5:  # beyond, the steps hide the noise
+        return False
+    if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others) and not by_chance):
+        return True
+    reach = min(max((last - first + 1) // 2, 1), _BESIDE)
     around = values[max(0, first - 4 * reach) : last + 4 * reach + 1]
     steps = np.abs(np.diff(around))
     if not np.any(steps > 0.0):
         return True
     step = float(steps[steps > 1e-9 * steps.max()].min())
-    beside = [float(values[i]) for i in (first - reach, last + reach) if 0 <= i < values.size]
-    return all(abs(value - rail) > _LEAVING * step for value in beside)
+    ends = [values[[first - reach // 2, first - reach]]] if first >= reach else []
+    ends += [values[[last + reach // 2, last + reach]]] if last + reach < values.size else []
+    off = [np.abs(end - rail) for end in ends]
+    at_a_slope = any(near > _LINEAR * far or reach < _FEW for near, far in off)
+    return not off or (at_a_slope and all(far > _LEAVING * step for _, far in off))
+
+
+def _rests(values: FloatArray, begin: int, end: int) -> bool:
+    """Whether a run of equal samples may be a rest that noise within the steps of a sensor does not show."""
+    beside = values[[i for i in (begin - 1, end) if 0 <= i < values.size]]
+    step = resolution(values)
+    return step is not None and bool(np.all(np.abs(beside - values[begin]) <= _LEAVING * step))
 
 
 def _longest_run(values: FloatArray) -> tuple[int, int]:

@@ -1,0 +1,139 @@
+"""Honest logs of good rigs pass without a remark, however their sensors, drives and sequences are."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.checks.check import check_logs
+from pipeline.checks.declared import Declared
+from pipeline.checks.overlap import shared_recordings
+from pipeline.checks.rows import CheckRow
+from pipeline.checks.weak_form import LogSignals
+from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.linear_filters import first_order_lag
+from pipeline.rig_logs.remarks import remarks_on
+from pipeline.signals.quality_gates import saturation
+from pipeline.signals.signal_quality import examine_signal
+from pipeline.signals.untrusted import without_spikes
+from tests.double_well import DoubleWell
+from tests.prototypes import motion
+
+RATE = 1000.0
+JOINT = Declared(squared=True, displacement="m", inputs=("V", "V"), mass=0.041, sample_interval=0.01)
+
+
+def _run(v: FloatArray, name: str, charging: float = 0.0) -> LogSignals:
+    """A log of a double well whose electrodes charge with a time constant [s], with 2 µm of noise."""
+    behind = v
+    if charging:
+        behind = np.column_stack([first_order_lag(np.ascontiguousarray(side), 1.0 / RATE, charging)[0] for side in v.T])
+    q = DoubleWell().simulate(behind, 1.0 / RATE) + np.random.default_rng(4).normal(0.0, 2e-6, len(v))
+    return LogSignals(name, np.arange(len(v)) / RATE, q, v, 1.0 / RATE, 2e-6)
+
+
+def _in_turn(seconds: float, clock: float, seed: int) -> FloatArray:
+    """After a second of rest one side or the other is on, by chance."""
+    t = np.arange(round(seconds * RATE)) / RATE
+    on = np.random.default_rng(seed).integers(0, 2, 1 + int(seconds / clock))[(t / clock).astype(np.int64)]
+    return 3000.0 * np.column_stack([on, 1 - on]) * (t > 1.0)[:, None]
+
+
+def _remarkable(rows: list[CheckRow]) -> list[str]:
+    return [row.sentence for row in rows if row.state in ("note", "wrong") and not row.what.startswith("delay")]
+
+
+@pytest.mark.parametrize("charging", [0.0, 0.04])
+@pytest.mark.parametrize("clock", [0.2, 0.35])
+def test_two_sides_that_are_on_in_turn_are_not_told_apart(charging: float, clock: float) -> None:
+    """Their difference is all that such a log shows: neither side, nor law, nor delay of one of them."""
+    log = _run(_in_turn(30.0, clock, 1), "train/a", charging)
+    assert _remarkable(check_logs([log], JOINT)) == []
+
+
+def test_delays_behind_slow_electrodes_are_of_the_excitation_and_not_of_the_clock() -> None:
+    pulses = motion(30.0, RATE, 35)[2]
+    logs = [_run(pulses, "train/a", 0.05), _run(_in_turn(30.0, 0.5, 2), "train/b", 0.05)]
+    assert not [row for row in check_logs(logs, JOINT) if row.what == "answer of q"]
+
+
+def test_an_input_that_one_log_does_not_show_is_named_rightly_if_another_shows_it() -> None:
+    first = _run(motion(30.0, RATE, 35)[2], "train/a")
+    v = first.v * np.where(first.t < 2.5, 1.0, 0.12)[:, None]  # then small pulses in one well
+    rows = check_logs([first, _run(v * [1.0, 0.0], "train/b")], JOINT)
+    assert not [row for row in rows if row.what.startswith("push") and row.state == "note"]
+
+
+def test_noise_of_a_monitor_is_no_field_above_the_limit() -> None:
+    log = _run(motion(20.0, RATE, 35)[2], "train/a")
+    noisy = replace(log, v=log.v + np.random.default_rng(1).normal(0.0, 15.0, log.v.shape))
+    assert np.abs(noisy.v).max() > 1.02 * 3000.0
+    assert [row.state for row in check_logs([noisy], JOINT) if row.what == "largest field"] == ["ok"]
+
+
+def test_a_joint_of_half_the_size_couples_as_it_may() -> None:
+    log = _run(motion(20.0, RATE, 35)[2], "train/a")
+    rows = check_logs([log], replace(JOINT, mass=0.041 / 8.0))
+    assert [row.state for row in rows if row.what.startswith("coupling with")] == ["ok"]
+
+
+def test_two_short_logs_are_not_of_two_devices() -> None:
+    logs = [_run(motion(8.0, RATE, seed)[2], f"train/{seed}") for seed in (35, 36)]
+    logs[1] = replace(logs[1], q=DoubleWell(left_well=9.5e-3).simulate(logs[1].v, 1.0 / RATE))
+    (row,) = (row for row in check_logs(logs, JOINT) if row.what == "same device")
+    assert (row.state, row.found) == ("not seen", "too short to tell")
+
+
+@pytest.mark.parametrize(("noise", "step"), [(0.5e-6, 5e-6), (0.4e-6, 0.1e-6)])
+def test_a_sequence_that_is_run_again_is_no_copy_though_noise_is_small(noise: float, step: float) -> None:
+    """Nor where the steps of the sensor hide it; temperature and supply change a little."""
+    logs = []
+    for day, change in enumerate((1.0, 1.0004)):
+        t, q, v = motion(30.0, RATE, 1, device=DoubleWell(left_force=8.6e-9 * change))
+        q = np.round((q + np.random.default_rng(day).normal(0.0, noise, t.size)) / step) * step
+        logs.append(LogSignals(f"log {day}", t, q, v, 1.0 / RATE, noise, step))
+    assert shared_recordings(logs, 0.01) == []
+    later = replace(logs[0], t=logs[0].t[5_000:], q=logs[0].q[5_000:], v=logs[0].v[5_000:])
+    assert shared_recordings([logs[0], later], 0.01)
+
+
+T = np.arange(40_000) / 2000.0
+REST = 2e-3 * (1.0 - np.cos(6.0 * np.maximum(T - 12.0, 0.0)))  # at rest for 12 s, then it moves to one side
+
+
+@pytest.mark.parametrize(("noise", "step"), [(1e-6, 1e-5), (1.5e-6, 5e-5), (3e-6, 1e-6)])
+def test_a_rest_at_an_end_of_the_motion_is_neither_a_rail_nor_frozen(noise: float, step: float) -> None:
+    for seed in range(4):
+        q = np.round((REST + np.random.default_rng(seed).normal(0.0, noise, T.size)) / step) * step
+        quality = examine_signal(T, q, 1 / 2000.0)
+        assert (quality.low_rail, quality.high_rail, quality.spikes) == (0.0, 0.0, 0)
+        assert not [text for text in remarks_on(quality) if "unchanged" in text or "saturated" in text]
+    held = q + 1e-6 * np.sin(T)
+    held[30_000:30_400] = held[30_000]
+    assert any("unchanged" in text for text in remarks_on(examine_signal(T, held, 1 / 2000.0)))
+
+
+def test_a_hum_below_all_that_matters_is_no_remark() -> None:
+    rng = np.random.default_rng(1)
+    for hum, there in ((3e-7, False), (3e-6, True)):
+        q = 1e-2 * np.sin(T) + hum * np.sin(2.0 * np.pi * 50.0 * T) + rng.normal(0.0, 5e-7, T.size)
+        assert any("hum" in text for text in remarks_on(examine_signal(T, q, 1 / 2000.0))) == there
+
+
+def test_an_amplifier_that_is_noisier_while_it_is_on_has_no_spikes() -> None:
+    rng, t = np.random.default_rng(3), np.arange(20_000) / RATE
+    on = (t % 4.0 > 2.8) * 1.0
+    v = 3000.0 * on + rng.normal(0.0, 1.0, t.size) + 30.0 * on * np.sin(rng.uniform(0.0, 6.28, t.size))
+    assert without_spikes((t, v), 1.0 / RATE, 0.01)[1] == 0
+    v[[700, 3300]] += [300.0, -900.0]
+    assert without_spikes((t, v), 1.0 / RATE, 0.01)[1] == 2
+
+
+def test_an_amplifier_that_is_off_is_at_no_rail() -> None:
+    """Its monitor has an offset, and steps that hide its noise; what it drives has ripple."""
+    on = np.sin(0.7 * T) > 0.2
+    v = np.round((-3.7 + on * (2000.0 + 15.0 * np.sin(628.3 * T + T**2))) / 0.07) * 0.07
+    assert saturation(T, v, 1 / 2000.0, "V") == []
+    noisy = v + np.random.default_rng(1).normal(0.0, 1.0, T.size)
+    clipped = np.minimum(noisy + on * 300.0 * np.sin(3.0 * T), 2200.0)
+    assert len(saturation(T, clipped, 1 / 2000.0, "V")) == 1
