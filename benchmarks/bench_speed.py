@@ -97,7 +97,8 @@ print(seconds(lambda: solve_ivp(slope, (0.0, t[-1]), [0.012, 0.0, 0.0], **option
 def told(program: str, run: Path, *more: str) -> float:
     """What a program that measures itself prints [s]."""
     made = [sys.executable, "-c", program, str(run), *more]
-    done = subprocess.run(made, check=True, env=os.environ | {"PYTHONPATH": str(HOME)}, stdout=subprocess.PIPE)
+    paths = os.pathsep.join([str(HOME), str(HOME / "benchmarks")])
+    done = subprocess.run(made, check=True, env=os.environ | {"PYTHONPATH": paths}, stdout=subprocess.PIPE)
     return float(done.stdout)
 
 
