@@ -19,7 +19,6 @@ SHARED = Path(__file__).resolve().parents[2] / "shared"
 
 
 def pytest_collection_finish() -> None:
-    gc.freeze()
     gc.enable()
 
 

@@ -107,12 +107,16 @@ def test_the_demo(surroundings, tmp_path):
     assert (tmp_path / "demo" / "report.html").is_file()
 
 
-def test_a_batch_with_a_broken_log(surroundings, fleet):
+def test_a_batch_with_a_broken_log_and_its_rerun(surroundings, fleet):
     log = fleet / "fleet" / "b.csv"
+    whole = log.read_bytes()
     log.write_bytes(b"t,q\n")
     arguments = ("batch", "fleet/a.toml", "fleet/b.toml", "-o", "runs", "--jobs", "2", "--no-report")
     ended = _debist(surroundings, fleet, *arguments)
     assert ended.returncode == 6 and "1 of 2 prototypes failed: b" in ended.stderr, ended.stderr
+    log.write_bytes(whole)
+    ended = _debist(surroundings, fleet, *arguments)
+    assert ended.returncode == 0 and "a: up to date" in ended.stderr, ended.stderr
 
 
 @pytest.mark.long

@@ -9,14 +9,7 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.metrics import NORMAL_MEDIAN
 from pipeline.signals.columns import chunks, column, finite, select
-from pipeline.signals.noise import (
-    high_difference_level,
-    is_idle,
-    is_stepped,
-    mostly_repeated,
-    noise_level,
-    resolution,
-)
+from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
 from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
 
