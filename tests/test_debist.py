@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import pickle
 import warnings
 from unittest.mock import Mock
 
@@ -150,6 +151,31 @@ def test_a_saved_model_is_the_same_one_wherever_it_is_loaded(model, log, tmp_pat
     assert first == second
     with pytest.raises(debist.DebistError, match="no export 'crate' of a model alone; there are c, fmu, json, matlab"):
         model.export("crate", tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("scale", "start", "match"),
+    [(1e-3, -0.0105, "if it is in kV"), (2.0, -0.0105, r"v1 is up to .* extrapolates"), (1.0, 0.05, "q0 is 50.0 mm")],
+)
+def test_what_the_training_logs_do_not_reach_is_warned_of(model, log, scale, start, match):
+    """At the line that called, whatever the method."""
+    strange = log.assign(v1_V=scale * log.v1_V, v2_V=min(scale, 1.0) * log.v2_V)
+    with pytest.warns(UserWarning, match=match) as warned:
+        model.simulate(strange, q0=start)
+    assert warned[0].filename == __file__
+    if scale != 1.0:
+        for call in (model.score, model.predict, lambda t: debist.compare([model], t)):
+            with pytest.warns(UserWarning, match=match) as warned:
+                call(strange)
+            assert warned[0].filename == __file__
+    model.simulate(0.01 * np.arange(50), np.zeros((50, 2)), -0.0105)  # no warning
+
+
+def test_a_model_goes_to_another_process(model, log, tmp_path):
+    for each in (model, debist.Model.load(model.save(tmp_path / "model.h5"))):
+        again = pickle.loads(pickle.dumps(each))  # noqa: S301  # what was just made
+        assert again.simulate(log, q0=-0.0105).equals(model.simulate(log, q0=-0.0105))
+        assert again.export("json", tmp_path / str(id(each)))
 
 
 def test_a_file_that_is_no_saved_model_is_refused(model, tmp_path):

@@ -1,6 +1,5 @@
 """Signals in memory instead of logs in files: the same cleaning, derivatives, fits and scores as in a run."""
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,7 +12,8 @@ from pipeline.checks.overlap import shared_recordings, shared_rows
 from pipeline.checks.rows import findings, remarks
 from pipeline.checks.weak_form import LogSignals
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
-from pipeline.errors import InputError
+from pipeline.errors import InputError, warn_user
+from pipeline.export.subject import Validity
 from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
@@ -29,6 +29,7 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.si_prefix import quantity
 from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.stages.check import declared, log_signals
@@ -43,7 +44,9 @@ if TYPE_CHECKING:
 
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
-_CALLER = 4  # frames from a warning up to who called `debist.identify`
+_STRONGER, _FARTHER = 1.05, 0.1
+_WEAKER = (0.2e-3, 3e-3)
+"""Shares of the largest trained input between which another one looks like kV."""
 _OF_Q = {
     "q": "{}",
     "q_measured": "{}",
@@ -159,6 +162,35 @@ def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None
             )
 
 
+def warn_beyond(inputs: Sequence[FloatArray], trained: Validity, q0: float | None = None) -> None:
+    """Warn of inputs, and of a first displacement, that the training logs do not reach.
+
+    Warns
+    -----
+    UserWarning
+        Inputs are stronger by a twentieth, or about a thousandth as strong, as numbers in kV are; or `q0` is farther
+        out by a tenth of the range.
+    """
+    reached = [max(map(abs, span)) for span in trained.v]
+    largest = [float(np.nanmax(np.abs(v), initial=0.0)) for v in inputs]
+    for k, (size, most, unit) in enumerate(zip(largest, reached, trained.v_units, strict=True), start=1):
+        if size > _STRONGER * most:
+            warn_user(
+                f"v{k} is up to {quantity(size, unit)}, in the training logs up to {quantity(most, unit)}: the model "
+                "extrapolates"
+            )
+    if _WEAKER[0] * max(reached) < max(largest) < _WEAKER[1] * max(reached):
+        unit = trained.v_units[0]
+        warn_user(
+            f"v is up to {max(largest):.3g} {unit} only, in the training logs up to {max(reached):.4g} {unit}; "
+            f"if it is in k{unit}, multiply by 1000"
+        )
+    low, high = trained.q
+    if q0 is not None and not -_FARTHER <= (q0 - low) / (high - low) <= 1.0 + _FARTHER:
+        span = f"{quantity(low, trained.q_unit, like=high)} to {quantity(high, trained.q_unit, like=low)}"
+        warn_user(f"q0 is {quantity(q0, trained.q_unit)}, in the training logs q is {span}: the model extrapolates")
+
+
 def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     """Clean signals, bring them to the uniform grid and differentiate them.
 
@@ -197,7 +229,7 @@ def identify_signals(
     rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records, stated.sample_interval))]
     contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
     for text in (*contradictions, *remarks(rows)):
-        warnings.warn(f"debist: {text}", stacklevel=_CALLER)
+        warn_user(text)
     parameters = parameter_set(prototype, Path.cwd() / "settings.toml")
     if name in names("compare"):
         model = kind(name).fit(training(tables, prototype, parameters))
@@ -303,7 +335,9 @@ def voltages_of(t: Any, v: Any) -> tuple[FloatArray, FloatArray]:
         raise InputError(f"v has the shape {table.shape}; give one column for each voltage, shape (N, K)")
     if len(table) != (size := np.size(t)) and table.shape[1] == size:
         raise InputError(f"v has the shape {table.shape}; give one column for each voltage: np.column_stack([v1, v2])")
-    columns = _columns({"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}})
+    columns = _columns(
+        {"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}}, "interpolate it there"
+    )
     return columns.pop("t"), np.column_stack(list(columns.values()))
 
 
@@ -322,7 +356,9 @@ def seconds(t: Any) -> FloatArray:
     return np.asarray(since / np.timedelta64(1, "s"), dtype=np.float64)
 
 
-def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
+def _columns(
+    given: Mapping[str, Any], remedy: str = "leave out such rows: a gap in t is no harm"
+) -> dict[str, FloatArray]:
     """Columns of finite numbers, all as long as t; those that are None are left out."""
     columns: dict[str, FloatArray] = {}
     for name, values in given.items():
@@ -338,7 +374,7 @@ def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
         if not columns[name].size:
             raise InputError(f"{name} is empty")
         if len(bad := np.flatnonzero(~np.isfinite(columns[name]))):
-            raise InputError(f"{name} is not finite at sample {bad[0]}; leave out such rows: a gap in t is no harm")
+            raise InputError(f"{name} is not finite at sample {bad[0]}; {remedy}")
     return columns
 
 
