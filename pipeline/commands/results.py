@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pipeline.tools.study import StudyResult
 
 _ALARMING = ("differs", "missing")
-_LONGEST = 60
+_LONGEST, _OF_HASH = 60, 16
 
 
 def diff(
@@ -90,7 +90,7 @@ def _difference_tables(runs: "RunDifferences") -> list[tuple[str, str, list[tupl
     return [
         ("settings", "key", [(row.key, *map(_text, row.values)) for row in runs.settings]),
         ("versions", "package", [(row.key, *map(_text, row.values)) for row in runs.versions]),
-        ("raw logs (SHA-256)", "log", [(row.key, *map(_text, row.values)) for row in runs.sources]),
+        ("raw logs (SHA-256)", "log", [(row.key, *(_text(v)[:_OF_HASH] for v in row.values)) for row in runs.sources]),
         ("NRMSE of free runs", "log · model · signal", [(row.key, *map(percent, row.values)) for row in runs.scores]),
         ("facts", "fact", [(row.key, *map(_text, row.values)) for row in runs.facts]),
     ]
@@ -149,8 +149,10 @@ def emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *,
         emit_text(f"{len(compared) - len(unequal)} of {len(compared)} artifacts have the same content hash")
     apart = [comparison.artifact for comparison in compared if comparison.state in _ALARMING]
     if apart:
+        more = f" and {len(apart) - 3} more" if len(apart) > 3 else ""
         raise CorruptArtifactError(
-            f"{run}: not the content of {other}: {', '.join(apart)}; compare settings and versions in both manifests"
+            f"{run}: not the content of {other}: {', '.join(apart[:3])}{more}; compare settings and versions in both "
+            "manifests"
         )
 
 
