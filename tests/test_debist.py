@@ -206,9 +206,11 @@ def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):
 
 def test_settings_add_to_what_the_arguments_say(log):
     found = debist.identify(
-        log, mass=0.04, inputs="linear", model="rbf-paper", settings={"plant": {"inputs_before": "zero"}}
-    )
+        log, mass=0.04, inputs="linear", model="rbf-paper",
+        settings={"plant": {"inputs_before": "zero"}, "identify": {"basis_functions": np.int64(8)}},
+    )  # fmt: skip
     assert found.describe()["mass_kg"] == 0.04 and found.core.inputs == "linear"
+    assert found.describe()["basis_functions"] == 8
 
 
 @pytest.mark.parametrize(("limit", "cut"), [(0.2, True), (60.0, False)])
@@ -255,6 +257,7 @@ def test_the_overlay_states_the_fit(log, model):
         (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
         (lambda c: c | {"settings": {"identify": {"basis": 3}}}, "basis"),
         (lambda c: c | {"settings": {"ingest": 3}}, "ingest: must be a table"),
+        (lambda c: c | {"settings": {"identify": {"models": ["rbf"]}}}, "the argument `model` names the model"),
     ],
 )
 def test_mistakes_are_one_line(log, change, told):

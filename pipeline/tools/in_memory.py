@@ -99,8 +99,15 @@ def settings(
     if taken := sorted(more.keys() & {"name", "logs", "channels"}):
         raise InputError(f"settings has {', '.join(taken)}; the arguments give these: signals in SI units")
     for name, table in more.items():
-        document[name] = {**document.get(name, {}), **table} if isinstance(table, Mapping) else table
+        if name == "identify" and isinstance(table, Mapping) and "models" in table:
+            raise InputError("settings has identify.models; the argument `model` names the model")
+        document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
     return parse_prototype(document, "debist.identify")
+
+
+def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of a table of settings, those of NumPy as Python's."""
+    return {key: value.item() if isinstance(value, np.generic) else value for key, value in table.items()}
 
 
 @dataclass(frozen=True)
