@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from pipeline.export.subject import Subject
     from pipeline.models.base import DynamicModel
+    from pipeline.numerics.arrays import FloatArray
     from pipeline.runs.tables import Table
     from pipeline.settings import Prototype
     from pipeline.tools.in_memory import Signals
@@ -131,7 +132,7 @@ class Model:
         """
         from pipeline.loading.free_runs import wanted_tubes
         from pipeline.models.base import HasDraws
-        from pipeline.tools.in_memory import frame, refuse_other_units, voltages_of, warn_beyond
+        from pipeline.tools.in_memory import frame, refuse_other_units, voltages_of
 
         times, volts = voltages_of(t, v)
         self._check_columns(volts.shape[1], None)
@@ -145,7 +146,7 @@ class Model:
                 f"t has a step of {step:g} s, and the model was fitted to steps of {usual:g} s: give t in s"
             )
         refuse_other_units({"q0": abs(q0), "v": float(abs(volts).max(initial=0.0))}, self._prototype)
-        warn_beyond([*volts.T], self._subject.validity, q0)
+        self._warn_beyond([*volts.T], q0)
         run = self.core.simulate(times, volts, q0, qdot0)
         columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
         if tube:
@@ -300,7 +301,7 @@ class Model:
         return si_symbols(self._prototype)
 
     def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Table":
-        from pipeline.tools.in_memory import as_pandas, cleaned, kinematics_of, warn_beyond
+        from pipeline.tools.in_memory import as_pandas, cleaned, kinematics_of
 
         t = as_pandas(t)
         table = kinematics_of(t) if q is None else None
@@ -315,8 +316,12 @@ class Model:
             for text in record.warnings:
                 warn_user(text)
             table = record.motion
-        warn_beyond([table[name] for name in ("v1", "v2") if name in table], self._subject.validity)
+        self._warn_beyond([table[name] for name in ("v1", "v2") if name in table])
         return table
+
+    def _warn_beyond(self, inputs: "list[FloatArray]", q0: float | None = None) -> None:
+        for text in self._subject.validity.beyond(inputs, q0):
+            warn_user(text)
 
     def _check_columns(self, count: int, unit: str | None) -> None:
         if count != self.inputs:

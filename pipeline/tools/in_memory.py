@@ -13,7 +13,6 @@ from pipeline.checks.rows import findings, remarks
 from pipeline.checks.weak_form import LogSignals
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.errors import InputError, warn_user
-from pipeline.export.subject import Validity
 from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
@@ -29,7 +28,6 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.si_prefix import quantity
 from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.stages.check import declared, log_signals
@@ -44,9 +42,6 @@ if TYPE_CHECKING:
 
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
-_STRONGER, _FARTHER = 1.05, 0.1
-_WEAKER = (0.2e-3, 3e-3)
-"""Shares of the largest trained input between which another one looks like kV."""
 _OF_Q = {
     "q": "{}",
     "q_measured": "{}",
@@ -167,35 +162,6 @@ def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None
             raise InputError(
                 f"{name} is up to {size:.4g}, which looks {factor:g} times too large for {unit}: give SI units"
             )
-
-
-def warn_beyond(inputs: Sequence[FloatArray], trained: Validity, q0: float | None = None) -> None:
-    """Warn of inputs, and of a first displacement, that the training logs do not reach.
-
-    Warns
-    -----
-    UserWarning
-        Inputs are stronger by a twentieth, or about a thousandth as strong, as numbers in kV are; or `q0` is farther
-        out by a tenth of the range.
-    """
-    reached = [max(map(abs, span)) for span in trained.v]
-    largest = [float(np.nanmax(np.abs(v), initial=0.0)) for v in inputs]
-    for k, (size, most, unit) in enumerate(zip(largest, reached, trained.v_units, strict=True), start=1):
-        if size > _STRONGER * most:
-            warn_user(
-                f"v{k} is up to {quantity(size, unit)}, in the training logs up to {quantity(most, unit)}: the model "
-                "extrapolates"
-            )
-    if _WEAKER[0] * max(reached) < max(largest) < _WEAKER[1] * max(reached):
-        unit = trained.v_units[0]
-        warn_user(
-            f"v is up to {max(largest):.3g} {unit} only, in the training logs up to {max(reached):.4g} {unit}; "
-            f"if it is in k{unit}, multiply by 1000"
-        )
-    low, high = trained.q
-    if q0 is not None and not -_FARTHER <= (q0 - low) / (high - low) <= 1.0 + _FARTHER:
-        span = f"{quantity(low, trained.q_unit, like=high)} to {quantity(high, trained.q_unit, like=low)}"
-        warn_user(f"q0 is {quantity(q0, trained.q_unit)}, in the training logs q is {span}: the model extrapolates")
 
 
 def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
