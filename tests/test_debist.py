@@ -73,6 +73,9 @@ def test_a_run_of_the_same_signals_gives_the_same_model(log, before, tmp_path):
     scores = run.scores().set_index("signal").nrmse
     here = model.score(log).set_index("signal").nrmse
     np.testing.assert_allclose(here.astype(float), scores[here.index].astype(float), rtol=1e-12)
+    table = run.log("log")
+    moved = table.assign(q_m=1.1 * table.q_m)  # whose derivatives are no longer those of the run
+    pd.testing.assert_frame_equal(model.score(moved), model.score(moved[["t_s", "q_m", "v1_V", "v2_V"]]))
 
 
 def test_what_a_run_would_refuse_is_warned_of(log):

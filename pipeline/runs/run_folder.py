@@ -243,7 +243,9 @@ class RunFolder:
 
     def _newer(self, name: str) -> str | None:
         """What was made anew since an artifact was made from it; None where nothing was."""
-        for each, content in self.record(name).recipe.inputs.items():
+        recipe = self.record(name).recipe
+        made_from = {} if recipe.stage == "ingest" else recipe.inputs  # raw files, which may have names of artifacts
+        for each, content in made_from.items():
             record = self.manifest.artifacts.get(each)
             if record and (newer := each if record.content_hash != content else self._newer(each)):
                 return newer

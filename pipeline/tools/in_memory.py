@@ -128,7 +128,7 @@ def kinematics_of(table: Any) -> Table | None:
     """Kinematics that a model is scored on, from a log of a run (`pipeline.api.Run.log`); None for other signals.
 
     A log that is still as `Run.log` returned it is read from the run again, with its parts and with the voltages
-    between the samples, as the run itself simulates it.
+    between the samples, as the run itself simulates it. One with other values is differentiated anew.
     """
     if not hasattr(table, "columns") or "segment" not in table:
         return None
@@ -143,6 +143,9 @@ def kinematics_of(table: Any) -> Table | None:
         stored = load_motion(run, run.prototype, role, log)
         if all(np.array_equal(stored[name], columns[name], equal_nan=True) for name in columns):
             return stored
+        rows = np.minimum(np.searchsorted(stored["t"], columns["t"]), len(stored["t"]) - 1)
+        if not all(np.array_equal(stored[name][rows], columns[name], equal_nan=True) for name in columns):
+            return None  # derivatives of before a change are not those of after it
     return columns
 
 
