@@ -11,7 +11,7 @@ Examples
 """
 
 from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -122,9 +122,8 @@ class Run:
         """
         from pipeline.loading.run_models import load_run_model, subject
 
-        folder, prototype = self._folder, self._prototype
-        core = load_run_model(folder, prototype, name)
-        return Model(core, prototype, subject=lambda: subject(folder, prototype, name))
+        source = self._folder, self._prototype, name
+        return Model(load_run_model(*source), self._prototype, subject=partial(subject, *source))
 
     @one_thread
     def simulate(

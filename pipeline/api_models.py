@@ -1,12 +1,13 @@
 """Models for notebooks and scripts: identified from arrays or DataFrames, simulated, scored and drawn. SI units."""
 
-import warnings
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property, partial
 from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from pipeline.errors import InputError
+from pipeline.errors import InputError, warn_user
 from pipeline.machine import one_thread
 
 if TYPE_CHECKING:
@@ -16,11 +17,11 @@ if TYPE_CHECKING:
 
     from pipeline.export.subject import Subject
     from pipeline.models.base import DynamicModel
+    from pipeline.numerics.arrays import FloatArray
     from pipeline.runs.tables import Table
     from pipeline.settings import Prototype
     from pipeline.tools.in_memory import Signals
 
-_CALLER = 4  # frames from a warning up to who called `Model.score`
 _COARSEST = 30.0  # times the sample interval that a step of times may be: 1 kHz in ms has 100
 
 
@@ -45,7 +46,7 @@ class Model:
         self.name = core.name
         self.notes = dict(notes or {})
         self._prototype = prototype
-        self._subject = subject
+        self._made_subject = subject
 
     def __repr__(self) -> str:
         logs = self.notes.get("training", "")
@@ -55,6 +56,10 @@ class Model:
     def inputs(self) -> int:
         """Number of inputs."""
         return self.core.input_count
+
+    @cached_property
+    def _subject(self) -> "Subject":
+        return self._made_subject()
 
     def save(self, path: str | Path) -> Path:
         """Write the model with its settings as one HDF5 file, which `load` reads; `notes` are left out.
@@ -66,7 +71,7 @@ class Model:
         """
         from pipeline.tools.saved_model import save_model
 
-        save_model(Path(path), self._subject(), self._prototype)
+        save_model(Path(path), self._subject, self._prototype)
         return Path(path)
 
     @classmethod
@@ -81,7 +86,7 @@ class Model:
         from pipeline.tools.saved_model import load_saved
 
         subject, prototype = load_saved(Path(path))
-        return cls(subject.model, prototype, subject=lambda: subject)
+        return cls(subject.model, prototype, subject=partial(replace, subject))
 
     def export(self, target: Literal["c", "fmu", "json", "matlab"], output: str | Path) -> list[Path]:
         """Write the model for another tool into a folder and return the files; see `debist export`.
@@ -93,7 +98,7 @@ class Model:
         """
         from pipeline.tools.saved_model import export_model
 
-        return export_model(self._subject(), target, Path(output)).written
+        return export_model(self._subject, target, Path(output)).written
 
     @one_thread
     def simulate(
@@ -141,6 +146,7 @@ class Model:
                 f"t has a step of {step:g} s, and the model was fitted to steps of {usual:g} s: give t in s"
             )
         refuse_other_units({"q0": abs(q0), "v": float(abs(volts).max(initial=0.0))}, self._prototype)
+        self._warn_beyond([*volts.T], q0)
         run = self.core.simulate(times, volts, q0, qdot0)
         columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
         if tube:
@@ -298,16 +304,24 @@ class Model:
         from pipeline.tools.in_memory import as_pandas, cleaned, kinematics_of
 
         t = as_pandas(t)
-        if q is None and (table := kinematics_of(t)) is not None:
-            count, unit = sum(name in table for name in ("v1", "v2")), "m" if "q_m" in t else "rad"
-            self._check_columns(count, unit)
-            return table
-        (signals,) = _logs(t, q, v1, v2)
-        self._check_columns(signals.v.shape[1], signals.unit)
-        record = cleaned(signals, self._prototype, "the log")
-        for text in record.warnings:
-            warnings.warn(f"debist: {text}", stacklevel=_CALLER)
-        return record.motion
+        table = kinematics_of(t) if q is None else None
+        if table is not None:
+            self._check_columns(sum(name in table for name in ("v1", "v2")), "m" if "q_m" in t else "rad")
+        else:
+            signals = _logs(t, q, v1, v2)
+            if len(signals) > 1:
+                raise InputError(f"{len(signals)} logs were given; give one after the other")
+            self._check_columns(signals[0].v.shape[1], signals[0].unit)
+            record = cleaned(signals[0], self._prototype, "the log")
+            for text in record.warnings:
+                warn_user(text)
+            table = record.motion
+        self._warn_beyond([table[name] for name in ("v1", "v2") if name in table])
+        return table
+
+    def _warn_beyond(self, inputs: "list[FloatArray]", q0: float | None = None) -> None:
+        for text in self._subject.validity.beyond(inputs, q0):
+            warn_user(text)
 
     def _check_columns(self, count: int, unit: str | None) -> None:
         if count != self.inputs:
@@ -396,7 +410,7 @@ def identify(
     core, notes, tables = identify_signals(logs, prototype, model)
     length = sum(float(table["t"][-1] - table["t"][0]) for table in tables)
     notes["training"] = f"trained on {len(logs)} log{'s' * (len(logs) > 1)} of {length:.4g} s"
-    return Model(core, prototype, notes, subject=lambda: subject_of(core, prototype, tables))
+    return Model(core, prototype, notes, subject=partial(subject_of, core, prototype, tables))
 
 
 def _logs(t: Any, q: Any, v1: Any, v2: Any) -> "list[Signals]":

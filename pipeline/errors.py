@@ -1,8 +1,10 @@
-"""Failures, each as one line for the user; the only mapping from failure to exit code."""
+"""Failures and warnings, each as one line for the user; the only mapping from failure to exit code."""
 
 import errno
 import os
 import re
+import sys
+import warnings
 from collections.abc import Sequence
 from typing import ClassVar
 
@@ -12,6 +14,8 @@ _NO_MEMORY = re.compile(
     "[Oo]ut of memory|envelope routines\\] initialization error|"  # the latter OpenSSL of a digest
     "without exception set|without setting an exception|with an exception set"  # CPython of C code that failed wrongly
 )
+WARNING = "debist: "
+"""Beginning of each warning."""
 _IN_HDF5 = re.compile(r"errno = (\d+), error message = ")
 
 
@@ -72,6 +76,16 @@ class BatchFailedError(DebistError):
     """Some prototypes of a batch failed; the others are complete."""
 
     exit_code = 6
+
+
+def warn_user(text: str) -> None:
+    """Give a `UserWarning` at the line that called debist; the program prints it on stderr."""
+    frame, level, outside = sys._getframe(), 1, 1
+    while frame.f_back is not None:
+        if str(frame.f_globals.get("__name__")).partition(".")[0] in ("pipeline", "debist"):
+            outside = level + 1
+        frame, level = frame.f_back, level + 1
+    warnings.warn(f"{WARNING}{text}", stacklevel=outside)
 
 
 def disk_failure(error: Exception) -> str | None:

@@ -259,6 +259,8 @@ def _current_folder() -> str | None:
 def _work(channel: Connection, here: str | None, words: str, work: Callable[..., None], arguments: Any) -> None:
     """In the process: do the work, with standard error in a file and standard output nowhere."""
     _begin()
+    if not Path(words).parent.is_dir():  # the command was stopped while this process began
+        return
     if here is not None:
         os.chdir(here)
     for number, name, place in ((1, "stdout", os.devnull), (2, "stderr", words)):

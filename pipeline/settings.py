@@ -77,7 +77,7 @@ class Ingest(SettingsTable):
     sample_interval: Number = Field(default=0.01, ge=1e-5, le=10.0)
     """Interval [s] of the uniform record on which models are identified and scored."""
     record_interval: Number = Field(default=0.001, ge=1e-6, le=10.0)
-    """Interval [s] of the finer record that is differentiated; never finer than the log itself."""
+    """Interval [s] of the finer record that is differentiated, from the log's own step up to `sample_interval`."""
     sample_rate: Number | None = Field(default=None, gt=0.0, le=1e7)
     """Samples per second [Hz] of a log that has neither a time channel nor a time base of its own."""
     gaps: Literal["split", "refuse"] = "split"

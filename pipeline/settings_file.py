@@ -138,6 +138,9 @@ def _location(error: Any) -> list[str]:
     return [str(part) for part in error["loc"] if not _BRANCH.fullmatch(str(part))]
 
 
+_UNIT = re.compile(r"\[([^]]+)\]")
+
+
 def explain(error: Any, settings: type[BaseModel]) -> str:
     """One error of pydantic's, for the settings that `settings` describes."""
     location = _location(error)
@@ -163,7 +166,16 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
         return message
     got = "" if error["type"] == "value_error" else f" (got {given:.60})"
     fast = (location[-1], error["type"]) in _TOO_FAST and error["input"] > 0.0
-    return f"{key}: {message[:1].lower()}{message[1:]}{got}{_STRETCHED if fast else ''}"
+    unit = _unit_at(location, settings) if got and not fast else ""
+    return f"{key}: {message[:1].lower()}{message[1:]}{got}{_STRETCHED if fast else unit}"
+
+
+def _unit_at(location: list[str], settings: type[BaseModel]) -> str:
+    """The unit of a number, as the meaning of its key states it in brackets."""
+    table = _table_at(location[:-1], settings)
+    field = table.model_fields.get(location[-1]) if table else None
+    unit = _UNIT.search((field and field.description) or "")
+    return f"; a number in {unit[1]}" if unit else ""
 
 
 def _hint(location: list[str], settings: type[BaseModel]) -> str:

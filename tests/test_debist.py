@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import pickle
 import warnings
 from unittest.mock import Mock
 
@@ -72,6 +73,9 @@ def test_a_run_of_the_same_signals_gives_the_same_model(log, before, tmp_path):
     scores = run.scores().set_index("signal").nrmse
     here = model.score(log).set_index("signal").nrmse
     np.testing.assert_allclose(here.astype(float), scores[here.index].astype(float), rtol=1e-12)
+    table = run.log("log")
+    moved = table.assign(q_m=1.1 * table.q_m)  # whose derivatives are no longer those of the run
+    pd.testing.assert_frame_equal(model.score(moved), model.score(moved[["t_s", "q_m", "v1_V", "v2_V"]]))
 
 
 def test_what_a_run_would_refuse_is_warned_of(log):
@@ -152,6 +156,31 @@ def test_a_saved_model_is_the_same_one_wherever_it_is_loaded(model, log, tmp_pat
         model.export("crate", tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("scale", "start", "match"),
+    [(1e-3, -0.0105, "if it is in kV"), (2.0, -0.0105, r"v1 is up to .* extrapolates"), (1.0, 0.05, "q0 is 50.0 mm")],
+)
+def test_what_the_training_logs_do_not_reach_is_warned_of(model, log, scale, start, match):
+    """At the line that called, whatever the method."""
+    strange = log.assign(v1_V=scale * log.v1_V, v2_V=min(scale, 1.0) * log.v2_V)
+    with pytest.warns(UserWarning, match=match) as warned:
+        model.simulate(strange, q0=start)
+    assert warned[0].filename == __file__
+    if scale != 1.0:
+        for call in (model.score, model.predict, lambda t: debist.compare([model], t)):
+            with pytest.warns(UserWarning, match=match) as warned:
+                call(strange)
+            assert warned[0].filename == __file__
+    model.simulate(0.01 * np.arange(50), np.zeros((50, 2)), -0.0105)  # no warning
+
+
+def test_a_model_goes_to_another_process(model, log, tmp_path):
+    for each in (model, debist.Model.load(model.save(tmp_path / "model.h5"))):
+        again = pickle.loads(pickle.dumps(each))  # noqa: S301  # what was just made
+        assert again.simulate(log, q0=-0.0105).equals(model.simulate(log, q0=-0.0105))
+        assert again.export("json", tmp_path / str(id(each)))
+
+
 def test_a_file_that_is_no_saved_model_is_refused(model, tmp_path):
     from pipeline.runs.trees import read_tree, write_tree
 
@@ -180,9 +209,11 @@ def test_an_angle_is_in_radians_and_curves_without_a_mass_have_no_unit(log):
 
 def test_settings_add_to_what_the_arguments_say(log):
     found = debist.identify(
-        log, mass=0.04, inputs="linear", model="rbf-paper", settings={"plant": {"inputs_before": "zero"}}
-    )
+        log, mass=0.04, inputs="linear", model="rbf-paper",
+        settings={"plant": {"inputs_before": "zero"}, "identify": {"basis_functions": np.int64(8)}},
+    )  # fmt: skip
     assert found.describe()["mass_kg"] == 0.04 and found.core.inputs == "linear"
+    assert found.describe()["basis_functions"] == 8
 
 
 @pytest.mark.parametrize(("limit", "cut"), [(0.2, True), (60.0, False)])
@@ -229,6 +260,7 @@ def test_the_overlay_states_the_fit(log, model):
         (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
         (lambda c: c | {"settings": {"identify": {"basis": 3}}}, "basis"),
         (lambda c: c | {"settings": {"ingest": 3}}, "ingest: must be a table"),
+        (lambda c: c | {"settings": {"identify": {"models": ["rbf"]}}}, "the argument `model` names the model"),
     ],
 )
 def test_mistakes_are_one_line(log, change, told):

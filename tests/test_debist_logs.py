@@ -90,6 +90,12 @@ def test_times_and_tables_of_other_libraries_are_read(model: debist.Model, log: 
         (lambda m, t: m.predict(t, ahead=1.5), "ahead is 1.5"),
         (lambda m, t: m.curves([5.0]), "1000 times too large"),
         (lambda m, t: m.curves("a"), "q does not consist of numbers"),
+        (lambda m, t: m.score([t, t]), "2 logs were given"),
+        (lambda m, t: m.simulate(t.t_s, t[["v1_V", "v2_V"]].replace(0.0, np.nan), 0.01), "interpolate it there"),
+        (lambda m, t: debist.Model.load("none.h5"), "no such file"),
+        (lambda m, t: debist.Model.load(__file__), "is no saved model"),
+        (lambda m, t: debist.differentiate(t.t_s, t.q_m, epsilon=1e-6), "belong together"),
+        (lambda m, t: debist.differentiate(t.t_s, t.q_m, order=5), "order is 5"),
     ],
 )
 def test_wrong_arguments_are_named(model: debist.Model, log: pd.DataFrame, call, match) -> None:

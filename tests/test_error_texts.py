@@ -174,7 +174,7 @@ MISTAKES = {
         RUN,
         {"P.toml": TOML + "[ingest]\nsample_rate = 123456\n"},
         2,
-        ["its time says", "sample_rate is 123456 Hz"],
+        ["by its time it has", "sample_rate is 123456 Hz"],
     ),
     "validated on what was trained on": (
         RUN,

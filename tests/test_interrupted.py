@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -15,14 +16,15 @@ from tests.checks.first_hour import TOML, write_logs
 _RUN = ("run", "P.toml", "-o", "run", "--no-report")
 _STUDY = ("study", "basis", "run")
 _KEPT = "finished step"
+_HEEDING = (
+    "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "  # a job in the background does not
+    "import cli; cli.app()"
+)
 
 
 def _interrupted(folder: Path, command: tuple[str, ...], after: str) -> str:
     """Start a command as a shell does, send SIGINT to its process group after a line, and return what it said."""
-    heeding = (
-        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "  # a job in the background does not
-    )
-    program = [sys.executable, "-c", heeding + "import cli; cli.app()", *command]
+    program = [sys.executable, "-c", _HEEDING, *command]
     said = ""
     with subprocess.Popen(
         program, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True
@@ -75,6 +77,17 @@ def test_a_batch_counts_what_is_done(logs: Path, monkeypatch: pytest.MonkeyPatch
     said = _interrupted(logs, ("batch", "fleet", "-o", "runs", "--no-report"), "[1/3]")
     assert "debist: interrupted; 1 of 3 prototypes are done; the same command goes on with the rest" in said
     assert "a: up to date" in _goes_on("batch", "fleet", "-o", "runs", "--no-report")
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("seconds", [2.0, 3.0, 4.0])
+def test_a_batch_is_stopped_while_its_processes_begin(logs: Path, seconds: float, tmp_path: Path) -> None:
+    program = [sys.executable, "-c", _HEEDING, "batch", str(logs / "P.toml"), "-o", str(tmp_path / "runs")]
+    with subprocess.Popen(program, stderr=subprocess.PIPE, text=True, start_new_session=True) as process:
+        time.sleep(seconds)
+        os.killpg(process.pid, signal.SIGINT)
+        errors = process.communicate()[1]
+    assert [line.partition(";")[0] for line in errors.splitlines()] == ["debist: interrupted"]
 
 
 @pytest.mark.long

@@ -138,7 +138,7 @@ def run_batch(
     elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
     """
     make_folder(output)
-    preload([program.__module__, "pipeline.batch.preloaded"])
+    preload(["pipeline.batch.preloaded", program.__module__])
     own = [(name, path) for name, path in named if shard is None or shard.holds(name)]
     options = () if execution.report else ("--no-report",)
 

@@ -130,14 +130,16 @@ class _Writing:
             self.stream = path.open("w", encoding="utf-8", newline="\n")
         except OSError as error:
             raise not_written(path, error) from error
-        self._path = path
+        self._path, self._begun = path, set[str]()
         self._write(Plan(planned=tuple(names), jobs=jobs))
 
     def started(self, name: str) -> None:
+        self._begun.add(name)
         self._write(Event(time=datetime.now(UTC), name=name, state="started"))
         self._then.started(name)
 
     def finished(self, outcome: Outcome) -> None:
+        self._begun.discard(outcome.name)
         self._write(
             Event(
                 time=datetime.now(UTC), name=outcome.name, state=state_of(outcome), exit_code=outcome.exit_code,
@@ -145,6 +147,12 @@ class _Writing:
             )
         )  # fmt: skip
         self._then.finished(outcome)
+
+    def close(self) -> None:
+        """Close the journal; what was begun and has not ended was stopped with the batch."""
+        with self.stream:
+            for name in sorted(self._begun):
+                self._write(Event(time=datetime.now(UTC), name=name, state="not started"))
 
     def _write(self, line: _Line) -> None:
         try:
@@ -167,7 +175,7 @@ def journal_of(output: Path, shard: Shard, names: Sequence[str], jobs: int, then
     try:
         yield observer
     finally:
-        observer.stream.close()
+        observer.close()
 
 
 def journals(output: Path) -> list[Journal]:

@@ -2,11 +2,14 @@
 
 import importlib
 import pkgutil
+import signal
 from pathlib import Path
 
-import numpy as np
+signal.signal(signal.SIGINT, signal.SIG_IGN)  # the batch alone decides what Ctrl-C means, and imports take seconds
 
-from pipeline.signals.differentiate import differentiate
+import numpy as np  # noqa: E402
+
+from pipeline.signals.differentiate import differentiate  # noqa: E402
 
 _ROOMS = (
     "numerics", "solvers", "generated", "signals", "runs", "rig_logs", "scoring", "fitting", "models",

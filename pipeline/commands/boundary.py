@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import traceback
+import warnings
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import fields, is_dataclass
@@ -19,7 +20,7 @@ import typer
 from typer.core import TyperGroup
 
 from pipeline.commands.console import emit_json, printable, printed
-from pipeline.errors import DebistError, InputError, interrupted, memory_failure
+from pipeline.errors import WARNING, DebistError, InputError, interrupted, memory_failure
 
 _STOPPED = "a file is written whole or not at all; the same command starts again"
 _BUG = "this is a bug in debist; please report the lines above"
@@ -33,7 +34,7 @@ _FULL = (errno.EMFILE, errno.ENFILE)
 ORDER = (
     "demo", "init", "inspect", "check", "run",
     "ingest", "differentiate", "identify", "validate", "compare", "report",
-    "show", "plot", "status", "verify", "repair", "sign", "diff",
+    "show", "plot", "status", "verify", "repair", "diff", "series",
     "batch", "fleet", "study", "export", "paper", "control", "rig", "physics", "warmup",
 )  # fmt: skip
 
@@ -88,6 +89,8 @@ class _Unfailing(io.FileIO):
             return len(text)
 
 
+_warned: set[str] = set()
+"""Warnings that the command has printed."""
 _signals: list[int] = []
 """Signals received to end the command; the compiler of kernels loses the exception, and fails in another way."""
 
@@ -107,8 +110,11 @@ class ErrorBoundary(WholeLines):
         given = arguments[0] if arguments else options.get("args")
         self._as_json = "--json" in (sys.argv[1:] if given is None else given)
         printed.clear()
+        _warned.clear()
         try:
-            return super().main(*arguments, **options)
+            with warnings.catch_warnings():
+                warnings.showwarning = _show_warning  # type: ignore[assignment]
+                return super().main(*arguments, **options)
         except MemoryError:
             pass
         except Exception as error:
@@ -175,6 +181,13 @@ class ErrorBoundary(WholeLines):
         if self._as_json and not printed:
             with suppress(OSError):  # the exit code says the same
                 emit_json({"error": {"message": message, "exit_code": exit_code}})
+
+
+def _show_warning(message: Warning | str, *_: Any) -> None:
+    """Print a warning of debist as one line, once; those of libraries are for developers."""
+    if str(message).startswith(WARNING) and str(message) not in _warned:
+        _warned.add(str(message))
+        typer.echo(f"warning: {printable(str(message).removeprefix(WARNING))}", err=True)
 
 
 def _show_every_name() -> None:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pipeline.tools.study import StudyResult
 
 _ALARMING = ("differs", "missing")
-_LONGEST = 60
+_LONGEST, _OF_HASH = 60, 16
 
 
 def diff(
@@ -90,7 +90,7 @@ def _difference_tables(runs: "RunDifferences") -> list[tuple[str, str, list[tupl
     return [
         ("settings", "key", [(row.key, *map(_text, row.values)) for row in runs.settings]),
         ("versions", "package", [(row.key, *map(_text, row.values)) for row in runs.versions]),
-        ("raw logs (SHA-256)", "log", [(row.key, *map(_text, row.values)) for row in runs.sources]),
+        ("raw logs (SHA-256)", "log", [(row.key, *(_text(v)[:_OF_HASH] for v in row.values)) for row in runs.sources]),
         ("NRMSE of free runs", "log · model · signal", [(row.key, *map(percent, row.values)) for row in runs.scores]),
         ("facts", "fact", [(row.key, *map(_text, row.values)) for row in runs.facts]),
     ]
@@ -108,14 +108,16 @@ def _emit_differences(runs: "RunDifferences") -> None:
                 numeric_from=1 if title in ("NRMSE of free runs", "facts") else len(runs.names) + 1,
             )
     for name, compared in zip(runs.names[1:], runs.artifacts, strict=True):
-        unequal = [
-            (c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column) for c in compared
-        ]
-        if unequal := [row for row in unequal if row[1] not in ("equal", "drawn")]:
-            emit_table(f"artifacts of {name}", ("artifact", "state", "deviation", "in"), unequal, numeric_from=2)
+        _emit_artifacts(f"artifacts of {name}", [c for c in compared if c.state not in ("equal", "drawn")])
     same = [title for title, _, rows in tables if not rows]
     if same:
         emit_text(f"equal: {', '.join(same)}{', artifacts' if runs.equal else ''}")
+
+
+def _emit_artifacts(title: str, compared: "Sequence[Comparison]") -> None:
+    rows = [(c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column) for c in compared]
+    if rows:
+        emit_table(title, ("artifact", "state", "deviation", "in"), rows, numeric_from=2)
 
 
 def _text(value: object) -> str:
@@ -139,18 +141,16 @@ def emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *,
         emit_json({"artifacts": [asdict(comparison) for comparison in compared]})
     else:
         unequal = [c for c in compared if c.state != "equal"]
-        if unequal:
-            rows = [
-                (c.artifact, c.state, "" if c.deviation is None else f"{c.deviation:.1e}", c.column) for c in unequal
-            ]
-            emit_table(f"{run} and {other}", ("artifact", "state", "deviation", "in"), rows, numeric_from=2)
-            for state in dict.fromkeys(c.state for c in unequal):
-                emit_text(f"{state}: {STATES[state]}")
+        _emit_artifacts(f"{run} and {other}", unequal)
+        for state in dict.fromkeys(c.state for c in unequal):
+            emit_text(f"{state}: {STATES[state]}")
         emit_text(f"{len(compared) - len(unequal)} of {len(compared)} artifacts have the same content hash")
     apart = [comparison.artifact for comparison in compared if comparison.state in _ALARMING]
     if apart:
+        more = f" and {len(apart) - 3} more" if len(apart) > 3 else ""
         raise CorruptArtifactError(
-            f"{run}: not the content of {other}: {', '.join(apart)}; compare settings and versions in both manifests"
+            f"{run}: not the content of {other}: {', '.join(apart[:3])}{more}; compare settings and versions in both "
+            "manifests"
         )
 
 

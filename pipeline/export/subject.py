@@ -1,7 +1,7 @@
 """The exported model with its bounds and curves, and its realisation: states, constants, equations of motion."""
 
 import importlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
@@ -15,6 +15,12 @@ from pipeline.models.base import DynamicModel, HasCurves
 from pipeline.models.kind import kind
 from pipeline.names import slug
 from pipeline.numerics.arrays import FloatArray
+from pipeline.si_prefix import quantity
+
+_STRONGER, _FARTHER = 1.05, 0.6
+"""Times the largest trained input, and the trained range from its middle, beyond which a model extrapolates."""
+_WEAKER = (0.2e-3, 3e-3)
+"""Shares of the largest trained input between which another one looks like kV."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +49,27 @@ class Validity:
     sample_interval: float
     q_unit: str
     v_units: tuple[str, ...]
+
+    def beyond(self, inputs: Sequence[FloatArray], q0: float | None = None) -> list[str]:
+        """Sentences on inputs and a first displacement that the training logs do not reach, and on inputs in kV."""
+        reached = [max(map(abs, span)) for span in self.v]
+        largest = [float(np.nanmax(np.abs(v), initial=0.0)) for v in inputs]
+        texts = [
+            f"v{k} is up to {quantity(size, unit)}, in the training logs up to {quantity(most, unit)}: the model "
+            "extrapolates"
+            for k, (size, most, unit) in enumerate(zip(largest, reached, self.v_units, strict=True), start=1)
+            if size > _STRONGER * most
+        ]
+        if _WEAKER[0] * max(reached) < max(largest) < _WEAKER[1] * max(reached):
+            texts.append(
+                f"v is up to {max(largest):.3g} {self.v_units[0]} only, in the training logs up to "
+                f"{max(reached):.4g} {self.v_units[0]}; if it is in k{self.v_units[0]}, multiply by 1000"
+            )
+        low, high = self.q
+        if q0 is not None and abs(q0 - 0.5 * (low + high)) > _FARTHER * (high - low):
+            span = f"{quantity(low, self.q_unit, like=high)} to {quantity(high, self.q_unit, like=low)}"
+            texts.append(f"q0 is {quantity(q0, self.q_unit)}, in the training logs q is {span}: the model extrapolates")
+        return texts
 
 
 @dataclass(frozen=True)

@@ -178,7 +178,7 @@ def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
     own = 1.0 / nominal_step(time)
     if not abs(own / rate - 1.0) <= _RATES_AGREE:
         raise InputError(
-            f"{path}: its time says {own:.6g} samples per second, but [ingest] sample_rate is {rate:g} Hz; that "
+            f"{path}: by its time it has {own:.6g} samples per second, but [ingest] sample_rate is {rate:g} Hz; that "
             "setting is for logs without time: remove it, or correct the unit of time"
         )
 

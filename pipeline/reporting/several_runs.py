@@ -120,7 +120,22 @@ def conclusion(series: Series) -> str:
     if len(series.names) < FEWEST:
         return f"{len(series.names)} runs: too few to show a drift; it takes {FEWEST}, a step six"
     changed = [fact.title for fact in series.facts if fact.trend.kind in ("line", "step")]
-    return f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
+    scattered = [fact.title for fact in series.facts if fact.title not in changed and _scatter(fact) > _WIDE]
+    text = f"changed: {', '.join(changed)}" if changed else "no fact changed by more than chance explains"
+    if scattered:
+        text += (
+            f"; scattered by over {_WIDE:g} times their errors: {', '.join(scattered)}; are these runs of one device?"
+        )
+    return text
+
+
+_WIDE = 10.0
+
+
+def _scatter(fact: SeriesFact) -> float:
+    """RMS deviation from the weighted mean over the standard errors."""
+    deviations = fact.values - np.average(fact.values, weights=fact.errors**-2.0)
+    return float(np.sqrt(np.mean((deviations / fact.errors) ** 2)))
 
 
 def _shown(fact: SeriesFact, value: float, error: float) -> str:

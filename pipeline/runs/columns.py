@@ -183,8 +183,8 @@ SCORE_COLUMNS = (
            Cell("errors", note="Wells: share of samples in the measured well.")),
     *_band("well_agreement", "1", "moving-block bootstrap"),
     Column("switch_accuracy", "switches", "1", "share of pulses after which both rest in one well (q only)",
-           Cell("errors", note="Switches: share of pulses after which both rest in the same well, interval by "
-                               "Bayesian bootstrap of the pulses.")),
+           Cell("errors", note="Switches: share of pulses after which both rest in the same well (interval by "
+                               "Bayesian bootstrap of the pulses).")),
     *_band("switch_accuracy", "1", "Bayesian bootstrap of the pulses"),
     *_horizons(),
     Column("rise_error_s", "rise", "s", "median error of the rise time of switches (q only)",

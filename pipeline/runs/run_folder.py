@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline.errors import CorruptArtifactError, InputError, SupersededError
+from pipeline.errors import CorruptArtifactError, InputError, SupersededError, warn_user
 from pipeline.plain_files import open_plain
 from pipeline.runs import layout, tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
@@ -207,6 +207,11 @@ class RunFolder:
             They are not.
         SupersededError
             Another process has replaced them since this run was opened.
+
+        Warns
+        -----
+        UserWarning
+            They were made from what was made anew since.
         """
         return self._intact(name, _whole)
 
@@ -232,7 +237,19 @@ class RunFolder:
             command, stage = layout.command_of(name), self.record(name).recipe.stage
             remedy = f"`debist {command}` makes it anew" if command else f"redoes stage {stage}"
             raise CorruptArtifactError(f"{self.path(name)}: {problem}; `debist run` sets it aside and {remedy}")
+        if newer := self._newer(name):
+            warn_user(f"{self.root}: some results are older than {newer}; `debist run {self.root}` makes them anew")
         return content
+
+    def _newer(self, name: str) -> str | None:
+        """What was made anew since an artifact was made from it; None where nothing was."""
+        recipe = self.record(name).recipe
+        made_from = {} if recipe.stage == "ingest" else recipe.inputs  # raw files, which may have names of artifacts
+        for each, content in made_from.items():
+            record = self.manifest.artifacts.get(each)
+            if record and (newer := each if record.content_hash != content else self._newer(each)):
+                return newer
+        return None
 
     def _examine(self, name: str, read: _Read[T]) -> tuple[T | None, str | None]:
         """What `read` gives of the artifact's file, or what is wrong with it.

@@ -105,16 +105,18 @@ def differentiate(
         raise InputError("differentiate needs a stretch of finite samples, shape (N,): split the record at its gaps")
     if method not in ("tvregdiff", "savitzky-golay", "rts"):
         raise InputError(f"unknown differentiator {method!r}: use tvregdiff, savitzky-golay or rts")
+    if order not in (1, 2, 3, 4):
+        raise InputError(f"order is {order!r}: use 1, 2, 3 or 4")
     if samples.size <= order + 2 or np.ptp(samples) == 0.0:
         return _read_off(samples, dt, SmoothingParameter(0.0, 0.0, 0.0, 0.0, settled=True))
     if method != "tvregdiff":
         parameter = smoothing_parameter(samples, dt, 2)
         return (_savitzky_golay if method == "savitzky-golay" else _rts)(samples, dt, parameter)
-    if alpha is None:
+    if alpha is None or epsilon is None:
+        if alpha != epsilon:
+            raise InputError("alpha and epsilon belong together: both carry the unit of the samples")
         parameter = smoothing_parameter(samples, dt, order, reweighted=reweighted and order > 1)
     else:
-        if epsilon is None:
-            raise InputError("alpha and epsilon belong together: both carry the unit of the samples")
         parameter = SmoothingParameter(alpha, epsilon, noise_std(samples), 0.0, settled=True)
     return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
 

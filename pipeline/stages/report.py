@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 
-ALGORITHM = "33"
+ALGORITHM = "34"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

@@ -166,7 +166,7 @@ def _facts(run: RunFolder) -> dict[str, dict[str, Any]]:
         "versions": dict(manifest.versions),
         "sources": {log: ", ".join(inputs.values()) for log, inputs in there.items()},
         "scores": {f"{log_title(r['role'], r['log'])} · {r['model']} · {r['signal']}": r["nrmse"] for r in rows},
-        "facts": {f"{fact['key']} [{fact['unit']}]": fact["value"] for fact in sheet["facts"]},
+        "facts": {f"{fact['key']} [{fact['unit'].replace('%', '1')}]": fact["value"] for fact in sheet["facts"]},
     }
 
 

@@ -115,8 +115,8 @@ def series_of(roots: Sequence[Path], at: str | None) -> Series:
     Raises
     ------
     InputError
-        Fewer than two runs, other than one time for each, two equal times, a run without a datasheet, or facts from
-        different models.
+        Fewer than two runs, other than one time for each, two equal times, a run without a datasheet, facts from
+        different models, or a run that is there twice.
     """
     if len(roots) < 2:
         raise InputError("a series has at least two runs; name more run folders")
@@ -127,6 +127,9 @@ def series_of(roots: Sequence[Path], at: str | None) -> Series:
     if len(sources) > 1:
         several = ", ".join(f"{source} ({root})" for source, root in sources.items())
         raise InputError(f"facts come from different models: {several}; name one in [identify] models, and run again")
+    for i, run in enumerate(runs):
+        if run.sheet["facts"] in [other.sheet["facts"] for other in runs[:i]]:
+            raise InputError(f"{roots[order[i]]}: has the facts of another run here; name each recording once")
     ascending, between = times[order].tolist(), common_stroke([run.sheet for run in runs])
     facts = facts_over_time(ascending, [list(facts_of(r.sheet, r.model, between, r.gain_unit)) for r in runs])
     return Series(tuple(roots[i].name for i in order), tuple(ascending), "run" if at is None else "day", facts)

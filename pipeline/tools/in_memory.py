@@ -1,6 +1,5 @@
 """Signals in memory instead of logs in files: the same cleaning, derivatives, fits and scores as in a run."""
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,7 +12,7 @@ from pipeline.checks.overlap import shared_recordings, shared_rows
 from pipeline.checks.rows import findings, remarks
 from pipeline.checks.weak_form import LogSignals
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
-from pipeline.errors import InputError
+from pipeline.errors import InputError, warn_user
 from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
@@ -43,7 +42,6 @@ if TYPE_CHECKING:
 
 OF_RUN = "debist_log"
 """Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
-_CALLER = 4  # frames from a warning up to who called `debist.identify`
 _OF_Q = {
     "q": "{}",
     "q_measured": "{}",
@@ -96,8 +94,15 @@ def settings(
     if taken := sorted(more.keys() & {"name", "logs", "channels"}):
         raise InputError(f"settings has {', '.join(taken)}; the arguments give these: signals in SI units")
     for name, table in more.items():
-        document[name] = {**document.get(name, {}), **table} if isinstance(table, Mapping) else table
+        if name == "identify" and isinstance(table, Mapping) and "models" in table:
+            raise InputError("settings has identify.models; the argument `model` names the model")
+        document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
     return parse_prototype(document, "debist.identify")
+
+
+def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of a table of settings, those of NumPy as Python's."""
+    return {key: value.item() if isinstance(value, np.generic) else value for key, value in table.items()}
 
 
 @dataclass(frozen=True)
@@ -123,7 +128,7 @@ def kinematics_of(table: Any) -> Table | None:
     """Kinematics that a model is scored on, from a log of a run (`pipeline.api.Run.log`); None for other signals.
 
     A log that is still as `Run.log` returned it is read from the run again, with its parts and with the voltages
-    between the samples, as the run itself simulates it.
+    between the samples, as the run itself simulates it. One with other values is differentiated anew.
     """
     if not hasattr(table, "columns") or "segment" not in table:
         return None
@@ -138,6 +143,9 @@ def kinematics_of(table: Any) -> Table | None:
         stored = load_motion(run, run.prototype, role, log)
         if all(np.array_equal(stored[name], columns[name], equal_nan=True) for name in columns):
             return stored
+        rows = np.minimum(np.searchsorted(stored["t"], columns["t"]), len(stored["t"]) - 1)
+        if not all(np.array_equal(stored[name][rows], columns[name], equal_nan=True) for name in columns):
+            return None  # derivatives of before a change are not those of after it
     return columns
 
 
@@ -197,7 +205,7 @@ def identify_signals(
     rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records, stated.sample_interval))]
     contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
     for text in (*contradictions, *remarks(rows)):
-        warnings.warn(f"debist: {text}", stacklevel=_CALLER)
+        warn_user(text)
     parameters = parameter_set(prototype, Path.cwd() / "settings.toml")
     if name in names("compare"):
         model = kind(name).fit(training(tables, prototype, parameters))
@@ -303,7 +311,9 @@ def voltages_of(t: Any, v: Any) -> tuple[FloatArray, FloatArray]:
         raise InputError(f"v has the shape {table.shape}; give one column for each voltage, shape (N, K)")
     if len(table) != (size := np.size(t)) and table.shape[1] == size:
         raise InputError(f"v has the shape {table.shape}; give one column for each voltage: np.column_stack([v1, v2])")
-    columns = _columns({"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}})
+    columns = _columns(
+        {"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}}, "interpolate it there"
+    )
     return columns.pop("t"), np.column_stack(list(columns.values()))
 
 
@@ -322,7 +332,9 @@ def seconds(t: Any) -> FloatArray:
     return np.asarray(since / np.timedelta64(1, "s"), dtype=np.float64)
 
 
-def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
+def _columns(
+    given: Mapping[str, Any], remedy: str = "leave out such rows: a gap in t is no harm"
+) -> dict[str, FloatArray]:
     """Columns of finite numbers, all as long as t; those that are None are left out."""
     columns: dict[str, FloatArray] = {}
     for name, values in given.items():
@@ -338,7 +350,7 @@ def _columns(given: Mapping[str, Any]) -> dict[str, FloatArray]:
         if not columns[name].size:
             raise InputError(f"{name} is empty")
         if len(bad := np.flatnonzero(~np.isfinite(columns[name]))):
-            raise InputError(f"{name} is not finite at sample {bad[0]}; leave out such rows: a gap in t is no harm")
+            raise InputError(f"{name} is not finite at sample {bad[0]}; {remedy}")
     return columns
 
 

@@ -91,12 +91,19 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
 
     Raises
     ------
+    InputError
+        There is no such file.
     CorruptArtifactError
         The file is damaged, or no saved model.
     """
-    tree = read_tree(path)
+    import h5py
+
+    advice = "`Model.save` writes one, and `debist.open_run` opens the folder of a run"
+    if not path.is_file():
+        raise InputError(f"{path}: no such file; {advice}")
+    tree = read_tree(path) if h5py.is_hdf5(path) else {}
     if not isinstance(tree.get(_CHECK), dict):
-        raise CorruptArtifactError(f"{path}: is no saved model; `Model.save` writes one")
+        raise CorruptArtifactError(f"{path}: is no saved model; {advice}")
     held = _File.read(tree[_CHECK], "in the file", "identify")
     if not isinstance(model_tree := tree.get(held.name), dict):
         raise CorruptArtifactError(f"{path}: holds no model {held.name!r}, which it names; save it again")

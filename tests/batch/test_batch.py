@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 
 from cli import app, debist
 from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch, write_fleet_tables
+from pipeline.batch.progress import fleet_progress
 from pipeline.batch.worker import Outcome, Worker
 from pipeline.errors import InputError
 from pipeline.machine import ONE_THREAD
@@ -131,6 +132,7 @@ def test_an_interrupted_batch_does_not_wait_for_what_it_runs(tmp_path: Path) -> 
         run_batch([("a", tmp_path / "a"), ("b", tmp_path / "b")], tmp_path / "runs", told, _sleeping, Execution(2))
     assert time.monotonic() - began < 60.0
     assert (told.begun, told.ended) == (["a", "b"], [])
+    assert fleet_progress(tmp_path / "runs").counts["running"] == 0
 
 
 def _sleeping(arguments: list[str]) -> None:

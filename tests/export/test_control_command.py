@@ -181,6 +181,7 @@ def test_the_drawn_joint_that_sizes_are_told_against_is_the_set_nominal() -> Non
     assert max(places) - min(places) == pytest.approx(DRAWN_WELLS, rel=2e-3)
 
 
+@pytest.mark.filterwarnings("ignore:debist.*results are older")
 def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(planted_run: Path, tmp_path: Path) -> None:
     shutil.copytree(planted_run, tmp_path / "run")
     run = RunFolder.open(tmp_path / "run")

@@ -12,6 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.api import open_run
 from pipeline.models.kind import model_from_tree
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.runs.run_folder import RunFolder
@@ -83,8 +84,9 @@ def test_a_second_run_changes_nothing(demo: tuple[Path, Path]) -> None:
     assert all(task.up_to_date for task in run_status(demo[1]) if task.stage != "report")
 
 
+@pytest.mark.filterwarnings("default:debist")
 def test_changed_settings_reach_the_later_stages(copy: tuple[Path, Path], tmp_path: Path) -> None:
-    """Even where the stage that reads the settings file has nothing to do."""
+    """Even where the stage that reads the settings file has nothing to do. Results of before the change are named."""
     prototype, run = copy
     shutil.copytree(prototype.parent, tmp_path / "rig")
     changed = tmp_path / "rig" / prototype.name
@@ -92,6 +94,13 @@ def test_changed_settings_reach_the_later_stages(copy: tuple[Path, Path], tmp_pa
     assert "up to date" in RUNNER.invoke(app, ["ingest", str(changed), "-o", str(run)]).stdout
     result = RUNNER.invoke(app, ["differentiate", str(run)])
     assert "setting differentiate.order changed from 3 to 2" in result.stderr
+    assert "warning" not in result.stderr
+    with pytest.warns(UserWarning, match=r"some results are older than train/.*/kinematics.parquet") as warned:
+        open_run(run).scores()
+    assert warned[0].filename == __file__
+    told = RUNNER.invoke(app, ["diff", str(run), str(run)]).stderr.splitlines()
+    assert len(told) == 1
+    assert told[0].startswith(f"warning: {run}: some results are older than train/")
 
 
 def test_scores_are_as_the_contract_says(demo: tuple[Path, Path]) -> None:

@@ -17,6 +17,7 @@ from pipeline.tools.diff import diff_runs
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
+from tests.tools.test_series import planted
 
 
 @pytest.fixture
@@ -43,6 +44,13 @@ def test_a_run_beside_itself_is_equal(planted_run):  # noqa: F811
     result = CliRunner().invoke(app, ["diff", str(planted_run), str(planted_run)])
     assert result.exit_code == 0
     assert "equal: settings, versions, raw logs (SHA-256), NRMSE of free runs, facts, artifacts" in result.stdout
+
+
+@pytest.mark.filterwarnings("ignore:debist.*results are older")
+def test_a_fraction_is_not_called_a_percentage(planted_run, tmp_path):  # noqa: F811
+    runs = [planted(planted_run, tmp_path, f"run{i}", barrier) for i, barrier in enumerate((1e-4, 2e-4))]
+    facts = {fact.key: fact.values for fact in diff_runs(runs).facts}
+    assert facts == {"barrier_left [J]": (1e-4, 2e-4), "asymmetry_wells [1]": (300.0 * 1e-4, 300.0 * 2e-4)}
 
 
 def test_equal_hashes_of_a_damaged_artifact_are_not_called_equal(planted_run, tmp_path):  # noqa: F811

@@ -43,7 +43,7 @@ def planted(run: Path, folder: Path, name: str, barrier: float, source: str = "h
     seen = {"measured": None, "measured_spread": None, "events": 0}
     facts = [
         {"key": key, "title": key, "unit": unit, "value": value, "low": value - half, "high": value + half} | seen
-        for key, (value, half, unit) in {**values, "asymmetry_wells": (0.1, 0.01, "%")}.items()
+        for key, (value, half, unit) in {**values, "asymmetry_wells": (300.0 * barrier, 0.01, "%")}.items()
     ]
     facts.append(
         {"key": "damping_left", "title": "damping", "unit": "1", "value": 0.1, "low": None, "high": None} | seen
@@ -113,6 +113,12 @@ def test_of_three_runs_nothing_is_said(drifting):
     assert "3 runs: too few to show a drift; it takes 4" in shown and " a run" not in shown
 
 
+def test_runs_of_several_devices_are_remarked_on(planted_run, tmp_path):  # noqa: F811
+    runs = [str(planted(planted_run, tmp_path, f"run{i}", 3e-4 + d)) for i, d in enumerate((0.0, 5e-5, -5e-5, 1e-6))]
+    shown = " ".join(invoke(*runs).stdout.split())
+    assert "no fact changed" in shown and "barrier_left; are these runs of one device?" in shown
+
+
 def test_a_series_that_is_none_is_refused(drifting, planted_run, tmp_path):  # noqa: F811
     other = str(planted(planted_run, tmp_path, "other", 3e-4, "rbf-paper"))
     for arguments, message in (
@@ -122,6 +128,7 @@ def test_a_series_that_is_none_is_refused(drifting, planted_run, tmp_path):  # n
         ([*drifting, "--at", "spring"], "give dates as 2026-03-01"),
         ([str(planted_run), drifting[0]], "has no datasheet"),
         ([*drifting, other], "facts come from different models"),
+        ([*drifting, drifting[2]], f"{drifting[2]}: has the facts of another run"),
     ):
         result = invoke(*arguments)
         assert result.exit_code == 2 and message in " ".join(result.stderr.split()), result.output

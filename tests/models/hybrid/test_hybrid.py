@@ -22,6 +22,7 @@ from pipeline.models.kind import FITTED_SHARE, Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import Compare, Identify
 from pipeline.signals.trajectory import Record
+from tests.export.joints import hybrid
 from tests.file_columns import unknown_entries
 
 PLANTED = {
@@ -447,3 +448,13 @@ def test_equations_that_miss_one_passage_stay_before_a_network_that_follows_less
 
 def test_its_file_tells_unit_and_meaning_of_every_entry(identified: tuple[HybridModel, HybridModel]) -> None:
     assert not unknown_entries(identified[1])
+
+
+@pytest.mark.parametrize("step", [0.03, 0.05, 0.1, 0.25])
+def test_coarse_samples_are_simulated_as_fine_ones(step: float) -> None:
+    """The integrator's step does not grow with the sample interval."""
+    model, v = hybrid(), np.array([2000.0, 0.0])
+    fine = 0.01 * np.arange(201)
+    coarse = fine[:: round(step / 0.01)]
+    q = [model.simulate(t, np.tile(v, (len(t), 1)), -0.0105, 0.0).q for t in (fine, coarse)]
+    np.testing.assert_allclose(q[1], q[0][:: round(step / 0.01)], atol=2e-3 * np.ptp(q[0]))
