@@ -73,6 +73,8 @@ class Dialect:
     """What stands in the columns that are no numbers; "" for the others."""
     columns: tuple[Writing, ...]
     """How each column is written, where one is not as the rest."""
+    named_behind: bool
+    """Whether the heading names one more column, for comments, than most rows have."""
     rewritten: bool
     """Whether rows need more than to be split at the delimiter, as where some have a comment behind them."""
     starts: tuple[tuple[float, float], ...]
@@ -145,6 +147,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         is_numeric or (not cell and bool(heading))
         for is_numeric, cell, heading in zip(table.numeric, firsts, headings, strict=True)
     )
+    named_behind = header_row is not None and len(above[header_row]) == width + 1
     return Dialect(
         encoding,
         table.delimiter,
@@ -161,8 +164,9 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.columns,
+        named_behind,
         bool(table.delimiter == " " or table.columns or table.ragged or any(map(is_of_terminal, lines)))
-        or (header_row is not None and len(above[header_row]) == width + 1),
+        or named_behind,
         labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
         frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},
@@ -247,7 +251,7 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
         cells = [] if RULED.fullmatch(line.strip()) else split_row(bare_line(line), table.delimiter)
         if len(cells) == width and _STATISTIC.fullmatch(cells[0]) and all(map(NUMBER.match, cells[1:])):
             cells = []
-        while len(cells) > width and "=" in cells[-1]:  # as of an oscilloscope, behind the names
+        while len(cells) > width and (not cells[-1] or "=" in cells[-1]):  # as of an oscilloscope, behind the names
             del cells[-1]
         wider = table.delimiter == " " or is_comment(line)
         rows.append(cells_above(line, cells, width) if wider else cells)
@@ -261,7 +265,8 @@ def _check_decimal_commas(table: SampleTable) -> None:
     width = len(table.numeric)
     above = with_row_names(table.rows[table.first - 1], table.rows[table.first :], width) if table.first else []
     names, cells = len(above), width - [*map(bool, _firsts(table))][::-1].index(True)
-    if table.delimiter == "," and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):
+    marked = table.has_marks or table.delimiter != ","
+    if not marked and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):
         raise UnreadableLogError(
             f"{names} names stand above rows of {cells} cells; is the comma separator and decimal mark at "
             "once? Export it with another separator, such as the semicolon"
