@@ -165,8 +165,11 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.columns,
         named_behind,
-        bool(table.delimiter == " " or table.columns or table.ragged or any(map(is_of_terminal, lines)))
-        or named_behind,
+        named_behind
+        or table.delimiter == " "
+        or bool(table.columns)
+        or table.ragged
+        or any(map(is_of_terminal, lines)),
         labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
         frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},
