@@ -86,7 +86,7 @@ def main(
     """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
     settle_machine()
     # A tenth of the time of figures and compilation goes into looking for cycles that are hardly ever there.
-    gc.set_threshold(100_000, 20, 20)
+    gc.set_threshold(500_000, 20, 20)
 
 
 def debist(arguments: list[str]) -> None:

@@ -44,9 +44,18 @@ def compiled(function: Any = None, /, *, with_module_of: type | None = None, **o
     return _kernel(function, with_module_of, options)
 
 
-def inner(function: Kernel) -> Kernel:
+def inner(function: Kernel, **options: Any) -> Kernel:
     """For a function that kernels alone call: a wrapper for Python would be up to half of what it costs to compile."""
-    return compiled(no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)
+    return compiled(no_cpython_wrapper=True, **options)(function)
+
+
+WITHOUT_ARRAYS: Any = {"_nrt": False}
+"""Options of a kernel that makes no array: it need not count who holds those that it is given, which takes code."""
+
+
+def part(function: Kernel) -> Kernel:
+    """An `inner` function that makes no array, which the optimiser puts into what calls it."""
+    return inner(function, forceinline=True, **WITHOUT_ARRAYS)
 
 
 def shared(function: Kernel) -> Kernel:
@@ -59,10 +68,10 @@ def _kernel(function: Callable[..., Any], with_module_of: type | None, options: 
     usual = numba.config.CACHE_DIR
     try:
         numba.config.CACHE_DIR = str(folder_for(modules))
-        kernel = numba.njit(function, cache=True, error_model="numpy", **options)
+        kernel = numba.njit(function, cache=True, no_cfunc_wrapper=True, error_model="numpy", **options)
         _kernels[kernel] = folder_for(modules)
     except OSError:  # no folder can be made: each process compiles for itself
-        kernel = numba.njit(function, error_model="numpy", **options)
+        kernel = numba.njit(function, no_cfunc_wrapper=True, error_model="numpy", **options)
     finally:
         numba.config.CACHE_DIR = usual
     return kernel

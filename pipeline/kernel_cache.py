@@ -2,7 +2,7 @@
 
 numba keeps machine code and the index to it in files that it unpickles and runs without a check. So a folder that
 others can write to is refused, and a digest beside each file shows whether the file is whole. A file without its digest
-is deleted, and numba compiles that kernel anew. A young one is kept, because its writer may still be at work.
+is deleted, and numba compiles that kernel anew.
 """
 
 import hashlib
@@ -10,7 +10,6 @@ import os
 import re
 import stat
 import sys
-import time
 from collections.abc import Iterable
 from functools import cache
 from importlib.metadata import version
@@ -24,8 +23,6 @@ VARIABLE = "NUMBA_CACHE_DIR"
 _PACKAGE = Path(__file__).resolve().parent
 _IMPORT = re.compile(rf"^from {_PACKAGE.name}\.?([\w.]*) import (\([^)]*\)|.*)", re.MULTILINE)
 _DIGEST = ".sha256"
-_STILL_COMPILING = 300.0
-"""Age [s] up to which a file waits for its digest, which its writer makes after a whole group of kernels."""
 
 
 @cache
@@ -130,11 +127,8 @@ def _kernels(folder: Path) -> list[Path]:
 
 
 def _is_whole(file: Path) -> bool:
-    """Whether a file has its digest, or may get it yet."""
     try:
-        digest = file.with_name(file.name + _DIGEST)
-        if not digest.exists():
-            return time.time() - file.stat().st_mtime < _STILL_COMPILING
-        return digest.read_text(encoding="ascii", errors="replace") == hashlib.sha256(file.read_bytes()).hexdigest()
+        digest = file.with_name(file.name + _DIGEST).read_text(encoding="ascii", errors="replace")
+        return digest == hashlib.sha256(file.read_bytes()).hexdigest()
     except OSError:
         return False

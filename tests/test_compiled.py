@@ -86,19 +86,6 @@ def test_damaged_kernels_are_compiled_anew(package: Path, damages: int) -> None:
         assert _words(package) == ["7.0", "1"], (file, number % 5)
 
 
-@pytest.mark.long
-def test_kernels_without_digest_are_used_while_another_process_may_write_them(package: Path) -> None:
-    _words(package)
-    kernels = package.parent / "kernels"
-    for digest in kernels.rglob("*.sha256"):
-        digest.unlink()
-    assert _words(package) == ["7.0", "1"]
-    for file in kernels.rglob("*.nb?"):
-        os.utime(file, (file.stat().st_atime, file.stat().st_mtime - 1000.0))
-    assert _words(package) == ["7.0", "0"]
-    assert _words(package) == ["7.0", "1"]
-
-
 def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None:
     code = (
         "from pathlib import Path; from pipeline.kernel_cache import sources; "

@@ -60,14 +60,19 @@ def _run(
     q: FloatArray, delta: FloatArray, begin: int,
 ) -> int:  # fmt: skip
     """Fill q behind row `begin`, which follows the increments `delta`; return the first row out of bounds, or N."""
-    older = len(delta)
+    older, x = len(delta), np.empty(len(scales))
     for n in range(begin, len(q)):
         if not bounds[0] <= q[n] <= bounds[1]:
             q[n] = np.nan
             return n
-        x = np.concatenate((q[n : n + 1], delta, u[n])) / scales
+        x[0] = q[n] / scales[0]
+        for i in range(older):
+            x[1 + i] = delta[i] / scales[1 + i]
+        for i in range(u.shape[1]):
+            x[1 + older + i] = u[n, i] / scales[1 + older + i]
         change = delta[0] + _change(exponents, coefficients, x)
-        delta[1:] = delta[: older - 1].copy()
+        for i in range(older - 1, 0, -1):
+            delta[i] = delta[i - 1]
         delta[0] = change
         if n + 1 < len(q):
             q[n + 1] = q[n] + change

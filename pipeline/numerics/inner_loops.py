@@ -5,7 +5,7 @@
 
 from typing import TYPE_CHECKING
 
-from pipeline.compiled import compiled, inner
+from pipeline.compiled import inner, part
 from pipeline.numerics.arrays import FloatArray, IntArray
 
 
@@ -50,8 +50,8 @@ def factorise(matrix: FloatArray, pivots: IntArray) -> bool:
     return True
 
 
-@compiled(forceinline=True)
-def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, count: int = 1) -> None:
+@part
+def solve_factorised(factors: FloatArray, pivots: IntArray, right: FloatArray, count: int) -> None:
     """Solve with the factors of `factorise` for `count` right-hand sides.
 
     `right` (n · count,), row by row, becomes the solutions.

@@ -12,11 +12,10 @@ import math
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
+from pipeline.compiled import WITHOUT_ARRAYS, compiled, inner
 from pipeline.numerics.arrays import FloatArray
 
 
-@compiled(inline="always")
 def difference_weights(order: int) -> FloatArray:
     """Weight of sample j of the first m + 1 in ``∇^k y`` at the last of them, shape (m+1, m+1)."""
     weights = np.zeros((order + 1, order + 1))
@@ -27,7 +26,6 @@ def difference_weights(order: int) -> FloatArray:
     return weights
 
 
-@compiled(inline="always")
 def start_covariance(weights: FloatArray, first_variance: float) -> FloatArray:
     """Covariance of the state after the first m + 1 samples, the very first of variance `first_variance`."""
     covariance = np.empty(weights.shape)
@@ -63,7 +61,6 @@ def advance_covariance(covariance: FloatArray, variance: float, gains: FloatArra
     return inverse
 
 
-@compiled
 def effective_parameters(t: FloatArray, lam: FloatArray, delta: float, order: int) -> float:
     """Effective number of the differences `t` that the data determine, the trace of the smoother less m + 1.
 
@@ -92,15 +89,21 @@ def effective_parameters(t: FloatArray, lam: FloatArray, delta: float, order: in
     One sweep forward for the gains and one backward for the adjoint's covariance (Durbin & Koopman 2012,
     eq. 4.42), about 3 (m+1)² multiplications and additions each per sample, (m + 2) N doubles.
     """
-    n = t.size
     size = order + 1
-    gains = np.empty((n, size + 1))
-    covariance = start_covariance(difference_weights(order), 1.0)
+    room = np.empty((t.size, size + 1)), np.zeros((size, size)), np.zeros(size)
+    return float(_determined(t, lam, delta, start_covariance(difference_weights(order), 1.0), *room))
+
+
+@compiled(**WITHOUT_ARRAYS)
+def _determined(
+    t: FloatArray, lam: FloatArray, delta: float, covariance: FloatArray, gains: FloatArray, adjoint: FloatArray,
+    product: FloatArray,
+) -> float:  # fmt: skip
+    n, order = t.size, len(product) - 1
+    size = order + 1
     for i in range(size, n):
         variance = math.sqrt(t[i] * t[i] + delta * delta) / lam[i]
         gains[i, size] = advance_covariance(covariance, variance, gains[i, :size])
-    adjoint = np.zeros((size, size))
-    product = np.zeros(size)
     total = 0.0
     for i in range(n - 1, order, -1):
         quadratic = 0.0

@@ -32,7 +32,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import WITHOUT_ARRAYS, compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.tv_chain import advance_covariance, difference_weights, start_covariance
 
@@ -107,7 +107,7 @@ def within_bounds(longest: float, p: float, dp: float) -> float:
     return room / size if room < longest * size else longest
 
 
-@compiled
+@compiled(**WITHOUT_ARRAYS)
 def newton_step(
     at: Iterate, step: NewtonStep, delta: float, gamma: float, first_variance: float
 ) -> tuple[float, float]:
@@ -200,7 +200,7 @@ def _smooth(at: Iterate, step: NewtonStep, delta: float, gamma: float) -> tuple[
     return a0, a1, longest, variation, misfit
 
 
-@compiled
+@compiled(**WITHOUT_ARRAYS)
 def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> float:
     """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line."""
     b, y, t, _, _, lam = at
@@ -214,7 +214,7 @@ def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> floa
     return variation + 0.5 * misfit
 
 
-@compiled
+@compiled(**WITHOUT_ARRAYS)
 def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: float) -> float:
     """Add `primal` times the step to y and t, and `dual` times the step to q and p, in place; return the duality gap.
 
@@ -242,7 +242,6 @@ def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: fl
     return 0.5 * (variation + misfit)
 
 
-@compiled
 def newton_step_high_order(
     at: Iterate, step: NewtonStep, delta: float, order: int, first_variance: float
 ) -> tuple[float, float]:
@@ -255,12 +254,21 @@ def newton_step_high_order(
     Parameters as of `newton_step`, with the `order` m = 1, 2, … of the penalised derivative, N ≥ m + 1,
     ``t[:m+1] = 0``.
     """
+    start = difference_weights(order)
+    room = start_covariance(start, first_variance), np.zeros((2, order + 1))
+    longest, objective_after = _step_of_chain(at, step, delta, first_variance, start, *room)
+    return float(longest), float(objective_after)
+
+
+@compiled(**WITHOUT_ARRAYS)
+def _step_of_chain(
+    at: Iterate, step: NewtonStep, delta: float, first_variance: float, start: FloatArray, cov: FloatArray,
+    room: FloatArray,
+) -> tuple[float, float]:  # fmt: skip
     b, y, _, q, _, _ = at
     dy, dt, dp, _ = step
-    size = order + 1
-    start = difference_weights(order)
-    _filter_chain(at, step, delta, start, start_covariance(start, first_variance))
-    adjoint = np.zeros(size)
+    size, mean, adjoint = len(start), room[0], room[1]
+    _filter_chain(at, step, delta, start, cov, mean)
     longest, variation, misfit = _smooth_chain(at, step, delta, adjoint)
     for j in range(size):
         response = 0.0
@@ -274,12 +282,16 @@ def newton_step_high_order(
 
 
 @compiled(inline="always")
-def _filter_chain(at: Iterate, step: NewtonStep, delta: float, start: FloatArray, cov: FloatArray) -> None:
-    """As `_filter`, from the `start` of `difference_weights` with the covariance `cov`, which is overwritten."""
+def _filter_chain(
+    at: Iterate, step: NewtonStep, delta: float, start: FloatArray, cov: FloatArray, mean: FloatArray
+) -> None:
+    """As `_filter`, from the `start` of `difference_weights` with the covariance `cov`, which is overwritten.
+
+    The state's `mean` is zero before.
+    """
     b, y, t, q, p, lam = at
     dy, dt, _, gains = step
     size = len(start)
-    mean = np.zeros(size)
     for j in range(size):
         for k in range(size):
             mean[k] += start[k, j] * (b[j] - y[j] - q[j])

@@ -190,6 +190,7 @@ class CsvSource(Source):
         wanted = [j for j, name in enumerate(self._columns) if name in names]
         self._words, self._remarks = {}, []
         dialect = self._dialect
+        named = dialect.delimiter != " " and any(len(row) == width + 1 for row in dialect.above)  # a column of comments
         plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." and not dialect.columns else None
         for number, line in self._lines():
             if plain and plain.fullmatch(line):  # as most lines do, and at a third of the cost
@@ -199,7 +200,7 @@ class CsvSource(Source):
             if dialect.is_remark(line, cells):
                 self._remarks.append(f"line {number}: {line.strip()[:40]!r}")
                 continue
-            if len(cells) == width + 1 and (dialect.named_behind or is_behind(cells[-1], dialect.decimal)):
+            if len(cells) == width + 1 and (named or is_behind(cells[-1], dialect.decimal)):
                 del cells[-1]
             if len(cells) != width:
                 raise UnreadableLogError(

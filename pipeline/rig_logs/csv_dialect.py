@@ -73,8 +73,6 @@ class Dialect:
     """What stands in the columns that are no numbers; "" for the others."""
     columns: tuple[Writing, ...]
     """How each column is written, where one is not as the rest."""
-    named_behind: bool
-    """Whether the heading names one more column, for comments, than most rows have."""
     rewritten: bool
     """Whether rows need more than to be split at the delimiter, as where some have a comment behind them."""
     starts: tuple[tuple[float, float], ...]
@@ -147,7 +145,6 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         is_numeric or (not cell and bool(heading))
         for is_numeric, cell, heading in zip(table.numeric, firsts, headings, strict=True)
     )
-    named_behind = header_row is not None and len(above[header_row]) == width + 1
     return Dialect(
         encoding,
         table.delimiter,
@@ -164,12 +161,8 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
         table.columns,
-        named_behind,
-        named_behind
-        or table.delimiter == " "
-        or bool(table.columns)
-        or table.ragged
-        or any(map(is_of_terminal, lines)),
+        bool(table.delimiter == " " or table.columns or table.ragged or any(map(is_of_terminal, lines)))
+        or (header_row is not None and len(above[header_row]) == width + 1),
         labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
         frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},

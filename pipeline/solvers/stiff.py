@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import compiled, part
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.inner_loops import factorise, solve_factorised
 
@@ -111,7 +111,6 @@ class Work(NamedTuple):
     pivots: IntArray
 
 
-@compiled(inline="always")
 def working(stages: int, columns: int) -> Work:
     """Room for the steps of a run."""
     return Work(
@@ -141,7 +140,7 @@ def advance(method: Method, stage_of: Any, system: Any, x: FloatArray, h: float,
     return True
 
 
-@compiled(inline="always")
+@part
 def _add(weights: FloatArray, stage: int, over: float, y: FloatArray, total: FloatArray, columns: int) -> None:
     """Add the stages before `stage` by their weights / `over`."""
     for j in range(stage):
@@ -200,7 +199,7 @@ def solve_stages(shift: float, work: Work, out: FloatArray, columns: int) -> Non
             internal[k * p + c] += follows
 
 
-@compiled(inline="always")
+@part
 def _row(scale: float, of: FloatArray, begin: int) -> tuple[float, float, float, float]:
     """Four entries of a matrix, read before a loop: it need not ask whether it writes to them."""
     return scale * of[begin], scale * of[begin + 1], scale * of[begin + 2], scale * of[begin + 3]

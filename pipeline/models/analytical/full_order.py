@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
+from pipeline.compiled import WITHOUT_ARRAYS, compiled, part
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import dissipation, motion, motion_slopes, statics
@@ -146,7 +146,7 @@ def _hold(
         system[4, 4], right[4] = 0.0, 0.0
         regular = factorise(system, pivots)
         if regular:
-            solve_factorised(system, pivots, right)
+            solve_factorised(system, pivots, right, 1)
         for i in range(4):
             x[i] += right[i] * scale[i] if regular else np.nan
     return len(measured)
@@ -244,13 +244,17 @@ def no_solution(count: int) -> Solution:
 class _Motion(NamedTuple):
     """The joint in a run: parameters p, inputs, where the step starts, and room for what is computed at a state.
 
-    `sample` (1,) and `offset` (1,) say where the step starts, [s] behind a sample; `rise` (3,) are the rates of
-    voltages and force there; `f_t` (STATES,) is ∂f/∂t.
+    `x`, `x_new` (STATES,) are the states at both ends of the step, and `f0` (STATES,) the rates at its start. `sample`
+    (1,) and `offset` (1,) say where it starts, [s] behind a sample; `rise` (3,) are the rates of voltages and force
+    there; `f_t` (STATES,) is ∂f/∂t.
     """
 
     p: FloatArray
     v: FloatArray
     force: FloatArray
+    x: FloatArray
+    x_new: FloatArray
+    f0: FloatArray
     sample: IntArray
     offset: FloatArray
     rise: FloatArray
@@ -263,15 +267,7 @@ class _Motion(NamedTuple):
     pivots: IntArray
 
 
-@compiled(inline="always")
-def _motion(p: FloatArray, v: FloatArray, force: FloatArray) -> _Motion:
-    return _Motion(
-        p, v, force, np.zeros(1, np.int64), np.zeros(1), np.zeros(3), np.zeros(STATES), np.empty(2), np.empty(1),
-        np.empty(STATES), np.empty((4, 4)), np.empty((4, 4)), np.empty(4, np.int64),
-    )  # fmt: skip
-
-
-@compiled(inline="always")
+@part
 def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: FloatArray) -> bool:
     """ẋ (11,) of the state x (11,) at `offset` [s] behind the sample, and M (4, 4); False if that is singular."""
     n = s.sample[0]
@@ -284,11 +280,11 @@ def _rate(s: _Motion, x: FloatArray, offset: float, mass: FloatArray, out: Float
             s.factors[i, j] = mass[i, j]
     if not factorise(s.factors, s.pivots):
         return False
-    solve_factorised(s.factors, s.pivots, out[4:8])
+    solve_factorised(s.factors, s.pivots, out[4:8], 1)
     return True
 
 
-@compiled(inline="always")
+@part
 def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
     """∂f/∂t by the inputs' rates where the step starts, whose mass matrix has just been factorised."""
     n, lever = s.sample[0], s.p[0] * s.p[0]
@@ -301,7 +297,7 @@ def _time_derivative(s: _Motion, slopes: FloatArray) -> None:
             # ∂q/∂q_m = [l², l³, l⁴, 0]: the force acts on the tip.
             s.f_t[4 + i] += lever * s.rise[2]
             lever *= s.p[0]
-    solve_factorised(s.factors, s.pivots, s.f_t[4:8])
+    solve_factorised(s.factors, s.pivots, s.f_t[4:8], 1)
 
 
 @compiled(inline="always")
@@ -338,7 +334,6 @@ def _complete(work: Work, scale: FloatArray, x_new: FloatArray) -> float:
     return float(np.sqrt(norm / STATES)) if np.isfinite(norm) else float(np.inf)
 
 
-@compiled(nogil=True)
 def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, reach: float, solution: Solution) -> int:
     """Integrate under voltages and force that are linear between samples.
 
@@ -366,11 +361,21 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
     Cost: a step evaluates `motion` six times and `motion_slopes` once and factorises 4×4 seven times: 4 µs.
     """
     t, v, force = drive
+    motion = _Motion(
+        p, v, force, x0.copy(), np.empty(STATES), np.empty(STATES), np.zeros(1, np.int64), np.zeros(1), np.zeros(3),
+        np.zeros(STATES), np.empty(2), np.empty(1), np.empty(STATES), np.empty((4, 4)), np.empty((4, 4)),
+        np.empty(4, np.int64),
+    )  # fmt: skip
+    return _integrate(t, motion, working(6, 1), scale, reach, solution)
+
+
+@compiled(nogil=True, **WITHOUT_ARRAYS)
+def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: float, solution: Solution) -> int:
+    p, x, f0 = s.p, s.x, s.f0
     states, rates, counts = solution
-    x, x_new, f0, h_next = x0.copy(), np.empty(STATES), np.empty(STATES), 1e-4
-    counts[0], counts[1], s, work = 0, 0, _motion(p, v, force), working(6, 1)
+    counts[0], counts[1], h_next = 0, 0, 1e-4
     for sample in range(t.size):
-        interval, offset, s.sample[0] = _rises(t, v, force, sample, s.rise), 0.0, sample
+        interval, offset, s.sample[0] = _rises(t, s.v, s.force, sample, s.rise), 0.0, sample
         tries = 0
         while offset == 0.0 or offset < interval:
             fine = _rate(s, x, offset, work.mass, f0)
@@ -392,7 +397,7 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
                 if tries > MOST_TRIES:
                     return sample + 1
                 h = remaining if h_next >= remaining else min(h_next, 0.5 * remaining)
-                norm = _complete(work, scale, x_new) if advance(RODAS4, _stage, s, x, h, work, 1) else np.inf
+                norm = _complete(work, scale, s.x_new) if advance(RODAS4, _stage, s, x, h, work, 1) else np.inf
                 factor = min(5.0, max(0.2, 0.9 * max(norm, 1e-10) ** -0.25))
                 if norm > 1.0:
                     counts[1] += 1
@@ -403,5 +408,5 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
             # A step cut short by the sample's end is no reason against the longer one.
             h_next = max(factor * h, h_next) if h == remaining else factor * h
             offset = interval if h == remaining else offset + h
-            copy_into(x, x_new)
+            copy_into(x, s.x_new)
     return t.size

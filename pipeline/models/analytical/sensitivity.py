@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
-from pipeline.compiled import compiled, inner
+from pipeline.compiled import WITHOUT_ARRAYS, compiled, inner
 from pipeline.generated.analytical_joint import MOTION, motion_slopes
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.inner_loops import copy_into
 from pipeline.solvers.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
 
@@ -57,11 +57,12 @@ def state_sensitivities(
     count = 2 * t.size - 1
     tables = _Tables(np.empty((count, 4, 4)), np.empty((count, SLOPES)), np.empty((count, 7, steps.size)))
     _tabulate(_Solution(t, v, states, rates), points, steps, tables)
-    out = np.empty((t.size, STATES, steps.size))
-    integrate_sensitivities(
-        t, tables.masses.reshape(count, -1), tables.slopes, tables.sources.reshape(count, -1),
-        start.ravel(), out.reshape(t.size, -1),
+    out, unknowns = np.empty((t.size, STATES, steps.size)), steps.size
+    system = _Variation(
+        tables.masses.reshape(count, -1), tables.slopes, tables.sources.reshape(count, -1), np.zeros(2, np.int64),
+        np.empty(7 * unknowns),
     )  # fmt: skip
+    integrate_sensitivities(t, system, start.flatten(), working(3, unknowns), unknowns, out.reshape(t.size, -1))
     return out
 
 
@@ -129,23 +130,23 @@ def _between(solution: _Solution, k: int, x: FloatArray, a: FloatArray, squares:
 
 
 class _Variation(NamedTuple):
-    """The variational equations in half a sample interval: what is tabulated, from which row on, and which half."""
+    """The variational equations in half a sample interval: what is tabulated, `at` (2,) which row and half, ∂f/∂p."""
 
     masses: FloatArray
     slopes: FloatArray
     sources: FloatArray
-    row: int
-    half: int
+    at: IntArray
     source: FloatArray
 
 
 @inner
 def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     """Matrices at a stage, and its right-hand side ``at / (γ h)`` plus ∂f/∂p."""
-    w, shift, source = 0.5 * (system.half + SDIRK3.nodes[stage]), 1.0 / (SDIRK3.gamma * h), system.source
-    _parabola(w, system.masses, system.row, work.mass.reshape(-1))
-    _parabola(w, system.slopes, system.row, work.slopes)
-    _parabola(w, system.sources, system.row, source)
+    row, half = system.at[0], system.at[1]
+    w, shift, source = 0.5 * (half + SDIRK3.nodes[stage]), 1.0 / (SDIRK3.gamma * h), system.source
+    _parabola(w, system.masses, row, work.mass.reshape(-1))
+    _parabola(w, system.slopes, row, work.slopes)
+    _parabola(w, system.sources, row, source)
     driven = len(work.push)
     for i in range(len(work.right)):
         work.right[i] = shift * work.at[i]
@@ -157,17 +158,16 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     return True
 
 
-@compiled(nogil=True)
+@compiled(nogil=True, **WITHOUT_ARRAYS)
 def integrate_sensitivities(
-    t: FloatArray, masses: FloatArray, slopes: FloatArray, sources: FloatArray, start: FloatArray, out: FloatArray
+    t: FloatArray, system: _Variation, x: FloatArray, work: Work, count: int, out: FloatArray
 ) -> None:
-    """Two steps in every sample interval; `out` (N, 11 P) takes the derivatives at the samples."""
-    count = start.size // STATES
-    x, work, source = start.copy(), working(3, count), np.empty(7 * count)
+    """Two steps in every sample interval from x (11 P,); `out` (N, 11 P) takes the derivatives at the samples."""
     copy_into(out[0], x)
     for n in range(t.size - 1):
+        system.at[0] = 2 * n
         for half in range(2):
-            system = _Variation(masses, slopes, sources, 2 * n, half, source)
+            system.at[1] = half
             advance(SDIRK3, _stage, system, x, 0.5 * (t[n + 1] - t[n]), work, count)
             copy_into(x, work.y[2])
         copy_into(out[n + 1], x)

@@ -76,7 +76,7 @@ def newton_equilibrium(qm: FloatArray, v_squared: FloatArray, force: float, p: F
             gradient[i] -= force / scale[i]
         if not factorise(hessian, pivots):
             return False
-        solve_factorised(hessian, pivots, gradient)
+        solve_factorised(hessian, pivots, gradient, 1)
         size = np.max(np.abs(gradient / scale))
         if not size < 1e3:
             return False
@@ -226,15 +226,15 @@ def hold_tip(
         if not factorise(system, pivots):
             break
         if last:
-            solve_factorised(system, pivots, right)
+            solve_factorised(system, pivots, right, 1)
             force = right[4]
             for i in range(5):
                 right[i] = 1.0 if i == 4 else 0.0
-            solve_factorised(system, pivots, right)
+            solve_factorised(system, pivots, right, 1)
             for i in range(4):
                 tangent[i] = right[i] * scale[i]
             return force, right[4], energy
-        solve_factorised(system, pivots, right)
+        solve_factorised(system, pivots, right, 1)
         size = 0.0
         for i in range(4):
             size = max(size, abs(right[i])) if right[i] == right[i] else np.inf
@@ -244,26 +244,6 @@ def hold_tip(
             qm[i] += right[i] * scale[i] * min(1.0, 5e-2 / max(size, 1e-300))
         last = size < 1e-9
     return np.nan, np.nan, np.nan
-
-
-@compiled
-def _trace(
-    q: FloatArray,
-    start: FloatArray,
-    v_squared: FloatArray,
-    p: FloatArray,
-    qm: FloatArray,
-    tangent: FloatArray,
-    scalars: FloatArray,
-) -> None:
-    """Hold the tip at every q in turn, each from its neighbour's solution and tangent."""
-    guess, slope = start.copy(), np.zeros(4)
-    for i in range(q.size):
-        for j in range(4):
-            guess[j] += slope[j] * (q[i] - q[i - 1]) if i > 0 else 0.0
-        scalars[i, 0], scalars[i, 1], scalars[i, 2] = hold_tip(q[i], guess, v_squared, p, slope)
-        for j in range(4):
-            qm[i, j], tangent[i, j] = guess[j], slope[j]
 
 
 class _PathColumns(NamedTuple):
@@ -282,7 +262,6 @@ class _PathColumns(NamedTuple):
     hessians: FloatArray
 
 
-@compiled
 def _describe(shapes: FloatArray, v_squared: FloatArray, p: FloatArray, columns: _PathColumns) -> None:
     """Fill the columns from shapes (N, 4) at `v_squared` [V²] (2,) with the parameters `p`."""
     tips, tangent, scalars, farads, slopes, hessians = columns
@@ -321,14 +300,9 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
     qm, tangent, scalars = np.empty((count, 4)), np.empty((count, 4)), np.empty((count, 3))
     middle = int(np.argmin(np.abs(q)))
     lead = np.linspace(0.0, q[middle], 2 + int(abs(q[middle]) / 2.5e-4))
-    lead_qm, lead_tangent, lead_scalars = np.empty((lead.size, 4)), np.empty((lead.size, 4)), np.empty((lead.size, 3))
-    _trace(lead, np.zeros(4), v**2, p, lead_qm, lead_tangent, lead_scalars)
-    start = lead_qm[-1]
+    start = _trace(lead, np.zeros(4), v**2, p)[0][-1]
     for part in (slice(middle, None), slice(middle, None, -1)):
-        size = q[part].size
-        room = np.empty((size, 4)), np.empty((size, 4)), np.empty((size, 3))
-        _trace(np.ascontiguousarray(q[part]), start, v**2, p, *room)
-        qm[part], tangent[part], scalars[part] = room
+        qm[part], tangent[part], scalars[part] = _trace(q[part], start, v**2, p)
     path = describe_path(parameters, qm, v)
     missing = ~np.isfinite(scalars).all(axis=1) | ~path.held
     if missing.any():
@@ -338,6 +312,19 @@ def static_path(parameters: JointParameters, q: FloatArray, v: FloatArray) -> St
             "there is no map from q to its shape; check the parameters (b, E, Y, e_z)"
         )
     return path
+
+
+def _trace(
+    q: FloatArray, start: FloatArray, v_squared: FloatArray, p: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Hold the tip at every q in turn, each from its neighbour's solution and tangent: shapes, tangents, scalars."""
+    shapes, tangents, scalars = np.empty((q.size, 4)), np.empty((q.size, 4)), np.empty((q.size, 3))
+    guess, slope = start.copy(), np.zeros(4)
+    for i, step in enumerate(np.diff(q, prepend=q[0])):
+        guess += slope * step
+        scalars[i] = hold_tip(q[i], guess, v_squared, p, slope)
+        shapes[i], tangents[i] = guess, slope
+    return shapes, tangents, scalars
 
 
 def describe_path(parameters: JointParameters, qm: FloatArray, v: FloatArray) -> StaticPath:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.compiled import compiled
+from pipeline.compiled import WITHOUT_ARRAYS, compiled
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid.columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
 from pipeline.models.hybrid.kernels import CURVES, VALUES, table_span, tabulate
@@ -18,7 +18,7 @@ from pipeline.models.hybrid.runs import Joints, Laws, Stepping
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray, SingleArray
 from pipeline.numerics.inner_loops import FAST
-from pipeline.solvers.fixed_step import STAGE_NODES, take_step
+from pipeline.solvers.fixed_step import STAGE_NODES, take_step, workspace
 
 _NUDGE = 1e-4
 """Step of the differences by which the state at rest depends on a column, in its own scale."""
@@ -98,7 +98,7 @@ def sensitivities(
         driven.pole, wall, lead, np.zeros((0, 2)),
     )  # fmt: skip
     points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
-    _run(system, x, dt / substeps, points, slips)
+    _run(system, x, dt / substeps, workspace(x), points, slips)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
     path = Path(points, slips, driven.squares, driven.by_instruments, driven.pole)
     propagate(path, laws, stepping, columns_of(active), starts, stops, displacements)
@@ -148,11 +148,11 @@ def _unit(count: int, i: int) -> FloatArray:
     return unit
 
 
-@compiled(fastmath=FAST)
-def _run(system: Joints, x: FloatArray, h: float, points: FloatArray, slips: FloatArray) -> None:
+@compiled(fastmath=FAST, **WITHOUT_ARRAYS)
+def _run(system: Joints, x: FloatArray, h: float, work: FloatArray, points: FloatArray, slips: FloatArray) -> None:
     """States at all stages (steps + 1, 4, STATES), and stop operators at the start of each step; x moves to the end."""
-    y, dx, total, acceleration = np.empty(STATES), np.zeros(STATES), np.empty(STATES), np.zeros(1)
-    first, final = np.zeros(1), 2 * (len(points) - 1)
+    y, dx, total, acceleration, first = work[0], work[1], work[2], work[3, :1], work[4, :1]
+    final = 2 * (len(points) - 1)
     for step in range(len(points)):
         for i in range(STOPS):
             slips[step, i] = system.z[i]

@@ -121,7 +121,6 @@ def rest_state(
     return x, z
 
 
-@compiled
 def _jacobians(k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """∂ẋ/∂x at rest without voltage at `_SHARES`, by differences, shape (5, STATES, STATES)."""
     jacobians = np.empty((len(_SHARES), STATES, STATES))
@@ -170,7 +169,6 @@ _SPEED = 1e-3  # m/s, small against every speed at which damping is nonlinear
 _NUDGE = 1e-6  # m
 
 
-@compiled(inline="always")
 def _shape_slopes(
     x: FloatArray, u: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray, forces: FloatArray
 ) -> tuple[float, float]:
@@ -191,7 +189,6 @@ def _shape_slopes(
     return (by[3] * by_q2 - by[5] * by_q1) / determinant, (by[4] * by_q1 - by[2] * by_q2) / determinant
 
 
-@inner
 def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c: FloatArray, p: FloatArray) -> float:
     """Generalised force [N] on q, τ and β along the path at a speed [m/s], without voltage, friction and creep."""
     u, z, start, rates, mass = np.zeros(2), np.zeros(STOPS), np.empty(3), np.empty(STATES), np.empty(6)
@@ -206,7 +203,6 @@ def _moving_force(x: FloatArray, slope: float, interior: float, speed: float, c:
     return force
 
 
-@compiled
 def curves_at(q: FloatArray, k: FloatArray, p: FloatArray, basis: FloatArray, weights: FloatArray) -> FloatArray:
     """The four curves of `static_curves`, shape (4, n)."""
     curves, u, c, forces, by = np.empty((4, len(q))), np.zeros(2), np.zeros(VALUES), np.empty(3), np.empty(6)
