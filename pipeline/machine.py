@@ -1,6 +1,7 @@
 """Settings of numerical libraries that keep results independent of the surroundings; made before NumPy loads."""
 
 import importlib
+import importlib.util
 import os
 from collections.abc import Callable
 from contextlib import chdir
@@ -15,13 +16,17 @@ ONE_THREAD = tuple(f"{library}_NUM_THREADS" for library in ("OMP", "OPENBLAS", "
 
 
 def settle_machine() -> None:
-    """Let linear algebra take one thread, whatever the environment variables.
+    """Let linear algebra take one thread, and figures be drawn as matplotlib comes, whatever the environment variables.
 
     The matrices here are small: threads cost ten times the work that they share, and their number decides the order
-    of sums.
+    of sums. A user's ``matplotlibrc`` would change the report, or stop it. Without its compiler numba would take hours.
     """
     for name in ONE_THREAD:
         os.environ[name] = "1"
+    for name in ("MPLBACKEND", "NUMBA_DISABLE_JIT"):
+        os.environ.pop(name, None)
+    if matplotlib := importlib.util.find_spec("matplotlib"):
+        os.environ["MATPLOTLIBRC"] = str(Path(matplotlib.origin or "").parent / "mpl-data")
 
 
 def one_thread(work: Callable[P, T]) -> Callable[P, T]:

@@ -37,7 +37,7 @@ def check_name(name: str, longest: int = _LONGEST) -> str:
             "no blank at its ends, no =, + or @ before it, no dot behind it; rename it"
         )
     if name.split(".")[0].strip().lower() in _RESERVED:
-        raise ValueError(f"{name!r} is a reserved device name on some systems; rename it")
+        raise ValueError(f"{name!r} is no usable name: some systems keep it for a device; rename it")
     return name
 
 

@@ -106,11 +106,11 @@ class CsvSource(Source):
         """Find first cells of columns, and the decimal mark, that the sample leaves open in the rows behind it."""
         numeric = [name for name, holds in zip(self._columns, self._dialect.numeric, strict=True) if holds]
         marked = [name for name in numeric if not is_stamp(self._firsts[name])]
-        if not self._dialect.has_marks and self._dialect.delimiter not in ", ":
-            cells = self._first_cells(marked, _MARK)
-            if cells:
-                mark = "," if "," in next(iter(cells.values())) else "."
-                self._dialect = replace(self._dialect, decimal=mark)
+        if not self._dialect.has_marks and self._dialect.delimiter != ",":
+            by_blanks = (cell for _, line in self._lines() for cell in line.split() if re.match(_MARK, cell))
+            cells = by_blanks if self._dialect.delimiter == " " else iter(self._first_cells(marked, _MARK).values())
+            if cell := next(cells, ""):
+                self._dialect = replace(self._dialect, decimal="," if "," in cell else ".")
         empty = [name for name in numeric if not self._firsts[name]]
         self._firsts |= self._first_cells(empty, "[0-9A-Za-z]") if empty else {}
 
@@ -190,6 +190,7 @@ class CsvSource(Source):
         wanted = [j for j, name in enumerate(self._columns) if name in names]
         self._words, self._remarks = {}, []
         dialect = self._dialect
+        named = dialect.delimiter != " " and any(len(row) == width + 1 for row in dialect.above)  # a column of comments
         plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." and not dialect.columns else None
         for number, line in self._lines():
             if plain and plain.fullmatch(line):  # as most lines do, and at a third of the cost
@@ -199,7 +200,7 @@ class CsvSource(Source):
             if dialect.is_remark(line, cells):
                 self._remarks.append(f"line {number}: {line.strip()[:40]!r}")
                 continue
-            if len(cells) == width + 1 and is_behind(cells[-1], dialect.decimal):
+            if len(cells) == width + 1 and (named or is_behind(cells[-1], dialect.decimal)):
                 del cells[-1]
             if len(cells) != width:
                 raise UnreadableLogError(

@@ -18,6 +18,7 @@ _MINUS = re.compile(r"(?<![^\s;,|:=\"])[\u2212\u2013\ufe63\uff0d](?=\s*[\d.,])")
 _ACCOUNTED = re.compile(r"\(([\d.,]+)\)")
 """A negative number in the format of accounts."""
 _BEGINS_AS_NUMBER = re.compile(r"[-+]?\s*(?!1[.]#)[.,]?\d")
+csv.field_size_limit(1 << 24)  # a heading is one cell under a delimiter that is not in it
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _FEW_CELLS = 3

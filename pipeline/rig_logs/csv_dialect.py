@@ -247,7 +247,7 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
         cells = [] if RULED.fullmatch(line.strip()) else split_row(bare_line(line), table.delimiter)
         if len(cells) == width and _STATISTIC.fullmatch(cells[0]) and all(map(NUMBER.match, cells[1:])):
             cells = []
-        while len(cells) > width and "=" in cells[-1]:  # as of an oscilloscope, behind the names
+        while len(cells) > width and (not cells[-1] or "=" in cells[-1]):  # as of an oscilloscope, behind the names
             del cells[-1]
         wider = table.delimiter == " " or is_comment(line)
         rows.append(cells_above(line, cells, width) if wider else cells)
@@ -261,7 +261,8 @@ def _check_decimal_commas(table: SampleTable) -> None:
     width = len(table.numeric)
     above = with_row_names(table.rows[table.first - 1], table.rows[table.first :], width) if table.first else []
     names, cells = len(above), width - [*map(bool, _firsts(table))][::-1].index(True)
-    if table.delimiter == "," and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):
+    marked = table.has_marks or table.delimiter != ","
+    if not marked and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):
         raise UnreadableLogError(
             f"{names} names stand above rows of {cells} cells; is the comma separator and decimal mark at "
             "once? Export it with another separator, such as the semicolon"

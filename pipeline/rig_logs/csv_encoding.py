@@ -3,6 +3,7 @@
 import codecs
 import re
 
+from pipeline.rig_logs.csv_cells import rows_of
 from pipeline.rig_logs.source import UnreadableLogError
 
 _BOMS = (
@@ -32,13 +33,16 @@ def text_encoding(start: bytes) -> str:
         if b"\0" not in start[1 - parity :: 2] and 2 * start[parity::2].count(0) > len(start[parity::2]):
             return encoding
     start = start.strip(b"\0")
-    if b"\0" in start:
-        raise UnreadableLogError(_NO_TEXT)
+    control = sum(byte < 32 and byte not in b"\t\n\r\f" for byte in start)
+    before, zero, _ = start.partition(b"\0")
+    if zero:
+        line = len(rows_of(before.decode("latin-1") + "."))
+        damaged = f"a zero byte in line {line}, which is no text: repair or delete that line"
+        raise UnreadableLogError(_NO_TEXT if control > len(start) // 1000 else damaged)
     try:
         codecs.getincrementaldecoder("utf-8")().decode(start)
         return "utf-8"
     except UnicodeDecodeError:
-        control = sum(byte < 32 and byte not in b"\t\n\r\f" for byte in start)
         if control > len(start) // 1000:
             raise UnreadableLogError(_NO_TEXT) from None
         return _other_script(start) or ("cp1252" if re.search(rb"[\x80-\x9f]", start) else "latin-1")

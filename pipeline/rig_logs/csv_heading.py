@@ -102,7 +102,8 @@ def heading_rows(
     if block and _TIME.match(above[block[-1]][0]) and not _holds_units(above[block[-1]]):
         lowest = block[-1]
         if _labels(above[lowest], numeric) == sum(numeric) and any(_holds_units(above[i]) for i in block[:-1]):
-            return lowest, None  # above them stand keys with a value for each channel, as of oscilloscopes
+            units_above = all(cell.strip("[]() ").lower() in _UNITS for cell in above[lowest - 1] or ("",))
+            return lowest, lowest - 1 if units_above else None  # or keys with values, as of oscilloscopes
     units = next((i for i in reversed(block[1:]) if _holds_units(above[i])), None)
     labels = {i: _labels(above[i], numeric) for i in block if units is None or i < units}
     names = [i for i in labels if labels[i] and labels[i] == max(labels.values())]
@@ -129,7 +130,7 @@ def _labels(row: Row, numeric: Sequence[bool]) -> int:
 
 
 def _holds_units(row: Row) -> bool:
-    cells = [cell for cell in row if cell and cell.lower() != "unit" and not NUMBER.match(cell)]
+    cells = [cell for cell in row if cell and cell.lower() not in ("unit", "no.") and not NUMBER.match(cell)]
     are_units = [bool(_BRACKETED.match(cell)) or cell.strip("[]() '").lower() in _UNITS for cell in cells]
     return 2 * sum(are_units) > len(cells) > 0
 

@@ -1,6 +1,7 @@
 """The first rows of a CSV file as a table, under the delimiter and the decimal mark that give the most numbers."""
 
 import codecs
+import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,6 +13,8 @@ from pipeline.rig_logs.csv_heading import with_whole_cells
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
 _MOST_ROWS = 400
+_NOTES = re.compile(r"(?i)((comment|remark|note|event|marker|message)s?|kommentar|bemerkung|anmerkung|notiz|ereignis)?")
+"""Names of a column whose cells are notes on single rows, or no name."""
 _CANDIDATES = (
     (";", ","), (";", "."), ("\t", ","), ("\t", "."), (",", "."), ("|", "."), ("|", ","), (" ", "."), (",", ","),
 )  # fmt: skip
@@ -51,12 +54,12 @@ def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
     return with_whole_cells(lines if whole else lines[:-1])
 
 
-def find_table(lines: list[str], options: CsvOptions) -> SampleTable:
-    """The reading of the sample that gives the most columns of numbers."""
-    tables = [
-        _table(lines, delimiter, decimal, options.header_row) for delimiter, decimal in _candidates(lines, options)
-    ]
+def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) -> SampleTable:
+    """The reading of the sample, of its first rows where they hold a table, that gives the most columns of numbers."""
+    tables = [_table(lines[:most], *marks, options.header_row) for marks in _candidates(lines, options)]
     readable = [table for table in tables if table is not None]
+    if not readable and len(lines) > most:
+        return find_table(lines, options, len(lines))
     if not readable:
         way_out = "if it is one, set [ingest.csv] encoding, delimiter, decimal and header_row"
         if _is_single_column(lines):
@@ -64,7 +67,9 @@ def find_table(lines: list[str], options: CsvOptions) -> SampleTable:
                 "it holds a single one; if input and displacement stand in files of their own, join them as columns of "
                 "one file"
             )
-        raise UnreadableLogError(f"no table of numbers with two columns or more found; {way_out}")
+        raise UnreadableLogError(
+            f"no table of numbers with two columns or more found in the first {len(lines)} rows; {way_out}"
+        )
     return max(readable, key=lambda table: sum(table.numeric))
 
 
@@ -91,12 +96,13 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     part of the preamble. A later row that does not fit
     is no preamble but an error, which the parser reports.
     """
-    rows = [split_row(line, delimiter) for line in lines[:_MOST_ROWS]]
+    rows = [split_row(line, delimiter) for line in lines]
     width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
     begin = 0 if header_row is None else header_row + 1
     written = writings(rows[begin:], width, decimal)
     rows = [bare_cells(row, written, decimal) for row in rows]
-    fits = [_fits(row, width, decimal) for row in rows]
+    named = header_row is not None and header_row < len(rows) and len(rows[header_row]) == width + 1
+    fits = [_fits(row, width, decimal) or (named and len(row) == width + 1) for row in rows]
     fitting = [i for i in range(begin, len(rows)) if fits[i]]
     if width < 2 or not fitting:
         return None
@@ -104,6 +110,8 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     likely = [_mostly_values([rows[i][j] for i in later], decimal) for j in range(width)]
     clocks = [not wanted or any(is_stamp(rows[i][j]) for i in later) for j, wanted in enumerate(likely)]
     keys = likely[1] and not any(rows[i][0] for i in later)  # of an instrument, in the first column of its preamble
+    begins = next((i for i in fitting if _filled(rows[i], likely, decimal) >= 2), 0)
+    keys = keys and not any(len(row) == width and any(row) and _NOTES.fullmatch(row[0]) for row in rows[:begins][-2:])
     data = [fit and not (keys and row[0]) and _in_place(row, clocks) for row, fit in zip(rows, fits, strict=True)]
     filled = [_filled(row, likely, decimal) if is_data else 0 for row, is_data in zip(rows, data, strict=True)]
     behind = {i: rows[j] for i, j in pairwise(fitting) if not filled[j]}

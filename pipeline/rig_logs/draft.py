@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.names import FILL_IN, check_name, slug, true_name
+from pipeline.names import FILL_IN, check_log_name, check_name, slug, true_name
 from pipeline.rig_logs.channel_roles import Role, Suggestion, suggested_unit
 from pipeline.rig_logs.experiments import Purpose, purpose_of, purposes
 from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspection
@@ -72,6 +72,7 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         "[logs]                                        # paths relative to this file",
         f"train = [{', '.join(map(quoted, train))}]",
         f"validation = [{', '.join(map(quoted, validation))}]  # {own}",
+        *_refused_names([*train, *validation]),
         "",
         "[channels]                                    # channel in the log, and the unit of its numbers",
     ]
@@ -86,6 +87,17 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     lines += _velocity_lines(first)
     # What a log holds is quoted where TOML reads it; in comments its control characters are written out, as here.
     return "\n".join(map(_plain_line, [*lines, "", *_plant_lines(first), *_ingest_lines(first)])) + "\n"
+
+
+def _refused_names(logs: Sequence[str]) -> list[str]:
+    """Why a run would refuse the names of logs."""
+    lines = []
+    for log in logs:
+        try:
+            check_log_name(log)
+        except ValueError as error:
+            lines.append(f"# {_plain(f'{error}')}")
+    return lines
 
 
 def _check_same_channels(inspections: Sequence[Inspection]) -> None:

@@ -161,6 +161,7 @@ class Hdf5Source(Source):
         self._entries: list[Entry] = []
         self._file = open_hdf5(path)
         self._filled = "_NCProperties" in self._file.attrs
+        self.notes += scales_among(self._file.attrs)
         others = {}
         for name, dataset in walk(self._file):
             for holder in (self._file, dataset.parent, dataset):

@@ -14,6 +14,8 @@ from pipeline.rig_logs.source import UnreadableLogError
 from pipeline.units import time_unit
 
 PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "valid_min", "valid_max", "valid_range")
+_MOST_NUMBERS = {"valid_range": 2, "valid_min": 1, "valid_max": 1}
+_KIND_BY_UNSIGNED = {"true": "u", "1": "u", "false": "i"}
 _FILLED = ("int16", "uint16", "int32", "uint32", "float32", "float64")
 """Types of which netCDF takes the value that stands where nothing was written for none."""
 _FILTERS = {
@@ -60,19 +62,19 @@ class Packing:
     stored, unpacked : (FloatArray, float, float)
         Missing values, and the smallest and largest valid one, of the stored numbers and of the values: limits are of
         the kind that their type is of.
-    unsigned : bool
-        Whether whole numbers are stored without a sign.
+    kind : str
+        That of whole numbers, "u" without a sign and "i" with it, where their type is of the other one; else "".
     """
 
     factor: float
     offset: float
     stored: tuple[NDArray[Any], float, float]
     unpacked: tuple[NDArray[Any], float, float]
-    unsigned: bool
+    kind: str
 
     def unpack(self, raw: NDArray[Any]) -> NDArray[np.float64]:
         """The values of stored numbers."""
-        numbers = raw.view(f"u{raw.dtype.itemsize}") if self.unsigned and raw.dtype.kind == "i" else raw
+        numbers = raw.view(f"{self.kind}{raw.dtype.itemsize}") if self.kind and raw.dtype.kind in "iu" else raw
         values = numbers.astype(np.float64) * self.factor + self.offset
         values[_not_valid(numbers, *self.stored) | _not_valid(values, *self.unpacked)] = np.nan
         return values
@@ -93,10 +95,10 @@ def packing_of(dataset: Any, column: int | None = None, *, filled: bool = False)
         An attribute of packing is no number.
     """
     given = {name: _numbers(dataset, name) for name in PACKING if name in dataset.attrs}
-    unsigned = str(plain(dataset.attrs.get("_Unsigned", ""))).casefold() == "true"
+    kind = _KIND_BY_UNSIGNED.get(str(plain(dataset.attrs.get("_Unsigned", ""))).casefold(), "")
     if filled and dataset.dtype.name in _FILLED and "_FillValue" not in given:
         given["_FillValue"] = np.ravel(dataset.fillvalue)
-    if not given and not unsigned:
+    if not given and not kind:
         return None
     factor, offset = (
         _scalar(given.get(name, [empty]), name, column) for name, empty in zip(PACKING[:2], (1.0, 0.0), strict=True)
@@ -112,7 +114,7 @@ def packing_of(dataset: Any, column: int | None = None, *, filled: bool = False)
         if dataset.dtype.kind == "f":
             missing = missing.astype(dataset.dtype)
         limits.append((missing, float(low), float(high)))
-    return Packing(factor, offset, limits[0], limits[1], unsigned)
+    return Packing(factor, offset, limits[0], limits[1], kind)
 
 
 def described(dataset: Any) -> str:
@@ -128,8 +130,9 @@ def _numbers(dataset: Any, name: str) -> NDArray[Any]:
         numbers = value if value.dtype.kind in "iuf" else value.astype(np.float64)
     except (ValueError, TypeError):
         raise UnreadableLogError(f"{name} = {plain(dataset.attrs[name])} is no number") from None
-    if not numbers.size:
-        raise UnreadableLogError(f"{name} is empty")
+    most = _MOST_NUMBERS.get(name, numbers.size)
+    if not numbers.size or numbers.size > most or (name == "valid_range" and numbers.size != most):
+        raise UnreadableLogError(f"{name} has {numbers.size} numbers")
     return numbers
 
 

@@ -109,7 +109,7 @@ class MatSource(Source):
             advice = _WAYS_OUT.get(value.kind, "save its vectors as variables of their own").replace("NAME", name)
             self.texts[name] = f"a MATLAB {value.kind}: {advice}"
         elif isinstance(value, str) and value:
-            self.texts[name] = "text"
+            self.texts[name] = f"the text {value[:40]!r}"
         elif isinstance(value, MatArray):
             self._note_scalar(name, value, second)
             if value.is_vector:
@@ -135,7 +135,8 @@ class MatSource(Source):
             info = members.get(f"{field}Info")  # as of a timeseries that was saved as a struct
             unit = text_of(
                 info.get(0, "Units") if is_struct(info) else
-                units.get(0, field) if is_struct(units) else "" if several and is_called("time", field) else units
+                units.get(0, field) if is_struct(units) else
+                members.get("TimeUnit") if several and is_called("time", field) else units
             )  # fmt: skip
             for channel in self._plain(f"{place}.{field}", member, depth, second):
                 own = replace(channel.entry, unit=channel.entry.unit or unit.strip())

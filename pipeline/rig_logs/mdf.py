@@ -147,11 +147,12 @@ class MdfSource(Source):
 
     def _clock(self, name: str, group: int, unit: str, kind: str) -> str:
         """Note what a group's master is if it does not count seconds; the unit in which it is read."""
-        factor = SECONDS.get(time_unit(unit), 1.0)
+        factor = SECONDS.get(time_unit(unit)) if unit.strip() else 1.0
+        kind = kind or ("" if factor else f"in {unit}")
         if kind:
             self._timeless.add(group)
             self.notes.append(f"{name!r} is {kind} and no time: its channels need a [channels] time")
-        elif factor != 1.0:
+        elif factor is not None and factor != 1.0:
             self._factors[group] = factor
             self.notes.append(f"{name!r} counts in {unit} and is read in s")
         return unit if kind else "s"

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.parquet as pq
@@ -13,8 +14,8 @@ from numpy.typing import NDArray
 from pipeline.arrow_columns import doubles
 from pipeline.rig_logs.attributes import is_unit, plain, rates_among, scales_among, unit_among
 from pipeline.rig_logs.source import (
-    EXACT,
     PART,
+    Counted,
     Entry,
     Source,
     UnreadableLogError,
@@ -67,18 +68,14 @@ class ParquetSource(Source):
 
     def parts(self, names: Sequence[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns as numbers, NaN where they are null; time stamps as seconds since the first one."""
+        counted = Counted()
         for name in names:
-            kind = self._fields[name].type
             try:
-                if pa.types.is_timestamp(kind) or pa.types.is_integer(kind):
-                    yield from self._since_first(name, kind)
-                    continue
                 for column in self._chunks(name):
-                    ticks = column.cast(pa.int32()) if pa.types.is_time32(kind) else column
-                    numbers = ticks.cast(pa.int64()) if _is_span(kind) else ticks
-                    yield name, doubles(numbers.cast(pa.float64())) / (_PER_SECOND[kind.unit] if _is_span(kind) else 1)
+                    yield name, _numbers(name, column, counted)
             except (pa.ArrowInvalid, OSError) as error:
                 raise UnreadableLogError(f"column {name!r}: {error}") from error
+        self.notes += counted.notes()
 
     def _chunks(self, label: str) -> Iterator[Any]:
         """A column in chunked arrays; a row group may be as large as the log, so it is not read at once."""
@@ -91,20 +88,18 @@ class ParquetSource(Source):
                 column = pc.struct_field(column, [key])
             yield pa.chunked_array([column])
 
-    def _since_first(self, name: str, kind: Any) -> Iterator[tuple[str, NDArray[Any]]]:
-        """Time stamps, and whole numbers too large for float64, as differences from the first one."""
-        stamps, origin = pa.types.is_timestamp(kind), None
-        for column in self._chunks(name):
-            ticks = column.cast(pa.int64(), safe=False)
-            if origin is None and len(filled := column.drop_null()):
-                origin = filled[0].value if stamps else filled[0].as_py()
-                if not stamps and abs(origin) <= EXACT:
-                    origin = 0
-                elif stamps or origin:
-                    self.notes.append(f"{'time of ' if stamps else ''}{name!r} counts from {filled[0]}")
-            wrapped = ((origin or 0) + (1 << 63)) % (1 << 64) - (1 << 63)  # as the cast does with numbers without sign
-            numbers = doubles(pc.subtract(ticks, wrapped).cast(pa.float64(), safe=False))
-            yield name, numbers / _PER_SECOND[kind.unit] if stamps else numbers
+
+def _numbers(name: str, column: Any, counted: Counted) -> NDArray[Any]:
+    """The samples of a part of a column."""
+    kind = column.type
+    if not _is_time(kind) and not pa.types.is_integer(kind):
+        return doubles(column.cast(pa.float64()))
+    if pa.types.is_time(kind):
+        ticks = column.cast(pa.int32() if pa.types.is_time32(kind) else pa.int64())
+        column = ticks.cast(pa.int64()).cast(pa.duration(kind.unit))
+    samples, is_filled = np.full(len(column), np.nan), column.is_valid().to_numpy()
+    samples[is_filled] = counted(name, column.drop_null().to_numpy())
+    return samples
 
 
 def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str, tuple[str, ...], Any]]:
@@ -119,7 +114,6 @@ def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str,
 
 
 _DEEPEST = 8
-_PER_SECOND = {"s": 1.0, "ms": 1e3, "us": 1e6, "ns": 1e9}
 
 
 def _is_read(kind: Any) -> bool:
@@ -128,12 +122,7 @@ def _is_read(kind: Any) -> bool:
 
 def _is_time(kind: Any) -> bool:
     """Whether a column holds time stamps, durations, or times of day, which are read in s."""
-    return bool(pa.types.is_timestamp(kind)) or _is_span(kind)
-
-
-def _is_span(kind: Any) -> bool:
-    """Whether a column holds durations, or times of day."""
-    return bool(pa.types.is_duration(kind) or pa.types.is_time(kind))
+    return any(holds(kind) for holds in (pa.types.is_timestamp, pa.types.is_duration, pa.types.is_time))
 
 
 def _is_number(kind: Any) -> bool:

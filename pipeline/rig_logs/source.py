@@ -184,14 +184,21 @@ class Counted(dict[str, Any]):
             samples = samples - (self.setdefault(name, stamps[0]) if stamps.size else self.get(name, samples[:1]))
         if samples.dtype.kind == "m":
             return samples / np.timedelta64(1, "s")
-        if samples.dtype.kind in "iu" and samples.size and (name in self or abs(int(samples[0])) > EXACT):
-            origin = np.uint64(self.setdefault(name, int(samples[0])) % (1 << 64))
-            return (samples.astype(np.uint64) - origin).view(np.int64)
-        return samples
+        if samples.dtype.kind not in "iu" or samples.dtype.itemsize < 8 or not samples.size:
+            return samples
+        ends = np.iinfo(samples.dtype)  # which stand for no value, mostly, as in place of NaN
+        counts = samples[(samples != ends.min) & (samples != ends.max)]
+        if counts.size:
+            self.setdefault(name, int(counts[0]) if abs(int(counts[0])) > EXACT else 0)
+        if not (origin := self.get(name, 0)):
+            return samples
+        near = (samples.astype(np.uint64) - np.uint64(origin % (1 << 64))).view(np.int64)
+        far = samples.astype(np.float64) - float(origin)
+        return np.where(np.abs(far) < EXACT, near, far)
 
     def notes(self) -> list[str]:
         """From what the channels count."""
-        return [f"{name!r} counts from {origin}, its first sample" for name, origin in self.items()]
+        return [f"{name!r} counts from {origin}, its first sample" for name, origin in self.items() if origin != 0]
 
 
 def left_out(texts: Mapping[str, str]) -> list[str]:

@@ -82,6 +82,8 @@ def not_written(path: Path, error: OSError) -> InputError:
     """That a file could not be written, and why."""
     if isinstance(error, FileExistsError | NotADirectoryError):
         return InputError(f"{path}: cannot be written: a file is in the way of a folder; name another place")
+    if isinstance(error, FileNotFoundError) and not error.filename:  # that of the current folder is looked for
+        return InputError("the current folder was deleted; change into another one")
     length = len(str(path.absolute())) + _ADDED
     if error.errno == errno.ENAMETOOLONG or (isinstance(error, FileNotFoundError) and length > _LONGEST_PATH):
         return InputError(f"{path}: cannot be written: the path is too long for this system; use a shorter folder")

@@ -165,7 +165,7 @@ def written_files(folder: Path) -> dict[str, Any]:
 def _named_by(path: Path) -> Path | None:
     """A settings file beside the file, above it, or in the current folder that names it as a log."""
     folder = path.parent.absolute()
-    for place in dict.fromkeys((folder, folder.parent, Path.cwd())):
+    for place in (folder, folder.parent, Path()):
         for settings in sorted(place.glob("*.toml"))[:_MOST_SETTINGS]:
             try:
                 logs = read_toml(settings)["logs"]

@@ -205,6 +205,18 @@ def test_threads_of_blas_are_set_whatever_the_environment_says():
     assert _told(program) == _told(program, **dict.fromkeys(ONE_THREAD, "2"))
 
 
+def test_figures_and_the_compiler_are_settled_whatever_the_environment_says(tmp_path):
+    (tmp_path / "matplotlibrc").write_text("axes.xmargin: 0.4\ntext.usetex: True\n")
+    program = (
+        "from pipeline.machine import import_configured, settle_machine; settle_machine(); import os; "
+        "rc = import_configured('matplotlib').rcParams; print(rc['axes.xmargin'], rc['text.usetex']); "
+        "print(import_configured('numba').config.DISABLE_JIT)"
+    )
+    own = {"MPLBACKEND": "none such", "MPLCONFIGDIR": f"{tmp_path}", "NUMBA_DISABLE_JIT": "1"}
+    for named in (own, own | {"MATPLOTLIBRC": str(tmp_path / "matplotlibrc")}):
+        assert _told(program, **named).split() == ["0.05", "False", "0"]
+
+
 def test_threads_of_a_program_that_imports_debist_change_no_result_and_stay_its_own():
     """NumPy is loaded first, as in most notebooks."""
     program = (

@@ -375,7 +375,7 @@ def test_text_of_two_bytes_may_lack_its_mark(tmp_path, encoding):
 def test_a_single_column_says_to_join_the_files(form, header):
     with pytest.raises(UnreadableLogError, match=r"a single one; .* join them as columns of one file"):
         _find(header + "".join(f"{form.format(0.25 * i)}\n" for i in range(60)))
-    with pytest.raises(UnreadableLogError, match=r"no table .* found; if it is one, set \[ingest.csv\]"):
+    with pytest.raises(UnreadableLogError, match=r"no table .* in the first 2 rows; .* set \[ingest.csv\]"):
         _find("no numbers here\nat all\n")
 
 

@@ -130,7 +130,7 @@ def test_tektronix_files_state_their_units_old_ones_keep_their_former_names(tmp_
     assert {entry.name: entry.aliases for entry in source.entries()} == {"TIME": ("column 4",), "CH1": ("column 5",)}
 
 
-@pytest.mark.parametrize("delimiter", [";", "\t"])
+@pytest.mark.parametrize("delimiter", [";", "\t", " "])
 @pytest.mark.parametrize("decimal", [".", ","])
 @pytest.mark.parametrize("idle", [390, 600])
 def test_a_decimal_mark_behind_whole_numbers_is_seen(tmp_path, delimiter, decimal, idle):
@@ -200,12 +200,55 @@ def test_a_second_header_of_labview_does_not_hide_the_first(tmp_path):
         ("t,q,v\ndouble,double,double", ("t", "q", "v"), ("", "", "")),
         ("time,laser,hv\nt,q,v", ("time", "laser", "hv"), ("", "", "")),
         (", A, B\nFrequency, 1.0Hz, 1Hz\nIndex, A (mV), B (mV)", ("Index", "A", "B"), ("", "mV", "mV")),
+        ("s,mm,V\nt,q,v", ("t", "q", "v"), ("s", "mm", "V")),
+        ("rig A,,\n[s],[mm],[V]\nt,q,v", ("t", "q", "v"), ("s", "mm", "V")),
+        ("Number,Time,CH1\nNO.,ms,V", ("Number", "Time", "CH1"), ("NO.", "ms", "V")),
+        ("Time(s),CH1V,CH2V,t0 =-1s, tInc =2e-3,", ("Time", "CH1V", "CH2V"), ("s", "", "")),
     ],
 )
 def test_what_stands_above_the_data_is_taken_for_names_and_units_only_where_it_can_be(tmp_path, above, names, units):
     (tmp_path / "log.csv").write_text(f"{above}\n{_plain()}")
     entries = open_here(tmp_path / "log.csv").entries()
     assert (tuple(each.name for each in entries), tuple(each.unit for each in entries)) == (names, units)
+
+
+@pytest.mark.parametrize("name", ["Comment", "Bemerkung", ""])
+@pytest.mark.parametrize("note", ["start", "17 V", "3", "27.11.2026 10:15:00"])
+@pytest.mark.parametrize("units", ["", ",s,mm,V\n"])
+def test_notes_before_the_first_samples_are_no_keys_of_a_preamble(tmp_path, name, note, units):
+    rows = [f"{note if i in (0, 2) else ''},{row}" for i, row in enumerate(_plain().splitlines())]
+    (tmp_path / "log.csv").write_text("\n".join([f"rig A\n{name},t,q,v\n{units}{rows[0]}", *rows[1:]]) + "\n")
+    source = open_here(tmp_path / "log.csv")
+    np.testing.assert_array_equal(load(source, "q"), Q)
+    np.testing.assert_array_equal(load(source, "t"), np.round(TIME, 3))
+
+
+@pytest.mark.parametrize("comment", ["17", "10:15:00", "snap, left"])
+@pytest.mark.parametrize("row", [0, 5, 650])
+def test_a_comment_of_labview_may_be_a_number(tmp_path, comment, row):
+    rows = _plain("\t").splitlines()
+    rows[row] += f"\t{comment}"
+    (tmp_path / "log.lvm").write_text(LVM + "\n".join(rows) + "\n")
+    np.testing.assert_array_equal(load(open_here(tmp_path / "log.lvm"), "q"), Q)
+
+
+def test_words_behind_each_row_are_no_decimals(tmp_path):
+    (tmp_path / "log.csv").write_text("t,q,v\n" + _plain(end=",ok"))
+    np.testing.assert_array_equal(load(open_here(tmp_path / "log.csv"), "q"), Q)
+
+
+def test_a_long_preamble(tmp_path):
+    (tmp_path / "log.csv").write_text("# a line on the rig\n" * 450 + "t,q,v\n" + _plain())
+    np.testing.assert_array_equal(load(open_here(tmp_path / "log.csv"), "q"), Q)
+
+
+@pytest.mark.parametrize("row", [3, 400])
+def test_the_line_of_a_zero_byte_is_named(tmp_path, row):
+    rows = ["t,q,v", *_plain().splitlines()]
+    rows[row - 1] = "\0" + rows[row - 1]
+    (tmp_path / "log.csv").write_text("\r\n".join(rows))
+    with pytest.raises(UnreadableLogError, match=f"a zero byte in line {row}, .*repair or delete"):
+        open_here(tmp_path / "log.csv")
 
 
 def test_a_column_without_any_cell_is_named(tmp_path):
@@ -254,8 +297,8 @@ def test_the_line_of_a_damaged_cell_is_counted_with_the_empty_ones(tmp_path):
 
 
 def test_a_heading_longer_than_what_is_read_at_first(tmp_path):
-    names = ["t", "q", *(f"Model_Root_subsystem_{k:05d}_a_signal_name" for k in range(1600))]
-    (tmp_path / "log.csv").write_text(",".join(names) + "\n" + _rows("{:.3f},{:.4f}" + ",0" * 1600, TIME[:50], Q[:50]))
+    names = ["t", "q", *(f'"Model_Root_subsystem_{k:05d}_a_signal_name"' for k in range(3200))]
+    (tmp_path / "log.csv").write_text(",".join(names) + "\n" + _rows("{:.3f},{:.4f}" + ",0" * 3200, TIME[:50], Q[:50]))
     np.testing.assert_allclose(load(open_here(tmp_path / "log.csv"), "q"), Q[:50])
 
 

@@ -33,12 +33,35 @@ def _hdf5(path, attributes, raw=RAW):
         ({"valid_range": np.array([-9000, 2000], "i2")}, np.where((RAW < -9000) | (RAW > 2000), np.nan, RAW)),
         ({"valid_max": 0.0, "scale_factor": 0.1, "add_offset": 99.0}, np.where(RAW > -990, np.nan, RAW * 0.1 + 99.0)),
         ({"_Unsigned": "true"}, RAW.view("u2")),
+        ({"_Unsigned": np.int8(1)}, RAW.view("u2")),
     ],
 )
 def test_packed_numbers_are_unpacked_and_the_attributes_named(tmp_path, attributes, expected):
     source, q = _hdf5(tmp_path / "log.h5", attributes)
     np.testing.assert_allclose(q, expected, rtol=1e-12)
     assert all(name in source.notes[0] for name in attributes)
+
+
+def test_unsigned_bytes_may_be_declared_to_have_a_sign(tmp_path):
+    _, q = _hdf5(tmp_path / "log.h5", {"_Unsigned": "false"}, RAW.view("u2"))
+    np.testing.assert_array_equal(q, RAW)
+
+
+@pytest.mark.parametrize("name", ["valid_range", "valid_min", "valid_max"])
+@pytest.mark.parametrize("numbers", [[1, 2, 3], []])
+def test_limits_of_another_number_leave_the_channel_out(tmp_path, name, numbers):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file["v"] = V
+        file.create_dataset("q", data=RAW).attrs[name] = np.array(numbers, "i2")
+    source = open_here(tmp_path / "log.h5")
+    assert source.texts == {"q": f"{name} has {len(numbers)} numbers"} and source.entries()[0].name == "v"
+
+
+def test_a_scale_beside_all_channels_is_named(tmp_path):
+    with h5py.File(tmp_path / "log.h5", "w") as file:
+        file["q"], file["v"] = RAW, V
+        file.attrs["scale_factor"] = 0.001
+    assert "scale_factor = 0.001, not applied here" in open_here(tmp_path / "log.h5").notes[0]
 
 
 def test_columns_may_have_factors_of_their_own(tmp_path):
@@ -125,6 +148,18 @@ def test_a_master_of_mdf_that_is_no_time(tmp_path, kind, word):
     source = open_here(tmp_path / "log.mf4")
     assert {entry.time for entry in source.entries()} == {None}
     assert f"an {word}".replace("an d", "a d") in source.notes[0]
+
+
+def test_a_master_of_mdf_in_another_unit_is_no_time(tmp_path):
+    from asammdf import MDF, Signal
+
+    with MDF(version="4.10") as mdf:
+        mdf.append([Signal(Q, 1e3 * TIME, name="q")])
+        mdf.groups[0].channels[0].unit = "ticks"
+        mdf.save(tmp_path / "log.mf4", overwrite=True)
+    source = open_here(tmp_path / "log.mf4")
+    assert {entry.time for entry in source.entries()} == {None} and source.entries()[0].unit == "ticks"
+    assert "is in ticks and no time: its channels need a [channels] time" in source.notes[0]
 
 
 @pytest.mark.parametrize("version", ["3.30", "4.10"])
@@ -249,6 +284,22 @@ def test_whole_numbers_beyond_those_with_a_sign(tmp_path):
     for log in ("log.npz", "log.parquet"):
         np.testing.assert_array_equal(load(open_here(tmp_path / log), "t"), np.arange(400))
     assert open_here(tmp_path / "log.parquet").entries()[1].name == "column 2"
+
+
+@pytest.mark.parametrize("kind", ["i8", "u8"])
+@pytest.mark.parametrize("begin", [0, 1_700_000_000_123_456_789])
+@pytest.mark.parametrize("place", [0, 200, 399])
+def test_the_ends_of_whole_numbers_stay_there(tmp_path, kind, begin, place):
+    """They stand for missing values, mostly: no neighbour of the others, and none from which these count."""
+    counts = (begin + np.arange(400)).astype(kind)
+    counts[place] = np.iinfo(kind).min if kind == "i8" else np.iinfo(kind).max
+    expected = np.arange(400.0)
+    expected[place] = float(counts[place]) - begin
+    expected -= (begin > 0) * expected[int(place == 0)]
+    pq.write_table(pa.table({"t": counts, "q": Q}), tmp_path / "log.parquet")
+    np.savez(tmp_path / "log.npz", t=counts)
+    for log in ("log.npz", "log.parquet"):
+        np.testing.assert_array_equal(load(open_here(tmp_path / log), "t"), expected)
 
 
 def test_one_channel_that_cannot_be_read_leaves_the_others(tmp_path):

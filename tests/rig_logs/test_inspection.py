@@ -322,6 +322,13 @@ def test_draft_takes_the_step_of_a_slow_log_and_the_law_of_an_input_of_both_sign
     assert hardly["plant"]["inputs"] == "squared"  # the fan of a drone brakes for a moment
 
 
+@pytest.mark.parametrize("name", ["CON.csv", "rig:1.csv", "log..csv", "a\tb.csv"])
+def test_draft_tells_what_a_run_will_say_of_a_log_s_name(tmp_path, name):
+    t = np.arange(100.0)
+    draft = toml_draft([inspect_log(_csv(tmp_path / name, "t [s],q [mm],v [V]", t, np.sin(t), np.cos(t)))])
+    assert "is no usable name" in draft and tomllib.loads(draft)["logs"]["train"] == [name]
+
+
 @pytest.mark.parametrize(
     ("file", "name"),
     [
