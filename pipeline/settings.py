@@ -97,6 +97,15 @@ class Ingest(SettingsTable):
     csv: Csv = Csv()
     """How to read CSV logs."""
 
+    @model_validator(mode="after")
+    def _record_is_finer(self) -> "Ingest":
+        if "record_interval" in self.model_fields_set and self.record_interval > self.sample_interval:
+            raise ValueError(
+                f"record_interval is {self.record_interval:g} s, but sample_interval {self.sample_interval:g} s: the "
+                "record is the finer one"
+            )
+        return self
+
 
 class Differentiate(SettingsTable):
     """From displacement to velocity and acceleration."""

@@ -39,12 +39,13 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d.update(identify={"basis_function": 3}), ["'identify.basis_function'", "'basis_functions'"]),
         (lambda d: d.update(ingest={"csv": {"delimeter": ";"}}), ["'ingest.csv.delimeter'", "'delimiter'"]),
         (lambda d: d.update(ingest={"zzz": 1}), ["'ingest.zzz'", "known here", "sample_interval"]),
+        (lambda d: d.update(ingest={"record_interval": 0.02}), ["ingest", "record_interval is 0.02 s", "finer"]),
         (lambda d: d.pop("logs"), ["'logs' is missing"]),
         (lambda d: d["channels"]["q"].pop("unit"), ["'channels.q.unit' is missing"]),
         (lambda d: d["logs"].update(train=[]), ["logs.train"]),
         (lambda d: d.update(name="../x"), ["name", "'../x'"]),
         (lambda d: d.update(name=".."), ["'..'"]),
-        (lambda d: d.update(name="con"), ["reserved"]),
+        (lambda d: d.update(name="con"), ["keep it for a device"]),
         (lambda d: d["logs"].update(train=["a/b*c.mat"]), ["'b*c'", "rename"]),
         (lambda d: d["logs"].update(train=["a.mat", "b/a.csv"]), ["logs.train", "'a'"]),
         (lambda d: d.update(differentiate={"alpha": -1.0}), ["differentiate.alpha", "positive"]),
@@ -131,6 +132,10 @@ def test_no_number_is_out_of_its_bounds(key: str, value: Any) -> None:
     document = GOOD | {"plant": {"mass": {"value": 1.0, "unit": "kg"}}} | {part: NUMBERS[part] | {name: given}}
     with pytest.raises(InputError, match=key.replace(".", r"\.")):
         parse_prototype(document, "P1.toml")
+
+
+def test_a_record_left_out_is_as_fine_as_the_samples() -> None:
+    assert parse_prototype(GOOD | {"ingest": {"sample_interval": 1e-4}}, "P1.toml").ingest.sample_interval == 1e-4
 
 
 @pytest.mark.parametrize(
