@@ -111,27 +111,30 @@ def refuse_training_as_validation(prototype: Prototype, prototype_file: Path) ->
     Raises
     ------
     InputError
-        One does: as a link, a copy or by another path, as a whole or in parts that overlap.
+        One does: as a link, a copy or by another path, as a whole or in parts that overlap. Or a log cannot be read.
 
     Notes
     -----
     Cost: only logs of equal size are hashed.
     """
-    raw = layout.raw_logs(prototype, prototype_file)
-    train, validation = raw[: len(prototype.logs.train)], raw[len(prototype.logs.train) :]
-    sizes = [(*log, log[1].stat().st_size) for log in train]
-    for log, path, span in validation:
-        size = path.stat().st_size
-        for other, place, its_span, its_size in sizes:
-            if size != its_size or max(span[0], its_span[0]) >= min(span[1], its_span[1]):
-                continue
-            if path.samefile(place) or file_sha256(path) == file_sha256(place):
-                whole = math.isinf(span[0]) and math.isinf(span[1]) and span == its_span
-                raise InputError(
-                    f"{prototype_file}: logs.validation: {log!r} has {'the content' if whole else 'samples'} of the "
-                    f"training log {other!r}; validate on a {'log' if whole else 'part'} of its own, or leave "
-                    "logs.validation empty"
-                )
+    try:
+        raw = layout.raw_logs(prototype, prototype_file)
+        train, validation = raw[: len(prototype.logs.train)], raw[len(prototype.logs.train) :]
+        sizes = [(*log, log[1].stat().st_size) for log in train]
+        for log, path, span in validation:
+            size = path.stat().st_size
+            for other, place, its_span, its_size in sizes:
+                if size != its_size or max(span[0], its_span[0]) >= min(span[1], its_span[1]):
+                    continue
+                if path.samefile(place) or file_sha256(path) == file_sha256(place):
+                    whole = math.isinf(span[0]) and math.isinf(span[1]) and span == its_span
+                    raise InputError(
+                        f"{prototype_file}: logs.validation: {log!r} has {'the content' if whole else 'samples'} of "
+                        f"the training log {other!r}; validate on a {'log' if whole else 'part'} of its own, or leave "
+                        "logs.validation empty"
+                    )
+    except OSError as error:
+        raise InputError(unreadable_source(Path(error.filename or prototype_file), error)) from error
 
 
 @dataclass(frozen=True)

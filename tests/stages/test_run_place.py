@@ -1,6 +1,8 @@
 """A run folder belongs to a prototype; what is wrong is known before any work; an edit is told by every command."""
 
+import errno
 import json
+import os
 import shutil
 from pathlib import Path
 
@@ -8,6 +10,9 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.errors import InputError
+from pipeline.settings import load_prototype
+from pipeline.stages.run_place import refuse_training_as_validation
 from tests.faults.small_run import write_prototype
 
 RUNNER = CliRunner()
@@ -179,3 +184,18 @@ def test_names_of_any_script_work_end_to_end(small: tuple[Path, Path], tmp_path:
     assert "Prüflauf [2]" in shown and "Prueflauf-2" not in shown
     shown = RUNNER.invoke(app, ["validate", str(run), "-q", "--details"]).stdout
     assert "Training α (1)" in shown and "Training-alpha-1" not in shown
+
+
+def test_a_log_whose_disk_fails_before_any_work_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    prototype_file = write_prototype(tmp_path)
+
+    def failing(path: Path, other: Path) -> bool:
+        raise OSError(errno.EIO, os.strerror(errno.EIO), str(path))
+
+    monkeypatch.setattr(Path, "samefile", failing)
+    prototype = load_prototype(prototype_file)
+    prototype = prototype.model_copy(
+        update={"logs": prototype.logs.model_copy(update={"validation": prototype.logs.train})}
+    )
+    with pytest.raises(InputError, match=r"train\.csv: cannot be read: Input/output error"):
+        refuse_training_as_validation(prototype, prototype_file)
