@@ -49,13 +49,9 @@ def inner(function: Kernel, **options: Any) -> Kernel:
     return compiled(no_cpython_wrapper=True, **options)(function)
 
 
-WITHOUT_ARRAYS: Any = {"_nrt": False}
-"""Options of a kernel that makes no array: it need not count who holds those that it is given, which takes code."""
-
-
 def part(function: Kernel) -> Kernel:
-    """An `inner` function that makes no array, which the optimiser puts into what calls it."""
-    return inner(function, forceinline=True, **WITHOUT_ARRAYS)
+    """An `inner` function that the optimiser puts into what calls it."""
+    return inner(function, forceinline=True)
 
 
 def shared(function: Kernel) -> Kernel:

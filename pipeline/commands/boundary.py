@@ -4,6 +4,7 @@ import errno
 import inspect
 import io
 import os
+import re
 import signal
 import sys
 import traceback
@@ -113,6 +114,7 @@ class ErrorBoundary(WholeLines):
         _warned.clear()
         try:
             with warnings.catch_warnings():
+                warnings.filterwarnings("always", re.escape(WARNING))  # whatever PYTHONWARNINGS asks for
                 warnings.showwarning = _show_warning  # type: ignore[assignment]
                 return super().main(*arguments, **options)
         except MemoryError:

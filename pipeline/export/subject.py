@@ -87,7 +87,7 @@ class Subject:
     origin : str
         Content hash of the artifact that holds the model.
     t, v : FloatArray, shapes (N,), (N, K)
-        Time [s] and voltages [V] of a log, validation first: the check that travels along.
+        Time [s] from zero and voltages [V] of a log, validation first: the check that travels along.
     start : (float, float)
         Displacement and velocity at its first sample.
     curve_units : mapping of str to str

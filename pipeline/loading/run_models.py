@@ -141,18 +141,29 @@ def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None
 
 def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
     """A model of the run, the headline if none is named, and what travels along with it."""
-    from pipeline.export.subject import Subject
-
     chosen, artifact = model_artifact(run, prototype, name)
     model, check = load_run_model(run, prototype, chosen), _check_log(run, prototype)
+    logs, origin = training_tables(run, prototype), run.record(artifact).content_hash
+    return subject_on(check, model, prototype, logs, chosen, origin)
+
+
+def subject_on(
+    check: Table, model: DynamicModel, prototype: Prototype, logs: Sequence[Table], name: str, origin: str
+) -> "Subject":
+    """A model called `name`, identified from the kinematics of `logs`, with the log `check` that travels along.
+
+    The clock of that log begins at zero, as an exported model does: `hybrid` takes a later one for time in use.
+    """
+    from pipeline.export.subject import Subject
+
     start = start_of(check, model)
     return Subject(
         prototype=prototype.name,
-        name=chosen,
+        name=name,
         model=model,
-        validity=validity_of(training_tables(run, prototype), prototype),
-        origin=run.record(artifact).content_hash,
-        t=start.t,
+        validity=validity_of(logs, prototype),
+        origin=origin,
+        t=start.t - start.t[0],
         v=voltages(check),
         start=(start.q0, start.qdot0),
         curve_units=device(prototype).curve_units,

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from pipeline.compiled import WITHOUT_ARRAYS, compiled, inner
+from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray
 
 
@@ -94,7 +94,7 @@ def effective_parameters(t: FloatArray, lam: FloatArray, delta: float, order: in
     return float(_determined(t, lam, delta, start_covariance(difference_weights(order), 1.0), *room))
 
 
-@compiled(**WITHOUT_ARRAYS)
+@compiled
 def _determined(
     t: FloatArray, lam: FloatArray, delta: float, covariance: FloatArray, gains: FloatArray, adjoint: FloatArray,
     product: FloatArray,

@@ -32,7 +32,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import WITHOUT_ARRAYS, compiled
+from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.tv_chain import advance_covariance, difference_weights, start_covariance
 
@@ -107,7 +107,7 @@ def within_bounds(longest: float, p: float, dp: float) -> float:
     return room / size if room < longest * size else longest
 
 
-@compiled(**WITHOUT_ARRAYS)
+@compiled
 def newton_step(
     at: Iterate, step: NewtonStep, delta: float, gamma: float, first_variance: float
 ) -> tuple[float, float]:
@@ -200,7 +200,7 @@ def _smooth(at: Iterate, step: NewtonStep, delta: float, gamma: float) -> tuple[
     return a0, a1, longest, variation, misfit
 
 
-@compiled(**WITHOUT_ARRAYS)
+@compiled
 def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> float:
     """Objective at ``(y, t) + share (dy, dt)`` less its value ``lam delta`` per difference for a straight line."""
     b, y, t, _, _, lam = at
@@ -214,7 +214,7 @@ def objective(at: Iterate, step: NewtonStep, share: float, delta: float) -> floa
     return variation + 0.5 * misfit
 
 
-@compiled(**WITHOUT_ARRAYS)
+@compiled
 def advance(at: Iterate, step: NewtonStep, primal: float, dual: float, delta: float) -> float:
     """Add `primal` times the step to y and t, and `dual` times the step to q and p, in place; return the duality gap.
 
@@ -260,7 +260,7 @@ def newton_step_high_order(
     return float(longest), float(objective_after)
 
 
-@compiled(**WITHOUT_ARRAYS)
+@compiled
 def _step_of_chain(
     at: Iterate, step: NewtonStep, delta: float, first_variance: float, start: FloatArray, cov: FloatArray,
     room: FloatArray,

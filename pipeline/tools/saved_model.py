@@ -11,8 +11,7 @@ import numpy as np
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.subject import Exported, Subject, Validity
 from pipeline.loading.device import device
-from pipeline.loading.free_runs import start_of
-from pipeline.loading.run_models import validity_of
+from pipeline.loading.run_models import subject_on
 from pipeline.loading.trajectories import longest_rows, part
 from pipeline.models.kind import StoredModel, model_from_tree
 from pipeline.models.model_file import ModelFile, Sizes, Span, Table
@@ -22,7 +21,6 @@ from pipeline.runs.hashing import tree_hash
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.trees import read_tree, write_tree
 from pipeline.settings import Prototype, parse_prototype
-from pipeline.signals.trajectory import voltages
 from pipeline.tools.export import MODELS, write_model
 
 _CHECK = "check"
@@ -54,11 +52,7 @@ class _File(ModelFile):
 def subject_of(model: StoredModel, prototype: Prototype, logs: Sequence[tables.Table]) -> Subject:
     """A model that was identified from kinematics, with its bounds; an export is checked on the first log."""
     check = part(logs[0], longest_rows(logs[0]))
-    start = start_of(check, model)
-    return Subject(
-        prototype.name, model.name, model, validity_of(logs, prototype), tree_hash(model.to_tree()), start.t,
-        voltages(check), (start.q0, start.qdot0), device(prototype).curve_units,
-    )  # fmt: skip
+    return subject_on(check, model, prototype, logs, model.name, tree_hash(model.to_tree()))
 
 
 def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:

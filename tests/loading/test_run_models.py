@@ -1,15 +1,19 @@
 """Which models a run holds, and why the headline was chosen."""
 
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pipeline.errors import InputError
 from pipeline.loading.report_data import choice_facts
-from pipeline.loading.run_models import compared_models, identified_models, model_artifact
+from pipeline.loading.run_models import compared_models, identified_models, model_artifact, subject_on
+from pipeline.models.hybrid.parameters import NAMES
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
+from tests.export.joints import hybrid, pulses
 
 CHANNELS = {name: {"channel": name, "unit": unit} for name, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}
 
@@ -53,3 +57,19 @@ def test_the_report_says_why_with_its_interval() -> None:
     assert told["held-out error of hybrid [%]"] == pytest.approx(3.0)
     assert "1.00 to 3.00 % of the range" in told.values()
     assert choice_facts(choice, "rbf-paper") == {} == choice_facts(None, "rbf")
+
+
+def test_an_export_does_not_depend_on_the_clock_of_its_log(run: tuple[RunFolder, Prototype]) -> None:
+    """A joint softens while it is used; its log may begin at any time of the recorder."""
+    model = hybrid(centres=0)
+    theta = model.theta.copy()
+    theta[NAMES.index("softening")] = 3.0
+    model, (t, v) = replace(model, theta=theta), pulses(4.0)
+    path = model.simulate(t, v, -0.0105, 0.0)
+    table = {"t": t, "q": path.q, "qdot": path.qdot, "qddot": path.qddot, "v1": v[:, 0], "v2": v[:, 1]}
+    table |= {"segment": np.zeros(len(t), dtype=np.int64)}
+    late = table | {"t": t + 12.345}
+    subjects = [subject_on(each, model, run[1], [each], "hybrid", "origin") for each in (table, late)]
+    runs = [model.simulate(each.t, each.v, *each.start).q for each in subjects]
+    assert np.abs(runs[1] - runs[0]).max() < 1e-9
+    assert np.abs(model.simulate(late["t"], v, *subjects[1].start).q - runs[0]).max() > 1e-5

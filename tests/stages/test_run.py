@@ -84,7 +84,6 @@ def test_a_second_run_changes_nothing(demo: tuple[Path, Path]) -> None:
     assert all(task.up_to_date for task in run_status(demo[1]) if task.stage != "report")
 
 
-@pytest.mark.filterwarnings("default:debist")
 def test_changed_settings_reach_the_later_stages(copy: tuple[Path, Path], tmp_path: Path) -> None:
     """Even where the stage that reads the settings file has nothing to do. Results of before the change are named."""
     prototype, run = copy

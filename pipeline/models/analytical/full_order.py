@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import WITHOUT_ARRAYS, compiled, part
+from pipeline.compiled import compiled, part
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import dissipation, motion, motion_slopes, statics
@@ -369,7 +369,7 @@ def integrate(drive: Inputs, x0: FloatArray, p: FloatArray, scale: FloatArray, r
     return _integrate(t, motion, working(6, 1), scale, reach, solution)
 
 
-@compiled(nogil=True, **WITHOUT_ARRAYS)
+@compiled(nogil=True)
 def _integrate(t: FloatArray, s: _Motion, work: Work, scale: FloatArray, reach: float, solution: Solution) -> int:
     p, x, f0 = s.p, s.x, s.f0
     states, rates, counts = solution

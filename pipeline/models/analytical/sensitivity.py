@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
-from pipeline.compiled import WITHOUT_ARRAYS, compiled, inner
+from pipeline.compiled import compiled, inner
 from pipeline.generated.analytical_joint import MOTION, motion_slopes
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.inner_loops import copy_into
@@ -158,7 +158,7 @@ def _stage(system: _Variation, stage: int, h: float, work: Work) -> bool:
     return True
 
 
-@compiled(nogil=True, **WITHOUT_ARRAYS)
+@compiled(nogil=True)
 def integrate_sensitivities(
     t: FloatArray, system: _Variation, x: FloatArray, work: Work, count: int, out: FloatArray
 ) -> None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.compiled import WITHOUT_ARRAYS, compiled
+from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid.columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
 from pipeline.models.hybrid.kernels import CURVES, VALUES, table_span, tabulate
@@ -148,7 +148,7 @@ def _unit(count: int, i: int) -> FloatArray:
     return unit
 
 
-@compiled(fastmath=FAST, **WITHOUT_ARRAYS)
+@compiled(fastmath=FAST)
 def _run(system: Joints, x: FloatArray, h: float, work: FloatArray, points: FloatArray, slips: FloatArray) -> None:
     """States at all stages (steps + 1, 4, STATES), and stop operators at the start of each step; x moves to the end."""
     y, dx, total, acceleration, first = work[0], work[1], work[2], work[3, :1], work[4, :1]

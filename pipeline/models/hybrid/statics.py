@@ -147,7 +147,7 @@ def substeps(k: FloatArray, basis: FloatArray, weights: FloatArray, dt: float, s
     """Runge-Kutta steps in a sample interval of `dt` [s] for joints k (B, n) or (n,), weights (B, 9, M) or (9, M).
 
     Runge-Kutta 4 must not let grow what decays at rest, |q| ≤ l/4, without voltage. The longest step is meant for the
-    parameter set's joint; these are `slowness` times slower. Cost: 0.3 ms a joint.
+    parameter set's joint; these are `slowness` times slower. Cost: 0.6 ms a joint.
     """
     many, loads = np.atleast_2d(k), weights if weights.ndim == 3 else weights[None]
     pairs = zip(many, prepare(many), loads, strict=True)
