@@ -12,6 +12,7 @@ from pipeline.checks.undriven_starts import undriven_starts
 from pipeline.checks.weak_form import (
     FORCE_ORDER,
     GAIN_TERMS,
+    HALF_WIDTH,
     LogSignals,
     WeakTerms,
     scales_of,
@@ -93,9 +94,11 @@ def input_facts(terms: WeakTerms, sample_interval: float) -> tuple[InputFacts | 
         best[i] = offsets[int(np.argmin(errors.sum(axis=1)))]
         delays.append(_minimum(errors, offsets.astype(np.float64) * terms.interval))
     usual, pushes, late = limits.HARDLY * terms.scales.size * rms(terms.inertia), _pushes(terms), _pushes(terms, best)
-    if not _acts(late, driven):
-        unsure = reach * step * terms.interval
-        delays = [(replace(delay, error=unsure), at_the_end) for delay, at_the_end in delays]
+    acts, unsure = _acts(late, driven), reach * step * terms.interval
+    delays = [
+        each if acts and _is_abrupt(terms, i, sample_interval) else (replace(each[0], error=unsure), each[1])
+        for i, each in enumerate(delays)
+    ]
     return tuple(
         InputFacts(push, abs(push.value) + limits.SIGN_CERTAINTY * push.error < usual, *delay) if on else None
         for push, delay, on in zip(pushes, delays, driven, strict=True)
@@ -107,6 +110,14 @@ def _acts(pushes: Sequence[Estimate], driven: Sequence[bool]) -> bool:
     acting = [push for push, on in zip(pushes, driven, strict=True) if on]
     sure = all(abs(push.value) > limits.SIGN_CERTAINTY * push.error for push in acting)
     return sure and (len(acting) < 2 or min(push.value for push in acting) < 0.0 < max(push.value for push in acting))
+
+
+def _is_abrupt(terms: WeakTerms, i: int, sample_interval: float) -> bool:
+    """Whether an input changes abruptly; a slow smooth one acts at any time alike, but for its weights."""
+    step = samples_of(0.5 * HALF_WIDTH * sample_interval, terms.interval)
+    drive = terms.push[terms.rows[0] : terms.rows[-1], i, 0]
+    changes = drive[step:] - drive[:-step]
+    return rms(changes[step:] - changes[:-step]) > limits.ABRUPT * rms(changes)
 
 
 def _scan(terms: WeakTerms, base: IntArray, moved: "range | tuple[int, ...]", offsets: IntArray) -> FloatArray:

@@ -51,6 +51,20 @@ def test_two_sides_that_are_on_in_turn_are_not_told_apart(charging: float, clock
     assert _remarkable(check_logs([log], JOINT)) == []
 
 
+@pytest.mark.parametrize("frequency", [0.25, 0.5])
+def test_slow_triangles_show_no_delay(frequency: float) -> None:
+    """A slow smooth input acts at any time alike; pulses as late are noted."""
+    t = np.arange(round(30.0 * RATE)) / RATE
+    turns, place = np.divmod(np.maximum(t - 1.0, 0.0) * frequency, 1.0)
+    triangle = 3000.0 * (1.0 - np.abs(2.0 * place - 1.0))
+    slow = np.column_stack([triangle * (turns % 2 == side) for side in (0, 1)])
+    pulses = _run(motion(30.0, RATE, 35)[2], "train/a")
+    later = replace(pulses, v=np.roll(pulses.v, -20, axis=0), name="train/b")
+    for logs, states in (([_run(slow, "a", 0.005), pulses], {"ok"}), ([later], {"note"})):
+        rows = check_logs(logs, JOINT)
+        assert {row.state for row in rows if row.what.startswith(("delay", "answer"))} == states
+
+
 def test_delays_behind_slow_electrodes_are_of_the_excitation_and_not_of_the_clock() -> None:
     pulses = motion(30.0, RATE, 35)[2]
     logs = [_run(pulses, "train/a", 0.05), _run(_in_turn(30.0, 0.5, 2), "train/b", 0.05)]
