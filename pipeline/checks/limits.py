@@ -11,7 +11,7 @@ NOTED_DELAY = 1.4
 
 ABRUPT = 0.63
 """Change of an input's rate over the change of the input itself, both over 25 ms of its averages, above which its delay
-is judged. On 9 joints triangles and half-sines up to 2 Hz have at most 0.5, all excitations of the rig 0.87 and more."""
+is judged. On 9 joints triangles and half-sines up to 2 Hz have at most 0.5, excitations of the rig 0.87 and more."""
 
 TURN, WRAPPED = 0.7, (0.9, 1.1)
 """Share of the range of an angle that it runs through within three samples where it wraps, and that range in turns: one

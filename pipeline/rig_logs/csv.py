@@ -15,11 +15,12 @@ from pipeline.rig_logs.csv_cells import (
     NUMBER,
     STAMP,
     SWITCH,
+    is_before_decimals,
     is_behind,
     is_stamp,
     is_value,
     is_word,
-    mark_is_open,
+    leaves_mark_open,
     no_number,
     plain_number,
     plain_row,
@@ -158,7 +159,10 @@ class CsvSource(Source):
                     new = samples[max(0, rows[name] - read[name]) :]
                     read[name] += samples.size
                     rows[name] += new.size
-                    if name in self._open and np.any(np.trunc(new[finite := np.isfinite(new)]) != new[finite]):
+                    fractions = self._dialect.has_marks or np.any(
+                        np.trunc(new[finite := np.isfinite(new)]) != new[finite]
+                    )
+                    if name in self._open and fractions:
                         self._settle(name)
                     yield name, new
                 break
@@ -237,17 +241,27 @@ class CsvSource(Source):
                     yield number, line.rstrip("\n")
 
     def _settle(self, name: str) -> None:
-        """Look at every cell of a column in which the first marks stand after the rows that were seen at first.
+        """Look in the whole file for a cell that shows whether the marks of a column stand before decimals.
 
         Raises
         ------
         UnreadableLogError
-            They stand between thousands, most likely.
+            There is none, and they may well stand between thousands.
         """
         self._open.remove(name)
-        column = self._columns.index(name)
-        rows = (self._dialect.split(line) for _, line in self._lines())
-        mark_is_open((row[column] for row in rows if len(row) > column), self._dialect.decimal)
+        column, decimal, marked, plain = self._columns.index(name), self._dialect.decimal, "", False
+        for number, line in self._lines():
+            row = self._dialect.split(line)
+            cell = row[column] if len(row) > column else ""
+            if not leaves_mark_open(cell, decimal) or any(is_before_decimals(other, decimal) for other in row):
+                return
+            marked = marked or (f"{cell!r} in line {number}, column {name!r}" if decimal in cell else "")
+            plain |= decimal not in cell and NUMBER.match(cell) is not None
+        if marked and (plain or decimal == "," or self._dialect.delimiter == ";"):
+            raise UnreadableLogError(
+                f"{marked}: does {decimal!r} separate thousands? Nothing in the file shows it. Export it without such "
+                f"separators; if it is the decimal mark, set [ingest.csv] decimal = {decimal!r}"
+            )
 
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa

@@ -2,10 +2,7 @@
 
 import csv
 import re
-from collections.abc import Iterable
 from functools import lru_cache
-
-from pipeline.rig_logs.source import UnreadableLogError
 
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _GROUPED = re.compile(
@@ -18,10 +15,8 @@ _MINUS = re.compile(r"(?<![^\s;,|:=\"])[\u2212\u2013\ufe63\uff0d](?=\s*[\d.,])")
 _ACCOUNTED = re.compile(r"\(([\d.,]+)\)")
 """A negative number in the format of accounts."""
 _BEGINS_AS_NUMBER = re.compile(r"[-+]?\s*(?!1[.]#)[.,]?\d")
-csv.field_size_limit(1 << 24)  # a heading is one cell under a delimiter that is not in it
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
-_FEW_CELLS = 3
 _ROW_END = re.compile(r"\r\n|\r|\n")
 RULED = re.compile(r"(?=.*[+|])[|+]?(:?[-=]{2,}:?[|+]?)+")
 """A line below a heading, or around a table, as databases draw it."""
@@ -126,12 +121,20 @@ def split_row(line: str, delimiter: str) -> list[str]:
     line = _BEHIND_LINE.sub("", line) if "*" in line or "#" in line else line
     line = _PRINTED.sub(r"\1", line.strip()) if line[:1] in ("[", "(") else line
     if delimiter == " ":
-        return next(csv.reader([" ".join(line.split())], delimiter=" "), []) if '"' in line else line.split()
+        return _unquoted(" ".join(line.split()), " ") if '"' in line else line.split()
     line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", line)
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)]
     line = line.replace('="', '"')  # as of a spreadsheet that shall take numbers for text
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])]
+    return [cell.strip() for cell in _unquoted(line, delimiter)]
+
+
+def _unquoted(line: str, delimiter: str) -> list[str]:
+    """Cells of a line with quotes; a heading of over 128 kB is one cell under a delimiter that is not in it."""
+    try:
+        return next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
+    except csv.Error:
+        return line.split(delimiter)
 
 
 def is_of_terminal(line: str) -> bool:
@@ -144,34 +147,10 @@ def is_before_decimals(cell: str, decimal: str) -> bool:
     return decimal in cell and is_value(cell, decimal) and not is_stamp(cell) and not _THOUSANDS.fullmatch(cell)
 
 
-def mark_is_open(cells: Iterable[str], decimal: str) -> bool:
-    """Whether the cells of a column leave open if its mark stands before decimals or between thousands.
-
-    It may be between thousands where every one has three digits behind it, none a zero alone before it, and whole
-    numbers below a thousand stand beside them. The first other cell settles it.
-
-    Raises
-    ------
-    UnreadableLogError
-        There are several of both, so that it most likely is.
-    """
-    marked, plain = [], []
-    for cell in cells:
-        if cell.lower() in MISSING:
-            continue
-        if _PLAIN_WHOLE.fullmatch(cell):
-            plain.append(cell)
-        elif decimal in cell and _THOUSANDS.fullmatch(cell):
-            marked.append(cell)
-        else:
-            return False
-        del marked[_FEW_CELLS:], plain[_FEW_CELLS:]
-    if min(len(marked), len(plain)) >= _FEW_CELLS:
-        raise UnreadableLogError(
-            f"{marked[0]!r} stands beside {plain[0]!r}: does {decimal!r} separate thousands? Export without "
-            f"such separators; if it is the decimal mark, set [ingest.csv] decimal = {decimal!r}"
-        )
-    return True
+def leaves_mark_open(cell: str, decimal: str) -> bool:
+    """Whether a cell leaves open if the mark stands before decimals or between thousands, as 1,250 and 12 do."""
+    whole = _PLAIN_WHOLE.fullmatch(cell) or cell.lower() in MISSING
+    return bool(whole or (decimal in cell and _THOUSANDS.fullmatch(cell)))
 
 
 def marks_between_thousands(cell: str) -> str:

@@ -9,12 +9,11 @@ from pipeline.rig_logs.csv_cells import (
     MISSING,
     NUMBER,
     RULED,
-    is_before_decimals,
     is_of_terminal,
     is_stamp,
     is_value,
     is_word,
-    mark_is_open,
+    leaves_mark_open,
     marks_between_thousands,
     split_row,
 )
@@ -270,16 +269,11 @@ def _check_decimal_commas(table: SampleTable) -> None:
 
 
 def _open_marks(table: SampleTable) -> tuple[bool, ...]:
-    """In which columns the rows that were seen do not tell whether the mark is for decimals; see `mark_is_open`.
-
-    A file has one decimal mark, so that a cell of any column decides for all.
-    """
+    """In which columns the rows that were seen do not tell whether the mark is for decimals."""
     body = [row for row in table.rows[table.first :] if len(row) == len(table.numeric)]
-    numbers = (cell for row in body for cell, numeric in zip(row, table.numeric, strict=True) if numeric)
-    if any(is_before_decimals(cell, table.decimal) for cell in numbers if cell.lower() not in MISSING):
-        return (False,) * len(table.numeric)
+    decided = table.shows_mark
     return tuple(
-        numeric and mark_is_open((row[column] for row in body), table.decimal)
+        numeric and not decided and all(leaves_mark_open(row[column], table.decimal) for row in body)
         for column, numeric in enumerate(table.numeric)
     )
 
@@ -292,8 +286,10 @@ def _check_rows_below_header(table: SampleTable, above: Sequence[Sequence[str]],
         others = [cell for cell in cells if not is_value(cell, table.decimal)]
         keys = sum(bool(_KEY.fullmatch(cell)) for cell in others) >= len(numbers) or not _firsts(table)[0]
         if numbers and len(above[i]) >= len(table.numeric) and not (keys and _KEY.match(above[i][0])):
+            marks = marks_between_thousands(others[0]) if others else ""
             where = f", where {others[0]!r} is no number," if others else ""
             raise UnreadableLogError(
-                f"row {i} (counted from 0){where} stands above the data with the number {numbers[0]!r} in it: repair "
-                "or delete that row"
-            )
+                f"line {i + 1}: {others[0]!r} has {marks}" if marks
+                else f"row {i} (counted from 0){where} stands above the data with the number {numbers[0]!r} in it: "
+                "repair or delete that row"
+            )  # fmt: skip

@@ -7,7 +7,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from pipeline.rig_logs.csv_cells import MISSING, NUMBER, is_behind, is_stamp, is_value, rows_of, split_row
+from pipeline.rig_logs.csv_cells import (
+    MISSING,
+    NUMBER,
+    is_before_decimals,
+    is_behind,
+    is_stamp,
+    is_value,
+    rows_of,
+    split_row,
+)
 from pipeline.rig_logs.csv_columns import Writing, bare_cells, writings
 from pipeline.rig_logs.csv_heading import with_whole_cells
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
@@ -35,6 +44,13 @@ class SampleTable:
     ragged: bool
     columns: tuple[Writing, ...]
 
+    @property
+    def shows_mark(self) -> bool:
+        """Whether a number shows that the mark stands before decimals. A file has one mark, so that decides for all."""
+        body = (row for row in self.rows[self.first :] if len(row) == len(self.numeric))
+        numbers = (cell for row in body for cell, numeric in zip(row, self.numeric, strict=True) if numeric)
+        return any(is_before_decimals(cell, self.decimal) for cell in numbers if cell.lower() not in MISSING)
+
 
 def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
     """The lines of a file's first bytes, a heading of several lines in one; the last only if that is the `whole` file.
@@ -55,7 +71,10 @@ def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
 
 
 def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) -> SampleTable:
-    """The reading of the sample, of its first rows where they hold a table, that gives the most columns of numbers."""
+    """The reading of the sample, of its first rows where they hold a table, that gives the most columns of numbers.
+
+    Of two alike it is one whose mark surely stands before decimals.
+    """
     tables = [_table(lines[:most], *marks, options.header_row) for marks in _candidates(lines, options)]
     readable = [table for table in tables if table is not None]
     if not readable and len(lines) > most:
@@ -70,7 +89,7 @@ def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) ->
         raise UnreadableLogError(
             f"no table of numbers with two columns or more found in the first {len(lines)} rows; {way_out}"
         )
-    return max(readable, key=lambda table: sum(table.numeric))
+    return max(readable, key=lambda table: (sum(table.numeric), table.shows_mark))
 
 
 def _is_single_column(lines: list[str]) -> bool:

@@ -1,5 +1,6 @@
 """How a CSV file is written is found out, or said by the user, and never guessed over an error."""
 
+import csv
 import re
 
 import numpy as np
@@ -59,15 +60,45 @@ def test_text_columns_are_listed_as_no_numbers():
     assert _find("t,q,remark\n0,1,good\n1,2,bad\n").numeric == (True, True, False)
 
 
-@pytest.mark.parametrize(("mark", "delimiter"), [(",", ";"), (".", ",")])
-def test_marks_between_thousands_are_not_taken_for_decimals(mark, delimiter):
-    numbers = [-1250, 998, 12, 11043, 7, 2500, 431, -9923]
+NUMBERS = [-1250, 998, 12, 11043, 7, 2500, 431, -9923]
+LARGE = [1250 + 7 * i for i in range(8)]
+LEVELS = [1000 * (1 + i % 3) for i in range(8)]
+
+
+@pytest.mark.parametrize("numbers", [NUMBERS, LARGE, LEVELS])
+@pytest.mark.parametrize(("mark", "delimiter"), [(",", ";"), (",", "\t"), (",", ","), (".", ";"), (".", ",")])
+def test_marks_between_thousands_are_not_taken_for_decimals(tmp_path, mark, delimiter, numbers):
+    """Nothing shows what they are, until a cell in any column has other digits behind the mark."""
+    if (mark, delimiter) == (".", ",") and numbers is not NUMBERS:  # that is how decimals are written there
+        return
     cells = [f"{number:,}".replace(",", mark) for number in numbers]
-    text = "\n".join(delimiter.join(row) for row in [("t", "q"), *((str(i), cell) for i, cell in enumerate(cells))])
-    with pytest.raises(UnreadableLogError, match="separate thousands"):
-        _find(text)
-    assert _find(text, decimal=mark).decimal == mark
-    assert _find(text.replace(f"{mark}0", f"{mark}5").replace("998", f"0{mark}998")).decimal == mark
+    cells = [f'"{cell}"' for cell in cells] if mark == delimiter else cells
+    rows = [("t", "q"), *((str(i), cell) for i, cell in enumerate(cells))]
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(map(delimiter.join, rows)) + "\n")
+    first = f"'{f'{numbers[0]:,}'.replace(',', mark)}' in line 2, column 'q': does '{mark}' separate thousands"
+    with pytest.raises(UnreadableLogError, match=re.escape(first)):
+        read_here(path)
+    decimals = [number / (1000 if abs(number) > 999 else 1) for number in numbers]
+    np.testing.assert_allclose(read_here(path, CsvOptions(decimal=mark))["q"], decimals)
+    path.write_text(
+        path.read_text() + delimiter.join(("8", f'"0{mark}5"' if mark == delimiter else f"0{mark}5")) + "\n"
+    )
+    np.testing.assert_allclose(read_here(path)["q"], [*decimals, 0.5])
+
+
+def test_a_time_with_a_point_shows_that_commas_stand_between_thousands(tmp_path):
+    path = tmp_path / "log.csv"
+    path.write_text("t;q;v\n" + "".join(f"{0.01 * i:.2f};{q:,};{i % 3}\n" for i, q in enumerate(LARGE)))
+    assert read_here(path).keys() == {"t", "v"}
+    with pytest.raises(InputError, match="'q' holds no plain numbers, but '1,250'; marks between thousands"):
+        read_recording(path, channels=["q"])
+    path.write_text("t;q;v\n" + "".join(f"{0.01 * i:.2f};{q:,};{i % 3}\n" for i, q in enumerate(range(900, 1100))))
+    with pytest.raises(InputError, match="'1,000' in line 102; marks between thousands"):
+        read_recording(path, channels=["q"])
+    path.write_text("t,q,v\n" + "".join(f'{i},"{q:,}",{i % 3}\n' for i, q in enumerate(range(1040, 950, -1))))
+    with pytest.raises(InputError, match="line 2: '1,040' has marks between thousands"):
+        read_recording(path, channels=["q"])
 
 
 def test_missing_values_are_numbers_that_are_not_there(tmp_path):
@@ -276,7 +307,7 @@ def test_marks_between_thousands_are_found_wherever_they_begin(tmp_path, rows):
     path = tmp_path / "log.csv"
     cells = [str(i % 900) if i < rows else f"{1900 + i % 50:,}" for i in range(rows + 100)]
     path.write_text("\n".join(["t;q", *(f"{i};{cell}" for i, cell in enumerate(cells))]) + "\n")
-    with pytest.raises(UnreadableLogError, match=r"'1,9\d\d' stands beside '0': does ',' separate thousands"):
+    with pytest.raises(UnreadableLogError, match=r"'1,9\d\d' in line \d+, column 'q': does ',' separate thousands"):
         read_here(path)
     decimals = [str(i % 900) if i < rows else f"{i % 50 / 1000:.3f}".replace(".", ",") for i in range(rows + 100)]
     path.write_text("\n".join(["t;q", *(f"{i};{cell}" for i, cell in enumerate(decimals))]) + "\n")
@@ -411,3 +442,14 @@ def test_rows_of_plain_numbers_are_read_as_all_rows_are(tmp_path, monkeypatch, d
     with monkeypatch.context() as patched:
         patched.setattr(csv_source, "plain_row", lambda delimiter, width: re.compile("(?!)"))
         assert repr(quickly) == repr(outcome())
+
+
+def test_a_quoted_heading_of_any_width_needs_no_limit_of_the_whole_process(tmp_path):
+    before, path = csv.field_size_limit(131_072), tmp_path / "log.csv"
+    names = [f"Model Root/a signal of a long name {k:05d}" for k in range(4000)]
+    rows = (",".join([f"{0.5 * i}", *["0"] * 4000]) for i in range(30))
+    path.write_text("\n".join([",".join(f'"{name}"' for name in ["t", *names]), *rows]) + "\n")
+    try:
+        assert [entry.name for entry in open_here(path).entries()] == ["t", *names]
+    finally:
+        assert csv.field_size_limit(before) == 131_072
