@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from pipeline.arrow_columns import doubles
 from pipeline.rig_logs.attributes import is_unit, plain, rates_among, scales_among, unit_among
 from pipeline.rig_logs.source import (
+    EXACT,
     PART,
     Counted,
     Entry,
@@ -92,6 +93,8 @@ class ParquetSource(Source):
 def _numbers(name: str, column: Any, counted: Counted) -> NDArray[Any]:
     """The samples of a part of a column."""
     kind = column.type
+    if pa.types.is_decimal(kind):
+        column = _since_first(name, column, counted)
     if not _is_time(kind) and not pa.types.is_integer(kind):
         return doubles(column.cast(pa.float64()))
     if pa.types.is_time(kind):
@@ -100,6 +103,20 @@ def _numbers(name: str, column: Any, counted: Counted) -> NDArray[Any]:
     samples, is_filled = np.full(len(column), np.nan), column.is_valid().to_numpy()
     samples[is_filled] = counted(name, column.drop_null().to_numpy())
     return samples
+
+
+def _since_first(name: str, column: Any, counted: Counted) -> Any:
+    """Decimals from the first one on where that is too large to be held exactly."""
+    first = next((value.as_py() for value in column if value.is_valid), None)
+    if first is not None:
+        counted.setdefault(name, first if abs(first).scaleb(column.type.scale) > EXACT else 0)
+    if not (origin := counted.get(name, 0)):
+        return column
+    wide = column.cast(pa.decimal256(_MOST_DIGITS, column.type.scale))
+    return pc.subtract(wide, pa.scalar(origin, wide.type))
+
+
+_MOST_DIGITS = 75  # of decimals whose differences Arrow holds
 
 
 def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str, tuple[str, ...], Any]]:

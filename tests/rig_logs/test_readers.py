@@ -1,5 +1,7 @@
 """Every format gives back what was written: samples, units, time bases."""
 
+from decimal import Decimal
+
 import numpy as np
 import pytest
 
@@ -150,6 +152,22 @@ def test_durations_in_parquet_are_seconds_and_what_is_no_number_is_told(tmp_path
     recording = read_recording(path)
     assert [(channel.name, channel.unit) for channel in recording.channels] == [("passed", "s"), ("q", "")]
     assert recording.notes == ("no numbers, and left out: 'mode' (string)",)
+
+
+@pytest.mark.parametrize(("digits", "scale"), [(20, 0), (38, 9), (76, 9)])
+def test_decimals_in_parquet_are_exact_from_their_first_one_on(tmp_path, digits, scale):
+    """Stamps in ns since 1970; a float64 holds them to 256 ns."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    counts = [1_764_300_000_123_456_789 + 333_333 * i for i in range(400)]
+    stamps = pa.array([None if i == 3 else Decimal(count).scaleb(-scale) for i, count in enumerate(counts)])
+    table = {"t": stamps.cast((pa.decimal256 if digits > 38 else pa.decimal128)(digits, scale)), "q": Q}
+    pq.write_table(pa.table(table | {"v": pa.array([Decimal("1.25")] * 400)}), tmp_path / "log.parquet")
+    read = read_here(tmp_path / "log.parquet")
+    expected = np.where(np.arange(400) == 3, np.nan, 333_333.0 * np.arange(400) / 10.0**scale)
+    np.testing.assert_allclose(read["t"], expected, rtol=1e-15)
+    assert set(read["v"]) == {1.25}
 
 
 def test_equal_names_are_told_apart():
