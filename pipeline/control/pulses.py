@@ -13,6 +13,7 @@ from pipeline.errors import InputError
 from pipeline.names import Goal
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import settling_index
+from pipeline.numerics.progress import OnProgress, silent
 
 LENGTH = 1.2
 """Length [s] of the runs by which a pulse is judged."""
@@ -34,6 +35,8 @@ _ROBUST = 5
 """Draws beside the estimate that judge a pulse."""
 _SEEDS = (7, 8, 9)
 _ROUNDS, _ROBUST_ROUNDS = 60, 30
+_RUNS = len(_SEEDS) * _ROUNDS + (1 + _ROBUST) * _ROBUST_ROUNDS
+"""Runs of each pulse in all rounds."""
 _FAILED = 10.0
 """Cost of a pulse that does not settle, which is above that of any that does."""
 
@@ -70,8 +73,9 @@ class Pulse:
 
 
 def design_pulse(
-    joint: Ensemble, start: float, target: float, distance: float, highest: float, goal: Goal = "time"
-) -> Pulse:
+    joint: Ensemble, start: float, target: float, distance: float, highest: float, goal: Goal = "time",
+    on_progress: OnProgress = silent,
+) -> Pulse:  # fmt: skip
     """The pulse that brings the joint from rest at `start` to rest at `target` (readings, m).
 
     Differential evolution over the durations and efforts of three segments on the estimate, from drawn starts and from
@@ -89,6 +93,8 @@ def design_pulse(
         Largest voltage [V].
     goal : {"time", "energy", "voltage"}
         What is least: settling time, charge energy, or peak voltage.
+    on_progress : callable
+        Called before each round of the search.
 
     Raises
     ------
@@ -99,10 +105,13 @@ def design_pulse(
     -----
     Cost: 4 s.
     """
-    side = 0 if target > start else 1
+    side, rounds = 0 if target > start else 1, 0
 
     def cost(values: FloatArray, some: Ensemble) -> FloatArray:
         """Mean over the ensemble of what each pulse costs."""
+        nonlocal rounds
+        on_progress("optimising", min(1.0, rounds / _RUNS))
+        rounds += len(some.offsets)
         runs = some.run(commands(values.T, side, highest), start)
         return np.asarray(judged(runs, start, target, distance, values.T, goal).mean(axis=1))
 

@@ -80,13 +80,13 @@ def pulse(
         raise InputError(f"--from {start}: the joint is there already; a pulse brings it from one well to the other")
     highest = control_run(root).highest(settings)
 
-    def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
+    def work(joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
         """The pulse and what the model and its posterior make of it."""
         left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
         begin, end = (left, right) if to == "right" else (right, left)
         converters, lags_known = joint_run.converters(settings)
         joint = with_draws(joint_run.model, converters, (left, saddle, right), to)
-        snap = design_pulse(joint, begin, end, right - left, highest, goal)
+        snap = design_pulse(joint, begin, end, right - left, highest, goal, on_progress)
         low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
         return {
             "format": "debist-pulse/2",

@@ -46,12 +46,17 @@ def test_a_snap_settles_fast_without_overshoot_on_the_model_and_ends_well_in_all
     assert np.all(made.v[-1] == 0.0)
 
 
-@pytest.mark.long
-def test_a_voltage_that_cannot_switch_is_told() -> None:
-    joint = model()
+def test_a_voltage_that_cannot_switch_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """After each round has been reported: the search takes up to a minute."""
+    monkeypatch.setattr("pipeline.control.pulses._ROUNDS", 4)
+    joint, shares = model(), list[float]()
     left, _, right = (each.q for each in wells_and_saddle(plant_of(joint)))
     with pytest.raises(InputError, match="allow a larger voltage"):
-        design_pulse(ensemble_of(joint, 0, converters(3e-3)), left, right, right - left, 300.0)
+        design_pulse(
+            ensemble_of(joint, 0, converters(3e-3)), left, right, right - left, 300.0,
+            on_progress=lambda _, share: shares.append(share),
+        )  # fmt: skip
+    assert len(set(shares)) > 8 and shares == sorted(shares) and 0.0 == shares[0] < shares[-1] <= 1.0
 
 
 def test_settling_times_are_those_of_the_last_entry_into_the_band() -> None:
