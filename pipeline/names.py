@@ -1,7 +1,9 @@
 """Names that a user writes: of prototypes and logs, with their safe forms for folders and files, and of choices."""
 
 import hashlib
+import os
 import re
+import shlex
 import unicodedata
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -110,6 +112,14 @@ def with_true_names(rows: Iterable[Mapping[str, Any]], sources: Iterable[tuple[s
     """
     called = {(role, log_name(log)): true_name(log) for role, log in sources}
     return [{**row, "log": called.get((row["role"], row["log"]), row["log"])} for row in rows]
+
+
+def shell_word(path: object) -> str:
+    """A path as it is typed in a command: in quotes where a shell needs them."""
+    text = f"{path}"
+    if os.name != "nt":
+        return shlex.quote(text)
+    return text if re.fullmatch(r"[\w\\/:.+-]+", text) else f'"{text}"'  # no name has these quotes there
 
 
 Target = Literal["c", "controller", "crate", "fmu", "json", "matlab"]

@@ -12,6 +12,7 @@ from typing import Any, get_args
 from pydantic import BaseModel
 
 from pipeline.errors import InputError
+from pipeline.names import shell_word
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
 
 _SLIPS = (
@@ -60,7 +61,7 @@ def read_document(path: Path) -> dict[str, Any]:
 
 def _no_toml(path: Path, error: Exception) -> str:
     if path.suffix.lower() != ".toml":
-        return f"no settings file; if it is a log, `debist init {path}` writes settings for it"
+        return f"no settings file; if it is a log, `debist init {shell_word(path)}` writes settings for it"
     if isinstance(error, UnicodeDecodeError):
         return "not UTF-8; save it as UTF-8 in your editor"
     if isinstance(error, OSError):

@@ -1,6 +1,8 @@
 """What users get wrong, and what they are told: the thing, the next step, a few lines, no traceback."""
 
 import os
+import re
+import shlex
 import signal
 from pathlib import Path
 
@@ -10,6 +12,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError, interrupted, memory_failure
+from pipeline.names import shell_word
 from tests.prototypes import SMALL, SMALL_CSV
 
 RUNNER = CliRunner()
@@ -399,3 +402,27 @@ def test_what_fails_after_an_interrupt_is_told_as_one(error: Exception, monkeypa
     after = RUNNER.invoke(app, ["inspect", __file__])
     assert before.exit_code != 130 and "interrupted" not in before.stderr
     assert after.exit_code == 130 and "debist: interrupted" in after.stderr
+
+
+def test_commands_in_messages_can_be_typed_whatever_the_path_is_called(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "run of Ann's joint"
+    folder.mkdir()
+    (folder / "log.toml").write_text(TOML)
+    for arguments in (["show", folder], ["inspect", folder / "log.toml"], ["verify", folder]):
+        result = RUNNER.invoke(app, [*map(str, arguments)])
+        words = [shlex.split(typed) for typed in re.findall(r"`(debist [^`]*)`", result.stderr)]
+        assert any(f"{folder}" in word for typed in words for word in typed), result.stderr
+    assert shell_word("runs/P1") == "runs/P1"
+    monkeypatch.setattr("os.name", "nt")
+    assert [shell_word(r"C:\runs\P1"), shell_word(r"C:\my runs")] == [r"C:\runs\P1", r'"C:\my runs"']
+
+
+def test_paths_in_commands_of_messages_are_quoted_everywhere() -> None:
+    """A name of a command, study or stage needs no quotes."""
+    bare = re.compile(r"debist [^`\"\n]*?\{(?!shell_word\()[\w.]*\b(?:root|path|folder|log|output|run|prototype)\}")
+    sources = Path(__file__).parents[1].joinpath("pipeline").rglob("*.py")
+    assert not [
+        f"{path}: {line}" for path in sources for line in path.read_text("utf-8").split("\n") if bare.search(line)
+    ]

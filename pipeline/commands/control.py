@@ -1,6 +1,5 @@
 """`debist control`: from the identified joint to linear models, snaps, a switching map and a controller."""
 
-import shlex
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
@@ -10,7 +9,7 @@ import typer
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 from pipeline.errors import InputError
-from pipeline.names import Goal, Well
+from pipeline.names import Goal, Well, shell_word
 from pipeline.units import parse_quantity
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
@@ -199,7 +198,7 @@ def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = Fals
     emit_text(_margins(document["margins"]))
     for warning in document["warnings"]:
         emit_text(f"warning: {warning}")
-    emit_text(f"next: debist export {shlex.quote(str(run))} --to controller")
+    emit_text(f"next: debist export {shell_word(run)} --to controller")
 
 
 def _margins(margins: Any) -> str:

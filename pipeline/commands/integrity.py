@@ -7,6 +7,7 @@ import typer
 
 from pipeline.commands.console import Json, Progress, Quiet, Run, emit_json, emit_table, printable
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.names import shell_word
 
 if TYPE_CHECKING:
     from pipeline.tools.verify import Verified, VerifiedRun
@@ -131,7 +132,7 @@ def _fail_where(run: Path, checked: "Verified") -> None:
     if checked.problems:
         raise CorruptArtifactError(
             "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
-            + f"; `debist repair {run}` sets aside and rebuilds what is damaged"
+            + f"; `debist repair {shell_word(run)}` sets aside and rebuilds what is damaged"
         )
 
 

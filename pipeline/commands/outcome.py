@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from pipeline.commands.console import brief, clock, emit_json, emit_table, emit_text, printable
+from pipeline.names import shell_word
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -118,7 +119,7 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
     for root, results, error in states:
         stale = [result for result in results if not result.up_to_date]
         if stale and all(result.stage == "report" and result.reasons == [FIRST_TIME] for result in stale):
-            rows.append((str(root), "up to date", f"without a report; `debist report {root}` makes it"))
+            rows.append((str(root), "up to date", f"without a report; `debist report {shell_word(root)}` makes it"))
             continue
         state = "unreadable" if error else "stale" if stale else "up to date"
         rows.append((str(root), state, error or brief([f"{r.stage} {r.title}: {r.reasons[0]}" for r in stale])))

@@ -1,6 +1,5 @@
 """`debist rig`: raw logs of simulated prototypes with their truth beside them, and voltage sequences for a real rig."""
 
-import shlex
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -11,6 +10,7 @@ import typer
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Force, Json, Quiet, emit_json, emit_text, progress_report, working
 from pipeline.errors import InputError
+from pipeline.names import shell_word
 from pipeline.units import parse_quantity
 
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ def simulate(
     if as_json:
         emit_json({"prototype": prototype, "truth": output / "truth" / "truth.json"})
     else:
-        typer.echo(f"{prototype}: simulated logs; next: debist run {shlex.quote(str(prototype))}")
+        typer.echo(f"{prototype}: simulated logs; next: debist run {shell_word(prototype)}")
 
 
 @app.command()
@@ -172,7 +172,7 @@ def fleet(
     if as_json:
         emit_json({"prototypes": prototypes})
     else:
-        typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {shlex.quote(str(output))} -o runs")
+        typer.echo(f"{count} simulated prototypes in {output}; next: debist batch {shell_word(output)} -o runs")
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from pipeline.commands.console import (
     emit_table,
 )
 from pipeline.errors import InputError
-from pipeline.names import Typeface
+from pipeline.names import Typeface, shell_word
 
 
 @dataclass(frozen=True)
@@ -149,7 +149,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     if not as_json:
         outcome.emit_table_2(table_2(load_scores(folder)))
         outcome.emit_verdict(folder)
-        typer.echo(f"{outcome.summary(results)}; the logs are simulated. Next: debist status {folder}")
+        typer.echo(f"{outcome.summary(results)}; the logs are simulated. Next: debist status {shell_word(folder)}")
 
 
 def _announce_compilation(quiet: bool) -> None:

@@ -12,6 +12,7 @@ from pipeline.loading.free_runs import start_of
 from pipeline.loading.trajectories import load_motion, longest_rows, part, training_tables
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
+from pipeline.names import shell_word
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.tables import Table
@@ -63,7 +64,7 @@ def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tu
         raise InputError(
             f"{run.root}: holds no model {wanted!r}; it holds {', '.join(held)}"
             if held
-            else f"{run.root}: holds no model yet; `debist identify {run.root}` makes one"
+            else f"{run.root}: holds no model yet; `debist identify {shell_word(run.root)}` makes one"
         )
     return wanted, layout.MODELS
 
@@ -87,14 +88,12 @@ def load_design(run: RunFolder) -> dict[str, Any]:
     InputError
         None was designed for the present model.
     """
-    name = layout.control("design")
+    name, makes = layout.control("design"), f"`debist control design {shell_word(run.root)}`"
     if name not in run.manifest.artifacts:
-        raise InputError(f"{run.root}: no controller was designed yet; `debist control design {run.root}` does it")
+        raise InputError(f"{run.root}: no controller was designed yet; {makes} does it")
     document = read_document(run, name)
     if document["origin"] != run.record(layout.MODELS).content_hash:
-        raise InputError(
-            f"{run.root}: its controller was designed for another model; `debist control design {run.root}` renews it"
-        )
+        raise InputError(f"{run.root}: its controller was designed for another model; {makes} renews it")
     return document
 
 

@@ -1,7 +1,6 @@
 """The page of one run."""
 
 import json
-import shlex
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -9,7 +8,7 @@ from pipeline.checks.rows import CheckRow, beside, remarks
 from pipeline.device_facts.datasheet import Datasheet
 from pipeline.device_facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
 from pipeline.device_facts.run_data import WHY, RunData, judged_log
-from pipeline.names import ROLE_WORDS, log_title, with_true_names
+from pipeline.names import ROLE_WORDS, log_title, shell_word, with_true_names
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.datasheet_rows import (
@@ -215,12 +214,11 @@ def _model(data: RunData, name: str) -> Described:
 def _provenance(data: RunData) -> dict[str, Any]:
     provenance = data.provenance
     # The page does not name its own folder: equal runs have equal pages wherever they lie.
-    file, run = shlex.quote(provenance["prototype_file"]), "RUN"
-    studies = [f"debist study {study.name} {run}" for study in data.studies]
+    studies = [f"debist study {study.name} RUN" for study in data.studies]
     # A study is drawn by the report that follows it.
-    again = [*studies, f"debist report {run}"] if studies else []
+    again = [*studies, "debist report RUN"] if studies else []
     return {
-        "commands": [f"debist run {file} -o {run}", *again, f"debist verify {run}"],
+        "commands": [f"debist run {shell_word(provenance['prototype_file'])} -o RUN", *again, "debist verify RUN"],
         "sources": provenance["sources"],
         "artifacts": provenance["artifacts"],
         "versions": sorted(provenance["versions"].items()),

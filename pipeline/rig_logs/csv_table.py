@@ -73,7 +73,7 @@ def sample_lines(start: bytes, encoding: str, *, whole: bool) -> list[str]:
 def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) -> SampleTable:
     """The reading of the sample, of its first rows where they hold a table, that gives the most columns of numbers.
 
-    Of two alike it is one whose mark surely stands before decimals.
+    Of two with one delimiter it is that whose mark surely stands before decimals.
     """
     tables = [_table(lines[:most], *marks, options.header_row) for marks in _candidates(lines, options)]
     readable = [table for table in tables if table is not None]
@@ -89,7 +89,11 @@ def find_table(lines: list[str], options: CsvOptions, most: int = _MOST_ROWS) ->
         raise UnreadableLogError(
             f"no table of numbers with two columns or more found in the first {len(lines)} rows; {way_out}"
         )
-    return max(readable, key=lambda table: (sum(table.numeric), table.shows_mark))
+    best = max(readable, key=lambda table: sum(table.numeric))
+    alike = [
+        table for table in readable if (table.delimiter, sum(table.numeric)) == (best.delimiter, sum(best.numeric))
+    ]
+    return next((table for table in alike if len(alike) > 1 and table.shows_mark), best)
 
 
 def _is_single_column(lines: list[str]) -> bool:

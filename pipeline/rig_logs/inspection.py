@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
+from pipeline.names import shell_word
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.channel_roles import Suggestion, is_called, is_record, suggest, suggested_unit
 from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
@@ -117,7 +118,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     Cost: the reading, and some ten passes over each channel (about 0.1 s per million samples).
     """
     if path.suffix.lower() == ".toml":
-        raise InputError(f"{path}: is a settings file; `debist check {path}` looks at the logs that it names")
+        raise InputError(f"{path}: is a settings file; `debist check {shell_word(path)}` looks at its logs")
     recording, codes = _without_codes(read_recording(path, csv=csv))
     own_time = any(channel.time is not None for channel in recording.channels)
     notes = list(recording.notes)

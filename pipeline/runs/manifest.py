@@ -24,6 +24,7 @@ from pydantic import Field, TypeAdapter, ValidationError
 
 from pipeline import __version__
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.names import shell_word
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, not_written, reading, refuse_link, sweep, write_text
 from pipeline.runs.hashing import file_sha256, flatten, json_sha256
@@ -164,7 +165,7 @@ def _read(root: Path) -> tuple[Path, bytes]:
     except FileNotFoundError:
         within = sorted(place.parent for place in root.glob(f"*/{MANIFEST}"))
         hint = f"name one of those in it, such as {within[0]}" if within else ""
-        hint = hint or f"`debist run PROTOTYPE.toml -o {root}` makes one"
+        hint = hint or f"`debist run PROTOTYPE.toml -o {shell_word(root)}` makes one"
         raise InputError(f"{root}: no run here (no {MANIFEST}); {hint}") from None
     except NotADirectoryError:
         raise InputError(f"{root}: is a file; name the folder of a run") from None

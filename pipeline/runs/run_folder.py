@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pipeline.errors import CorruptArtifactError, InputError, SupersededError, warn_user
+from pipeline.names import shell_word
 from pipeline.plain_files import open_plain
 from pipeline.runs import layout, tables, trees
 from pipeline.runs.atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
@@ -238,7 +239,9 @@ class RunFolder:
             remedy = f"`debist {command}` makes it anew" if command else f"redoes stage {stage}"
             raise CorruptArtifactError(f"{self.path(name)}: {problem}; `debist run` sets it aside and {remedy}")
         if newer := self._newer(name):
-            warn_user(f"{self.root}: some results are older than {newer}; `debist run {self.root}` makes them anew")
+            warn_user(
+                f"{self.root}: some results are older than {newer}; `debist run {shell_word(self.root)}` renews them"
+            )
         return content
 
     def _newer(self, name: str) -> str | None:

@@ -14,6 +14,7 @@ from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
 from pipeline.loading.run_models import WORST, controlled_model, failed_validations, load_run_model
 from pipeline.models.hybrid.model import HybridModel
+from pipeline.names import shell_word
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
 from pipeline.runs.engine import Observer, Task, bring_up_to_date
@@ -171,12 +172,12 @@ def _refuse_bad_model(run: RunFolder, name: str, model: HybridModel, limit: floa
     if missed > limit:
         raise DataRefusedError(
             f"{run.root}: the model {name} misses its training data by {1e3 * missed:.1f} mm; control on it would be a "
-            f"guess (limit {1e3 * limit:.1f} mm); see `debist show {run.root}`"
+            f"guess (limit {1e3 * limit:.1f} mm); see `debist show {shell_word(run.root)}`"
         )
     for failed in failed_validations(run, name):
         raise DataRefusedError(
             f"{run.root}: {failed}; control on it would be a guess (limit {100.0 * WORST:.0f} %); see `debist show "
-            f"{run.root}`"
+            f"{shell_word(run.root)}`"
         )
 
 

@@ -17,6 +17,7 @@ from pipeline.loading.run_models import load_run_model, model_artifact
 from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.siblings import Learnt, column, learn, to_tree
+from pipeline.names import shell_word
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout
 from pipeline.runs.manifest import MANIFEST
@@ -161,7 +162,7 @@ def _times(text: str, count: int) -> FloatArray:
 
 def _read(run: RunFolder) -> _Run:
     if layout.DATASHEET not in run.manifest.artifacts:
-        raise InputError(f"{run.root}: has no datasheet; `debist report {run.root}` makes one")
+        raise InputError(f"{run.root}: has no datasheet; `debist report {shell_word(run.root)}` makes one")
     sheet, prototype = read_document(run, layout.DATASHEET), run.prototype
     if sheet["facts_from"] is None:
         raise InputError(f"{run.root}: no model has curves, so there are no facts to follow; identify hybrid or rbf")

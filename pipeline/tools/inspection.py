@@ -15,6 +15,7 @@ from pipeline.fitting.excitation import Excitation, examine_excitation
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import read_si
+from pipeline.names import shell_word
 from pipeline.numerics.arrays import runs_of
 from pipeline.rig_logs.channel_roles import suggested_unit
 from pipeline.rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
@@ -230,7 +231,8 @@ def _supposed(inspection: Inspection) -> Prototype:
     units = {channel.name: suggested_unit(channel.name, channel.unit) for channel in inspection.channels}
     channels: dict[str, Any] = {}
     log = inspection.path
-    settings = f"fill in what `debist init {log} > P.toml` writes, then `debist inspect {log} --settings P.toml`"
+    name = shell_word(log)
+    settings = f"fill in what `debist init {name} > P.toml` writes, then `debist inspect {name} --settings P.toml`"
     for role in inspection.suggestions:
         if role.role == "v2" and not role.candidates:
             continue

@@ -9,7 +9,7 @@ from pathlib import Path
 from random import SystemRandom
 
 from pipeline.errors import CorruptArtifactError, DebistError, InputError, SupersededError
-from pipeline.names import part_holds, part_of
+from pipeline.names import part_holds, part_of, shell_word
 from pipeline.runs.atomic import TEMPORARY_MARK, move
 from pipeline.runs.engine import Observer, TaskStatus
 from pipeline.runs.hashing import file_sha256
@@ -247,7 +247,9 @@ def repair_run(root: Path, observer: Observer, prototype_file: Path | None = Non
         load_manifest(root)
     except CorruptArtifactError as error:
         if prototype_file is None:
-            raise InputError(f"{error}; or give its settings file: `debist repair {root} PROTOTYPE.toml`") from error
+            raise InputError(
+                f"{error}; or give its settings file: `debist repair {shell_word(root)} PROTOTYPE.toml`"
+            ) from error
         stamp = datetime.now(UTC).strftime("%Y%m%dT%H%M%S%f")
         with run_lock(root):
             pass  # nobody writes; Windows moves no folder with an open file such as the lock
