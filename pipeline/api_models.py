@@ -350,7 +350,8 @@ def identify(
     ----------
     t, q, v1, v2 : array_like, shape (N,)
         Times [s], displacement [m, or rad for an angle] and one or two voltages [V], as raw as they are: any rate,
-        gaps allowed. Or one DataFrame with the columns t_s, q_m (q_rad), v1_V, v2_V, or a list of them, one for a log.
+        gaps in t and NaN allowed. Or one DataFrame with the columns t_s, q_m (q_rad), v1_V, v2_V, or a list of them,
+        one for a log.
     mass : float, optional
         Moving mass [kg] (inertia [kg·m²] for an angle); without it the curves are per unit mass.
     parameters : str or Path, optional
@@ -373,7 +374,7 @@ def identify(
     Raises
     ------
     InputError
-        Signals of different lengths, samples that are not finite, settings that are not valid.
+        Signals of different lengths, infinite samples, settings that are not valid.
     DataRefusedError
         The signals do not show what the model needs; the text names what to do.
 

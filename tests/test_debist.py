@@ -88,10 +88,19 @@ def test_what_a_run_would_refuse_is_warned_of(log):
     assert not accepted.notes["contradictions"]
 
 
-def test_masked_and_complex_samples_are_refused(log):
-    q = np.ma.masked_array(log.q_m, mask=np.arange(len(log)) == 5)
-    with pytest.raises(debist.DebistError, match="q is not finite at sample 5"):
-        debist.identify(log.t_s, q, log.v1_V, log.v2_V)
+def test_masked_samples_are_gaps_as_in_a_log_and_complex_ones_are_refused(log):
+    """The inputs across a gap of q are known, so nothing starts anew behind it; a log of a run may hold such rows."""
+    gap = np.abs(np.arange(len(log)) - 1000) < 20
+    masked = np.ma.masked_array(log.q_m, mask=gap)
+    of_arrays = debist.identify(log.t_s, masked, log.v1_V, log.v2_V, mass=0.04, model="rbf-paper")
+    of_table = debist.identify(log.assign(q_m=log.q_m.where(~gap)), mass=0.04, model="rbf-paper")
+    assert of_arrays.notes["warnings"] == of_table.notes["warnings"]
+    assert "log 1: q: 39 samples not finite" in of_table.notes["warnings"][0]
+    assert not any("start anew" in text for text in of_table.notes["warnings"])
+    with pytest.raises(debist.DebistError, match="q holds no finite sample at all"):
+        debist.identify(log.assign(q_m=np.nan), mass=0.04, model="rbf-paper")
+    with pytest.raises(debist.DebistError, match="t is not finite at sample 5"):
+        debist.identify(log.assign(t_s=log.t_s.where(log.index != 5)), mass=0.04, model="rbf-paper")
     with pytest.raises(debist.DebistError, match="v1 does not consist of numbers"):
         debist.identify(log.t_s, log.q_m, log.v1_V.to_numpy() + 0j, log.v2_V)
 
@@ -250,7 +259,7 @@ def test_the_overlay_states_the_fit(log, model):
     ("change", "told"),
     [
         (lambda c: c | {"v1": c["v1"][:50]}, "v1 has 50 samples, but t has"),
-        (lambda c: c | {"q": np.where(c["t"] > 5.0, np.nan, c["q"])}, r"q is not finite at sample 50\d\d"),
+        (lambda c: c | {"q": np.where(c["t"] > 5.0, np.inf, c["q"])}, r"q is not finite at sample 50\d\d"),
         (lambda c: c | {"q": c["q"][:, None]}, r"q has the shape \(\d+, 1\)"),
         (lambda c: c | {"v1": None, "v2": None}, "v1 is missing"),
         (lambda c: c | {"q": None}, "give t, q and v1"),

@@ -175,7 +175,8 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     DataRefusedError
         The quality gates refuse them; the text begins with `where`.
     """
-    refuse_other_units({"q": float(np.nanmax(signals.q) - np.nanmin(signals.q))}, prototype)
+    measured = signals.q[np.isfinite(signals.q)]
+    refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
     stamps = np.ascontiguousarray(signals.t)
     given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
     codes = {name: codes_in(column) for name, column in given.items()}
@@ -284,9 +285,9 @@ def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
     Raises
     ------
     InputError
-        A column is no column of finite numbers, or they differ in length.
+        A column is no column of numbers, NaN where there is none, or they differ in length.
     """
-    columns = _columns({"t": t, "q": q, "v1": v1, "v2": v2})
+    columns = _columns({"t": t, "q": q, "v1": v1, "v2": v2}, gaps=True)
     return Signals(columns.pop("t"), columns.pop("q"), np.column_stack(list(columns.values())))
 
 
@@ -311,9 +312,7 @@ def voltages_of(t: Any, v: Any) -> tuple[FloatArray, FloatArray]:
         raise InputError(f"v has the shape {table.shape}; give one column for each voltage, shape (N, K)")
     if len(table) != (size := np.size(t)) and table.shape[1] == size:
         raise InputError(f"v has the shape {table.shape}; give one column for each voltage: np.column_stack([v1, v2])")
-    columns = _columns(
-        {"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}}, "interpolate it there"
-    )
+    columns = _columns({"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}}, gaps=False)
     return columns.pop("t"), np.column_stack(list(columns.values()))
 
 
@@ -332,10 +331,8 @@ def seconds(t: Any) -> FloatArray:
     return np.asarray(since / np.timedelta64(1, "s"), dtype=np.float64)
 
 
-def _columns(
-    given: Mapping[str, Any], remedy: str = "leave out such rows: a gap in t is no harm"
-) -> dict[str, FloatArray]:
-    """Columns of finite numbers, all as long as t; those that are None are left out."""
+def _columns(given: Mapping[str, Any], *, gaps: bool) -> dict[str, FloatArray]:
+    """Columns of finite numbers, all as long as t; those that are None are left out. `gaps` are NaN but of t."""
     columns: dict[str, FloatArray] = {}
     for name, values in given.items():
         if values is None:
@@ -349,7 +346,9 @@ def _columns(
             raise InputError(f"{name} has {len(columns[name])} samples, but t has {len(columns['t'])}")
         if not columns[name].size:
             raise InputError(f"{name} is empty")
-        if len(bad := np.flatnonzero(~np.isfinite(columns[name]))):
+        is_gap = gaps and name != "t"
+        if len(bad := np.flatnonzero(~np.isfinite(columns[name]) & ~(is_gap & np.isnan(columns[name])))):
+            remedy = "leave out such rows: a gap in t is no harm" if gaps else "interpolate it there"
             raise InputError(f"{name} is not finite at sample {bad[0]}; {remedy}")
     return columns
 
