@@ -47,6 +47,8 @@ _SURROUNDINGS = {
 _LONGEST_FOLDER = 70
 """Characters of the temporary folder beyond which the socket of the server would have too long a name."""
 _LONGEST_MESSAGE, _LONGEST_WORDS = 1 << 28, 1 << 16
+_DESCRIPTORS = 12
+"""Descriptors that are free before a process is started."""
 _GRACE = 5.0
 """Time [s] for a process to end by itself before it is killed."""
 _starting, _preloaded = threading.RLock(), list[str]()
@@ -211,12 +213,24 @@ def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int)
 
 def _context() -> Any:
     """Fork server or new interpreters; a process of the server has no server of its own, and is forked itself."""
+    _check_descriptors()
     forks = "forkserver" in multiprocessing.get_all_start_methods() and bool(sys.platform == "linux")
     if not forks or len(os.fsencode(tempfile.gettempdir())) > _LONGEST_FOLDER:
         return multiprocessing.get_context("spawn")
     from multiprocessing.forkserver import get_inherited_fds
 
     return multiprocessing.get_context("forkserver" if get_inherited_fds() is None else "fork")
+
+
+def _check_descriptors() -> None:
+    """Fail here where descriptors run out, and not in the server, which prints a traceback of its own."""
+    spare = list[int]()
+    try:
+        while len(spare) < _DESCRIPTORS:
+            spare.append(os.open(os.devnull, os.O_RDONLY))
+    finally:
+        for number in spare:
+            os.close(number)
 
 
 @contextmanager

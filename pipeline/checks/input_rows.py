@@ -201,10 +201,23 @@ def _field_row(fact: LogFacts, declared: Declared) -> CheckRow:
     above, film = field > limits.MOST_OF_FIELD * limit, quantity(declared.film_thickness, "m")
     limit_shown = f"{significant(1e-6 * limit)} (+{100.0 * (limits.MOST_OF_FIELD - 1.0):.0f} %)"
     advice = f"a film of {film} may break down: lower the voltage, or give film_thickness and field_limit in [plant]"
+    advice = _implausible_film(declared) or (advice if above else "")
     return CheckRow(
         fact.signals.name, "largest field", f"{significant(1e-6 * field)} V/µm", f"≤ {limit_shown} V/µm",
-        "note" if above else "ok", None, advice if above else "", values=in_si("field", "V/m", field),
+        "note" if advice else "ok", None, advice, values=in_si("field", "V/m", field),
     )  # fmt: skip
+
+
+def _implausible_film(declared: Declared) -> str:
+    """What to do of a thickness or a field limit that no film has, as by a slip of its unit; nothing of others."""
+    for key, value, unit, (low, high) in (
+        ("film_thickness", declared.film_thickness, "m", limits.FILMS),
+        ("field_limit", declared.field_limit, "V/m", limits.FIELDS),
+    ):
+        if not low <= value <= high:
+            stated, least, most = (short_quantity(each, unit) for each in (value, low, high))
+            return f"plant.{key} is {stated}, which of films is {least} to {most}: check its unit"
+    return ""
 
 
 def _rest_level_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:

@@ -97,6 +97,9 @@ MOST_SIDES, NOTED_SIDES = 10.0, 2.5
 MOST_OF_FIELD = 1.02
 """Share of the field limit from which on a log is above it: noise and probes make 1.01 of a command of 1."""
 
+FILMS, FIELDS = (1e-6, 3e-3), (1e6, 1e9)
+"""Thickness of elastomer films [m], spun or as the thickest tape, and the fields [V/m] that such films stand."""
+
 REST_LEVEL = 0.02
 """Share of an input's largest magnitude above which the level at which it rests is shown."""
 

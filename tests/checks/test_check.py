@@ -75,6 +75,21 @@ def test_a_longer_log_promises_a_smaller_error(pair: list[LogSignals]) -> None:
     assert not _numbers(check_logs(pair, replace(JOINT, squared=False)), what)
 
 
+@pytest.mark.parametrize(
+    ("film", "key"),
+    [
+        ({"film_thickness": 50e-3}, "plant.film_thickness is 50 mm, which of films is 1 µm to 3 mm"),
+        ({"film_thickness": 50e-9}, "plant.film_thickness is 50 nm"),
+        ({"field_limit": 60e3}, "plant.field_limit is 60 kV/m"),
+        ({"field_limit": 60e12}, "plant.field_limit is 60000 GV/m"),
+    ],
+)
+def test_a_film_of_another_unit_is_noted_with_its_key(pair: list[LogSignals], film: dict[str, float], key: str) -> None:
+    (row,) = (row for row in check_logs(pair[:1], replace(JOINT, **film)) if row.what == "largest field")
+    assert row.state == "note"
+    assert row.advice.startswith(key) and row.advice.endswith("check its unit")
+
+
 def test_a_field_above_the_limit_is_noted_of_a_joint_alone(pair: list[LogSignals]) -> None:
     strong = replace(pair[0], v=1.5 * pair[0].v)
     (row,) = (row for row in check_logs([strong], JOINT) if row.what == "largest field")
