@@ -118,7 +118,8 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     Cost: the reading, and some ten passes over each channel (about 0.1 s per million samples).
     """
     if path.suffix.lower() == ".toml":
-        raise InputError(f"{path}: is a settings file; `debist check {shell_word(path)}` looks at its logs")
+        check = f"`debist check {shell_word(path)}`"
+        raise InputError(f"{path}: is a settings file; {check} looks at the logs that it names")
     recording, codes = _without_codes(read_recording(path, csv=csv))
     own_time = any(channel.time is not None for channel in recording.channels)
     notes = list(recording.notes)

@@ -64,6 +64,26 @@ def test_honest_logs_of_one_device_pass(pair: list[LogSignals]) -> None:
     assert {row.state for row in rows} == {"ok"}, [row for row in rows if row.state != "ok"]
 
 
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        (lambda q, v: (q + 0.6e-3, v), "zero of q"),
+        (lambda q, v: (q, 0.75 * v), "gain of voltages"),
+        (lambda q, v: (q, v[:, ::-1]), "same device"),
+        (lambda q, v: (q, np.roll(v, -30, axis=0)), "answer of q"),
+    ],
+)
+def test_what_changes_within_a_log_is_noted(
+    pair: list[LogSignals], change: Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]], what: str
+) -> None:
+    log, later = pair[0], pair[0].t > 0.5 * pair[0].t[-1]
+    q, v = change(log.q, log.v)
+    changed = replace(log, q=np.where(later, q, log.q), v=np.where(later[:, None], v, log.v))
+    notes = [row for row in check_logs([changed], JOINT) if row.what == f"{what}, second half"]
+    assert [(row.state, row.gate, row.log) for row in notes] == [("note", None, log.name)]
+    assert "not of one piece" in notes[0].advice
+
+
 def test_a_longer_log_promises_a_smaller_error(pair: list[LogSignals]) -> None:
     what = "length, usual error"
     shown = _numbers([*check_logs([_beginning(pair[0], 10.0)], JOINT), *check_logs(pair[:1], JOINT)], what)
