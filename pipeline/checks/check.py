@@ -14,6 +14,9 @@ from pipeline.checks.motion_rows import motion_rows, start_rows
 from pipeline.checks.rows import CheckRow
 from pipeline.checks.weak_form import LogSignals
 
+_MOSTLY = 0.5
+"""Share of each half of a log that is not masked where the halves are compared."""
+
 
 def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]:
     """Look at every log, then compare each with the first, which is a training log.
@@ -35,22 +38,23 @@ def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]
 
 def _changes_within(log: LogSignals, declared: Declared) -> list[CheckRow]:
     """What differs between the halves of a joint's log, as two logs are compared; a worn joint changes a little too."""
-    if not declared.joint or np.ptp(log.t) < 2.0 * limits.SURE_LENGTH * declared.sample_interval:
+    middle, measured = len(log.t) // 2, np.isfinite(log.q)
+    long = np.ptp(log.t) >= 2.0 * limits.SURE_LENGTH * declared.sample_interval
+    if not (declared.joint and long and min(measured[:middle].mean(), measured[middle:].mean()) > _MOSTLY):
         return []
-    middle = len(log.t) // 2
-    halves = [
+    first, second = (
         log_facts(
             replace(log, name=f"{log.name}, {name} half", t=log.t[part], q=log.q[part], v=log.v[part]),
             declared.sample_interval, squared=declared.squared, joint=True,
         )
         for name, part in (("first", slice(middle)), ("second", slice(middle, None)))
-    ]  # fmt: skip
+    )  # fmt: skip
     advice = (
         "the log is not of one piece: were sensor, probes or leads touched in between? Then leave out what is before "
         "or behind that ({ file, start, stop } in [logs])"
     )
     return [
         replace(row, log=log.name, what=f"{row.what}, second half", state="note", gate=None, advice=advice)
-        for row in device_rows(*halves, declared)
+        for row in device_rows(first, second, declared)
         if row.state == "wrong" or (row.state == "note" and row.what != "same device")
     ]

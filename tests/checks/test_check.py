@@ -84,6 +84,13 @@ def test_what_changes_within_a_log_is_noted(
     assert "not of one piece" in notes[0].advice
 
 
+@pytest.mark.parametrize("measured", [slice(None, 18_000), slice(19_000, None), slice(None, 18_760)])
+def test_a_log_of_which_one_half_is_masked_is_compared_with_nothing(pair: list[LogSignals], measured: slice) -> None:
+    q = np.full_like(pair[0].q, np.nan)
+    q[measured] = pair[0].q[measured]
+    assert not [row for row in check_logs([replace(pair[0], q=q)], JOINT) if row.what.endswith("second half")]
+
+
 def test_a_longer_log_promises_a_smaller_error(pair: list[LogSignals]) -> None:
     what = "length, usual error"
     shown = _numbers([*check_logs([_beginning(pair[0], 10.0)], JOINT), *check_logs(pair[:1], JOINT)], what)
