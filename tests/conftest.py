@@ -47,3 +47,9 @@ def read_once() -> Iterator[None]:
 
     with logs_read_once():
         yield
+
+
+@pytest.fixture
+def without_binaries(monkeypatch: pytest.MonkeyPatch) -> None:
+    """FMUs hold sources alone, in tests of other things: to compile one takes a second."""
+    monkeypatch.setattr("pipeline.export.fmu.COMPILERS", {})
