@@ -26,8 +26,10 @@ def pytest_collection_finish() -> None:
     gc.enable()
 
 
-def pytest_runtest_teardown() -> None:
-    """Certify new kernels at once: programs that tests start would take those without a digest for damaged."""
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> None:
+    """Certify new kernels after each file: programs that tests start would take those without a digest for damaged."""
+    if nextitem is not None and nextitem.path == item.path:
+        return
     if (compiled := sys.modules.get("pipeline.compiled")) is not None:
         compiled.keep_kernels()
 
