@@ -14,7 +14,7 @@ import numpy as np
 from pipeline.isolation import in_processes
 from pipeline.kernel_cache import folder_for, has_kernels
 
-COST = 40.0
+COST = 30.0
 """Processor time [s] that a first run spends on compilation, roughly."""
 
 
