@@ -31,9 +31,8 @@ LAGS = tuple(np.geomspace(0.05, 8.0, 12))  # of the inputs, tried in units of th
 DELAYS = (0.02, 0.05, 0.12, 0.3)
 REFINEMENTS = (0.8, 0.9, 1.1, 1.25)  # factors by which the best of them is tried again
 START_SLIP_FORCE, START_SLIP_LENGTH = 7.5e-3, 0.01  # of dry friction, in units of stiffness scale and half ranges
-HYSTERESIS = (0.1, 0.3, 1.0)  # lengths tried beside it, of friction that sets in over a long way
-CLEARLY = 0.9  # share of the misfit of dry friction below which one of them is taken
-SLIP_SPACING = np.log(3.0)  # of the lengths of several friction states to start from: equal ones would stay equal
+SLIP_LENGTHS = (START_SLIP_LENGTH, 0.03, 0.1, 0.3, 1.0)  # of friction states, from dry to one over a long way
+CLEARLY = 0.9  # share of the misfit of dry friction below which another is taken first
 START_DRAG = 0.05  # over half ranges
 ZONE = 0.1  # of a dead zone to start from, a share of the largest drive
 STOP_PLACES, STOP_LEAST = (0.7, 0.8, 0.88, 0.94, 0.98), 1.0
@@ -110,11 +109,15 @@ def starting_joint(
     sizes = zip(columns[2:], fitted[2:], strict=True)
     typical = [_typical_gain(basis, gain, scales) for basis, gain in sizes]
     start = _start_vector(parameters, fitted, typical)
-    force, length = START_SLIP_FORCE * scales.stiffness, START_SLIP_LENGTH
+    if structure.slips:
+        start[parameters.slices["slip_force"]] = np.log(START_SLIP_FORCE * scales.stiffness / structure.slips)
+        start[parameters.slices["slip_length"]] = np.log(SLIP_LENGTHS[: structure.slips])
     if structure.slips and not structure.shape_elements:  # whose memory would be taken for friction
-        force, length = _best_slip(records, scales, columns, target)
-    start[parameters.slices["slip_force"]] = np.log(force / max(1, structure.slips))
-    start[parameters.slices["slip_length"]] = np.log(length) + SLIP_SPACING * np.arange(structure.slips)
+        forces, lengths = _best_slips(records, scales, columns, target, structure.slips)
+        start[parameters.slices["slip_force"]], start[parameters.slices["slip_length"]] = (
+            np.log(forces),
+            np.log(lengths),
+        )
     if structure.stops:
         start[parameters.slices["stops"]] = _best_stops(records, scales, columns, target)
     for name in TIMES:
@@ -207,28 +210,37 @@ def _best_timing(
     return at(*min(((a, b) for a in lags for b in delays), key=misfit))
 
 
-def _best_slip(
-    records: Sequence[Record], scales: JointScales, columns: list[FloatArray], target: FloatArray
-) -> tuple[float, float]:
-    """Force [1/s²] and length of friction to start from: dry, or over a long way where that fits clearly better.
+def _best_slips(
+    records: Sequence[Record], scales: JointScales, columns: list[FloatArray], target: FloatArray, count: int
+) -> tuple[FloatArray, FloatArray]:
+    """Forces [1/s²] and rising lengths of `count` friction states to start from, each of shape (count,).
 
-    Along the measured path a friction state is known for each length, and the accelerations are linear in its force. A
-    descent from dry friction alone would not find a hysteresis.
+    Along the measured path a friction state is known for each length, and the accelerations are linear in its force.
+    One length after the other is taken, the one that fits best beside those before: a descent from dry friction alone
+    would not find a hysteresis. The first is dry unless another fits clearly better.
+
+    Cost: for each length a pass over the samples, and for each of `count` steps at most five normal equations.
     """
     paths = [np.interp(r.t, r.t[r.valid], r.q[r.valid]) / scales.half for r in records]
 
-    def states(length: float) -> FloatArray:
+    def state(length: float) -> FloatArray:
         """Resisting force at the valid samples, shape (N, 1)."""
-        parts = [-slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)]
-        return np.concatenate(parts)[:, None]
+        return -np.concatenate([slid(path, length)[r.valid] for path, r in zip(paths, records, strict=True)])[:, None]
 
-    left = {length: _misfit([*columns, states(length)], target) for length in (START_SLIP_LENGTH, *HYSTERESIS)}
-    best = min(left, key=lambda length: left[length])
-    matrix = np.column_stack([*columns, states(best)])
-    force = float(np.linalg.lstsq(matrix, target, rcond=None)[0][-1])
-    if left[best] > CLEARLY * left[START_SLIP_LENGTH] or force <= 0.0:
-        return START_SLIP_FORCE * scales.stiffness, START_SLIP_LENGTH
-    return force, best
+    states, chosen = {length: state(length) for length in SLIP_LENGTHS}, list[float]()
+
+    def misfit(length: float) -> float:
+        """Rest of the fit with friction of this length beside that of those chosen."""
+        return _misfit([*columns, *(states[each] for each in (*chosen, length))], target)
+
+    while len(chosen) < count:
+        best = min((length for length in SLIP_LENGTHS if length not in chosen), key=misfit)
+        dry = not chosen and misfit(best) > CLEARLY * misfit(START_SLIP_LENGTH)
+        chosen.append(START_SLIP_LENGTH if dry else best)
+    chosen.sort()
+    matrix = np.column_stack([*columns, *(states[length] for length in chosen)])
+    forces = np.linalg.lstsq(matrix, target, rcond=None)[0][-count:]
+    return np.maximum(forces, START_SLIP_FORCE * scales.stiffness / count), np.array(chosen)
 
 
 def _best_stops(

@@ -85,7 +85,8 @@ class SearchResult:
     fit : Fit or None
         The fit by which it was judged; None if nothing was offered.
     held_out : dict of str to float
-        RMS held-out error of each candidate that was tried, in the unit of q; empty if nothing was offered.
+        RMS held-out error of each candidate that was tried, in the unit of q, the geometric mean of the folds; empty if
+        nothing was offered.
     complete : bool
         Whether all was offered and judged before `SEARCH_SHARE` of the effort was spent.
     """
@@ -182,12 +183,15 @@ def search(
     def better(option: Candidate, than: Candidate) -> bool:
         if any(not getattr(than.structure, time) for time in judged(option).idle):
             return False
-        return _preferred(judged(option), judged(than), smaller=size(option) < size(than))
+        smaller = size(option) < size(than)
+        rivals = {than.label: than} | {before.label: before for before in taken if smaller}
+        return all(_preferred(judged(option), judged(rival), smaller=smaller) for rival in rivals.values())
 
     def size(option: Candidate) -> int:
         return ParameterLayout(option.structure, scales, setting.inputs, (0,) * records[0].v.shape[1]).count
 
     turns, best, complete, last_taken = [*once, *ROUNDS * tuple(again)], first, True, len(once)
+    taken = [first]
     for number in range(len(turns)):
         if number - last_taken >= len(again) > 0:
             break
@@ -199,10 +203,11 @@ def search(
             setting, tried = _coupled(records, setting, first)
         affordable = _affordable(others, setting.effort, judged)
         complete = complete and len(affordable) == len(others)
-        for option in sorted(affordable, key=lambda option: rms(judged(option).errors[-1])):
+        for option in sorted(affordable, key=lambda option: judged(option).rms):
             if better(option, best):
                 best, last_taken = option, max(number + 1, len(once))
-    held_out = {label: rms(judgement.errors[-1]) for label, judgement in tried.items()}
+                taken.append(option)
+    held_out = {label: judgement.rms for label, judgement in tried.items()}
     return SearchResult(best, tried[best.label].fits[0] if tried else None, held_out, complete)
 
 
@@ -221,27 +226,43 @@ def _affordable(
 
 @dataclass(frozen=True)
 class _Judged:
-    """A candidate's held-out errors (2, N) in the unit of q, coupled to the measurement at `COUPLED` and free (coupled
-    both times for a chaotic device), its errors over what the first of its fits was fitted to, and these fits, fold by
-    fold; whether one of them was chaotic, and which times of its drive do nothing in any: what it errs less than
-    without them is the luck of another way to the same minimum.
+    """A candidate's held-out errors (2, N) of each fold in the unit of q, coupled to the measurement at `COUPLED` and
+    free (coupled both times for a chaotic device), its errors over what the first of its fits was fitted to, and these
+    fits, fold by fold; whether one of them was chaotic, and which times of its drive do nothing in any: what it errs
+    less than without them is the luck of another way to the same minimum.
     """
 
-    errors: FloatArray
+    errors: tuple[FloatArray, ...]
     fitted: FloatArray
     fits: tuple[Fit, ...]
     chaotic: bool
     idle: tuple[str, ...]
 
+    @property
+    def rms(self) -> float:
+        """Of the free runs, in the unit of q: the geometric mean of the folds."""
+        return float(np.exp(np.mean([np.log(rms(errors[-1]) + np.finfo(float).tiny) for errors in self.errors])))
+
 
 def _preferred(new: _Judged, old: _Judged, *, smaller: bool) -> bool:
     """Whether one candidate is to be preferred to another: surely not worse if smaller, surely better if larger."""
+    coupled, free = (_in_equal_units(new, old, kind) for kind in (0, -1))
     if smaller:
-        far = rms(new.errors[-1]) > FAR * rms(old.errors[-1]) and surely_smaller(old.errors[0], new.errors[0])
+        far = rms(free[0]) > FAR * rms(free[1]) and surely_smaller(*coupled[::-1])
         follows_less = rms(new.fitted) > TOO_SIMPLE * rms(old.fitted) and surely_smaller(old.fitted, new.fitted)
-        return not (far or follows_less or surely_smaller(old.errors[-1], new.errors[-1]))
-    pairs = zip(new.errors, old.errors, strict=True)
-    return rms(new.errors[-1]) < rms(old.errors[-1]) and any(surely_smaller(*pair) for pair in pairs)
+        return not (far or follows_less or surely_smaller(*free[::-1]))
+    return rms(free[0]) < rms(free[1]) and (surely_smaller(*free) or surely_smaller(*coupled))
+
+
+def _in_equal_units(new: _Judged, old: _Judged, kind: int) -> tuple[FloatArray, FloatArray]:
+    """Held-out errors of two candidates over the folds, each fold in the geometric mean of what both err there.
+
+    A fold whose excitation reaches beyond what was fitted has errors many times as large, and would decide alone.
+    """
+    pairs = [(a[kind], b[kind]) for a, b in zip(new.errors, old.errors, strict=True)]
+    units = [np.sqrt(rms(a) * rms(b)) + np.finfo(float).tiny for a, b in pairs]
+    first, second = ([pair[i] / unit for pair, unit in zip(pairs, units, strict=True)] for i in (0, 1))
+    return np.concatenate(first), np.concatenate(second)
 
 
 def _coupled(records: Sequence[Record], setting: Setting, first: Candidate) -> tuple[Setting, dict[str, _Judged]]:
@@ -319,7 +340,7 @@ def _judge(records: Sequence[Record], setting: Setting, option: Candidate, near:
         fits.append((p, fit.theta))
         chaotic = chaotic or fit.chaotic
         followed = followed if i else p.scales.half * _followed(problem, fit.theta, setting.coupled)
-    return _Judged(np.concatenate(errors, axis=1), followed, tuple(fits), chaotic, _idle(fits, records[0].interval))
+    return _Judged(tuple(errors), followed, tuple(fits), chaotic, _idle(fits, records[0].interval))
 
 
 def _followed(problem: JointProblem, theta: FloatArray, gain: float) -> FloatArray:

@@ -22,6 +22,11 @@ FREE, CURVED, DRAGGED, STOPPED = (
 SPRING = candidate(PLAIN)
 
 
+def judged_as(errors, fitted):
+    """A judgement from the held-out errors of each fold and those over what was fitted."""
+    return structure_search._Judged(tuple(errors), fitted, ((None, np.empty(0)),), False, ())
+
+
 @pytest.fixture
 def found(monkeypatch):
     """What the search takes, and what was judged: errors over held-out data and over what was fitted, by candidate."""
@@ -35,7 +40,7 @@ def found(monkeypatch):
             judged.append(one)
             held_out, fitted = errors(one) if callable(errors) else errors[one.label]
             noise = np.abs(np.random.default_rng(1).normal(1.0, 0.1, (2, 400)))
-            return structure_search._Judged(held_out * noise, fitted * noise[0], ((None, np.empty(0)),), False, ())
+            return judged_as([held_out * noise], fitted * noise[0])
 
         monkeypatch.setattr(structure_search, "_judge", judge)
         return search([record], Setting("linear", None), SPRING, once, again).chosen, judged
@@ -50,7 +55,7 @@ def test_a_search_says_whether_all_was_asked(monkeypatch):
 
     def judge(records, setting, one, near):
         setting.effort.spent += 1.0
-        return structure_search._Judged(np.ones((2, 400)), np.ones(400), ((None, np.empty(0)),), False, ())
+        return judged_as([np.ones((2, 400))], np.ones(400))
 
     monkeypatch.setattr(structure_search, "_judge", judge)
     offers = [only(CURVED), only(DRAGGED)]  # with the first candidate three to be judged
@@ -97,6 +102,28 @@ def test_a_larger_structure_must_err_surely_less(found):
 def test_a_smaller_one_is_taken_if_it_errs_no_more_and_follows_what_it_was_fitted_to(found, held_out, fitted, taken):
     errors = {SPRING.label: (1.0, 1.0), FREE.label: (held_out, fitted)}
     assert found(errors, [only(FREE)])[0] == taken
+
+
+def test_simplifications_that_are_each_within_a_standard_error_do_not_add_up(found):
+    """Each errs 4 % more than the one before, which 400 independent samples do not tell; 8 % they do."""
+    curves = [replaced(CURVED, basis_functions=size) for size in (12, 11, 10, 9, 8, 7, 6)]
+    rng = np.random.default_rng(3)
+    white = rng.normal(0.0, 0.1, (2, 400))
+    errors = {one.label: (1.04**k * rng.permutation(white, axis=1), 1.0) for k, one in enumerate(curves)}
+    chosen, judged = found(errors | {SPRING.label: (1.0, 1.0)}, [only(one) for one in curves])
+    assert len(judged) == 1 + len(curves)
+    assert chosen in curves[:3]
+
+
+def test_a_fold_with_large_errors_does_not_decide_alone():
+    """Where an excitation reaches beyond what was fitted, both candidates err a hundred times as much."""
+    rng = np.random.default_rng(4)
+    unit = rng.normal(0.0, 1.0, (2, 400)), rng.normal(0.0, 1.0, (2, 400))
+    smaller = judged_as([100.0 * unit[0], unit[1]], np.ones(400))
+    larger = judged_as([102.0 * unit[0], 0.4 * unit[1]], np.ones(400))
+    assert larger.rms == pytest.approx(np.sqrt(1.02 * 0.4) * smaller.rms, rel=1e-6)
+    assert structure_search._preferred(larger, smaller, smaller=False)
+    assert not structure_search._preferred(smaller, larger, smaller=True)
 
 
 def test_what_depends_on_other_fields_is_offered_again_until_nothing_is_taken(found):
