@@ -4,9 +4,11 @@ import gc
 import os
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
+import typer.testing
 
 from pipeline.isolation import preload
 from pipeline.machine import settle_machine
@@ -14,6 +16,7 @@ from pipeline.machine import settle_machine
 settle_machine()  # before a test module loads NumPy
 preload(["pipeline.batch.preloaded", "asammdf"])  # once for all processes that tests have forked
 gc.disable()  # while tests are collected: what is imported stays, and looking it through took a seventh of that time
+typer.testing._get_command = cache(typer.testing._get_command)  # else each call of a command assembles all of them
 os.environ.pop("COLUMNS", None)  # set by tests side by side, which have no terminal either
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
@@ -23,8 +26,10 @@ def pytest_collection_finish() -> None:
     gc.enable()
 
 
-def pytest_runtest_teardown() -> None:
-    """Certify new kernels at once: programs that tests start would take those without a digest for damaged."""
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> None:
+    """Certify new kernels after each file: programs that tests start would take those without a digest for damaged."""
+    if nextitem is not None and nextitem.path == item.path:
+        return
     if (compiled := sys.modules.get("pipeline.compiled")) is not None:
         compiled.keep_kernels()
 
@@ -44,3 +49,9 @@ def read_once() -> Iterator[None]:
 
     with logs_read_once():
         yield
+
+
+@pytest.fixture
+def without_binaries(monkeypatch: pytest.MonkeyPatch) -> None:
+    """FMUs hold sources alone, in tests of other things: to compile one takes a second."""
+    monkeypatch.setattr("pipeline.export.fmu.COMPILERS", {})

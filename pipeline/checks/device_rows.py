@@ -22,7 +22,7 @@ def device_rows(first: LogFacts, other: LogFacts, declared: Declared) -> list[Ch
 
 def _device_row(first: LogFacts, other: LogFacts, declared: Declared, differs: Differences) -> CheckRow:
     """Whether a log shows the device of the first training log."""
-    terms = weak_forms(first.signals, other.signals, declared)
+    terms = weak_forms(first, other.signals, declared)
     measured = None if terms is None else misfit(*terms)
     what = "same device"
     if measured is None:

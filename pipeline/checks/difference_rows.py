@@ -12,7 +12,7 @@ from pipeline.checks.log_facts import Estimate, LogFacts
 from pipeline.checks.misfit import Misfit, misfit
 from pipeline.checks.rest_level import rest_level
 from pipeline.checks.rows import CheckRow, State, in_si, short_quantity
-from pipeline.checks.weak_form import LogSignals, WeakTerms, scales_of, weak_terms
+from pipeline.checks.weak_form import LogSignals, WeakTerms, weak_terms
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import CheckGate
 from pipeline.si_prefix import quantity, significant
@@ -94,11 +94,12 @@ def difference_rows(first: LogFacts, other: LogFacts, differs: Differences, decl
     return rows
 
 
-def weak_forms(first: LogSignals, other: LogSignals, declared: Declared) -> tuple[WeakTerms, WeakTerms] | None:
+def weak_forms(first: LogFacts, other: LogSignals, declared: Declared) -> tuple[WeakTerms, WeakTerms] | None:
     """The weak forms of two logs under the scales of the first."""
-    scales = scales_of(first, squared=declared.squared)
-    a, b = (weak_terms(log, declared.sample_interval, scales, squared=declared.squared) for log in (first, other))
-    return None if a is None or b is None else (a, b)
+    if first.terms is None:
+        return None
+    terms = weak_terms(other, declared.sample_interval, first.terms.scales, squared=declared.squared)
+    return None if terms is None else (first.terms, terms)
 
 
 def mended(first: LogFacts, corrected: LogSignals, declared: Declared) -> bool:
@@ -108,7 +109,7 @@ def mended(first: LogFacts, corrected: LogSignals, declared: Declared) -> bool:
 
 
 def _misfit(first: LogFacts, log: LogSignals, declared: Declared) -> Misfit | None:
-    terms = weak_forms(first.signals, log, declared)
+    terms = weak_forms(first, log, declared)
     return None if terms is None else misfit(*terms)
 
 
@@ -126,7 +127,7 @@ def _measured(first: LogFacts, other: LogFacts, signals: LogSignals, declared: D
         each is None or abs(each.push.value) <= limits.SIGN_CERTAINTY * each.push.error for each in first.inputs
     )
     unseen |= any(each is None for each in other.inputs)
-    terms = None if unseen else weak_forms(first.signals, signals, declared)
+    terms = None if unseen else weak_forms(first, signals, declared)
     return None if terms is None else log_differences(*terms, squared=declared.squared)
 
 

@@ -77,7 +77,7 @@ def _answers(taught: WeakTerms, judged: WeakTerms) -> tuple[FloatArray, FloatArr
     whole = _answer(taught, learned, judged, shown)
     variance = np.zeros_like(whole)
     for every, of in ((learned, "taught"), (shown, "judged")):
-        left_out = [np.setdiff1d(every, block) for block in np.array_split(every, _BLOCKS)]
+        left_out = [np.delete(every, block) for block in np.array_split(every, _BLOCKS)]
         pairs = [(rows, shown) if of == "taught" else (learned, rows) for rows in left_out]
         parts = np.array([_answer(taught, a, judged, b) for a, b in pairs])
         variance += (_BLOCKS - 1) / _BLOCKS * np.sum((parts - parts.mean(axis=0)) ** 2, axis=0)

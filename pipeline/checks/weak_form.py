@@ -5,7 +5,7 @@ bump ``φ(s) = (1 − s²)⁴`` of half width W; the derivatives of q move to th
 averaged over hundreds of samples. f is a polynomial of order 5, d has a constant and a square, each g_i is a parabola.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -103,10 +103,17 @@ class WeakTerms:
     def design(self, lags: IntArray | None = None) -> FloatArray:
         """All terms, shape (R, P); input i is taken `lags[i]` samples earlier."""
         shifts = np.zeros(self.push.shape[1], dtype=np.int64) if lags is None else lags
-        taken = [
-            self.push[np.clip(self.rows - shift, 0, len(self.push) - 1), i] for i, shift in enumerate(shifts.tolist())
-        ]
-        return np.concatenate([self.motion, *taken], axis=1)
+        return np.concatenate([self.motion, *(self.late(i, shift) for i, shift in enumerate(shifts.tolist()))], axis=1)
+
+    def late(self, i: int, lag: int) -> FloatArray:
+        """The terms of input i, taken `lag` samples earlier, shape (R, GAIN_TERMS)."""
+        late = np.take(self.push.reshape(len(self.push), -1), self.rows - lag, axis=0, mode="clip")
+        return late[:, GAIN_TERMS * i : GAIN_TERMS * (i + 1)]
+
+    def columns(self, i: int) -> slice:
+        """Where these stand in the design."""
+        first = self.motion.shape[1] + GAIN_TERMS * i
+        return slice(first, first + GAIN_TERMS)
 
 
 def scales_of(log: LogSignals, *, squared: bool) -> Scales:
@@ -121,32 +128,56 @@ def weak_terms(log: LogSignals, sample_interval: float, scales: Scales, *, squar
 
     Cost: some 20 convolutions with the bump, 0.1 s for 40,000 samples.
     """
-    h = log.interval
-    half = max(4, round(HALF_WIDTH * sample_interval / h))
-    n = min(len(log.q), _MOST_SAMPLES)
-    measured = np.isfinite(log.q[:n])
-    z = np.where(measured, (log.q[:n] - scales.middle) / scales.size, 0.0)
-    v = log.v[:n]
-    e = (v**2 if squared else v) / scales.drive
+    half = _half_width(log, sample_interval)
+    z, measured = _scaled(log, scales)
     rows = _usable(measured, half)
     if rows.size < _LEAST_ROWS:
         return None
-    bump, slope, curvature = _bump(half, h)
+    bump, slope, curvature = _bump(half, log.interval)
     motion = [_average(z**k, bump)[rows] for k in range(FORCE_ORDER + 1)]
     motion += [_average(z, slope)[rows], _average(z**3 / 3.0, slope)[rows]]  # z² ż is the rate of z³/3
-    push = np.empty((n, e.shape[1], GAIN_TERMS))
+    push, inertia = _pushes(log.v, z, bump, scales, squared), _average(z, curvature)[rows]
+    return WeakTerms(scales, rows, z[rows], inertia, np.column_stack(motion), push, log.interval)
+
+
+def under_inputs(terms: WeakTerms, log: LogSignals, sample_interval: float, *, squared: bool) -> WeakTerms:
+    """The terms of a log of the same motion with other inputs, or whose inputs act by their other law."""
+    scales = scales_of(log, squared=squared)
+    z, _ = _scaled(log, scales)
+    bump, _, _ = _bump(_half_width(log, sample_interval), log.interval)
+    return replace(terms, scales=scales, push=_pushes(log.v, z, bump, scales, squared))
+
+
+def _half_width(log: LogSignals, sample_interval: float) -> int:
+    return max(4, round(HALF_WIDTH * sample_interval / log.interval))
+
+
+def _scaled(log: LogSignals, scales: Scales) -> tuple[FloatArray, BoolArray]:
+    """The scaled q of the samples that are looked at, zero where it is not measured, and where it is."""
+    q = log.q[:_MOST_SAMPLES]
+    measured = np.isfinite(q)
+    return np.where(measured, (q - scales.middle) / scales.size, 0.0), measured
+
+
+def _pushes(v: FloatArray, z: FloatArray, bump: FloatArray, scales: Scales, squared: bool) -> FloatArray:
+    """`WeakTerms.push` of inputs `v`."""
+    e = (v[: len(z)] ** 2 if squared else v[: len(z)]) / scales.drive
+    push = np.empty((*e.shape, GAIN_TERMS))
     for i in range(e.shape[1]):
         for k in range(GAIN_TERMS):
             push[:, i, k] = _average(e[:, i] * z**k, bump)
-    return WeakTerms(scales, rows, z[rows], _average(z, curvature)[rows], np.column_stack(motion), push, h)
+    return push
 
 
 def solve(design: FloatArray, inertia: FloatArray) -> FloatArray:
     """Least squares with columns of equal size; directions that the data do not show are left at zero."""
-    size = np.linalg.norm(design, axis=0)
+    normal = design.T @ design
+    size = np.sqrt(np.diag(normal))
     size = np.where(size > 0.0, size, 1.0)
-    scaled = design / size
-    weights: FloatArray = np.linalg.lstsq(scaled.T @ scaled, scaled.T @ inertia, rcond=_LEAST_SHOWN)[0] / size
+    values, directions = np.linalg.eigh(normal / np.outer(size, size))
+    shown = values > _LEAST_SHOWN * values[-1]
+    answers = directions[:, shown].T @ (design.T @ inertia / size) / values[shown]
+    weights: FloatArray = directions[:, shown] @ answers / size
     return weights
 
 

@@ -9,7 +9,6 @@ it correlates with the inputs is.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.signal import correlate, welch
 
 from pipeline.device_facts.run_data import LogData, RunData
 from pipeline.numerics.arrays import FloatArray, longest_run, samples_of
@@ -96,6 +95,8 @@ def analyse_residual(
 
 def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
     """Correlation of x(t) with y(t + lag) at lags from −count to count samples, shape (2 count + 1,)."""
+    from scipy.signal import correlate
+
     a, b = x - x.mean(), y - y.mean()
     scale = float(np.sqrt(np.sum(a**2) * np.sum(b**2)))
     whole: FloatArray = correlate(b, a, method="fft") / (scale or np.inf)
@@ -104,6 +105,8 @@ def _correlation(x: FloatArray, y: FloatArray, count: int) -> FloatArray:
 
 def _spectrum(x: FloatArray, interval: float) -> tuple[FloatArray, FloatArray]:
     """Frequencies without zero and one-sided density by Welch's method."""
+    from scipy.signal import welch
+
     frequency, density = welch(x, 1.0 / interval, nperseg=2 * len(x) // (SEGMENTS + 1))
     return frequency[1:], density[1:]
 

@@ -122,7 +122,7 @@ def split_row(line: str, delimiter: str) -> list[str]:
     line = _PRINTED.sub(r"\1", line.strip()) if line[:1] in ("[", "(") else line
     if delimiter == " ":
         return _unquoted(" ".join(line.split()), " ") if '"' in line else line.split()
-    line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", line)
+    line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", line) if ":" in line else line
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)]
     line = line.replace('="', '"')  # as of a spreadsheet that shall take numbers for text

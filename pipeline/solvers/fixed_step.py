@@ -17,7 +17,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import Kernel, compiled, implement, inlinable, njit, types
+from pipeline.compiled import Kernel, compiled, implement, inlinable, types
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.inner_loops import FAST
 
@@ -108,40 +108,9 @@ def _implement(kind: type, methods: Callable[[Any], Methods]) -> None:
         return own.finish if (own := of(system)) else None
 
 
-@njit(inline="always")
-def take_step(system, x, node, final, h, y, dx, total, acceleration, first, stages):
-    """Move the state x by a step h [s] from the half step `node`; from the `final` one on, by a step of no length.
-
-    It fills the accelerations `first` where the step begins, shape (W,), and, unless it is None, the states `stages` at
-    its stages, shape (4, S); y, `dx`, `total` (S,) and `acceleration` (W,) are scratch. The compiler puts it into its
-    caller: a call would count references of the arrays of the system.
-    """
-    begin(system, x, node)
-    within, length = (1, h) if node < final else (0, 0.0)
-    for i in range(len(x)):
-        y[i] = x[i]
-        total[i] = 0.0
-    for stage in range(len(NODES)):
-        if stages is not None:
-            for i in range(len(x)):
-                stages[stage, i] = y[i]
-        rates(system, y, node + within * STAGE_NODES[stage], dx, acceleration)
-        if stage == 0:
-            for j in range(len(first)):
-                first[j] = acceleration[j]
-        share, ahead = STAGE_SHARES[stage], STAGE_AHEAD[stage] * length
-        for i in range(len(x)):
-            total[i] += share * dx[i]
-            y[i] = x[i] + ahead * dx[i]
-    for i in range(len(x)):
-        x[i] += length / ALL_SHARES * total[i]
-    if within:
-        finish(system, x)
-
-
 def workspace(x: FloatArray) -> FloatArray:
-    """What `integrate` works in for a state x (S,), shape (5, S)."""
-    return np.zeros((5, len(x)))
+    """What `integrate` works in for a state x (S,), shape (4, S)."""
+    return np.zeros((4, len(x)))
 
 
 def integrate(
@@ -157,7 +126,7 @@ def integrate(
         State: W displacements, their W velocities, and whatever else moves.
     out : FloatArray, shape (N, 3, W)
         Displacement, velocity and acceleration at the samples, the first at the start; filled.
-    work : FloatArray, shape (5, S)
+    work : FloatArray, shape (4, S)
         See `workspace`.
     substeps : int
         Steps between two samples.
@@ -174,7 +143,7 @@ def integrate(
         Cost: four evaluations of the rates a step, and as many after the last, and 12 S multiplications.
     """
     samples, _, width = out.shape
-    y, dx, total, acceleration, first = work[0], work[1], work[2], work[3, :width], work[4, :width]
+    y, dx, total, acceleration = work[0], work[1], work[2], work[3, :width]
     final = 2 * substeps * (samples - 1)
     for sample in range(samples):
         if low > -np.inf and not (low <= x[0] <= high and np.isfinite(x[width])):
@@ -183,10 +152,24 @@ def integrate(
             out[sample, 0, j], out[sample, 1, j] = x[j], x[width + j]
         for step in range(substeps if sample < samples - 1 else 1):
             node = 2 * (sample * substeps + step)
-            take_step(system, x, node, final, h, y, dx, total, acceleration, first, None)
-            if step == 0:
-                for j in range(width):
-                    out[sample, 2, j] = first[j]
+            begin(system, x, node)
+            within, length = (1, h) if node < final else (0, 0.0)
+            for i in range(len(x)):
+                y[i] = x[i]
+                total[i] = 0.0
+            for stage in range(len(NODES)):
+                rates(system, y, node + within * STAGE_NODES[stage], dx, acceleration)
+                if step == 0 and stage == 0:
+                    for j in range(width):
+                        out[sample, 2, j] = acceleration[j]
+                share, ahead = STAGE_SHARES[stage], STAGE_AHEAD[stage] * length
+                for i in range(len(x)):
+                    total[i] += share * dx[i]
+                    y[i] = x[i] + ahead * dx[i]
+            for i in range(len(x)):
+                x[i] += length / ALL_SHARES * total[i]
+            if within:
+                finish(system, x)
     return int(samples)
 
 

@@ -16,7 +16,7 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import FILM, Prototype
 
-ALGORITHM = "13"
+ALGORITHM = "14"
 
 
 def task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:

@@ -30,7 +30,7 @@ from pipeline.settings import Prototype
 from pipeline.signals.trajectory import voltages
 from pipeline.units import HORIZONS
 
-ALGORITHM = "27"
+ALGORITHM = "28"
 
 _RESTARTS = 60
 

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any, cast, get_args
 
@@ -38,6 +39,7 @@ class VirtualJoint:
     parameters: RigParameters
     bench: Bench
 
+    @cached_property
     def places(self) -> dict[str, float]:
         """Displacement [m] of the wells and of the unstable equilibrium, without voltage."""
         left, right = wells(self.parameters)
@@ -87,7 +89,7 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
         if time.samples.size < 1 or np.any(np.diff(time.samples) <= 0.0) or not np.isfinite(target.samples).all():
             raise InputError(f"{path}: a reference needs times that advance and targets that are finite")
         return time.samples - time.samples[0], scale * target.samples
-    places = joint.places()
+    places = joint.places
     steps = []
     for part in text.split(","):
         at, colon, value = part.rpartition(":")
@@ -183,7 +185,7 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
 
 def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
     """The scenario from the well that lies nearer to its first target."""
-    places = joint.places()
+    places = joint.places
     near = abs(scenario.target[0] - places["right"]) < abs(scenario.target[0] - places["left"])
     return replace(scenario, side=1 if near else -1)
 
@@ -225,7 +227,7 @@ class ClosedLoopOptions:
     def scenario(self, joint: VirtualJoint) -> Scenario:
         """The scenario on a joint."""
         t, target = parse_target(self.target, joint)
-        places = joint.places()
+        places = joint.places
         reach = 0.25 * (places["right"] - places["left"])
         low, high = places["left"] - reach, places["right"] + reach
         if target.min() < low or target.max() > high:
@@ -295,7 +297,7 @@ def closed_loop_log(
         run = run_loop(joint.parameters, joint.bench, scenario, _controller(controller, play))
         written = write_log(staged / path.name, options.form, run, path.stem)
         files = [rebased(file, staged, path.parent) for file in written]
-    places = joint.places()
+    places = joint.places
     refused = {"commands_not_finite": run.commands_not_finite, "commands_clipped": run.commands_clipped}
     steps = step_metrics(run.t, run.true_q, run.target, places["right"] - places["left"])
     if len(steps) > _MOST_STEPS:  # a reference that moves has no steps

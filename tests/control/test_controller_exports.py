@@ -102,6 +102,7 @@ def test_the_matlab_function_is_the_controller(exported: Path) -> None:
         *(pytest.param(text, marks=pytest.mark.long) for text in ("*\\\\/ ??/\n INJECTED", "\u2028INJECTED")),
     ],
 )
+@pytest.mark.usefixtures("without_binaries")
 def test_no_name_leaves_the_comments(text: str, tmp_path: Path) -> None:
     plant, law = designed()
     places = tuple(each.q for each in wells_and_saddle(plant))

@@ -23,6 +23,8 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.controlled_run import ControlSettings, control_run
 from tests.export.conftest import hybrid
 
+pytestmark = pytest.mark.usefixtures("without_binaries")
+
 
 def call(*arguments: object, code: int = 0) -> str:
     done = CliRunner().invoke(app, ["control", *map(str, arguments)])

@@ -100,56 +100,23 @@ def rest_states(
 def _rest_states(
     parameters: JointParameters, measured: FloatArray, v: FloatArray, z: FloatArray, shapes: FloatArray
 ) -> FloatArray:
-    """The states that Newton's method reaches from `shapes` (W, 4)."""
-    states = np.empty((len(measured), STATES))
-    held = _hold(measured, v**2, z, shapes, parameters.vector(), states)
-    if held < len(measured):
-        at = f"q = {1e3 * measured[held, 0]:.2f} mm under {v[held]} V"
-        raise InputError(f"the joint cannot be held at {at}; check q0 and its unit")
-    return states
-
-
-@compiled
-def _hold(
-    measured: FloatArray, v_squared: FloatArray, z: FloatArray, shapes: FloatArray, p: FloatArray, states: FloatArray
-) -> int:
-    """Fill the `states` (W, 11) that begin at `measured` (W, 2); how many can be held, the first ones."""
-    tangent, pivots, scale = np.empty(4), np.empty(5, np.int64), np.ones(4)
-    gradient, hessian, system, right = np.empty(4), np.empty((4, 4)), np.empty((5, 5)), np.empty(5)
+    """The states that Newton's method reaches from `shapes` (W, 4). Cost: 40 µs each."""
+    p, scale, lever = parameters.vector(), length_scales(parameters.l), np.array([1.0, 1.0, 1.0, 0.0])
+    states, tangent = np.empty((len(measured), STATES)), np.empty(4)
+    gradient, hessian, system = np.empty(4), np.empty((4, 4)), np.zeros((5, 5))
     damping, coupling, thickness = np.empty((4, 4)), np.empty((4, 3)), np.empty((2, 4))
-    scale[0], scale[1], scale[2] = p[0] ** -2, p[0] ** -3, p[0] ** -4
-    for w in range(len(measured)):
-        x, qdot = states[w], measured[w, 1]
-        for i in range(4):
-            x[i] = shapes[w, i]
-        force, _, _ = hold_tip(measured[w, 0], x[:4], v_squared[w], p, tangent)
-        if not np.isfinite(force):
-            return w
-        for i in range(4):
-            x[4 + i] = tangent[i] * qdot
-        for i in range(3):
-            x[8 + i] = z[w, i]
-        if qdot == 0.0 and x[8] == 0.0 and x[9] == 0.0 and x[10] == 0.0:
-            continue
+    for x, (q, qdot), volts, internal, shape in zip(states, measured, v, z, shapes, strict=True):
+        x[:4] = shape
+        if not np.isfinite(hold_tip(q, x[:4], volts**2, p, tangent)[0]):
+            raise InputError(f"the joint cannot be held at q = {1e3 * q:.2f} mm under {volts} V; check q0 and its unit")
+        x[4:8], x[8:] = tangent * qdot, internal
         # The change of shape, the tip held, by which elastic forces balance damping and internal forces.
-        statics(x[:4], v_squared[w], p, gradient, hessian)
+        statics(x[:4], volts**2, p, gradient, hessian)
         dissipation(x[:4], p, damping, coupling, thickness)
-        for i in range(4):
-            right[i] = 0.0
-            for j in range(4):
-                system[i, j] = hessian[i, j] * scale[i] * scale[j]
-                right[i] -= scale[i] * damping[i, j] * x[4 + j]
-            for j in range(3):
-                right[i] -= scale[i] * coupling[i, j] * x[8 + j]
-            system[i, 4] = -1.0 if i < 3 else 0.0
-            system[4, i] = -system[i, 4]
-        system[4, 4], right[4] = 0.0, 0.0
-        regular = factorise(system, pivots)
-        if regular:
-            solve_factorised(system, pivots, right, 1)
-        for i in range(4):
-            x[i] += right[i] * scale[i] if regular else np.nan
-    return len(measured)
+        system[:4, :4], system[:4, 4], system[4, :4] = hessian * np.outer(scale, scale), -lever, lever
+        pull = scale * (damping @ x[4:8] + coupling @ internal)
+        x[:4] -= scale * np.linalg.solve(system, np.append(pull, 0.0))[:4]
+    return states
 
 
 def _walked(parameters: JointParameters, q0: float) -> FloatArray:
@@ -314,10 +281,12 @@ def _rises(t: FloatArray, v: FloatArray, force: FloatArray, sample: int, rise: F
 
 @compiled(inline="always")
 def _stage(s: _Motion, stage: int, h: float, work: Work) -> bool:
-    """ẋ at a stage, with its share of h ∂f/∂t; the Jacobian is that of the step's start."""
-    fine = _rate(s, work.at, s.offset[0] + RODAS4.nodes[stage] * h, s.mass, s.f)
+    """ẋ at a stage, with its share of h ∂f/∂t; rates and Jacobian of the first are those of the step's start."""
     if stage == 0:
-        fine = fine and factorise_stages(1.0 / (RODAS4.gamma * h), work)
+        fine = factorise_stages(1.0 / (RODAS4.gamma * h), work)
+        copy_into(s.f, s.f0)
+    else:
+        fine = _rate(s, work.at, s.offset[0] + RODAS4.nodes[stage] * h, s.mass, s.f)
     for i in range(STATES):
         work.right[i] = s.f[i] + _TIME_DERIVATIVE[stage] * h * s.f_t[i]
     return fine

@@ -208,10 +208,9 @@ def hold_tip(
     -----
     Cost: an iteration evaluates `statics` and factorises 5×5, 0.7 µs; four to six iterations from a neighbour.
     """
-    scale, lever = np.ones(4), np.ones(4)
-    scale[0], scale[1], scale[2], lever[3] = p[0] ** -2, p[0] ** -3, p[0] ** -4, 0.0
-    gradient, hessian = np.empty(4), np.empty((4, 4))
-    system, right, pivots = np.zeros((5, 5)), np.zeros(5), np.empty(5, np.int64)
+    scale, gradient, hessian = np.empty(4), np.empty(4), np.empty((4, 4))
+    system, right, pivots = np.empty((5, 5)), np.empty(5), np.empty(5, np.int64)
+    scale[0], scale[1], scale[2], scale[3] = p[0] ** -2, p[0] ** -3, p[0] ** -4, 1.0
     energy, last = np.nan, False
     for _ in range(50):
         energy = statics(qm, v_squared, p, gradient, hessian)
@@ -219,7 +218,8 @@ def hold_tip(
         for i in range(4):
             for j in range(4):
                 system[i, j] = hessian[i, j] * scale[i] * scale[j]
-            system[i, 4], system[4, i] = -lever[i], lever[i]
+            system[4, i] = 1.0 if i < 3 else 0.0
+            system[i, 4] = -system[4, i]
             right[i] = -gradient[i] * scale[i]
         system[4, 4] = 0.0
         right[4] = q - (qm[0] / scale[0] + qm[1] / scale[1] + qm[2] / scale[2])

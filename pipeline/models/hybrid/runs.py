@@ -17,7 +17,7 @@ from pipeline.generated.condensed_joint import RATES, STATES, STOP_MOVE, STOPS
 from pipeline.models.hybrid.kernels import VALUES, look_up, prepare, table_span, tabulate
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.solvers.fixed_step import Methods, inlined, integrator, workspace
+from pipeline.solvers.fixed_step import SHARES, Methods, inlined, integrator, workspace
 
 BATCH = 8
 """Joints side by side."""
@@ -34,9 +34,9 @@ class Joints(NamedTuple):
         Its length makes W known to the compiler.
     p : FloatArray, shape (PREPARED · W,)
         Prepared constants.
-    c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (3 W,), (2 W,), (2,)
+    c, z, start, u, now : FloatArray, shapes (VALUES · W,), (STOPS · W,), (3 W,), (2 W,), (3,)
         Filled in a run: corrections, stop operators, (q, τ, β) at the start of the step, squared voltages [V²]; half
-        step and observer pole of the step.
+        step and observer pole of the step, and its stage.
     squares : FloatArray, shape (V, H, 2)
         Squared voltages [V²] on the H half steps, as V different sets of instruments show them.
     variant, table : NDArray[int64], shape (W,)
@@ -51,6 +51,8 @@ class Joints(NamedTuple):
         Displacement [m] that confines the runs; dτ/dq [1/m] of slow motions.
     path : FloatArray, shape (H, 2)
         Prescribed q [m] and q̇ [m/s]; (0, 2) where the tip is free.
+    points, slips : FloatArray, shapes (steps + 1, 4, STATES) and (steps + 1, STOPS)
+        Filled in a run of one joint: states at all stages, and stop operators where steps begin. Empty in other runs.
     """
 
     slots: tuple[int, ...]
@@ -71,6 +73,12 @@ class Joints(NamedTuple):
     wall: float
     lead: float
     path: FloatArray
+    points: FloatArray
+    slips: FloatArray
+
+
+NO_STAGES = np.zeros((0, len(SHARES), STATES)), np.zeros((0, STOPS))
+"""`points` and `slips` of a run that does not fill them."""
 
 
 @inlined
@@ -104,7 +112,10 @@ def _begin_of(w: int) -> Any:
             x[0], x[1] = system.path[node, 0], system.path[node, 1]
         for j in range(w):
             system.start[j], system.start[w + j], system.start[2 * w + j] = x[j], x[2 * w + j], x[4 * w + j]
-        system.now[0] = node
+        system.now[0], system.now[2] = node, 0.0
+        if w == 1 and len(system.slips) > 0:
+            for i in range(STOPS):
+                system.slips[node // 2, i] = system.z[i]
         system.now[1] = system.pole[node] if len(system.pole) > 0 else 0.0
 
     return begin
@@ -118,6 +129,11 @@ def _rates_of(w: int) -> Any:
         """The law with the corrections at q, and the observer's pull."""
         if len(system.path) > 0:
             x[0], x[1] = system.path[node, 0], system.path[node, 1]
+        if w == 1 and len(system.points) > 0:
+            step, stage = int(system.now[0]) // 2, int(system.now[2])
+            for i in range(STATES):
+                system.points[step, stage, i] = x[i]
+            system.now[2] += 1.0
         for j in range(w):
             system.u[j] = system.squares[system.variant[j], node, 0]
             system.u[w + j] = system.squares[system.variant[j], node, 1]
@@ -158,7 +174,7 @@ def _finish_of(w: int) -> Any:
     return finish
 
 
-_integrate = integrator(Joints, _methods)
+integrate_joints = integrator(Joints, _methods)
 
 
 class Laws(NamedTuple):
@@ -267,12 +283,12 @@ def run_joints(
         shown_states = np.empty((shown, 3, width))
         system = Joints(
             (0,) * width, _rows(prepared[chosen]), np.zeros(VALUES * width), z,
-            np.zeros(3 * width), np.zeros(2 * width), np.zeros(2), driving.squares, driving.variant[chosen],
+            np.zeros(3 * width), np.zeros(2 * width), np.zeros(3), driving.squares, driving.variant[chosen],
             np.zeros(width, dtype=np.int64) if alike else chosen, span, tables,
             driving.offset[chosen], followed.reading, poles,
-            stepping.wall, stepping.lead, np.zeros((0, 2)),
+            stepping.wall, stepping.lead, np.zeros((0, 2)), *NO_STAGES,
         )  # fmt: skip
-        _integrate(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
+        integrate_joints(system, x, shown_states, workspace(x), parts, stepping.dt / substeps, -np.inf, np.inf)
         filled = min(width, count - first)
         out[first : first + filled] = shown_states.transpose(2, 0, 1)[:filled]
     if not np.isfinite(out.sum()):
@@ -315,11 +331,11 @@ def continued_runs(
         nodes, out = slice(parts * first, parts * (first + count) + 1), np.empty((count + 1, 3, 1))
         system = Joints(
             (0,), prepared[0], np.zeros(VALUES), z,
-            np.zeros(3), np.zeros(2), np.zeros(2), driving.squares[:, nodes], only, only, span, tables,
+            np.zeros(3), np.zeros(2), np.zeros(3), driving.squares[:, nodes], only, only, span, tables,
             driving.offset, followed.reading[nodes] if held else none, poles[nodes] if held else none,
-            stepping.wall, stepping.lead, np.zeros((0, 2)),
+            stepping.wall, stepping.lead, np.zeros((0, 2)), *NO_STAGES,
         )  # fmt: skip
-        _integrate(system, x, out, work, stepping.substeps, stepping.dt / stepping.substeps, -np.inf, np.inf)
+        integrate_joints(system, x, out, work, stepping.substeps, stepping.dt / stepping.substeps, -np.inf, np.inf)
         return np.asarray(out[:, 0, 0] + driving.offset)
 
     at = 0
@@ -344,10 +360,10 @@ def follow_path(
     only, out = np.zeros(1, dtype=np.int64), np.empty((samples, 3, 1))
     system = Joints(
         (0,), p, np.zeros(VALUES), z,
-        np.zeros(3), np.zeros(2), np.zeros(2), u[None], only, only, table_span(basis, weights.shape[1]),
-        tabulate(basis, weights[None]), np.zeros(1), none, none, np.inf, 0.0, path,
+        np.zeros(3), np.zeros(2), np.zeros(3), u[None], only, only, table_span(basis, weights.shape[1]),
+        tabulate(basis, weights[None]), np.zeros(1), none, none, np.inf, 0.0, path, *NO_STAGES,
     )  # fmt: skip
-    _integrate(system, x, out, workspace(x), substeps, dt / substeps, -np.inf, np.inf)
+    integrate_joints(system, x, out, workspace(x), substeps, dt / substeps, -np.inf, np.inf)
     return np.ascontiguousarray(out[:, 2, 0])
 
 

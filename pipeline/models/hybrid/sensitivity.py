@@ -9,16 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid.columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
 from pipeline.models.hybrid.kernels import CURVES, VALUES, table_span, tabulate
 from pipeline.models.hybrid.kernels import prepare as prepare_rates
-from pipeline.models.hybrid.runs import Joints, Laws, Stepping
+from pipeline.models.hybrid.runs import Joints, Laws, Stepping, integrate_joints
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray, SingleArray
-from pipeline.numerics.inner_loops import FAST
-from pipeline.solvers.fixed_step import STAGE_NODES, take_step, workspace
+from pipeline.solvers.fixed_step import SHARES, workspace
 
 _NUDGE = 1e-4
 """Step of the differences by which the state at rest depends on a column, in its own scale."""
@@ -92,13 +90,13 @@ def sensitivities(
     steps, active = (len(driven.squares) - 1) // 2, np.flatnonzero(scale)
     x, z, starts, stops = _starts(laws, scale, active, widths, offset, driven)
     p, only = prepare_rates(k[None])[0], np.zeros(1, dtype=np.int64)
+    points, slips = np.empty((steps + 1, len(SHARES), STATES)), np.empty((steps + 1, STOPS))
     system = Joints(
-        (0,), p, np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(2), driven.squares[None], only, only,
+        (0,), p, np.zeros(VALUES), z, np.zeros(3), np.zeros(2), np.zeros(3), driven.squares[None], only, only,
         table_span(basis, weights.shape[1]), tabulate(basis, weights[None]), np.array([offset]), driven.observed,
-        driven.pole, wall, lead, np.zeros((0, 2)),
+        driven.pole, wall, lead, np.zeros((0, 2)), points, slips,
     )  # fmt: skip
-    points, slips = np.empty((steps + 1, len(STAGE_NODES), STATES)), np.empty((steps + 1, STOPS))
-    _run(system, x, dt / substeps, workspace(x), points, slips)
+    integrate_joints(system, x, np.empty((steps + 1, 3, 1)), workspace(x), 1, dt / substeps, -np.inf, np.inf)
     displacements = np.empty((steps // substeps + 1, len(starts) * BATCH))
     path = Path(points, slips, driven.squares, driven.by_instruments, driven.pole)
     propagate(path, laws, stepping, columns_of(active), starts, stops, displacements)
@@ -146,14 +144,3 @@ def _unit(count: int, i: int) -> FloatArray:
     unit = np.zeros(count)
     unit[i] = 1.0
     return unit
-
-
-@compiled(fastmath=FAST)
-def _run(system: Joints, x: FloatArray, h: float, work: FloatArray, points: FloatArray, slips: FloatArray) -> None:
-    """States at all stages (steps + 1, 4, STATES), and stop operators at the start of each step; x moves to the end."""
-    y, dx, total, acceleration, first = work[0], work[1], work[2], work[3, :1], work[4, :1]
-    final = 2 * (len(points) - 1)
-    for step in range(len(points)):
-        for i in range(STOPS):
-            slips[step, i] = system.z[i]
-        take_step(system, x, 2 * step, final, h, y, dx, total, acceleration, first, points[step])

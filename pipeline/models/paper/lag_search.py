@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 
@@ -50,27 +49,15 @@ class LagSearch:
     history: FloatArray
 
 
-@compiled
-def pair_products(basis: FloatArray, start: int, stop: int, products: FloatArray) -> None:
-    """Into `products`, shape (≥ stop − start, M (M + 1)/2), φ_a φ_b for b ≤ a at the samples from `start` to `stop`."""
-    for n in range(start, stop):
-        k = 0
-        for a in range(basis.shape[1]):
-            for b in range(a + 1):
-                products[n - start, k] = basis[n, a] * basis[n, b]
-                k += 1
-
-
 def _accumulate(stretch: LagStretch, first: FloatArray, second: FloatArray) -> FloatArray:
     """Sums Σ_n first_n,j second_n,j φ_a φ_b, shape (columns, M, M)."""
     m = stretch.basis.shape[1]
-    products = np.empty((CHUNK, m * (m + 1) // 2))
-    sums = np.zeros((first.shape[1], products.shape[1]))
-    for start in range(0, len(first), CHUNK):
-        stop = min(start + CHUNK, len(first))
-        pair_products(stretch.basis, start, stop, products)
-        sums += (first[start:stop] * second[start:stop]).T @ products[: stop - start]
     row, column = np.tril_indices(m)
+    sums = np.zeros((first.shape[1], row.size))
+    for start in range(0, len(first), CHUNK):
+        part = slice(start, start + CHUNK)
+        products = np.take(stretch.basis[part], row, axis=1) * np.take(stretch.basis[part], column, axis=1)
+        sums += (first[part] * second[part]).T @ products
     blocks = np.empty((first.shape[1], m, m))
     blocks[:, row, column] = sums
     blocks[:, column, row] = sums
@@ -100,7 +87,7 @@ class _NormalEquations:
             self.right[fixed] += (x.signals[:, fixed] * x.target[:, None]).T @ x.basis
 
     def update(self, time_constant: float) -> None:
-        """Fill z into the signals and redo the damping rows. Cost: about 60 ns per sample for M = 10."""
+        """Fill z into the signals and redo the damping rows. Cost: about 0.4 µs per sample for M = 10."""
         self.gram[LAG] = 0.0
         self.right[LAG] = 0.0
         for x in self.stretches:
@@ -155,7 +142,7 @@ def search_lag(stretches: Sequence[LagStretch], *, start: float, bounds: tuple[f
     Returns
     -------
     LagSearch
-        Cost: one Gram update (60 ns per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
+        Cost: one Gram update (0.4 µs per sample at M = 10) and one gradient (20 ns) per evaluation, about ten of them.
     """
     equations = _NormalEquations(stretches)
     low, high = np.log(bounds[0]), np.log(bounds[1])
