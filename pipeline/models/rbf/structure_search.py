@@ -181,7 +181,7 @@ def search(
         return tried[option.label]
 
     def better(option: Candidate, than: Candidate) -> bool:
-        """Whether an option replaces the best so far; no option does by a time that does nothing."""
+        """Whether an option replaces the best so far; a lag or a delay that does nothing is no reason."""
         if any(not getattr(than.structure, time) for time in judged(option).idle):
             return False
         smaller = size(option) < size(than)
