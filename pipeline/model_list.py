@@ -24,6 +24,8 @@ class ModelEntry:
         The settings table that names it, and the stage that fits it.
     needs_parameters : bool
         Whether it needs a parameter set of the analytical joint.
+    on_request : bool
+        Whether it is fitted only where the settings name it.
     stands_in : tuple of str
         Gates of the training data (`pipeline.settings.TrainingGate`) that need not hold for it: what the data do not
         show, its equations or its priors decide.
@@ -33,6 +35,7 @@ class ModelEntry:
     kind: str
     part: Literal["identify", "compare"] = "compare"
     needs_parameters: bool = False
+    on_request: bool = False
     stands_in: tuple[str, ...] = ()
 
 
@@ -45,6 +48,7 @@ ENTRIES = (
     ModelEntry("sindy", "pipeline.models.sindy.model:SINDY"),
     ModelEntry("sindy-default", "pipeline.models.sindy.model:SINDY_DEFAULT"),
     ModelEntry("narx", "pipeline.models.narx:NARX"),
+    ModelEntry("neural", "pipeline.models.neural:NEURAL", on_request=True),
     ModelEntry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True),
     ModelEntry(
         "analytical-calibrated", "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED", needs_parameters=True

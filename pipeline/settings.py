@@ -209,7 +209,8 @@ class Compare(SettingsTable):
     models: tuple[str, ...] | None = None
     """Baselines to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with
     the parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters).
-    Names: sindy, sindy-default, narx, analytical, analytical-calibrated."""
+    A neural state space is fitted where it is named; it needs the extra `neural`.
+    Names: sindy, sindy-default, narx, neural, analytical, analytical-calibrated."""
     candidates: Whole | None = Field(default=None, ge=1, le=1_000_000)
     """Candidates after which the search of SINDy or NARX ends with the best so far; it ends by itself if left out. They
     are counted and not timed, so that results do not depend on the machine."""
@@ -331,7 +332,7 @@ class Prototype(SettingsTable):
         """The baselines to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every = [entry for entry in ENTRIES if entry.part == "compare"]
+        every = [entry for entry in ENTRIES if entry.part == "compare" and not entry.on_request]
         return tuple(entry.name for entry in every if not entry.needs_parameters or self.plant.parameters is not None)
 
 

@@ -64,7 +64,11 @@ def differences(first: LogFacts, other: LogFacts, declared: Declared) -> Differe
     signals = _shifted(other.signals, clock)
     driven = _without_levels(signals, levels)
     measured = _measured(first, other, driven, declared)
-    if _biased(other, levels) and _off(measured) and not _off(_measured(first, other, signals, declared)):
+    if (
+        _biased(other, levels)
+        and _off(measured, declared)
+        and not _off(_measured(first, other, signals, declared), declared)
+    ):
         levels, driven = (None,) * len(levels), signals
         measured = _measured(first, other, driven, declared)
     zero = _zero(first, measured, declared)
@@ -73,7 +77,7 @@ def differences(first: LogFacts, other: LogFacts, declared: Declared) -> Differe
         measured = _measured(first, other, moved, declared)
         again = 0.0 if measured is None else measured.zero
         zero, moved = replace(zero, value=zero.value + again), replace(moved, q=moved.q - again)
-    gain = measured if _off(measured) else None
+    gain = measured if _off(measured, declared) else None
     corrected = moved if gain is None else replace(moved, v=moved.v * gain.factors)
     if (gain or zero) and not _helps(first, driven, corrected, declared):
         gain, zero, corrected = None, None, driven
@@ -83,7 +87,7 @@ def differences(first: LogFacts, other: LogFacts, declared: Declared) -> Differe
 def difference_rows(first: LogFacts, other: LogFacts, differs: Differences, declared: Declared) -> list[CheckRow]:
     """One row for each difference."""
     log, beside = other.signals.name, first.signals.name
-    rows = list(_gain_rows(log, beside, differs.gain))
+    rows = list(_gain_rows(log, beside, differs.gain, declared))
     if differs.clock is not None:
         rows.append(_clock_row(log, beside, differs.clock, declared))
     for i, levels in enumerate(differs.levels):
@@ -193,30 +197,33 @@ def _without_levels(log: LogSignals, levels: tuple[tuple[float, float] | None, .
     return replace(log, v=log.v - moved) if moved.any() else log
 
 
-def _off(gain: LogDifferences | None) -> list[tuple[str, float, float]]:
+def _off(gain: LogDifferences | None, declared: Declared) -> list[tuple[str, float, float]]:
     """The inputs whose gain is surely off, with factor and standard error."""
     if gain is None:
         return []
     least, sure = limits.GAIN_OF_ALL if gain.together else limits.GAIN_OF_ONE
     names = ["voltages"] if gain.together else [f"v{k + 1}" for k in range(gain.factors.size)]
     measured = zip(names, gain.factors.tolist(), gain.errors.tolist(), strict=True)
-    return [(name, g, error) for name, g, error in measured if abs(g - 1.0) > max(least, sure * error)]
+    off = [(name, g, error) for name, g, error in measured if abs(g - 1.0) > max(least, sure * error)]
+    usual = (1.0, 1.0) if declared.joint else (1.0 / limits.GAIN_OF_OTHER, limits.GAIN_OF_OTHER)
+    return [each for each in off if not usual[0] <= each[1] <= usual[1]]
 
 
-def _gain_rows(log: str, beside: str, gain: LogDifferences | None) -> Iterator[CheckRow]:
+def _gain_rows(log: str, beside: str, gain: LogDifferences | None, declared: Declared) -> Iterator[CheckRow]:
     """A log whose inputs are all too small or too large: another probe, another range of the amplifier."""
-    for name, factor, error in _off(gain):
+    allowed = "± 3 %" if declared.joint else f"1/{limits.GAIN_OF_OTHER:g} … {limits.GAIN_OF_OTHER:g}"
+    for name, factor, error in _off(gain, declared):
         percent, side = 100.0 * (1.0 / factor - 1.0), "low" if factor > 1.0 else "high"
         measured = f"{quantity(abs(percent), '%', 100.0 * error / factor**2)} {side}"
         advice = (
             f"against {beside}, the {name} of this log look {measured}: correct its probe ratio (times "
             f"{significant(factor, 3)}), or leave the log out"
         )
-        wrong = abs(factor - 1.0) > limits.WRONG_GAIN
+        wrong = declared.joint and abs(factor - 1.0) > limits.WRONG_GAIN
         state: State = "wrong" if wrong else "note"
         gate: CheckGate | None = "scale" if wrong else None
         values = in_si("gain", "1", factor, error)
-        yield CheckRow(log, f"gain of {name}", measured, "± 3 %", state, gate, advice, values=values)
+        yield CheckRow(log, f"gain of {name}", measured, allowed, state, gate, advice, values=values)
 
 
 def _clock_row(log: str, beside: str, clock: Estimate, declared: Declared) -> CheckRow:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
     from pipeline.checks.weak_form import LogSignals
 
-ALGORITHM = "24"
+ALGORITHM = "25"
 
 
 def tasks(prototype: Prototype) -> list[Task]:
