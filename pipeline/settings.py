@@ -173,8 +173,9 @@ class Identify(SettingsTable):
     """End stops of `rbf`, one on either side, with a stiffness and a resistance while they are touched."""
     gain: Literal["auto", "curve", "constant"] = "auto"
     """Gain of each input of `rbf`: a curve or a number."""
-    drive: Literal["auto", "direct", "lag", "delay", "lag+delay"] = "auto"
-    """How an input of `rbf` reaches the device: at once, behind a first-order lag, a constant delay, or both."""
+    drive: Literal["auto", "direct", "lag", "delay", "lag+delay", "effect-lag"] = "auto"
+    """How an input of `rbf` reaches the device: at once, behind a first-order lag, a constant delay, or both. With
+    "effect-lag" what the input does lags, as heat or pressure follows a power."""
     effect: Literal["auto", "plain", "bent", "dead-zone"] = "auto"
     """How strongly an input of `rbf` acts: in proportion (or by its square), by a curve that is steeper or flatter at
     zero, as of an amplifier, valve or motor that saturates, or past a dead zone in which it does nothing."""

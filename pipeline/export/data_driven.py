@@ -67,6 +67,7 @@ class _Joint:
     offset: FloatArray
     lagged: bool
     lag: float
+    effect_lags: bool
     bend: float | None
     zone: float | None
     rested: bool
@@ -90,7 +91,7 @@ class _Joint:
         state = {"x": size, "z": 1, "base": base, "u": k}
         lag = {"lag": trace(self.behind, before=k, within=k, after=k, h=1, x=size)} if self.lagged else {}
         return lag | {
-            "drive": trace(lambda v: {"u": [value / self.volts for value in v]}, v=k),
+            "drive": trace(self.drive, v=k),
             "start": trace(self.start, q0=1, qdot0=1, u=k),
             "begin": trace(self.begin, x=size, z=1, h=1),
             "rates": trace(self.rates, **state),
@@ -112,6 +113,11 @@ class _Joint:
                 for i in range(self.inputs if self.lagged else 0)
             ),
         )
+
+    def drive(self, v: Values) -> Outputs:
+        """Inputs over the largest one, or what they do if that lags."""
+        u = [value / self.volts for value in v]
+        return {"u": self._effect(u) if self.effect_lags else u}
 
     def start(self, q0: Values, qdot0: Values, u: Values) -> Outputs:
         """Elements at rest, friction relaxed."""
@@ -158,7 +164,11 @@ class _Joint:
         return {"ok": [function("finite", x[1])]}
 
     def _acting(self, u: Values) -> Values:
-        """Inputs of the equation of motion from those behind their lag: freed of their offset, bent, squared."""
+        """Inputs of the equation of motion from what `drive` gives, behind its lag."""
+        return u if self.effect_lags else self._effect(u)
+
+    def _effect(self, u: Values) -> Values:
+        """What scaled inputs do: freed of their offset, bent, squared."""
         freed = [value - float(zero) for value, zero in zip(u, self.offset, strict=True)]
         bent = [value if self.bend is None else apply(BENT, value, self.bend)[0] for value in freed]
         drives = [value if self.zone is None else apply(PAST_ZONE, value, self.zone)[0] for value in bent]
@@ -188,6 +198,7 @@ def _joint(model: RbfModel) -> _Joint:
         offset=offset if len(offset) else np.zeros(len(p.signs)),
         lagged=p.structure.input_lag,
         lag=float(np.exp(log_lag[0])) if len(log_lag) else 0.0,
+        effect_lags=p.structure.effect_lags,
         bend=float(theta[p.slices["input_bend"]][0]) if p.structure.bent_input else None,
         zone=float(np.exp(theta[p.slices["input_zone"]][0])) if p.structure.dead_zone else None,
         rested=not p.structure.rest_at_zero,

@@ -53,11 +53,21 @@ def hybrid(centres: int = 5, delay: float = 0.5) -> HybridModel:
 
 
 def data_driven(
-    law: str = "squared", inputs: int = 2, lag: float | None = None, *, rest_at_zero: bool = False
+    law: str = "squared",
+    inputs: int = 2,
+    lag: float | None = None,
+    *,
+    rest_at_zero: bool = False,
+    effect_lags: bool = False,
 ) -> RbfModel:
-    """A double well with hidden elements, friction and an arc; with `lag` [s] of its inputs."""
+    """A double well with hidden elements, friction and an arc; with `lag` [s] of its inputs, or of what they do."""
     structure = JointStructure(
-        basis_functions=8, rates=(6.0, 0.2), shape_elements=1, input_lag=lag is not None, rest_at_zero=rest_at_zero
+        basis_functions=8,
+        rates=(6.0, 0.2),
+        shape_elements=1,
+        input_lag=lag is not None,
+        rest_at_zero=rest_at_zero,
+        effect_lags=effect_lags,
     )
     signs = (1, -1)[:inputs] if law == "squared" else (0,) * inputs
     p = ParameterLayout(structure, JointScales(0.001, 0.022, 3000.0, 50.0), law, signs)

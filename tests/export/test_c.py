@@ -30,6 +30,13 @@ MODELS = {
     "data-driven, one linear input": (data_driven("linear", 1), 1, 300.0, 1e-12),
     "data-driven, lagged input": (data_driven(lag=0.05), 2, 3000.0, 1e-12),
     "data-driven, lag from rest without input": (data_driven(lag=0.05, rest_at_zero=True), 2, 3000.0, 1e-12),
+    "data-driven, lagged effect": (data_driven(lag=0.05, effect_lags=True), 2, 3000.0, 1e-12),
+    "data-driven, effect lags from rest": (
+        data_driven(lag=0.05, rest_at_zero=True, effect_lags=True),
+        2,
+        3000.0,
+        1e-12,
+    ),
     "data-driven, lag far below the step": (data_driven(lag=1e-4), 2, 3000.0, 1e-12),
     "data-driven, turning arm": (turning_arm(), 1, 60.0, 1e-12),
     "data-driven, overdamped": (overdamped(), 2, 3000.0, 1e-12),

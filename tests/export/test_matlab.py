@@ -15,6 +15,7 @@ MODELS = {
     "hybrid": (hybrid(), 1e-9),
     "data-driven": (data_driven(), 1e-9),
     "data-driven, lagged input": (data_driven(lag=0.05), 1e-9),
+    "data-driven, lagged effect": (data_driven(lag=0.05, effect_lags=True), 1e-9),
     "held input, delayed": (held_slider(0.013), 1e-9),
     "paper": (paper(), 1e-9),
     "sindy": (sindy(), 1e-9),

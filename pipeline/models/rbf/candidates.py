@@ -56,10 +56,11 @@ FORCES: tuple[ForceShape, ...] = ("curve", "polynomial", "offset")
 CurveShape = Literal["curve", "constant"]
 
 DRIVE: dict[str, dict[str, Any]] = {
-    "direct": {"input_lag": False, "input_delay": False},
-    "lag": {"input_lag": True, "input_delay": False},
-    "delay": {"input_lag": False, "input_delay": True},
-    "lag+delay": {"input_lag": True, "input_delay": True},
+    "direct": {"input_lag": False, "input_delay": False, "effect_lags": False},
+    "lag": {"input_lag": True, "input_delay": False, "effect_lags": False},
+    "delay": {"input_lag": False, "input_delay": True, "effect_lags": False},
+    "lag+delay": {"input_lag": True, "input_delay": True, "effect_lags": False},
+    "effect-lag": {"input_lag": True, "input_delay": False, "effect_lags": True},
 }
 """Paths of an input to the joint."""
 
@@ -154,7 +155,7 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     words += (
         ["overdamped"] * structure.overdamped
         + ["turning arm"] * structure.turning_arm
-        + ["lagged input"] * structure.input_lag
+        + ["lagged effect" if structure.effect_lags else "lagged input"] * structure.input_lag
     )
     words += ["delayed input"] * structure.input_delay + ["bent input"] * structure.bent_input
     words += ["dead zone"] * structure.dead_zone
@@ -210,7 +211,9 @@ class _Change:
         return self.to(*({name: value} for value in values))
 
 
-def offers(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[list[Offer], list[Offer]]:
+def offers(
+    choice: RbfChoice, *, fine: bool, slow: bool, driven: bool, squared: bool = False
+) -> tuple[list[Offer], list[Offer]]:
     """Offers of the inner validation in turn, each as changes of the best candidate so far.
 
     Parameters
@@ -223,6 +226,8 @@ def offers(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[
         Whether the device looks overdamped.
     driven : bool
         Whether an input acts at the first sample: else a lag rested without inputs either way.
+    squared : bool
+        Whether inputs act by their squares: else it is the same whether they or what they do lag.
 
     Returns
     -------
@@ -236,6 +241,7 @@ def offers(choice: RbfChoice, *, fine: bool, slow: bool, driven: bool) -> tuple[
         DRIVE["lag"] | {"rest_at_zero": at_zero}
         for at_zero in ((False, True) if driven else (choice.rest_at_zero or False,))
     ]
+    resting += [DRIVE["effect-lag"] | {"rest_at_zero": choice.rest_at_zero or False}] * squared
     drives = change.to(DRIVE["direct"], *resting, DRIVE["delay"])
     hold = change.each("hold", ["linear", "zero", "cubic", *(["record"] if fine else [])])
     friction, effect = change.to(*(FRICTION[law] for law in OFFERED)), change.to(*EFFECT.values())

@@ -131,7 +131,7 @@ def identify_rbf(
         )
     else:
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
-        usual = offers(wanted, fine=fine, slow=slow, driven=driven)
+        usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
         result = search(records, setting, first, *offered)
         tried, complete = result.held_out, result.complete

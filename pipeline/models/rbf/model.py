@@ -48,6 +48,7 @@ class _Structure(FilePart):
     drag: bool = _USUAL.drag
     stops: bool = _USUAL.stops
     input_lag: bool = _USUAL.input_lag
+    effect_lags: bool = _USUAL.effect_lags
     turning_arm: bool = _USUAL.turning_arm
     constant_damping: bool = _USUAL.constant_damping
     constant_gain: bool = _USUAL.constant_gain

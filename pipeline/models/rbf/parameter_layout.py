@@ -215,30 +215,44 @@ class ParameterLayout:
         """Inputs at every half step and their derivatives by offsets, lag, delay and bend (see `observed_run`).
 
         They pass delay and lag, solved exactly, and are bent and squared after that, because it is the drive (the
-        propeller's speed, the electrodes' charge) that lags and its square that pulls.
+        propeller's speed, the electrodes' charge) that lags and its square that pulls. Where the effect lags, as heat
+        does, they are bent and squared first.
         """
         volts = drive_at_nodes(v, interval, steps, self.structure.hold, self.delay(theta)) / self.scales.volts
         return self.acting(volts, interval / steps / 2.0, theta)
 
     def acting(self, volts: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
         """`inputs` from the scaled and delayed drive at every half step [s]."""
-        s, changes = self.structure, []
+        s, by_lag, by_delay = self.structure, np.empty((0, *volts.shape)), np.empty((0, *volts.shape))
         if s.input_delay:
-            by_delay = -np.exp(theta[self.slices["input_delay"]][0]) * np.gradient(volts, half, axis=0)
-        if s.input_lag:
-            lag, held = float(np.exp(theta[self.slices["input_lag"]][0])), s.hold == "zero"
-            if s.input_delay:
-                by_delay, _ = lagged(by_delay, half, lag, held=held, rest_at_zero=True)
-            volts, by_lag = lagged(volts, half, lag, held=held, rest_at_zero=s.rest_at_zero)
-            changes.append(by_lag)
-        if s.input_delay:
-            changes.append(by_delay)
+            by_delay = -np.exp(theta[self.slices["input_delay"]]) * np.gradient(volts, half, axis=0)[None]
+        if s.input_lag and not s.effect_lags:
+            by_delay = self._behind(by_delay, half, theta, rest_at_zero=True)
+            volts, by_lag = self._lagged(volts, half, theta)
         u, slope, by_shape = self._effect(volts, theta)
-        offsets = np.zeros((len(theta[self.slices["input_offset"]]), *volts.shape))
-        for i in range(len(offsets)):
-            offsets[i, :, i] = -slope[:, i]
-        du = np.concatenate([offsets, *((slope * change)[None] for change in changes), by_shape])
-        return np.ascontiguousarray(u), du
+        by_offset = np.zeros((len(theta[self.slices["input_offset"]]), *volts.shape))
+        for i in range(len(by_offset)):
+            by_offset[i, :, i] = -slope[:, i]
+        by_lag, by_delay = slope * by_lag, slope * by_delay
+        if s.input_lag and s.effect_lags:
+            by_offset, by_delay, by_shape = (
+                self._behind(change, half, theta, rest_at_zero=s.rest_at_zero)
+                for change in (by_offset, by_delay, by_shape)
+            )
+            u, by_lag = self._lagged(u, half, theta)
+        return np.ascontiguousarray(u), np.concatenate([by_offset, by_lag, by_delay, by_shape])
+
+    def _lagged(self, u: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Values at every half step [s] behind the lag, and their derivative by its logarithm, (1, n, K)."""
+        lag, s = float(np.exp(theta[self.slices["input_lag"]][0])), self.structure
+        behind, by_lag = lagged(u, half, lag, held=s.hold == "zero", rest_at_zero=s.rest_at_zero)
+        return behind, by_lag[None]
+
+    def _behind(self, changes: FloatArray, half: float, theta: FloatArray, *, rest_at_zero: bool) -> FloatArray:
+        """Derivatives (m, n, K) of values, behind the lag."""
+        lag, held = float(np.exp(theta[self.slices["input_lag"]][0])), self.structure.hold == "zero"
+        parts = [lagged(change, half, lag, held=held, rest_at_zero=rest_at_zero)[0] for change in changes]
+        return np.array(parts).reshape(changes.shape)
 
     def _effect(self, volts: FloatArray, theta: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Effect of the drives, freed of offset, bent, past a dead zone, squared; its derivatives by the drive, and by
@@ -267,6 +281,8 @@ class ParameterLayout:
         """Inputs under which hidden elements rested before the first sample, shape (K,); `begins`: of a whole log."""
         if not (self.structure.rest_at_zero and begins):
             return np.ascontiguousarray(u[0])
+        if self.structure.effect_lags:
+            return np.zeros(u.shape[1])
         acting, _, _ = self._effect(np.zeros((1, u.shape[1])), theta)
         return np.ascontiguousarray(acting[0])
 

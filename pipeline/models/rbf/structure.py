@@ -45,6 +45,8 @@ class JointStructure:
         Whether the inertia may vary with the displacement (a tip on an arc).
     input_lag : bool
         Whether the inputs act through a first-order lag (a propeller, a slow drive).
+    effect_lags : bool
+        Whether that lag follows what the inputs do, as heat or pressure follows a power, instead of the inputs.
     drag : bool
         Whether a fluid's drag acts, by the square of the speed.
     stops : bool
@@ -79,6 +81,7 @@ class JointStructure:
     drag: bool = False
     stops: bool = False
     input_lag: bool = False
+    effect_lags: bool = False
     turning_arm: bool = False
     force: ForceShape = "curve"
     constant_damping: bool = False

@@ -387,7 +387,7 @@ def _quick_fit(
 def _alike(p: ParameterLayout, near: ParameterLayout) -> bool:
     """Whether the fit of another structure is a good start; what the inputs do decides where all else must go."""
     a, b = p.structure, near.structure
-    drive = (a.input_lag, a.input_delay, a.rest_at_zero) == (b.input_lag, b.input_delay, b.rest_at_zero)
+    drive = all(getattr(a, name) == getattr(b, name) for name in ("effect_lags", "rest_at_zero", *TIMES))
     return drive and near.scales == p.scales and near.signs == p.signs
 
 

@@ -103,6 +103,25 @@ def test_a_held_input_behind_a_lag_moves_a_mass_as_an_integrator_says(rest_at_ze
         assert run.q[n + 1] == pytest.approx(state[0], abs=2e-5)
 
 
+def test_an_effect_behind_a_lag_moves_a_mass_as_an_integrator_says():
+    """Heat by the square of an input of both signs, which drops where the input crosses zero only behind the lag."""
+    rng, t = np.random.default_rng(2), INTERVAL * np.arange(30)
+    v = rng.uniform(-1.0, 1.0, (30, 1))
+    held = mass(hold="zero", input_lag=True, effect_lags=True, rest_at_zero=True)
+    p = ParameterLayout(held.parameters.structure, held.parameters.scales, "squared", (1,))
+    theta = np.zeros(p.count)
+    theta[p.slices["damping"]], theta[p.slices["input0"]], theta[p.slices["input_lag"]] = np.log([0.7, 3.0, 0.3])
+    run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, 0.0, 0.0)
+    state = np.zeros(3)
+    for n in range(29):
+        step = solve_ivp(
+            lambda _, y, n=n: [y[1], 3.0 * y[2] - 0.7 * y[1], (v[n, 0] ** 2 - y[2]) / 0.3],
+            (0.0, INTERVAL), state, rtol=1e-9, atol=1e-12,
+        )  # fmt: skip
+        state = step.y[:, -1]
+        assert run.q[n + 1] == pytest.approx(state[0], abs=2e-5)
+
+
 def test_thinning_keeps_what_a_slow_device_does():
     model = mass(hold="linear")
     t = 0.002 * np.arange(4000)

@@ -618,6 +618,29 @@ def seesaw(seed, *, n=900, interval=0.04, signs=(1, -1)):
     return Record(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
 
 
+def test_heat_that_follows_the_square_of_an_input_is_told_from_an_input_that_lags():
+    """The input crosses zero often; only what it does is slow."""
+    structure = JointStructure(
+        8, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True,
+        constant_gain=True, input_lag=True, effect_lags=True,
+    )  # fmt: skip
+    p = ParameterLayout(structure, JointScales(0.3, 0.5, 1.0, 10.0), "squared", (1,))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = -1.0, -8.0, 0.0, np.log(0.1)
+    theta[at["damping"]], theta[at["input0"]], theta[at["input_lag"]] = np.log(0.8), np.log(9.0), np.log(0.4)
+    rng, t = np.random.default_rng(5), 0.04 * np.arange(700)
+    v = np.repeat(rng.uniform(-1.0, 1.0, (100, 1)), 7, axis=0)
+    run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, -0.2, 0.0)
+    assert run.status == "ok"
+    q = run.q + 1e-4 * rng.standard_normal(700)
+    log = Record(t, q, run.qdot, run.qddot, v, np.ones(700, dtype=bool))
+    model = identify_rbf(
+        [log], choice=RbfChoice("viscous", force="polynomial", damping="constant", gain="constant", effect="plain")
+    )
+    assert "lagged effect" in model.diagnostics["chosen"]
+    assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.4, rel=0.05)
+
+
 def test_only_two_wells_between_two_pulls_are_taken_for_a_bistable_joint():
     assert is_bistable_pair([seen(21)], "squared")
     assert not is_bistable_pair([seen(21)], "linear")

@@ -91,8 +91,23 @@ def test_the_traced_law_is_the_one_that_runs_integrate(changes):
         {"drag": True},
         {"stops": True},
         {"input_lag": True, "bent_input": True, "dead_zone": True},
+        {"input_lag": True, "effect_lags": True, "bent_input": True, "dead_zone": True},
+        {"input_lag": True, "effect_lags": True, "hold": "zero", "rest_at_zero": True},
     ],
-    ids=["plain", "lag", "arm", "held", "held lag from zero", "constants", "bent", "drag", "stops", "dead zone"],
+    ids=[
+        "plain",
+        "lag",
+        "arm",
+        "held",
+        "held lag from zero",
+        "constants",
+        "bent",
+        "drag",
+        "stops",
+        "dead zone",
+        "lag of the effect",
+        "held lag of the effect",
+    ],
 )
 def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
     p = parameters(**changes)
