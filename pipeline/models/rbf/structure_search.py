@@ -54,7 +54,7 @@ FAR = 1.3
 """Times the error in free run beyond which a smaller structure must not err surely more coupled to the measurement
 either: passages between two wells make free runs err so much that hardly anything is sure."""
 
-TOO_SIMPLE = 3.0
+TOO_SIMPLE = 1.5
 """Times the error over what was fitted beyond which a smaller structure does not replace a larger one whatever held-out
 data say: of a slow device they may hold too little to be sure of anything."""
 
