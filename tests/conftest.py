@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-import typer.testing
+import typer.main
 
 from pipeline.isolation import preload
 from pipeline.machine import settle_machine
@@ -16,7 +16,7 @@ from pipeline.machine import settle_machine
 settle_machine()  # before a test module loads NumPy
 preload(["pipeline.batch.preloaded", "asammdf"])  # once for all processes that tests have forked
 gc.disable()  # while tests are collected: what is imported stays, and looking it through took a seventh of that time
-typer.testing._get_command = cache(typer.testing._get_command)  # else each call of a command assembles all of them
+typer.main.get_command = cache(typer.main.get_command)  # else each call of a command assembles all of them
 os.environ.pop("COLUMNS", None)  # set by tests side by side, which have no terminal either
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"

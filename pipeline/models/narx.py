@@ -22,14 +22,14 @@ from pydantic import model_validator
 from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.models.base import FreeRun, checked
+from pipeline.models.difference_equation import check_interval, sampled_run
 from pipeline.models.kind import Kind
 from pipeline.models.model_file import MOST_INPUTS, Exponents, ModelFile, Positive, PositiveRow, Sizes, Span, Table
 from pipeline.models.polynomial_dynamics import monomials
-from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
-from pipeline.numerics.linear_filters import finite_difference
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
 from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.fixed_step import escape_bounds, run_status
+from pipeline.solvers.fixed_step import escape_bounds
 
 MOST_LAGS = 64
 """Increments, or lags of an input."""
@@ -136,19 +136,14 @@ class NarxModel(ModelFile):
         InputError
             The record has another sample interval than the equation.
         """
-        self._check(t)
-        q, reached = self.run(v, q0, qdot0)
-        qdot, qddot = np.full((2, q.size), np.nan)
-        qdot[:reached] = finite_difference(q[:reached], self.interval_s, 1)
-        qddot[:reached] = finite_difference(q[:reached], self.interval_s, 2)
-        status, diverged_at = run_status(t, reached)
-        return FreeRun(t, q, qdot, qddot, status, diverged_at)
+        check_interval(t, self.interval_s, self.name)
+        return sampled_run(t, *self.run(v, q0, qdot0), self.interval_s)
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
     ) -> Iterator[FloatArray]:
         """Predictions from the measured past that the equation looks at; see `pipeline.models.base.Predicts`."""
-        self._check(t)
+        check_interval(t, self.interval_s, self.name)
         rows, reach = np.arange(len(seen)), int(self.structure.max())
         unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, rows))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
@@ -160,7 +155,7 @@ class NarxModel(ModelFile):
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] of the one-step prediction along a gap-free path; `qdot` is not used."""
-        self._check(t)
+        check_interval(t, self.interval_s, self.name)
         theta, _, first = self.regression(q, v)
         change = theta @ self.coefficients / self.interval_s**2
         return np.pad(change, (first, 1), mode="edge")  # rows whose lags reach beyond the record repeat their neighbour
@@ -219,13 +214,6 @@ class NarxModel(ModelFile):
         u, lags = np.square(v) if self.inputs == "squared" else v, np.arange(self.structure[2])
         rows = np.clip(np.arange(1, len(u) + 1)[:, None] - lags, 0, len(u) - 1)
         return np.hstack([column[rows] for column in u.T])
-
-    def _check(self, t: FloatArray) -> None:
-        interval = sample_interval(t)
-        if abs(interval / self.interval_s - 1.0) > 1e-3:
-            raise InputError(
-                f"the NARX model steps at {self.interval_s:g} s, the record at {interval:g} s; resample the log"
-            )
 
     def describe(self) -> dict[str, Any]:
         """Structure and how it was chosen."""

@@ -10,6 +10,7 @@ the last fifth of the training logs are taken. Only training needs deepSI and Py
 
 import importlib.util
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -19,14 +20,14 @@ from pydantic import model_validator
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.fitting.regression import input_signal
 from pipeline.models.base import FreeRun, checked
+from pipeline.models.difference_equation import check_interval, sampled_run
 from pipeline.models.kind import Kind
 from pipeline.models.model_file import FilePart, ModelFile, Positive, Real, Sizes, Span, Table
-from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
-from pipeline.numerics.linear_filters import finite_difference
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.scoring.cross_validation import free_run_error
 from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.fixed_step import escape_bounds, run_status
+from pipeline.solvers.fixed_step import escape_bounds
 
 STATES, HIDDEN, PAST = 6, 32, 10
 """States, units of each hidden layer, samples that the encoder sees. Few: the logs hold some thousand samples."""
@@ -137,23 +138,19 @@ class NeuralModel(ModelFile):
         InputError
             The record has another sample interval than the model.
         """
-        self._check(t)
+        check_interval(t, self.interval_s, self.name)
         u = self._scaled_inputs(v)
         past = q0 + qdot0 * self.interval_s * np.arange(-self.past, 0, dtype=np.float64)
         state = self._encoded(np.repeat(u[:1], self.past, axis=0)[None], past[None])[0]
         q, reached = self._run(state, u)
         q[0] = q0
-        qdot, qddot = np.full((2, q.size), np.nan)
-        qdot[:reached] = finite_difference(q[:reached], self.interval_s, 1)
-        qddot[:reached] = finite_difference(q[:reached], self.interval_s, 2)
-        status, diverged_at = run_status(t, reached)
-        return FreeRun(t, q, qdot, qddot, status, diverged_at)
+        return sampled_run(t, q, reached, self.interval_s)
 
     def predict(
         self, t: FloatArray, v: FloatArray, seen: FloatArray, speed: FloatArray, starts: IntArray, ahead: IntArray
     ) -> Iterator[FloatArray]:
         """Predictions from the measured past that the encoder sees; see `pipeline.models.base.Predicts`."""
-        self._check(t)
+        check_interval(t, self.interval_s, self.name)
         u, rows = self._scaled_inputs(v), np.arange(len(seen))
         unmeasured = np.maximum.accumulate(np.where(np.isfinite(seen), -1, rows))
         for start, count in zip(starts.tolist(), ahead.tolist(), strict=True):
@@ -168,7 +165,7 @@ class NeuralModel(ModelFile):
     @checked
     def accelerate(self, t: FloatArray, v: FloatArray, q: FloatArray, qdot: FloatArray) -> FloatArray:
         """Acceleration [m/s²] of the next two samples from each encoded past; `qdot` is not used."""
-        self._check(t)
+        check_interval(t, self.interval_s, self.name)
         if len(q) <= self.past + 2:
             raise InputError(f"the record has {len(q)} samples; this model needs {self.past + 3}")
         u, windows = self._scaled_inputs(v), np.lib.stride_tricks.sliding_window_view
@@ -201,13 +198,6 @@ class NeuralModel(ModelFile):
         reached = int(beyond[0]) if beyond.size else len(q)
         q[reached:] = np.nan
         return q, reached
-
-    def _check(self, t: FloatArray) -> None:
-        interval = sample_interval(t)
-        if abs(interval / self.interval_s - 1.0) > 1e-3:
-            raise InputError(
-                f"the neural model steps at {self.interval_s:g} s, the record at {interval:g} s; resample the log"
-            )
 
     def describe(self) -> dict[str, Any]:
         """Structure and how it was trained."""
@@ -305,7 +295,7 @@ def _training(
     from deepSI.networks import MLP_res_net
 
     network = partial(MLP_res_net, n_hidden_layers=1, n_hidden_nodes=HIDDEN)
-    count, threads = len(scales["input_spread"]), torch.get_num_threads()
+    count = len(scales["input_spread"])
     logs = [
         deepSI.Input_output_data(
             u=(input_signal(x.v, scales["inputs"]) - scales["input_middle"]) / scales["input_spread"],
@@ -313,8 +303,7 @@ def _training(
         )
         for x in trajectories
     ]
-    with torch.random.fork_rng(devices=[]):
-        torch.set_num_threads(1)
+    with torch.random.fork_rng(devices=[]), _one_thread():
         torch.manual_seed(0)
         subnet = deepSI.SUBNET(
             count, "scalar", None, nx=STATES, nb=PAST, na=PAST, f=network(STATES + count, STATES),
@@ -338,6 +327,18 @@ def _training(
             if done % CHECKED == 0 or done == steps:
                 networks = {"step": subnet.f, "output": subnet.h, "encoder": subnet.encoder}
                 yield done / steps, {name: _weights(network) for name, network in networks.items()}
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """One thread of PyTorch's own; the number before is restored."""
+    import torch
+
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
         torch.set_num_threads(threads)
 
 
