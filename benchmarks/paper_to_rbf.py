@@ -69,8 +69,9 @@ def _shifted(x: Trajectory) -> Trajectory:
     alpha, epsilon = float(RECIPE.alpha) * unit, float(RECIPE.epsilon or 0.0) * unit**2
 
     def slope(samples: FloatArray) -> FloatArray:
-        fit = tvregdiff(samples, x.interval, alpha=alpha, epsilon=epsilon, start="published")
-        return np.diff(fit.integral, prepend=samples[0]) / x.interval
+        # their antiderivative begins one step before the first sample, as if that were there twice
+        fit = tvregdiff(np.concatenate((samples[:1], samples)), x.interval, alpha=alpha, epsilon=epsilon)
+        return np.diff(fit.integral) / x.interval
 
     qdot = slope(x.q)
     return replace(x, qdot=qdot, qddot=slope(qdot))

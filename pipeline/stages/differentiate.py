@@ -41,7 +41,7 @@ def _task(prototype: Prototype, role: Role, log: str, title: str) -> Task:
 
 def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Mapping[str, Written]:
     signals = run.read_table(layout.signals(role, log))
-    fine = run.read_table(layout.record(role, log)) if prototype.differentiate.rate == "record" else signals
+    fine = run.read_table(layout.record(role, log))
     columns, notes = kinematics(signals, fine, prototype)
     name = layout.kinematics(role, log)
     return {name: run.write_table(name, device(prototype).schema(schemas.KINEMATICS), columns, notes)}
@@ -138,7 +138,7 @@ def derivatives(
     notes = {
         "method": settings.method,
         "of": "velocity" if measured else "q",
-        **({name: how[name] for name in ("order", "reweighted")} if settings.method == "tvregdiff" else {}),
+        **({"order": how["order"]} if settings.method == "tvregdiff" else {}),
         "interval_s": interval,
         "unit_si": unit,
         "stretches": stretches,
@@ -158,5 +158,4 @@ def differentiator(settings: Differentiate, *, measured: bool, unit: float) -> d
         "order": max(2, min(3, settings.order - 1)) if measured else settings.order,
         "alpha": None if chosen else float(settings.alpha) * unit,
         "epsilon": None if chosen else (settings.epsilon or PAPER_EPSILON) * unit**2,
-        "reweighted": settings.reweighted,
     }

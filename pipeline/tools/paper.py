@@ -39,7 +39,7 @@ from pipeline.tools.study import study_task
 from pipeline.units import ALPHA_UNIT
 
 ALGORITHM = "4"
-RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6, reweighted=False, rate="signals")
+RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6)
 """§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
 SAMPLE_INTERVAL = 0.01
 BY_RECIPE = "{} by § 5.1"
@@ -99,7 +99,9 @@ def paper_settings(prototype: Prototype) -> Prototype:
     return prototype.model_copy(
         update={
             "plant": plant,
-            "ingest": prototype.ingest.model_copy(update={"sample_interval": SAMPLE_INTERVAL}),
+            "ingest": prototype.ingest.model_copy(
+                update={"sample_interval": SAMPLE_INTERVAL, "record_interval": SAMPLE_INTERVAL}
+            ),
             "differentiate": RECIPE,
             "identify": Identify(models=("rbf-paper",), basis_functions=CENTRES, smoothing=SMOOTHING),
             "compare": Compare(models=("analytical", "analytical-calibrated", "sindy")),

@@ -106,7 +106,7 @@ def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
     if name == "alpha":
         return {"order": prototype.differentiate.order}
     plant = {"plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})}
-    read = {"basis"} if name == "basis" else {"basis", "basis_functions", "smoothing"}
+    read = set() if name == "basis" else {"basis_functions", "smoothing"}
     settings = plant | {"identify": prototype.identify.model_dump(mode="json", include=read)}
     return settings | {"differentiate": prototype.differentiate.model_dump(mode="json")} if name == "data" else settings
 
@@ -164,7 +164,6 @@ def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
         "smoothing": settings.smoothing,
         "mass": plant.mass,
         "inputs": plant.action,
-        "basis": settings.basis,
     }
 
 

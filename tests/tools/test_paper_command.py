@@ -39,7 +39,7 @@ def test_the_recipe_is_the_printed_one() -> None:
     recipe = paper_settings(prototype(ingest={"sample_interval": 0.005}))
     assert recipe.ingest.sample_interval == 0.01
     assert (recipe.differentiate.alpha, recipe.differentiate.epsilon, recipe.differentiate.order) == (0.01, 1e-6, 1)
-    assert recipe.differentiate.rate == "signals"
+    assert recipe.ingest.record_interval == 0.01
     assert (recipe.identify.basis_functions, recipe.identify.smoothing) == (10, 0.5)
     assert recipe.plant.parameters == "nominal"
 
