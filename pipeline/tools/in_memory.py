@@ -187,7 +187,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     fine, coarse = (
         record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)
     )
-    moved, _ = kinematics(coarse, fine if prototype.differentiate.rate == "record" else coarse, prototype)
+    moved, _ = kinematics(coarse, fine, prototype)
     notes = {**checked.notes, "raw_step": checked.raw_step}
     remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
     return Cleaned(motion(moved, fine, prototype, notes), log_signals(where, fine, notes), remarks)
