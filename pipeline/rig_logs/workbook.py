@@ -7,6 +7,7 @@ no styles; so such a file is opened a second time with the name of its styles ch
 
 import csv
 import io
+import math
 import zipfile
 from collections.abc import Sequence
 from dataclasses import replace
@@ -25,6 +26,9 @@ _LOCAL_HEADER = 30
 """Bytes before the name of a member in a ZIP file."""
 _DAY_0, _DAY_1 = datetime(1899, 12, 30), datetime(1899, 12, 31)
 """From where Excel counts days; calamine takes the first ones of 1900 for what Excel shows."""
+_START = 100
+"""Rows among which a heading stands."""
+_DAY_NS = 86_400 * 10**9
 Rows = list[list[Any]]
 
 
@@ -39,24 +43,16 @@ class WorkbookSource(View):
             numbers = CalamineWorkbook.from_filelike(io.BytesIO(plain)) if plain else None
             visible = [each.name for each in book.sheets_metadata if f"{each.visible}".endswith(".Visible")]
             sheets = {name: book.get_sheet_by_name(name) for name in visible or book.sheet_names}
-            main = max(sheets, key=lambda name: sheets[name].total_height)
-            rows = {main: sheets[main].to_python(skip_empty_area=False)}
-            head = _first_of_numbers(rows[main])
-            for name in sheets:
-                start = sheets[name].to_python(skip_empty_area=False, nrows=head + 1)
-                if name != main and _goes_on(start, rows[main], head):
-                    rows[name] = sheets[name].to_python(skip_empty_area=False)
-            of_table = [name for name in sheets if name in rows]
-            raw = (
-                {name: numbers.get_sheet_by_name(name).to_python(skip_empty_area=False) for name in of_table}
-                if (numbers is not None)
-                else rows
-            )
+            of_table = _one_table({name: each.to_python(False, _START) for name, each in sheets.items()}, sheets)
+            rows = {name: sheets[name].to_python(skip_empty_area=False) for name in of_table}
+            raw = rows
+            if numbers is not None:
+                raw = {name: numbers.get_sheet_by_name(name).to_python(skip_empty_area=False) for name in of_table}
         except (CalamineError, ValueError, OSError) as error:
             raise UnreadableLogError(f"the workbook cannot be opened: {error}") from error
         _check_order(of_table, rows, raw)
         written, mark = temporary_path(self), options.decimal or "."
-        kinds = _clocks(rows[main], head)
+        kinds = _clocks(rows[of_table[0]])
         with written.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             for k, name in enumerate(of_table):
@@ -100,7 +96,8 @@ def _without_styles(content: bytes) -> bytes:
 
 
 def _is_time(cell: Any) -> bool:
-    return isinstance(cell, datetime | time | timedelta)
+    """Whether a cell is a date, which one at midnight is too, a time of day or a duration."""
+    return isinstance(cell, date | time | timedelta)
 
 
 def _first_of_numbers(rows: Rows) -> int:
@@ -109,11 +106,20 @@ def _first_of_numbers(rows: Rows) -> int:
     return next((i for i, is_data in enumerate(wanted) if is_data), len(rows))
 
 
-def _goes_on(start: Rows, main: Rows, head: int) -> bool:
-    """Whether a sheet of these first rows holds a table of the same heading as the main one, or of none."""
-    if not 0 < head < len(main) or not start or len(start[-1]) != len(main[head]):
-        return False
-    return (len(start) > head and start[:head] == main[:head]) or _first_of_numbers(start) == 0
+def _one_table(starts: dict[str, Rows], sheets: dict[str, Any]) -> list[str]:
+    """The sheet of the most rows, and those beside it with the same heading, or with none, above as many columns."""
+    main = max(sheets, key=lambda name: sheets[name].total_height)
+    heads = {name: _heading(rows) for name, rows in starts.items()}
+    alike = [name for name in sheets if heads[name] is not None and sheets[name].width == sheets[main].width]
+    named = next((heads[name] for name in alike if heads[name]), [])
+    of_table = [name for name in alike if heads[name] in ([], named)]
+    return of_table if named and main in of_table else [main]
+
+
+def _heading(rows: Rows) -> Rows | None:
+    """The full rows above the first one of numbers; None where there are no numbers."""
+    first = _first_of_numbers(rows)
+    return [row for row in rows[:first] if all(cell != "" for cell in row)] if first < len(rows) else None
 
 
 def _check_order(names: Sequence[str], rows: dict[str, Rows], raw: dict[str, Rows]) -> None:
@@ -129,11 +135,11 @@ def _check_order(names: Sequence[str], rows: dict[str, Rows], raw: dict[str, Row
             )
 
 
-def _clocks(rows: Rows, head: int) -> list[str]:
+def _clocks(rows: Rows) -> list[str]:
     """How the times of each column are written: "day" where they are times of day alone; "" where there are none."""
-    columns = zip(*rows[head:], strict=False)
-    types = [{type(cell) for cell in column if _is_time(cell)} for column in columns]
-    return ["" if not each else "day" if each == {time} else "stamp" for each in types]
+    body = rows[min(_first_of_numbers(rows), len(rows) - 1) :] if rows else []
+    types = [{type(cell) for cell in column if _is_time(cell)} for column in zip(*body, strict=True)]
+    return ["" if each in (set(), {date}) else "day" if each == {time} else "stamp" for each in types]
 
 
 def _text(cell: Any, number: Any, mark: str, clock: str) -> str:
@@ -150,19 +156,27 @@ def _text(cell: Any, number: Any, mark: str, clock: str) -> str:
     clock : {"", "day", "stamp"}
         Whether times are written as times of day, which may pass midnight, or with a date.
     """
-    if _is_time(cell):
-        stamp = _DAY_0 + timedelta(days=number) if isinstance(number, float | int) else _stamp(cell)
-        return stamp.time().isoformat() if clock == "day" else stamp.isoformat(sep=" ")
+    if clock and _is_time(cell):
+        day, of_day = _stamp(number if isinstance(number, float | int) else cell)
+        return of_day if clock == "day" else f"{day} {of_day}"
     if isinstance(cell, float):
         return repr(cell).replace(".", mark)
-    return cell.isoformat() if isinstance(cell, date) else f"{cell}"
+    return f"{cell}"
 
 
-def _stamp(cell: datetime | time | timedelta) -> datetime:
-    """A time as a date with a time of day."""
-    if isinstance(cell, datetime):
-        return cell
-    return _DAY_0 + cell if isinstance(cell, timedelta) else datetime.combine(_DAY_1, cell)
+def _stamp(cell: date | time | timedelta | float) -> tuple[date, str]:
+    """The date and the time of day of a time, or of a number of days, which is exact to a nanosecond."""
+    if isinstance(cell, float | int):
+        days = math.floor(cell)
+        seconds, nanoseconds = divmod(round((cell - days) * _DAY_NS), 10**9)
+        stamp = _DAY_0 + timedelta(days=days, seconds=seconds)
+        return stamp.date(), f"{stamp:%H:%M:%S}.{nanoseconds:09d}"
+    if isinstance(cell, timedelta):
+        cell = _DAY_0 + cell
+    if isinstance(cell, time):
+        cell = datetime.combine(_DAY_1, cell)
+    stamp = cell if isinstance(cell, datetime) else datetime.combine(cell, time())
+    return stamp.date(), stamp.time().isoformat()
 
 
 open_log = WorkbookSource
