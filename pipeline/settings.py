@@ -226,9 +226,11 @@ class Compare(SettingsTable):
 
 
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
-CheckGate = Literal["sides", "delay", "time-base", "scale", "wrapped", "device"]
+CheckGate = Literal["sides", "scale", "wrapped"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
 Gate = Literal[LogGate, CheckGate, TrainingGate]
+GONE_GATES = ("delay", "time-base", "device")
+"""Gates of earlier releases."""
 
 
 class Quality(SettingsTable):
@@ -237,9 +239,16 @@ class Quality(SettingsTable):
     accept: tuple[Gate, ...] = ()
     """Findings that do not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
     log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
-    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
-    "time-base", "scale", "wrapped" (an angle that jumps by a turn), "device". Of the training data: "idle",
-    "undriven", "one-well", "visits", "rank"."""
+    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "scale", "wrapped"
+    (an angle that jumps by a turn). Of the training data: "idle", "undriven", "one-well", "visits", "rank"."""
+
+    @field_validator("accept", mode="before")
+    @classmethod
+    def _present(cls, value: Any) -> Any:
+        gone = [gate for gate in value if gate in GONE_GATES] if isinstance(value, list | tuple) else []
+        if gone:
+            raise ValueError(f"{gone[0]!r} refuses no data any more: leave it out")
+        return value
 
 
 class Prototype(SettingsTable):
