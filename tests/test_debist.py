@@ -123,10 +123,10 @@ def test_baselines_are_identified_and_saved_like_other_models(log, tmp_path, nam
 
 
 def test_scores_of_a_run_that_diverged_are_not_numbers(model, log, monkeypatch):
-    def lost(table, core):
+    def lost(log, core):
         """A free run that diverged at once."""
-        gone = {name: np.full(len(table["t"]), np.nan) for name in ("q", "qdot", "qddot")}
-        return dataclasses.replace(free_run(table, core), status="diverged", diverged_at_s=0.0, **gone)
+        gone = {name: np.full(len(log.t), np.nan) for name in ("q", "qdot", "qddot")}
+        return dataclasses.replace(free_run(log, core), status="diverged", diverged_at_s=0.0, **gone)
 
     monkeypatch.setattr("pipeline.tools.in_memory.free_run", lost)
     scores = model.score(log)
@@ -231,7 +231,7 @@ def test_a_search_that_its_time_limit_cut_says_so(limit, cut):
     u = np.repeat(np.random.default_rng(1).uniform(-1.0, 1.0, 15), 40)
     q = 1e-2 * lfilter([0.0, 0.02], [1.0, -1.9, 0.92], u)
     shapes = {"friction": "viscous", "hold": "zero", "drive": "direct"}
-    settings = {"identify": {"time_limit": limit, **shapes}, "quality": {"accept": ["visits"]}}
+    settings = {"identify": {"time_limit": limit, "structure": shapes}, "quality": {"accept": ["visits"]}}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         found = debist.identify(t, q, u, inputs="linear", model="rbf", settings=settings)

@@ -86,7 +86,7 @@ def _late_rows(fact: LogFacts, declared: Declared) -> list[CheckRow]:
         advice = (
             "start both recorders by one trigger; if the sensor of q averages over a window, give that as `average` in "
             "[channels] q; if the inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid "
-            'estimates by how much, and rbf with drive = "lag" or "delay" in [identify]'
+            'estimates by how much, and rbf with drive = "lag" or "delay" in [identify.structure]'
         )
     return [
         CheckRow(
