@@ -47,7 +47,7 @@ def test_a_mistake_stops_before_the_fit_and_names_what_would_accept_it(logs, tmp
         assert result.exit_code == 3, result.output
         (line,) = [line for line in result.stderr.splitlines() if line.startswith("debist: ")]
         assert f'[quality] accept = ["{gate}"]' in line
-    assert not list((tmp_path / "run").rglob("kinematics.parquet"))
+    assert not list((tmp_path / "run").rglob("model.h5"))
 
 
 def test_an_honest_prototype_passes_and_the_numbers_are_json(logs: Path) -> None:
