@@ -150,17 +150,6 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
         return _bring_up_to_date(run, selected, (stage,), observer)
 
 
-def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
-    """Make anew what is damaged or missing in the stages that a run has been through, by the settings that it holds."""
-    load_manifest(root)
-    with run_lock(root):
-        run, planned = _open(root)
-        _strike_lost(run, observer)
-        stages = {record.recipe.stage for record in run.manifest.artifacts.values()}
-        tasks = (task for task in planned if task.stage in stages)
-        return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in stages), observer)
-
-
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
     """What other commands made into a run, and is damaged or lost, is struck off: no stage makes it anew."""
     run.recover()
