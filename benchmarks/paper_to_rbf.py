@@ -12,7 +12,6 @@ import subprocess
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
-from itertools import takewhile
 from pathlib import Path
 from unittest.mock import patch
 
@@ -33,12 +32,13 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.numerics.tvregdiff import tvregdiff
 from pipeline.runs import layout
-from pipeline.runs.engine import Unheard, bring_up_to_date
+from pipeline.runs.engine import Unheard
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, load_prototype
 from pipeline.signals.trajectory import Trajectory
-from pipeline.stages.run import plan
+from pipeline.stages.table import Planned, of_stages, plan
 from pipeline.tools.paper import RECIPE, paper_settings
 from pipeline.units import ALPHA_UNIT
 
@@ -69,8 +69,9 @@ def _shifted(x: Trajectory) -> Trajectory:
     alpha, epsilon = float(RECIPE.alpha) * unit, float(RECIPE.epsilon or 0.0) * unit**2
 
     def slope(samples: FloatArray) -> FloatArray:
-        fit = tvregdiff(samples, x.interval, alpha=alpha, epsilon=epsilon, start="published")
-        return np.diff(fit.integral, prepend=samples[0]) / x.interval
+        # their antiderivative begins one step before the first sample, as if that were there twice
+        fit = tvregdiff(np.concatenate((samples[:1], samples)), x.interval, alpha=alpha, epsilon=epsilon)
+        return np.diff(fit.integral) / x.interval
 
     qdot = slope(x.q)
     return replace(x, qdot=qdot, qddot=slope(qdot))
@@ -145,7 +146,9 @@ def logs_of(file: Path, runs: Path) -> Logs:
 
 def _tables(file: Path, prototype: Prototype, root: Path) -> tuple[Training, list[Table]]:
     run = RunFolder.create(root / prototype.name, prototype.model_dump(mode="json"), file)
-    bring_up_to_date(run, takewhile(lambda task: task.stage != "identify", plan(run, prototype, file)), Unheard())
+    bring_up_to_date(
+        run, of_stages(plan(Planned(run, prototype, file)), ("ingest", "check", "differentiate")), Unheard()
+    )
     names = [log for role, log, _ in layout.logs(prototype) if role == "validation"]
     validation = [load_motion(run, prototype, "validation", log) for log in names]
     return training(training_tables(run, prototype), prototype, None), validation

@@ -363,9 +363,10 @@ def identify(
         Whether q is an angle; a column q_rad is one anyway.
     model : str
         "auto" (hybrid or rbf, whichever predicts held-out training data better), or the name of a model: "hybrid",
-        "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "neural", "analytical" or "analytical-calibrated".
+        "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical" or "analytical-calibrated".
     settings : mapping, optional
-        Tables of a settings file, such as ``{"ingest": {"sample_interval": 0.005}, "identify": {"friction": "lag"}}``.
+        Tables of a settings file, such as ``{"ingest": {"sample_interval": 0.005}}``, or
+        ``{"identify": {"structure": {"friction": "lag"}}}``.
 
     Returns
     -------

@@ -12,6 +12,7 @@ from typing import Any, TypeVar, get_args
 from pydantic import BaseModel, ValidationError
 
 from pipeline.errors import InputError, SeveralMistakesError
+from pipeline.former_settings import replacement
 from pipeline.names import shell_word
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
 
@@ -167,6 +168,8 @@ def explain(error: Any, settings: type[BaseModel]) -> str:
     """One error of pydantic's, for the settings that `settings` describes."""
     location = _location(error)
     key = ".".join(location)
+    if error["type"] in ("extra_forbidden", "literal_error") and (instead := replacement(key, error["input"])):
+        return instead
     if error["type"] == "extra_forbidden":
         return f"unknown key {key!r}; {_hint(location, settings)}"
     if error["type"] == "missing":

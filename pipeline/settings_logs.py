@@ -13,7 +13,6 @@ from pipeline.units import TIME, parse_quantity
 # Numbers are written as numbers: true, "0.01", inf and nan are refused.
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
 Whole = Annotated[int, Strict()]
-Switch = Annotated[bool, Strict()]
 
 Role = Literal["train", "validation"]
 ROLES: tuple[Role, ...] = ("train", "validation")

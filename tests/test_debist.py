@@ -231,7 +231,7 @@ def test_a_search_that_its_time_limit_cut_says_so(limit, cut):
     u = np.repeat(np.random.default_rng(1).uniform(-1.0, 1.0, 15), 40)
     q = 1e-2 * lfilter([0.0, 0.02], [1.0, -1.9, 0.92], u)
     shapes = {"friction": "viscous", "hold": "zero", "drive": "direct"}
-    settings = {"identify": {"time_limit": limit, **shapes}, "quality": {"accept": ["visits"]}}
+    settings = {"identify": {"time_limit": limit, "structure": shapes}, "quality": {"accept": ["visits"]}}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         found = debist.identify(t, q, u, inputs="linear", model="rbf", settings=settings)

@@ -75,7 +75,7 @@ class Worker(Isolated):
         self._output = output
         self._time_limit = time_limit
         self._began = time.perf_counter()
-        command = ["run", str(prototype), "-o", str(output / name), "--json", "-q", *options]
+        command = ["run", str(prototype), "-o", str(output / name), "--json", "-q", "--jobs", "1", *options]
         super().__init__(_run, program, command, time_limit=time_limit)
 
     def outcome(self) -> Outcome:

@@ -92,7 +92,7 @@ def _delay_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -
     if noted and fact.lag is not None and 0.0 < delay.value < limits.OF_LAG * fact.lag:
         advice = (
             f"a lag of about {short_quantity(fact.lag, 's')} explains it better than any delay, as of electrodes that "
-            'charge slowly: hybrid estimates it, rbf with drive = "lag" in [identify]'
+            'charge slowly: hybrid estimates it, rbf with drive = "lag" in [identify.structure]'
         )
         return CheckRow(fact.signals.name, what, measured, "", "note", None, advice, values=values)
     late = sure and intervals > limits.MOST_DELAY
@@ -100,7 +100,7 @@ def _delay_row(fact: LogFacts, i: int, driven: InputFacts, declared: Declared) -
     advice += (
         "bring the recorders to one clock: shift the voltages by that time, and record both with one trigger; if the "
         "inputs do act late (a filter, a slow drive, electrodes that charge slowly), hybrid estimates by how much, and "
-        'rbf with drive = "lag" or "delay" in [identify]'
+        'rbf with drive = "lag" or "delay" in [identify.structure]'
     )
     if delay.value > 0.0:
         window = f"average = {significant(2.0 * delay.value, 2)} in [channels] q"

@@ -24,6 +24,7 @@ from pipeline.commands.console import (
     emit_table,
 )
 from pipeline.errors import InputError
+from pipeline.machine import cores
 from pipeline.names import Typeface, shell_word
 
 
@@ -101,6 +102,7 @@ def run_command(
     replace: Annotated[
         bool, typer.Option("--replace", help="Take over the folder of another prototype's run, overwriting it.")
     ] = False,
+    jobs: Annotated[int | None, typer.Option("--jobs", min=1, help="Processes [default: all cores].")] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -117,7 +119,7 @@ def run_command(
         return
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
-        results = run_prototype(place, None, progress, with_report=not no_report, replace=replace)
+        results = run_prototype(place, None, progress, with_report=not no_report, replace=replace, jobs=jobs or cores())
     outcome.emit_scores(place.root, as_json=as_json, details=details, with_report=not no_report)
     if not as_json:
         if not no_report:
@@ -140,7 +142,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     folder = output or Path("runs/demo")
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
-        results = run_prototype(write_demo_logs(folder, force=force), folder, progress)
+        results = run_prototype(write_demo_logs(folder, force=force), folder, progress, jobs=cores())
     outcome.emit_scores(folder, as_json=as_json, with_report=True)
     if not as_json:
         outcome.emit_table_2(table_2(load_scores(folder)))
@@ -149,9 +151,10 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
 
 
 def _announce_compilation(quiet: bool) -> None:
-    from pipeline.warmup import COST, is_warm
+    from pipeline.kernel_cache import has_kernels
+    from pipeline.warmup import COST
 
-    if not quiet and not is_warm():
+    if not quiet and not has_kernels():
         typer.echo(
             f"compiling once, about {COST:.0f} s of processor time; `debist warmup` does this ahead of a run", err=True
         )

@@ -1,6 +1,7 @@
 """Differentiate: velocity and acceleration of every log, stretch by stretch."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -34,13 +35,13 @@ def _task(prototype: Prototype, role: Role, log: str, title: str) -> Task:
         settings={"differentiate": prototype.differentiate.model_dump(mode="json")},
         inputs=(layout.record(role, log), layout.signals(role, log)),
         outputs=(layout.kinematics(role, log),),
-        work=lambda run: _differentiate(run, prototype, role, log),
+        work=partial(_differentiate, prototype=prototype, role=role, log=log),
     )
 
 
 def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -> Mapping[str, Written]:
     signals = run.read_table(layout.signals(role, log))
-    fine = run.read_table(layout.record(role, log)) if prototype.differentiate.rate == "record" else signals
+    fine = run.read_table(layout.record(role, log))
     columns, notes = kinematics(signals, fine, prototype)
     name = layout.kinematics(role, log)
     return {name: run.write_table(name, device(prototype).schema(schemas.KINEMATICS), columns, notes)}
@@ -137,7 +138,7 @@ def derivatives(
     notes = {
         "method": settings.method,
         "of": "velocity" if measured else "q",
-        **({name: how[name] for name in ("order", "reweighted")} if settings.method == "tvregdiff" else {}),
+        **({"order": how["order"]} if settings.method == "tvregdiff" else {}),
         "interval_s": interval,
         "unit_si": unit,
         "stretches": stretches,
@@ -157,5 +158,4 @@ def differentiator(settings: Differentiate, *, measured: bool, unit: float) -> d
         "order": max(2, min(3, settings.order - 1)) if measured else settings.order,
         "alpha": None if chosen else float(settings.alpha) * unit,
         "epsilon": None if chosen else (settings.epsilon or PAPER_EPSILON) * unit**2,
-        "reweighted": settings.reweighted,
     }

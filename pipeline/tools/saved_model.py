@@ -10,6 +10,7 @@ import numpy as np
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.subject import Exported, Subject, Validity
+from pipeline.former_settings import translated
 from pipeline.loading.device import device
 from pipeline.loading.run_models import subject_on
 from pipeline.loading.trajectories import longest_rows, part
@@ -103,8 +104,10 @@ def load_saved(path: Path) -> tuple[Subject, Prototype]:
         raise CorruptArtifactError(f"{path}: holds no model {held.name!r}, which it names; save it again")
     try:
         document: Any = json.loads(held.settings_json)
-        prototype = parse_prototype(document, str(path))
-    except (ValueError, InputError) as error:
+        if not isinstance(document, dict):
+            raise ValueError("no tables")
+        prototype = parse_prototype(translated(document), str(path))
+    except (ValueError, InputError, RecursionError) as error:
         raise CorruptArtifactError(f"{path}: its settings cannot be read ({error}); save the model again") from error
     model, plant = model_from_tree(held.name, model_tree), device(prototype)
     bounds = Validity(

@@ -19,10 +19,11 @@ from pipeline.reporting.canvas import paper_figure
 from pipeline.runs import layout, schemas
 from pipeline.runs.atomic import refuse_link, write_bytes
 from pipeline.runs.columns import StudyName, Sweep
-from pipeline.runs.engine import Observer, Task, bring_up_to_date
+from pipeline.runs.engine import Observer, Task
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.runs.tables import Table
 from pipeline.scoring.data_study import amount_study, held_out_error, noise_study
 from pipeline.settings import Prototype
@@ -105,7 +106,7 @@ def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
     if name == "alpha":
         return {"order": prototype.differentiate.order}
     plant = {"plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})}
-    read = {"basis"} if name == "basis" else {"basis", "basis_functions", "smoothing"}
+    read = set() if name == "basis" else {"basis_functions", "smoothing"}
     settings = plant | {"identify": prototype.identify.model_dump(mode="json", include=read)}
     return settings | {"differentiate": prototype.differentiate.model_dump(mode="json")} if name == "data" else settings
 
@@ -163,7 +164,6 @@ def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
         "smoothing": settings.smoothing,
         "mass": plant.mass,
         "inputs": plant.action,
-        "basis": settings.basis,
     }
 
 

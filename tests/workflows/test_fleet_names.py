@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from pipeline.stages.run import STAGES
+from pipeline.stages.run import STAGE_NAMES
 from pipeline.stages.run_place import run_folder
 
 WORKFLOWS = Path(__file__).resolve().parents[2] / "workflows"
@@ -49,7 +49,7 @@ def test_a_prototype_is_found_where_debist_runs_it(name: str, tmp_path: Path) ->
 
 def test_every_stage_of_a_run_is_watched(tmp_path: Path) -> None:
     (tmp_path / "P.toml").write_text(f'name = "P"\n{TOML}', encoding="utf-8")
-    assert set(_fleet(tmp_path)["STAGES"]) == set(STAGES)
+    assert set(_fleet(tmp_path)["STAGES"]) == set(STAGE_NAMES)
     assert "report" not in _fleet(tmp_path, report=False)["STAGES"]
 
 
