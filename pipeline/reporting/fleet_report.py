@@ -40,7 +40,7 @@ def fleet_report(members: Iterable[Summary], page_name: str) -> str:
         "bare": sum(not member.model for member in done),
         "headings": [q.heading for q in quantities],
         "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
-        "charts": [_chart(q) for q in (_validated(q, fleet) for q in quantities) if _known(q) >= LEAST_VALUES],
+        "charts": [_chart(q) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
         "models": _models(done),
     }
     return render("fleet.html.j2", ("tables.js",), context)
@@ -57,8 +57,10 @@ def _listed(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> li
     return sorted(i for *_, i in sorted(ranks)[:LISTED])
 
 
-def _known(q: FleetColumn) -> int:
-    return int(np.isfinite(q.values).sum())
+def _varies(q: FleetColumn) -> bool:
+    """Whether there is a distribution to draw: as many values as an outlier needs, of which two differ."""
+    finite = q.values[np.isfinite(q.values)]
+    return finite.size >= LEAST_VALUES and bool(np.ptp(finite) > 0.0)
 
 
 def _chart(q: FleetColumn) -> dict[str, Any]:

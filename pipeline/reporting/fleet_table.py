@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.names import slug
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
 from pipeline.runs.columns import FACT_COLUMNS
@@ -159,4 +160,4 @@ def distribution(column: FleetColumn) -> Figure:
         points=(Points("odd", "v2", odd, of_odd, marker="ring"),) if odd.size else (),
         whole=True,
     )
-    return Figure(column.title, column.title, "", column.title, column.unit, (panel,), x_log=log, half=True)
+    return Figure(slug(column.title), column.title, "", column.title, column.unit, (panel,), x_log=log, half=True)

@@ -181,7 +181,7 @@ def test_a_fleet_page_links_what_is_there_and_says_what_failed(reported: RunFold
     write_fleet(tmp_path, [Outcome(name, tmp_path, code, reason) for name, code, reason in members])
     page = (tmp_path / "fleet.html").read_text(encoding="utf-8")
     facts = read_table(tmp_path / "fleet-facts.parquet")
-    assert set(facts["prototype"]) == {"run"} and "rest_left" in facts["fact"]
+    assert set(facts["prototype"]) == {"run"} and "well_left" in facts["fact"]
     assert 'href="./run/report.html"' in page
     assert page.count('href="./') == 1
     assert "no run here" in page
