@@ -254,7 +254,9 @@ class Prototype(SettingsTable):
             for log, name in zip(logs, filed, strict=True):
                 check_log_name(log)
                 if [other.casefold() for other in filed].count(name.casefold()) > 1:
-                    raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
+                    raise ValueError(
+                        f"logs.{role}: two logs are named {name!r}, by which a run files them: rename one of the files"
+                    )
         twice = set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation))
         if twice:
             raise ValueError(f"logs.validation: {min(twice)!r} is a training log too; validate on a log of its own")

@@ -126,10 +126,10 @@ def test_baselines_are_identified_and_saved_like_other_models(log, tmp_path, nam
 
 
 def test_scores_of_a_run_that_diverged_are_not_numbers(model, log, monkeypatch):
-    def lost(table, core):
+    def lost(log, core):
         """A free run that diverged at once."""
-        gone = {name: np.full(len(table["t"]), np.nan) for name in ("q", "qdot", "qddot")}
-        return dataclasses.replace(free_run(table, core), status="diverged", diverged_at_s=0.0, **gone)
+        gone = {name: np.full(len(log.t), np.nan) for name in ("q", "qdot", "qddot")}
+        return dataclasses.replace(free_run(log, core), status="diverged", diverged_at_s=0.0, **gone)
 
     monkeypatch.setattr("pipeline.tools.in_memory.free_run", lost)
     scores = model.score(log)

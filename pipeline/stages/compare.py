@@ -9,7 +9,7 @@ from typing import Any
 from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.trajectories import sources, training, training_tables
+from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.model_list import ENTRIES
 from pipeline.models.kind import kind
 from pipeline.runs import layout
@@ -45,7 +45,7 @@ def _write_fit(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, name: str, settings: Mapping[str, Any]
 ) -> Mapping[str, Written]:
     began = time.process_time()
-    model = kind(name).fit(training(training_tables(run, prototype), prototype, parameters))
+    model = kind(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
     return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, device(prototype).model_column)}
