@@ -293,6 +293,8 @@ class Prototype(SettingsTable):
         set_here += ["plant.curves"] if self.plant.curves is not None else []
         if set_here and not {AUTO, "rbf"} & set(self.identify.models):
             raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')
+        if self.plant.siblings is not None and not {AUTO, "hybrid"} & set(self.identify.models):
+            raise ValueError('plant.siblings: is for "hybrid", which identify.models does not name')
         if self.identify.corrections != AUTO and not {AUTO, "hybrid"} & set(self.identify.models):
             raise ValueError('identify.corrections: is for "hybrid", which identify.models does not name')
         film = [key for key in sorted(FILM) if getattr(self.plant, key) != _default(Plant, key)]
