@@ -68,7 +68,7 @@ def bring_up_to_date(runs: Path, jobs: int) -> None:
 
 
 def commands(name: str, runs: Path | str, jobs: int) -> Iterator[list[str]]:
-    yield ["run", f"benchmarks/prototypes/{name}.toml", "-o", f"{runs}/{name}", "--quiet"]
+    yield ["run", f"benchmarks/prototypes/{name}.toml", "-o", f"{runs}/{name}", "-q"]
     models = [part for model in FOLD_MODELS for part in ("--model", model)]
     yield ["study", "folds", f"{runs}/{name}", *models, "--jobs", str(jobs)]
     if name == "P1":
