@@ -61,7 +61,7 @@ def bring_up_to_date(runs: Path) -> None:
 
 
 def commands(name: str, runs: Path | str) -> Iterator[list[str]]:
-    yield ["run", f"benchmarks/prototypes/{name}.toml", "-o", f"{runs}/{name}", "--quiet"]
+    yield ["run", f"benchmarks/prototypes/{name}.toml", "-o", f"{runs}/{name}", "-q"]
     if name == "P1":
         yield ["report", f"{runs}/{name}", "--figures", "sans"]
         yield ["study", "data", f"{runs}/{name}"]

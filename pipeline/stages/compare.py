@@ -10,7 +10,7 @@ from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import load_logs, sources, training
-from pipeline.model_list import entry
+from pipeline.model_list import ENTRIES
 from pipeline.models.kind import kind
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
@@ -22,11 +22,13 @@ ALGORITHM = "14"
 
 def task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:
     """The fit of one baseline."""
+    listed = next(model for model in ENTRIES if model.name == name)
+    unread = FILM | {"curves", "siblings"} | (set() if listed.takes_mass else {"mass"})
     settings = {
         "model": name,
         "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
-        "plant": prototype.plant.model_dump(mode="json", exclude=FILM),
-        "parameters": parameter_values(parameters) if _needs_parameters(name) else None,
+        "plant": prototype.plant.model_dump(mode="json", exclude=unread),
+        "parameters": parameter_values(parameters) if listed.needs_parameters else None,
     }
     return Task(
         stage="compare",
@@ -37,11 +39,6 @@ def task(prototype: Prototype, parameters: JointParameters | None, name: str) ->
         outputs=(layout.baseline(name),),
         work=partial(_write_fit, prototype=prototype, parameters=parameters, name=name, settings=settings),
     )
-
-
-def _needs_parameters(name: str) -> bool:
-    listed = entry(name)
-    return listed is not None and listed.needs_parameters
 
 
 def _write_fit(
