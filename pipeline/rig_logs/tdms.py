@@ -12,7 +12,7 @@ from nptdms.reader import TdmsReader
 from nptdms.timestamp import TdmsTimestamp
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import rates_among, scales_among, unit_among
+from pipeline.rig_logs.attributes import description_among, rates_among, scales_among, texts_among, unit_among
 from pipeline.rig_logs.channel_roles import is_called
 from pipeline.rig_logs.source import (
     Counted,
@@ -95,6 +95,8 @@ class TdmsSource(Source):
             own = {key: value for key, value in holder.properties.items() if not key.startswith(("NI_", "wf_"))}
             self.note_rates(rates_among(own, place))
             self.notes += scales_among(own, place)
+            self.descriptions |= {place: text} if (text := description_among(holder.properties)) else {}
+        self.heading = texts_among(self._file.properties)
         self._stated = {each.path: segments.stated.get(each.path, []) for each in channels}
         every = [properties for stated in self._stated.values() for _, properties in stated]
         self._first = min(filter(None, map(_start, every)), default=None)

@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs.columns import (
     FLEET_COLUMNS,
+    FLEET_FACT_COLUMNS,
     PHI_COLUMN,
     RATE_COLUMNS,
     RECORD_COLUMNS,
@@ -39,6 +40,7 @@ KINEMATICS = Schema("kinematics", (*RECORD_COLUMNS, *RATE_COLUMNS))
 PREDICTIONS = Schema("predictions", (*RECORD_COLUMNS[:2], *RATE_COLUMNS, *TUBE_COLUMNS, PHI_COLUMN))
 SCORES = Schema("scores", SCORE_COLUMNS)
 FLEET = Schema("fleet", FLEET_COLUMNS)
+FLEET_FACTS = Schema("fleet-facts", FLEET_FACT_COLUMNS)
 STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_COLUMNS.items()}
 """The tables of the studies."""
 
