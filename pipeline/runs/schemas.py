@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs.columns import (
     FLEET_COLUMNS,
+    FLEET_FACT_COLUMNS,
     PHI_COLUMN,
     RATE_COLUMNS,
     RECORD_COLUMNS,
@@ -40,6 +41,7 @@ KINEMATICS = Schema("kinematics", (*RECORD_COLUMNS, *RATE_COLUMNS))
 PREDICTIONS = Schema("predictions", (*RECORD_COLUMNS[:2], *RATE_COLUMNS, *TUBE_COLUMNS, PHI_COLUMN))
 SCORES = Schema("scores", SCORE_COLUMNS)
 FLEET = Schema("fleet", FLEET_COLUMNS)
+FLEET_FACTS = Schema("fleet-facts", FLEET_FACT_COLUMNS)
 STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_COLUMNS.items()}
 """The tables of the studies."""
 
