@@ -303,7 +303,7 @@ class _Log:
 
     def compared(self, gain: float) -> BoolArray:
         """Samples at which an observer with this pole has made up for what happened while the laser saw nothing."""
-        return self.fitted & (gain * self._seen_for >= SETTLED) if gain > 0.0 else self.fitted
+        return self.fitted & (gain * self._seen_for >= SETTLED * (1.0 - 1e-9)) if gain > 0.0 else self.fitted
 
     def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""
