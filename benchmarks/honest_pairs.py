@@ -18,8 +18,8 @@ from pipeline.checks.weak_form import LogSignals
 from pipeline.commands.console import Progress
 from pipeline.rig.demo import write_demo
 from pipeline.rig.fleet import Experiment, write_prototype
-from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import load_prototype
 from pipeline.stages import ingest
 from pipeline.stages.check import signals

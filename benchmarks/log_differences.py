@@ -17,8 +17,8 @@ from pipeline.checks.check import check_logs
 from pipeline.checks.declared import Declared
 from pipeline.checks.weak_form import LogSignals
 from pipeline.commands.console import Progress
-from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import load_prototype
 from pipeline.stages import ingest
 from pipeline.stages.check import signals

@@ -12,7 +12,6 @@ import subprocess
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
-from itertools import takewhile
 from pathlib import Path
 from unittest.mock import patch
 
@@ -33,12 +32,13 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.numerics.tvregdiff import tvregdiff
 from pipeline.runs import layout
-from pipeline.runs.engine import Unheard, bring_up_to_date
+from pipeline.runs.engine import Unheard
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, load_prototype
 from pipeline.signals.trajectory import Trajectory
-from pipeline.stages.run import plan
+from pipeline.stages.table import Planned, of_stages, plan
 from pipeline.tools.paper import RECIPE, paper_settings
 from pipeline.units import ALPHA_UNIT
 
@@ -146,7 +146,9 @@ def logs_of(file: Path, runs: Path) -> Logs:
 
 def _tables(file: Path, prototype: Prototype, root: Path) -> tuple[Training, list[Table]]:
     run = RunFolder.create(root / prototype.name, prototype.model_dump(mode="json"), file)
-    bring_up_to_date(run, takewhile(lambda task: task.stage != "identify", plan(run, prototype, file)), Unheard())
+    bring_up_to_date(
+        run, of_stages(plan(Planned(run, prototype, file)), ("ingest", "check", "differentiate")), Unheard()
+    )
     names = [log for role, log, _ in layout.logs(prototype) if role == "validation"]
     validation = [load_motion(run, prototype, "validation", log) for log in names]
     return training(training_tables(run, prototype), prototype, None), validation

@@ -69,7 +69,7 @@ class Worker(Isolated):
         time_limit: float = math.inf,
     ) -> None:  # fmt: skip
         self.name, self._prototype, self._time_limit, self._began = name, prototype, time_limit, time.perf_counter()
-        command = ["run", str(prototype), "-o", str(output / name), "--json", "--quiet", *options]
+        command = ["run", str(prototype), "-o", str(output / name), "--json", "--quiet", "--jobs", "1", *options]
         super().__init__(_run, program, command, time_limit=time_limit)
 
     def outcome(self) -> Outcome:

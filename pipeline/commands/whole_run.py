@@ -24,6 +24,7 @@ from pipeline.commands.console import (
     emit_table,
 )
 from pipeline.errors import InputError
+from pipeline.machine import cores
 from pipeline.names import Typeface, shell_word
 
 
@@ -105,6 +106,7 @@ def run_command(
     replace: Annotated[
         bool, typer.Option("--replace", help="Take over the folder of another prototype's run, overwriting it.")
     ] = False,
+    jobs: Annotated[int | None, typer.Option("--jobs", "-j", min=1, help="Processes [default: all cores].")] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -121,7 +123,7 @@ def run_command(
         return
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
-        results = run_prototype(place, None, progress, with_report=with_report, replace=replace)
+        results = run_prototype(place, None, progress, with_report=with_report, replace=replace, jobs=jobs or cores())
     outcome.emit_scores(place.root, as_json=as_json, details=details, with_report=with_report)
     if not as_json:
         if with_report:
@@ -144,7 +146,7 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     folder = output or Path("runs/demo")
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
-        results = run_prototype(write_demo_logs(folder, force=force), folder, progress)
+        results = run_prototype(write_demo_logs(folder, force=force), folder, progress, jobs=cores())
     outcome.emit_scores(folder, as_json=as_json, with_report=True)
     if not as_json:
         outcome.emit_table_2(table_2(load_scores(folder)))

@@ -42,6 +42,10 @@ _WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
 _LEFT = re.compile(r"(left|links|лев|左|왼쪽|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
 _RIGHT = re.compile(r"(right|rechts|прав|右|오른쪽|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
+_CLOCK = re.compile(r"t|time|zeit|timestamp|xvalue", re.IGNORECASE)
+"""What is left of the name of a clock that is called after its channel …"""
+_BETWEEN_WORDS = re.compile(r"[\W_]+")
+"""… without this."""
 _GROUP = re.compile(r"(?:^|[./])[^./]*$")
 """What of a name does not stand for its group."""
 _NAME_SUFFIX = re.compile(r"(?:[_ \[(]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)[\])]?$")
@@ -162,15 +166,31 @@ def _times(channels: Sequence[tuple[str, str]], units: Mapping[str, str], rising
 
 
 def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]) -> dict[str, str]:
-    """The time column over which each channel may run, of as many samples: of its group, else the last before it."""
+    """The time column over which each channel may run, of as many samples.
+
+    It is the one that is called after the channel (``t_q``, ``q_time``), else that of its group, else the last before.
+    """
     clocks: dict[str, str] = {}
     for i, name in enumerate(names):
         alike = [time for time in times if sizes[time] == sizes[name]]
         grouped = [time for time in alike if _GROUP.sub("", name) and _GROUP.sub("", time) == _GROUP.sub("", name)]
         before = [time for time in alike if time in names[:i]]
+        called = [time for time in alike if _after(time, name)]
         if name not in times and (alike or not times):
-            clocks[name] = (grouped[-1:] or before[-1:] or alike[:1] or [""])[0]
+            clocks[name] = (called[-1:] or grouped[-1:] or before[-1:] or alike[:1] or [""])[0]
     return clocks
+
+
+def clocks_beside(names: Sequence[str]) -> dict[str, str]:
+    """The column of time over which each channel may run; empty where fewer than two are called so."""
+    times = [name for name in names if is_called("time", name) or any(_after(name, other) for other in names)]
+    return _clocks(names, times, dict.fromkeys(names, 0)) if len(times) > 1 else {}
+
+
+def _after(clock: str, channel: str) -> bool:
+    """Whether a column is called after a channel as its time."""
+    rest = _BETWEEN_WORDS.sub("", clock.casefold().replace(channel.casefold(), "", 1))
+    return channel != clock and channel.casefold() in clock.casefold() and bool(_CLOCK.fullmatch(rest))
 
 
 def _best(names: list[str], units: dict[str, str], wanted: tuple[str, ...], word: str) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 """A first settings file for a raw log: what is certain is filled in, everything else is left to the user."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +12,7 @@ from pipeline.rig_logs.channel_roles import Role, Suggestion, suggested_unit
 from pipeline.rig_logs.experiments import Purpose, purpose_of, purposes
 from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspection
 from pipeline.rig_logs.recording import as_other_logs
+from pipeline.rig_logs.source import rates_beside
 from pipeline.settings import Ingest
 from pipeline.signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
@@ -24,7 +25,6 @@ _MOST_LISTED, _MOST_NAMED = 100, 5
 _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VELOCITY = re.compile(r"dot$|(?<!le)vel|speed|geschw|_dt$", re.IGNORECASE)
-_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
 _RATE = re.compile(r"(?<!/s)/s$|^rpm$", re.IGNORECASE)
 _BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
 
@@ -212,7 +212,7 @@ def _rate_lines(log: Inspection) -> list[str]:
     if not log.rates:
         rate = f"sample_rate = {quoted(FILL_IN)}"
         return [f"{f'# {rate}' if _left_over(log) else rate:<46}# {where}"]
-    stated = _rates_beside(next((each.only for each in log.suggestions if each.role == "q"), None) or "", log.rates)
+    stated = rates_beside(next((each.only for each in log.suggestions if each.role == "q"), None) or "", log.rates)
     if len(set(stated.values())) > 1:
         rates = ", ".join(f"{name} says {rate:.9g}" for name, rate in list(stated.items())[:_MOST_NAMED])
         return [f"{f'sample_rate = {quoted(FILL_IN)}':<46}# Hz; {_plain(rates)}"]
@@ -221,16 +221,6 @@ def _rate_lines(log: Inspection) -> list[str]:
         f"{f'sample_rate = {hertz:.9g}':<46}# Hz, suggested: what {_plain(name)} in the log says",
         *_interval_lines(log, 1.0 / hertz),
     ]
-
-
-def _rates_beside(q: str, rates: Mapping[str, float]) -> Mapping[str, float]:
-    """The rates that stand in the group of q, else in the nearest one around it; all where none does."""
-    group = q
-    while group:
-        group = _GROUP_OF.sub("", group)
-        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
-            return beside
-    return rates
 
 
 def _listing(channel: InspectedChannel) -> str:

@@ -19,6 +19,7 @@ from pipeline.signals.columns import Signal, sparse
 from pipeline.signals.dropouts import NONE, Dropouts, dropout_remarks, dropouts
 from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import MOST_REPEATED
+from pipeline.signals.rounded_clock import uniform_clock
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 from pipeline.units import SECONDS
@@ -265,8 +266,11 @@ def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuali
     for position, seen in enumerate(stamps):
         if seen is time:
             return position
+    clock = uniform_clock(time)
+    if clock is not None:
+        notes.append(f"time stamps are {clock.described}")
     try:
-        quality = examine(time)
+        quality = examine(time if clock is None else clock.time)
     except DataRefusedError as error:
         notes.append(str(error))
         return None

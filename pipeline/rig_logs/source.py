@@ -246,6 +246,19 @@ def note_on_rate(name: str, number: float, rate: float) -> str:
     return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
 
 
+_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
+
+
+def rates_beside(channel: str, rates: Mapping[str, float]) -> Mapping[str, float]:
+    """The rates that stand in the group of a channel, else in the nearest one around it; all where none does."""
+    group = channel
+    while group:
+        group = _GROUP_OF.sub("", group)
+        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
+            return beside
+    return rates
+
+
 class UnreadableLogError(Exception):
     """The file is damaged, truncated, or not what it claims to be; the text says in what way."""
 

@@ -42,13 +42,9 @@ class TdmsSource(Source):
     format = "TDMS"
 
     def __init__(self, path: Path, *_: object) -> None:
+        from nptdms import TdmsFile
+
         super().__init__()
-        try:
-            from nptdms import TdmsFile
-        except ImportError:
-            raise UnreadableLogError(
-                'this is a TDMS file; `pip install "debist[tdms]"` reads it, or export it as MDF4, MAT or CSV'
-            ) from None
         try:
             self._file = TdmsFile.open(path)
             channels = [channel for group in self._file.groups() for channel in group.channels()]

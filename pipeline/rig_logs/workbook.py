@@ -14,12 +14,8 @@ class WorkbookSource(View):
     """A sheet as a table of text in a temporary file, which lasts as long as this exists."""
 
     def __init__(self, path: Path, options: CsvOptions, *_: object) -> None:
-        try:
-            import python_calamine
-        except ImportError:
-            raise UnreadableLogError(
-                'this is a workbook; `pip install "debist[excel]"` reads it, or export the sheet as CSV'
-            ) from None
+        import python_calamine
+
         try:
             with path.open("rb") as file:  # by its content, whatever its name ends in
                 book = python_calamine.CalamineWorkbook.from_filelike(file)

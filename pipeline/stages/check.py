@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping
 from dataclasses import asdict
+from functools import partial
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
@@ -44,7 +45,7 @@ def tasks(prototype: Prototype) -> list[Task]:
             },
             inputs=tuple(layout.record(role, log) for role, log, _ in layout.logs(prototype)),
             outputs=(layout.CHECK,),
-            work=lambda run: _check(run, prototype),
+            work=partial(_check, prototype=prototype),
         )
     ]
 

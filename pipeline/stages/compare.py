@@ -3,6 +3,7 @@
 import json
 import time
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 from pipeline.device_parameters import JointParameters
@@ -34,7 +35,7 @@ def task(prototype: Prototype, parameters: JointParameters | None, name: str) ->
         settings=settings,
         inputs=sources(prototype, "train"),
         outputs=(layout.baseline(name),),
-        work=lambda run: _write_fit(run, prototype, parameters, name, settings),
+        work=partial(_write_fit, prototype=prototype, parameters=parameters, name=name, settings=settings),
     )
 
 

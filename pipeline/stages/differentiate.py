@@ -1,6 +1,7 @@
 """Differentiate: velocity and acceleration of every log, stretch by stretch."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -34,7 +35,7 @@ def _task(prototype: Prototype, role: Role, log: str, title: str) -> Task:
         settings={"differentiate": prototype.differentiate.model_dump(mode="json")},
         inputs=(layout.record(role, log), layout.signals(role, log)),
         outputs=(layout.kinematics(role, log),),
-        work=lambda run: _differentiate(run, prototype, role, log),
+        work=partial(_differentiate, prototype=prototype, role=role, log=log),
     )
 
 

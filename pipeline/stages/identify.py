@@ -3,6 +3,7 @@
 import json
 import time
 from collections.abc import Collection, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
@@ -56,7 +57,7 @@ def tasks(prototype: Prototype, parameters: JointParameters | None) -> list[Task
                 *known_inputs(prototype),
             ),
             outputs=(layout.MODELS,),
-            work=lambda run, on_progress: _identify(run, on_progress, prototype, parameters, settings),
+            work=partial(_identify, prototype=prototype, parameters=parameters, settings=settings),
             reports=True,
         )
     ]

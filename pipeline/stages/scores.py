@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -47,7 +48,7 @@ def task(prototype: Prototype, parameters: JointParameters | None, models: Seque
             for name in (layout.kinematics(role, log), *(layout.predictions(role, log, model) for model in models))
         ),
         outputs=(layout.SCORES,),
-        work=lambda run: _score(run, prototype, rotation_map(parameters), models),
+        work=partial(_score, prototype=prototype, parameters=parameters, models=models),
     )
 
 
@@ -68,8 +69,9 @@ def _fresh(run: RunFolder, role: Role, log: str, model: str) -> bool:
 
 
 def _score(
-    run: RunFolder, prototype: Prototype, rotation: RotationMap | None, models: Sequence[str]
+    run: RunFolder, prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
+    rotation = rotation_map(parameters)
     logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
     plant, rows = device(prototype), []
     wells = _wells(run, [table for _, _, table in logs], plant, layout.logs(prototype)[0][:2], models)

@@ -6,6 +6,7 @@ Beside each run stands what it leaves open: errors by horizon, pulses whose well
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -54,14 +55,15 @@ def task(prototype: Prototype, parameters: JointParameters | None, stage: str, m
         },
         inputs=(source, *sources(prototype)),
         outputs=tuple(layout.predictions(role, log, model) for role, log in logs),
-        work=lambda run: _predict(run, prototype, rotation_map(parameters), model, source),
+        work=partial(_predict, prototype=prototype, parameters=parameters, name=model, source=source),
     )
 
 
 def _predict(
-    run: RunFolder, prototype: Prototype, rotation: RotationMap | None, name: str, source: str
+    run: RunFolder, prototype: Prototype, parameters: JointParameters | None, name: str, source: str
 ) -> Mapping[str, Written]:
     plant, model = device(prototype), model_from_tree(name, run.read_tree(source, name))
+    rotation = rotation_map(parameters)
     written: dict[str, Written] = {}
     tables = {(role, log): load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)}
     trained = [table for (role, _), table in tables.items() if role == "train"]

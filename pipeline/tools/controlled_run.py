@@ -17,9 +17,10 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.names import shell_word
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
-from pipeline.runs.engine import Observer, Task, bring_up_to_date
+from pipeline.runs.engine import Observer, Task
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
 

@@ -21,9 +21,10 @@ from pipeline.loading.trajectories import load_motion, sources, training, trajec
 from pipeline.models.kind import kind
 from pipeline.numerics.arrays import BoolArray
 from pipeline.runs import layout, schemas
-from pipeline.runs.engine import TIMES, Observer, Task, bring_up_to_date
+from pipeline.runs.engine import TIMES, Observer, Task
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.runs.tables import Table
 from pipeline.scoring.cross_validation import (
     NRMSE_COLUMNS,

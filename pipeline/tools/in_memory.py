@@ -16,7 +16,7 @@ from pipeline.errors import InputError, warn_user
 from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
-from pipeline.loading.si_log import SiLog
+from pipeline.loading.si_log import SiLog, on_uniform_clocks
 from pipeline.loading.trajectories import load_motion, motion, training
 from pipeline.model_list import AUTO, ENTRIES, entry, names
 from pipeline.models.base import DynamicModel, kind_of, real_numbers
@@ -182,7 +182,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     codes = {name: codes_in(column) for name, column in given.items()}
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
     of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts))
-    log = SiLog(q, tuple(inputs), notes=of_codes)
+    log = on_uniform_clocks(SiLog(q, tuple(inputs), notes=of_codes))
     checked = examined(log, prototype, where)
     fine, coarse = (
         record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)

@@ -20,8 +20,9 @@ from pipeline.numerics.arrays import runs_of
 from pipeline.rig_logs.channel_roles import suggested_unit
 from pipeline.rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
 from pipeline.rig_logs.source import CsvOptions
-from pipeline.runs.engine import Observer, bring_up_to_date
+from pipeline.runs.engine import Observer
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.settings import Prototype, load_prototype
 from pipeline.si_prefix import scale

@@ -19,10 +19,11 @@ from pipeline.reporting.canvas import paper_figure
 from pipeline.runs import layout, schemas
 from pipeline.runs.atomic import refuse_link, write_bytes
 from pipeline.runs.columns import StudyName, Sweep
-from pipeline.runs.engine import Observer, Task, bring_up_to_date
+from pipeline.runs.engine import Observer, Task
 from pipeline.runs.lock import run_lock
 from pipeline.runs.outputs import new_outputs
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.runs.tables import Table
 from pipeline.scoring.data_study import amount_study, held_out_error, noise_study
 from pipeline.settings import Prototype

@@ -125,10 +125,10 @@ def _write(path: Path, one: Log) -> None:
 
         pd.DataFrame(columns).to_parquet(path)
     elif path.suffix == ".xlsx":
-        pytest.importorskip("python_calamine")
         workbook(path, [list(columns), *np.stack(list(columns.values()), axis=1).tolist()])
     elif path.suffix == ".tdms":
-        nptdms = pytest.importorskip("nptdms")
+        import nptdms
+
         with nptdms.TdmsWriter(path) as writer:
             writer.write_segment([nptdms.ChannelObject("rig", *column) for column in columns.items()])
     elif path.suffix == ".lvm":

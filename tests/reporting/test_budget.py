@@ -16,9 +16,9 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.narx import NarxModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
-from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check
 from tests.export.joints import hybrid, paper, pulses, sindy

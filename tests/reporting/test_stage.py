@@ -15,9 +15,9 @@ from pipeline.loading.report_data import load_datasheet
 from pipeline.reporting.datasheet_rows import show_datasheet
 from pipeline.reporting.log_figures import LOG_FIGURES
 from pipeline.runs import layout, schemas
-from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
 from pipeline.tools import plot

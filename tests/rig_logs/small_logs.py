@@ -82,9 +82,11 @@ def _element(number: int, content: bytes) -> bytes:
 
 
 def matlab_object(name: str, kind: str) -> bytes:
-    """An object of a class as version 5 has it: name, "MCOS", class; its data would be in a nameless variable."""
+    """An object of a class as version 5 has it: name, "MCOS", class, a key to a nameless variable."""
     texts = b"".join(_element(1, text.encode()) for text in (name, "MCOS", kind))
-    return _element(14, _element(6, struct.pack("<II", 17, 0)) + texts)
+    numbers = _element(5, struct.pack("<ii", 6, 1)) + _element(1, b"") + _element(6, struct.pack("<6I", *[1] * 6))
+    key = _element(14, _element(6, struct.pack("<II", 13, 0)) + numbers)
+    return _element(14, _element(6, struct.pack("<II", 17, 0)) + texts + key)
 
 
 def old_matlab_object(name: str, kind: str, field: str, numbers: list[float]) -> bytes:

@@ -247,7 +247,7 @@ def test_blanks_between_samples_at_a_slower_rate_are_no_record_on_change(tmp_pat
     ("stamps", "note"),
     [
         (np.r_[TIME[: N // 2], TIME[: N // 2]], "time steps back at 1 place, first after 0.698 s"),
-        (np.floor(10 * TIME) / 10, "time stamps repeat: too coarse a clock; set sample_rate"),
+        (np.floor(10 * TIME**2) / 10, "time stamps repeat: too coarse a clock; set sample_rate"),
         (46353 + TIME / 86400, "in days, as serial dates of a spreadsheet"),
         (20261127101112 + 10 * TIME, "its digits look like a date"),
     ],
