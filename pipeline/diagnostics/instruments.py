@@ -19,7 +19,7 @@ tried.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 import scipy.linalg
@@ -58,6 +58,7 @@ Exchange = Literal["none", "inputs", "sign", "both"]
 Status = Literal["measured", "not measured", "another device"]
 
 
+@runtime_checkable
 class ObservedModel(Protocol):
     """A fitted model that an observer couples to logs."""
 
@@ -269,7 +270,9 @@ def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
     Errors that last for τ samples count as noise of √τ times their RMS.
     """
     logs, count = [*reference, log], log.by_corrections.shape[1]
-    designs = [np.hstack([np.zeros_like(each.by_corrections), each.by_corrections, each.by_parameters]) for each in logs]
+    designs = [
+        np.hstack([np.zeros_like(each.by_corrections), each.by_corrections, each.by_parameters]) for each in logs
+    ]
     designs[-1][:, :count] = log.by_corrections
     widths = np.ones(designs[-1].shape[1])
     widths[: 2 * count] = FARTHEST

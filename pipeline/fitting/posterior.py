@@ -165,7 +165,8 @@ def robust_spread(
     3. CR3 is used. In directions where the other groups have less than `ALONE` of the precision CR2 is used, because
        an estimate without the group would be the prior there.
 
-    Moves are scaled: 1.96 standard deviations are the bounds of Student's t with one degree of freedom less than there are groups.
+    Moves are scaled: 1.96 standard deviations are the bounds of Student's t with one degree of freedom less than there
+    are groups.
 
     Parameters
     ----------

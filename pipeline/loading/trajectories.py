@@ -227,6 +227,11 @@ def training_tables(run: RunFolder, prototype: Prototype) -> list[Table]:
     return [load_motion(run, prototype, "train", log) for log in logs]
 
 
+def records(table: Table) -> list[Record]:
+    """The parts of a log, each a whole record; parts that hold little more than their beginning are left out."""
+    return [record(each) for each in _long_enough(parts(table))]
+
+
 def training_trajectories(run: RunFolder, prototype: Prototype) -> list[Trajectory]:
     """The gap-free stretches of all training logs."""
     return [stretch for table in training_tables(run, prototype) for stretch in trajectories(table)]

@@ -33,6 +33,11 @@ class Corrections:
     delay: float = 0.0
     clock: float = 1.0
 
+    @property
+    def act(self) -> bool:
+        """Whether they change anything."""
+        return self != Corrections((1.0,) * len(self.gains))
+
     def then(self, later: "Corrections") -> "Corrections":
         """Both in one: `later` corrects what these have corrected."""
         return Corrections(
