@@ -164,14 +164,14 @@ class Run:
         from pipeline.tools.in_memory import frame
 
         name = log or self.logs[-1]
-        table = load_motion(self._folder, self._prototype, self._role(name), name)
+        measured = load_motion(self._folder, self._prototype, self._role(name), name)
         core = self.model(model).core
-        run = free_run(table, core)
+        run = free_run(measured, core)
         columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
         if tube:
-            columns |= wanted_tubes(run.q, drawn_runs(table, core), core)
-        columns |= {key: table[key] for key in ("v1", "v2") if key in table}
-        result = frame(columns | {"q_measured": table["q"]}, *self._units)
+            columns |= wanted_tubes(run.q, drawn_runs(measured, core), core)
+        columns |= {f"v{k}": column for k, column in enumerate(measured.v.T, start=1)}
+        result = frame(columns | {"q_measured": measured.q}, *self._units)
         result.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return result
 

@@ -254,7 +254,9 @@ class Prototype(SettingsTable):
             for log, name in zip(logs, filed, strict=True):
                 check_log_name(log)
                 if [other.casefold() for other in filed].count(name.casefold()) > 1:
-                    raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
+                    raise ValueError(
+                        f"logs.{role}: two logs are named {name!r}, by which a run files them: rename one of the files"
+                    )
         twice = set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation))
         if twice:
             raise ValueError(f"logs.validation: {min(twice)!r} is a training log too; validate on a log of its own")
@@ -291,6 +293,8 @@ class Prototype(SettingsTable):
         set_here += ["plant.curves"] if self.plant.curves is not None else []
         if set_here and not {AUTO, "rbf"} & set(self.identify.models):
             raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')
+        if self.plant.siblings is not None and not {AUTO, "hybrid"} & set(self.identify.models):
+            raise ValueError('plant.siblings: is for "hybrid", which identify.models does not name')
         if self.identify.corrections != AUTO and not {AUTO, "hybrid"} & set(self.identify.models):
             raise ValueError('identify.corrections: is for "hybrid", which identify.models does not name')
         film = [key for key in sorted(FILM) if getattr(self.plant, key) != _default(Plant, key)]

@@ -155,9 +155,10 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
 
 
 def _announce_compilation(quiet: bool) -> None:
-    from pipeline.warmup import COST, is_warm
+    from pipeline.kernel_cache import has_kernels
+    from pipeline.warmup import COST
 
-    if not quiet and not is_warm():
+    if not quiet and not has_kernels():
         typer.echo(
             f"compiling once, about {COST:.0f} s of processor time; `debist warmup` does this ahead of a run", err=True
         )

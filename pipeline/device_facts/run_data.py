@@ -12,6 +12,7 @@ from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import sample_interval
 from pipeline.runs.columns import StudyName
 from pipeline.scoring.wells import NoWells, Wells, wells_of
+from pipeline.signals.log import log_of
 from pipeline.units import curve_units, of_joint
 
 Columns = Mapping[str, Any]
@@ -182,7 +183,7 @@ class RunData:
 
 def wells_of_run(data: RunData) -> Wells | NoWells:
     """The wells in the data of all logs."""
-    return wells_of([log.kinematics for log in data.logs], joint=data.joint)
+    return wells_of([log_of(log.kinematics) for log in data.logs], joint=data.joint)
 
 
 def judged_log(data: RunData) -> LogData:

@@ -30,8 +30,9 @@ from pipeline.fitting.posterior import GROUPS, robust_spread, whiteness
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.metrics import rms
 from pipeline.signals.corrections import Corrections, corrected, exchanged, mirrored
+from pipeline.signals.log import Log, within
 from pipeline.signals.noise import noise_std
-from pipeline.signals.trajectory import Record
+from pipeline.signals.trajectory import MOST_SAMPLES
 
 SIGNIFICANCE = 4.0
 """Standard errors beyond which an error counts: one false alarm in 16,000 quantities of normal errors."""
@@ -74,7 +75,7 @@ class ObservedModel(Protocol):
     def coupling(self) -> float:
         """Observer gain at which a sample stands nearly alone, in the unit that the problem takes."""
 
-    def observed(self, records: Sequence[Record]) -> ObservedProblem:
+    def observed(self, parts: Sequence[Log]) -> ObservedProblem:
         """The model coupled to the parts of a log."""
 
 
@@ -121,11 +122,11 @@ class Reading:
     residual_ratio: float
 
 
-def quantities(records: Sequence[Record]) -> tuple[Quantity, ...]:
+def quantities(parts: Sequence[Log]) -> tuple[Quantity, ...]:
     """The errors that are measured of a log, with limits for its range of q and its sample interval."""
-    span = float(np.ptp(np.concatenate([record.known_q for record in records])))
-    scales = {"zero_q": span, "delay": records[0].interval}
-    inputs = [Quantity(f"gain_v{k}", LIMITS["gain"]) for k in range(1, records[0].v.shape[1] + 1)]
+    span = float(np.ptp(np.concatenate([part.known_q for part in parts])))
+    scales = {"zero_q": span, "delay": parts[0].interval}
+    inputs = [Quantity(f"gain_v{k}", LIMITS["gain"]) for k in range(1, parts[0].v.shape[1] + 1)]
     rest = [name for name in LIMITS if name != "gain"]
     return (*inputs, *(Quantity(name, LIMITS[name] * scales.get(name, 1.0)) for name in rest))
 
@@ -137,32 +138,33 @@ class Instruments:
     ----------
     model : ObservedModel
         The fitted model.
-    training : sequence of sequence of Record
+    training : sequence of sequence of Log
         The parts of each training log.
 
     Notes
     -----
-    Cost of a log with K quantities: one Jacobian, and 2 K + 1 runs for each step; two steps are usual.
+    Cost of a log with K quantities: one Jacobian and 2 K runs for each step; two steps are usual.
     """
 
-    def __init__(self, model: ObservedModel, training: Sequence[Sequence[Record]]) -> None:
-        self._model, self._logs = model, training
-        self.quantities = quantities([record for records in training for record in records])
+    def __init__(self, model: ObservedModel, training: Sequence[Sequence[Log]]) -> None:
+        self._model = model
+        self._logs = [within(parts, MOST_SAMPLES) for parts in training]
+        self.quantities = quantities([part for parts in training for part in parts])
         self._limits = np.array([quantity.limit for quantity in self.quantities])
-        self._training = [self._linearised(records, np.zeros(len(self._limits))) for records in training]
+        self._training = [self._linearised(parts, np.zeros(len(self._limits))) for parts in self._logs]
 
     def of_training(self, number: int) -> Reading:
         """Errors of one of several training logs, compared with the others."""
         return self._reading(self._logs[number], self._training[:number] + self._training[number + 1 :])
 
-    def of(self, records: Sequence[Record]) -> Reading:
+    def of(self, parts: Sequence[Log]) -> Reading:
         """Errors of the parts of another log, compared with the training logs."""
-        return self._reading(records, self._training)
+        return self._reading(within(parts, MOST_SAMPLES), self._training)
 
-    def _reading(self, records: Sequence[Record], others: Sequence[Linearised | None]) -> Reading:
-        exchange, records = self._as_trained(records)
+    def _reading(self, parts: Sequence[Log], others: Sequence[Linearised | None]) -> Reading:
+        exchange, parts = self._as_trained(parts)
         reference, delta = [each for each in others if each is not None], np.zeros(len(self._limits))
-        log = self._linearised(records, delta)
+        log = self._linearised(parts, delta)
         for _ in range(STEPS):
             if log is None or not reference:
                 return self._not_measured(exchange)
@@ -170,7 +172,7 @@ class Instruments:
             delta = np.clip(delta + fit.step, -FARTHEST, FARTHEST)
             if np.all(np.abs(fit.step) < STILL * fit.error):
                 break
-            log = self._linearised(records, delta, log.by_parameters)
+            log = self._linearised(parts, delta)
         errors = np.sqrt(np.sum(fit.spread() ** 2, axis=1))
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
         status: Status = "another device" if fit.residual_ratio > UNLIKE else "measured"
@@ -187,46 +189,44 @@ class Instruments:
         gains = [1.0 / gain - 1.0 for gain in by.gains]
         return np.array([*gains, -by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0])
 
-    def _as_trained(self, records: Sequence[Record]) -> tuple[Exchange, Sequence[Record]]:
+    def _as_trained(self, parts: Sequence[Log]) -> tuple[Exchange, Sequence[Log]]:
         """What must be exchanged for the log to be like the training logs, and the log with that exchanged."""
-        trials: dict[Exchange, Sequence[Record]] = {"none": records, "sign": [mirrored(each) for each in records]}
-        if records[0].v.shape[1] > 1:
-            trials["inputs"] = [exchanged(each) for each in records]
+        trials: dict[Exchange, Sequence[Log]] = {"none": parts, "sign": [mirrored(each) for each in parts]}
+        if parts[0].v.shape[1] > 1:
+            trials["inputs"] = [exchanged(each) for each in parts]
             trials["both"] = [exchanged(each) for each in trials["sign"]]
         left = {name: self._left(trial) for name, trial in trials.items()}
         best = min(left, key=lambda name: left[name])
         chosen = best if left[best] < EXPLAINED * left["none"] else "none"
         return chosen, trials[chosen]
 
-    def _left(self, records: Sequence[Record]) -> float:
-        residual = self._residual(records, np.zeros(len(self._limits)))
+    def _left(self, parts: Sequence[Log]) -> float:
+        residual = self._residual(parts, np.zeros(len(self._limits)))
         return np.inf if residual is None else rms(residual)
 
-    def _linearised(
-        self, records: Sequence[Record], delta: FloatArray, by_parameters: FloatArray | None = None
-    ) -> Linearised | None:
-        """A log near δ [limits]; None where a run fails. Derivatives by parameters may be those of another δ."""
-        residual, units = self._residual(records, delta), np.eye(len(delta))
-        ahead, behind = ([self._residual(records, delta + side * unit) for unit in units] for side in (1.0, -1.0))
-        if residual is None or any(run is None for run in (*ahead, *behind)):
+    def _linearised(self, parts: Sequence[Log], delta: FloatArray) -> Linearised | None:
+        """A log near δ [limits]; None where a run fails."""
+        units = np.eye(len(delta))
+        ahead, behind = ([self._residual(parts, delta + side * unit) for unit in units] for side in (1.0, -1.0))
+        if any(run is None for run in (*ahead, *behind)):
             return None
-        if by_parameters is None:
-            problem, gain = self._problem(records, delta)
-            by_parameters = problem.jacobian(self._model.theta, gain)[1] @ self._model.spread
-            if not np.isfinite(by_parameters).all():
-                return None
+        problem, gain = self._problem(parts, delta)
+        residual, by_theta = problem.jacobian(self._model.theta, gain)
+        by_parameters = by_theta @ self._model.spread
+        if not (np.isfinite(residual).all() and np.isfinite(by_parameters).all()):
+            return None
         return Linearised(residual, 0.5 * (np.array(ahead) - np.array(behind)).T, by_parameters)
 
-    def _residual(self, records: Sequence[Record], delta: FloatArray) -> FloatArray | None:
-        problem, gain = self._problem(records, delta)
+    def _residual(self, parts: Sequence[Log], delta: FloatArray) -> FloatArray | None:
+        problem, gain = self._problem(parts, delta)
         return problem.residual(self._model.theta, gain)
 
-    def _problem(self, records: Sequence[Record], delta: FloatArray) -> tuple[ObservedProblem, float]:
+    def _problem(self, parts: Sequence[Log], delta: FloatArray) -> tuple[ObservedProblem, float]:
         """The corrected log with the model, and the observer gain: by the log's own clock, as samples are compared from
         some of its time constants after a gap on.
         """
         by = _corrections(delta * self._limits)
-        return self._model.observed([corrected(record, by) for record in records]), self._model.coupling / by.clock
+        return self._model.observed([corrected(part, by) for part in parts]), self._model.coupling / by.clock
 
 
 def _corrections(delta: FloatArray) -> Corrections:

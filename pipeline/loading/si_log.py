@@ -378,8 +378,9 @@ def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUn
     except InputError:
         return
     other_kind = own.symbol != resolved.symbol
+    monitor = ', or of a 1:1000 monitor give unit = "V", scale = 1000' if (bare, unit) == ("V", "kV") else ""
     if (other_kind and stated) or not (other_kind or np.isclose(own.factor, resolved.factor, rtol=1e-9)):
         raise InputError(
             f"{path}: channel {channel!r} is in {bare} by {'the log' if stated else 'its name'}, but in {unit} by the "
-            "settings; correct the unit in [channels]"
+            f"settings; correct the unit in [channels]{monitor}"
         )

@@ -336,6 +336,6 @@ def _error(model: NarxModel, x: Trajectory, span: float) -> float:
 
 
 NARX = Kind(
-    lambda data: identify_narx(data.stretches, inputs=data.inputs, most=data.compare.candidates),
+    lambda data: identify_narx(data.segments, inputs=data.inputs, most=data.compare.candidates),
     partial(NarxModel.read, name="narx", command="compare"),
 )

@@ -81,6 +81,8 @@ class CsvSource(Source):
         # The first column is a time, or empty.
         self.starts = dict([*zip(self._columns, self._dialect.starts, strict=False)][1:])
         # The number of rows is not declared anywhere.
+        lines = start.decode(self._dialect.encoding, "replace").splitlines()
+        self.heading = " ".join(" ".join(lines[: self._dialect.first_data_row]).split())
         self._count = path.stat().st_size * max(1, start.count(b"\n")) // len(start)
 
     def _noted(self, texts: dict[str, str]) -> list[str]:

@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import rates_among, scales_among, starts_among
+from pipeline.rig_logs.attributes import description_among, rates_among, scales_among, starts_among, texts_among
 from pipeline.rig_logs.channel_roles import is_called
 from pipeline.rig_logs.hdf5_attributes import (
     NUMBERS,
@@ -162,6 +162,7 @@ class Hdf5Source(Source):
         self._file = open_hdf5(path)
         self._filled = "_NCProperties" in self._file.attrs
         self.notes += scales_among(self._file.attrs)
+        self.heading = texts_among(self._file.attrs)
         others = {}
         for name, dataset in walk(self._file):
             for holder in (self._file, dataset.parent, dataset):
@@ -273,6 +274,8 @@ class Hdf5Source(Source):
         notes = [note for note, applies in possible_notes.items() if applies] + scales_among(unapplied, own)
         self.notes += [note for note in notes if note not in self.notes]
         self._places[name] = (dataset, column, packing)
+        if text := "" if table else description_among(dataset.attrs):
+            self.descriptions[name] = text
         self._entries.append(Entry(name, "s" if dtype.kind in "mM" else unit, dtype.name, int(count)))
 
 

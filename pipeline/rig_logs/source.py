@@ -113,6 +113,10 @@ class Source(ABC):
         When each channel begins, and its step [s], where the log states them.
     stated_starts : dict of str to float
         Numbers that state when a channel or those of a group begin [s], by their names.
+    descriptions : dict of str to str
+        What the log writes beside a channel, by its name.
+    heading : str
+        What it writes above or beside all of them.
     whole_seconds : set of str
         Columns of times of day without parts of a second.
     """
@@ -125,6 +129,8 @@ class Source(ABC):
         self.rates: dict[str, float] = {}
         self.starts: dict[str, tuple[float, float]] = {}
         self.stated_starts: dict[str, float] = {}
+        self.descriptions: dict[str, str] = {}
+        self.heading = ""
         self.whole_seconds: set[str] = set()
 
     def note_rates(self, stated: Mapping[str, tuple[float, float]]) -> None:

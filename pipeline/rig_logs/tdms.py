@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import rates_among, scales_among, unit_among
+from pipeline.rig_logs.attributes import description_among, rates_among, scales_among, texts_among, unit_among
 from pipeline.rig_logs.source import (
     Counted,
     Entry,
@@ -61,6 +61,8 @@ class TdmsSource(Source):
             own = {key: value for key, value in holder.properties.items() if not key.startswith(("NI_", "wf_"))}
             self.note_rates(rates_among(own, place))
             self.notes += scales_among(own, place)
+            self.descriptions |= {place: text} if (text := description_among(holder.properties)) else {}
+        self.heading = texts_among(self._file.properties)
         self._first = min(filter(None, map(_start, channels)), default=None)
         self._times: dict[tuple[float, float, int], str] = {}
         self._entries = [self._entry(name, each) for name, each in self._channels.items() if not _kind(each)]

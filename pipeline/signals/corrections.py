@@ -6,7 +6,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 
 @dataclass(frozen=True)
@@ -49,29 +49,27 @@ class Corrections:
         )
 
 
-def corrected(record: Record, by: Corrections) -> Record:
+def corrected(log: Log, by: Corrections) -> Log:
     """A log as instruments without these errors would have recorded it.
 
     A measured velocity is a reading of another sensor and stays. Delayed inputs are a cubic spline between their
     samples. Cost: 2 ms for 37.5 s at 1 ms where there is a delay, else a copy.
     """
     speed = by.gain_q / by.clock
-    record = replace(
-        record,
-        t=record.t * by.clock,
-        q=by.gain_q * record.q + by.zero,
-        qdot=speed * record.qdot,
-        qddot=speed / by.clock * record.qddot,
+    log = replace(
+        log,
+        t=log.t * by.clock,
+        q=by.gain_q * log.q + by.zero,
+        qdot=speed * log.qdot,
+        qddot=speed / by.clock * log.qddot,
     )
-    before, within = np.zeros((0, *record.drive.shape[1:])) if record.past is None else record.past, record.drive
+    before, within = np.zeros((0, *log.drive.shape[1:])) if log.past is None else log.past, log.drive
     samples = np.concatenate([before, within]) * np.array(by.gains)
     if by.delay:
-        samples = _delayed(samples, by.delay / record.interval)
+        samples = _delayed(samples, by.delay / log.interval)
     past, drive = np.split(samples, [len(before)])
-    fine = None if record.fine is None else drive
-    return replace(
-        record, v=drive if fine is None else fine[:, 0], fine=fine, past=None if record.past is None else past
-    )
+    fine = None if log.fine is None else drive
+    return replace(log, v=drive if fine is None else fine[:, 0], fine=fine, past=None if log.past is None else past)
 
 
 def _delayed(samples: FloatArray, delay: float) -> FloatArray:
@@ -83,15 +81,13 @@ def _delayed(samples: FloatArray, delay: float) -> FloatArray:
     return later
 
 
-def mirrored(record: Record) -> Record:
+def mirrored(log: Log) -> Log:
     """A log whose q counts the other way."""
-    velocity = None if record.velocity is None else -record.velocity
-    return replace(record, q=-record.q, qdot=-record.qdot, qddot=-record.qddot, velocity=velocity)
+    velocity = None if log.velocity is None else -log.velocity
+    return replace(log, q=-log.q, qdot=-log.qdot, qddot=-log.qddot, velocity=velocity)
 
 
-def exchanged(record: Record) -> Record:
+def exchanged(log: Log) -> Log:
     """A log whose inputs have changed places."""
-    fine, past = (
-        None if each is None else np.ascontiguousarray(each[..., ::-1]) for each in (record.fine, record.past)
-    )
-    return replace(record, v=np.ascontiguousarray(record.v[:, ::-1]), fine=fine, past=past)
+    fine, past = (None if each is None else np.ascontiguousarray(each[..., ::-1]) for each in (log.fine, log.past))
+    return replace(log, v=np.ascontiguousarray(log.v[:, ::-1]), fine=fine, past=past)

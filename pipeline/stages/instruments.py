@@ -8,21 +8,21 @@ from typing import Any
 import numpy as np
 
 from pipeline.loading.corrections import corrections
-from pipeline.loading.trajectories import load_motion, records, sources
+from pipeline.loading.trajectories import fitted_parts, load_motion, sources
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Role
 from pipeline.signals.corrections import Corrections
+from pipeline.signals.log import Log
 
 ALGORITHM = "1"
 
-Logs = Mapping[tuple[Role, str], Table]
-"""Kinematics of logs by role and name."""
+Logs = Mapping[tuple[Role, str], Log]
+"""Logs by role and name."""
 
 
 def task(prototype: Prototype, identified: Sequence[str]) -> Task:
@@ -59,8 +59,8 @@ def instrument_rows(
     ----------
     model : DynamicModel
         A fitted model; one that no observer can couple to a log measures nothing.
-    logs : mapping of (role, name) to Table
-        Kinematics of all logs.
+    logs : mapping of (role, name) to Log
+        All logs.
     stated : mapping of (role, name) to Corrections
         What already corrects each of them.
     """
@@ -68,7 +68,7 @@ def instrument_rows(
 
     if not isinstance(model, ObservedModel):
         return []
-    parts = {log: records(table) for log, table in logs.items()}
+    parts = {name: fitted_parts(log) for name, log in logs.items()}
     trained = [log for log in logs if log[0] == "train"]
     instruments = Instruments(model, [parts[log] for log in trained])
     rows = []

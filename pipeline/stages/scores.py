@@ -13,7 +13,7 @@ from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.run_models import identified_models
 from pipeline.names import with_true_names
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import signal_range
 from pipeline.runs import layout, schemas
 from pipeline.runs.columns import NOTED_COLUMNS
@@ -24,7 +24,7 @@ from pipeline.scoring.intervals import SEED, Interval, excess_over_lowest
 from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Role
-from pipeline.signals.trajectory import voltages
+from pipeline.signals.log import Log, log_of
 from pipeline.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:
@@ -72,15 +72,16 @@ def _score(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
     rotation = rotation_map(parameters)
-    logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
+    names = [(role, log) for role, log, _ in layout.logs(prototype)]
+    logs = [(role, log, log_of(run.read_table(layout.kinematics(role, log)))) for role, log in names]
     plant, rows = device(prototype), []
-    wells = _wells(run, [table for _, _, table in logs], plant, layout.logs(prototype)[0][:2], models)
+    wells = _wells(run, [measured for _, _, measured in logs], plant, layout.logs(prototype)[0][:2], models)
     for role, log, measured in logs:
         runs = {}
         for model in models:
             name = layout.predictions(role, log, model)
             runs[model] = ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
-        interval = sample_interval(measured["t"])
+        interval = measured.interval
         above = {signal: _above_lowest(runs, signal, interval, joint=plant.joint) for signal in SIGNALS}
         for model, compared in runs.items():
             for row in score_rows(plant, measured, compared, wells):
@@ -92,14 +93,14 @@ def _score(
 
 
 def _wells(
-    run: RunFolder, tables: Sequence[Table], plant: Device, log: tuple[Role, str], models: Sequence[str]
+    run: RunFolder, logs: Sequence[Log], plant: Device, log: tuple[Role, str], models: Sequence[str]
 ) -> Wells | NoWells:
     """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
     from pipeline.device_facts.characteristics import believed_wells
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
     judge = next((model for model in models if rests[model] is not None), models[0])
-    return believed_wells(wells_of(tables, joint=plant.joint), judge, rests[judge], joint=plant.joint)
+    return believed_wells(wells_of(logs, joint=plant.joint), judge, rests[judge], joint=plant.joint)
 
 
 @dataclass(frozen=True)
@@ -111,11 +112,11 @@ class ComparedRun:
 
 
 def _pairs(
-    measured: Table, calculated: Table, rotation: RotationMap | None
+    measured: Log, calculated: Table, rotation: RotationMap | None
 ) -> Mapping[str, tuple[FloatArray, FloatArray]]:
-    pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
+    pairs = {name: (getattr(measured, name), calculated[name]) for name in ("q", "qdot", "qddot")}
     if rotation is not None:
-        pairs["phi"] = (np.asarray(rotation(measured["q"])), calculated["phi"])
+        pairs["phi"] = (np.asarray(rotation(measured.q)), calculated["phi"])
     return {name: pairs[name] for name in SIGNALS if name in pairs}
 
 
@@ -132,7 +133,7 @@ def _above_lowest(
     return excess_over_lowest(errors, interval, SEED, joint=joint)
 
 
-def score_rows(plant: Device, measured: Table, compared: ComparedRun, wells: Wells | NoWells) -> list[dict[str, Any]]:
+def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells | NoWells) -> list[dict[str, Any]]:
     """The scores of a free run over kinematics, one row per signal, by the columns of ``scores.parquet``.
 
     Errors by horizon, outcomes and what else a stage noted of the run are columns where its notes hold them.
@@ -141,7 +142,7 @@ def score_rows(plant: Device, measured: Table, compared: ComparedRun, wells: Wel
     from pipeline.scoring.step_responses import response_errors
 
     units = signal_units(plant.displacement.symbol)
-    v, interval = voltages(measured), sample_interval(measured["t"])
+    v, interval = measured.v, measured.interval
     rng = np.random.default_rng(SEED)
     status, diverged_at = compared.notes["status"], compared.notes["diverged_at_s"]
     scores = score_run(

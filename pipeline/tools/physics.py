@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from pipeline.models.analytical.calibration import Calibration
     from pipeline.models.analytical.reduced_order import Motions
     from pipeline.runs.tables import Table
+    from pipeline.signals.log import Log
 
 
 def energy_over_q(
@@ -90,18 +91,19 @@ def calibrate(
     InputError
         A table lacks a column, or none has a stretch of motion.
     """
-    from pipeline.loading.trajectories import trajectories, with_fine_voltages
+    from pipeline.loading.trajectories import between
     from pipeline.models.analytical.calibration import calibrate as fit
+    from pipeline.signals.log import log_of
 
-    def motion(path: Path) -> "Table":
-        """The table, with the voltages between its samples where the run's record is beside it."""
+    def motion(path: Path) -> "Log":
+        """A log, with the voltages between its samples where the run's record is beside it."""
         table, record = (
             _columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment"),
             path.with_name("record.parquet"),
         )
-        return with_fine_voltages(table, _columns(record, "t", "v1", "v2")) if record.is_file() else table
+        return log_of(table, between(table["t"], _columns(record, "t", "v1", "v2")) if record.is_file() else None)
 
-    motions = [stretch for path in kinematics for stretch in trajectories(motion(path), fine=True)]
+    motions = [segment for path in kinematics for segment in motion(path).segments()]
     if not motions:
         raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
     return fit(motions, parameters, np.random.default_rng(seed), names=names, starts=starts, jobs=jobs, report=report)

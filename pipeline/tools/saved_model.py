@@ -13,15 +13,14 @@ from pipeline.export.subject import Exported, Subject, Validity
 from pipeline.former_settings import translated
 from pipeline.loading.device import device
 from pipeline.loading.run_models import subject_on
-from pipeline.loading.trajectories import longest_rows, part
 from pipeline.models.kind import StoredModel, model_from_tree
 from pipeline.models.model_file import ModelFile, Sizes, Span, Table
 from pipeline.numerics.arrays import FloatArray
-from pipeline.runs import tables
 from pipeline.runs.hashing import tree_hash
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.trees import read_tree, write_tree
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.signals.log import Log
 from pipeline.tools.export import MODELS, write_model
 
 _CHECK = "check"
@@ -50,10 +49,9 @@ class _File(ModelFile):
     inputs: Annotated[FloatArray, Table("K 2")]
 
 
-def subject_of(model: StoredModel, prototype: Prototype, logs: Sequence[tables.Table]) -> Subject:
+def subject_of(model: StoredModel, prototype: Prototype, logs: Sequence[Log]) -> Subject:
     """A model that was identified from kinematics, with its bounds; an export is checked on the first log."""
-    check = part(logs[0], longest_rows(logs[0]))
-    return subject_on(check, model, prototype, logs, model.name, tree_hash(model.to_tree()))
+    return subject_on(logs[0].longest_part(), model, prototype, logs, model.name, tree_hash(model.to_tree()))
 
 
 def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:

@@ -46,7 +46,7 @@ def test_what_the_package_imports_is_declared_explained_and_locked() -> None:
     declared = {re.split("[<>=]", entry)[0] for entry in PROJECT["dependencies"]}
     extras = {re.split("[<>=]", entry)[0] for entries in PROJECT["optional-dependencies"].values() for entry in entries}
     packages = {name.replace("_", "-").lower() for name in packages}
-    assert packages - declared - {name.lower() for name in extras} == {"casadi"}, "developers alone need it"
+    assert packages - {name.lower() for name in declared | extras} == {"casadi"}, "developers alone need it"
     table = (ROOT / "docs/reference/dependencies.md").read_text(encoding="utf-8")
     explained = {name for row in re.findall(r"^\| ([^|]+) \|", table, re.MULTILINE) for name in re.split("[ ,]+", row)}
     assert declared <= explained

@@ -160,6 +160,6 @@ def _parameters(training: Training) -> JointParameters:
 
 ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
 ANALYTICAL_CALIBRATED = Kind(
-    lambda training: calibrate_analytical(training.finely_driven, _parameters(training)),
+    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)),
     AnalyticalModel.from_tree,
 )

@@ -29,7 +29,7 @@ from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.signals.decimation_kernel import filtered_samples
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 COUPLING_POLE = 30.0
 """Observer pole [1/s] of a joint of the set's size at which each sample stands nearly alone: above its 18 1/s."""
@@ -215,9 +215,9 @@ class HybridModel:
         """Observer pole [1/s] at which each sample stands nearly alone."""
         return COUPLING_POLE / self.joint.similarity.time
 
-    def observed(self, records: Sequence[Record]) -> CondensedProblem:
+    def observed(self, parts: Sequence[Log]) -> CondensedProblem:
         """The joint coupled to the parts of a log."""
-        return CondensedProblem(self.joint, records)
+        return CondensedProblem(self.joint, parts, from_start=True)
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors that the data allow, shape (count, P); always the same for the same model.

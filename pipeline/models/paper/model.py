@@ -283,7 +283,7 @@ def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
 
 def _fit(training: Training) -> RbfPaperModel:
     return identify_rbf_paper(
-        training.stretches,
+        training.segments,
         basis_functions=training.identify.basis_functions,
         smoothing=training.identify.smoothing,
         mass=training.mass,

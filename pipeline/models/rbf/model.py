@@ -24,7 +24,7 @@ from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointSt
 from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 from pipeline.solvers.fixed_step import run_status
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
@@ -230,9 +230,9 @@ class RbfModel:
         """Observer gain [frequency scale] at which each sample stands nearly alone."""
         return PATH_OBSERVER_GAIN
 
-    def observed(self, records: Sequence[Record]) -> JointProblem:
+    def observed(self, parts: Sequence[Log]) -> JointProblem:
         """The joint coupled to the parts of a log."""
-        return JointProblem(self.parameters, records)
+        return JointProblem(self.parameters, parts)
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""

@@ -329,14 +329,14 @@ def _terms(dynamics: PolynomialDynamics) -> int:
 
 SINDY = Kind(
     lambda data: identify_sindy(
-        data.finely_driven, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
+        data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
     ),
     SindyModel.from_tree,
     "pipeline.export.lagged:realise_polynomial",
 )
 SINDY_DEFAULT = Kind(
     lambda data: identify_default_sindy(
-        data.stretches, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
+        data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
     ),
     SindyModel.from_tree,
     "pipeline.export.lagged:realise_polynomial",
