@@ -78,6 +78,7 @@ class Dialect:
     """When each column begins, and its step [s], where these differ; see `labview_starts`."""
     above: frozenset[tuple[str, ...]]
     """The rows of names and units, which a logger may write once more where it begins anew."""
+    is_labview: bool
 
     def split(self, line: str) -> list[str]:
         """The cells of a row of data, as numbers with the file's decimal mark."""
@@ -93,6 +94,14 @@ class Dialect:
         if len(cells) == len(self.headings):
             return words and any(map(_STATEMENT.search, cells))
         return words or (len(cells) == 1 and bool(_SENTENCE.search(line)))
+
+    def check_same_segment(self, cells: Sequence[str], line: int) -> None:
+        """Refuse a further segment of a LabVIEW measurement, which has a header and a start of its own."""
+        if self.is_labview and cells[0] == "Channels":
+            raise UnreadableLogError(
+                f"line {line} is the header of another segment (LabVIEW's Multi_Headings), whose time begins anew: cut "
+                "the file there, and put the header of the file above each segment"
+            )
 
     def begins_another(self, cells: Sequence[str]) -> bool:
         """Whether a row of words in place of numbers is the heading of another table."""
@@ -165,6 +174,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
         frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},
+        lines[0].startswith(_LABVIEW),
     )
 
 

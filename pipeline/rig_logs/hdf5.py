@@ -58,7 +58,13 @@ def open_hdf5(path: Path) -> Any:
     try:
         return h5py.File(path, "r")
     except OSError as error:
-        raise UnreadableLogError(f"HDF5 cannot open it: {_first_sentence(error)}") from error
+        reason = _first_sentence(error)
+        if "unable to lock" in reason or "already open" in reason:
+            raise UnreadableLogError(
+                "its recorder still writes it, or died while it did: end the recording, or after a crash run "
+                "`h5clear -s` on a copy"
+            ) from error
+        raise UnreadableLogError(f"HDF5 cannot open it: {reason}") from error
 
 
 def child_of(group: Any, name: str) -> Any:

@@ -235,6 +235,13 @@ FLEET_COLUMNS = (
     *SCORE_COLUMNS,
 )
 
+FLEET_FACT_COLUMNS = (
+    _text("prototype", "name of the prototype"),
+    _text("fact", "key of the fact, as in datasheet.json"),
+    Column("value", "", "1", "its value, of the judged model, else as measured; in the unit beside it"),
+    _text("fact_unit", "SI unit of the value"),
+)
+
 Sweep = Literal["alpha", "basis", "data", "online"]
 """A study that repeats the fit with something else."""
 StudyName = Literal[Sweep, "folds"]

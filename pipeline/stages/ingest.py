@@ -227,11 +227,17 @@ def _refuse_other_clock(where: str, clock: "TimeQuality", quality: "SignalQualit
 
 
 def _sensor(signals: SiLog, quality: "SignalQuality") -> dict[str, Any]:
-    """What is known of the sensor of q: its noise and steps [m or rad], and the mains lines in it [Hz]."""
+    """What is known of the sensor of q: its noise and steps [m or rad], the mains lines in it [Hz], for how many
+    samples each value is held, and a sketch of the samples by which a copy is recognised.
+    """
+    from pipeline.checks.copies import sketch
+    from pipeline.checks.held_values import held_samples
     from pipeline.signals.noise import resolution
 
     lines = [line.frequency for line in quality.hum if line.stands_out]
-    return {"noise": quality.noise, "resolution": resolution(signals.q[1]), "hum": lines}
+    step = resolution(signals.q[1])
+    held = held_samples(signals.q[1], step)
+    return {"noise": quality.noise, "resolution": step, "hum": lines, "held": held, "sketch": sketch(*signals.q)}
 
 
 def _cut_off(usable: "Survey", clock: "TimeQuality") -> float:
