@@ -12,11 +12,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs.columns import (
     FLEET_COLUMNS,
-<<<<<<< HEAD
-    INSTRUMENT_COLUMNS,
-=======
     FLEET_FACT_COLUMNS,
->>>>>>> main
+    INSTRUMENT_COLUMNS,
     PHI_COLUMN,
     RATE_COLUMNS,
     RECORD_COLUMNS,
