@@ -3,7 +3,7 @@
 Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.hybrid.identify`.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Annotated, Any, ClassVar, Self
@@ -20,7 +20,7 @@ from pipeline.models.base import FreeRun, checked
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
 from pipeline.models.hybrid.kernels import CURVES
-from pipeline.models.hybrid.problem import CondensedJoint, age_at, simulate
+from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem, age_at, simulate
 from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, continued_runs, follow_path
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.statics import static_curves, substeps
@@ -29,6 +29,10 @@ from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.signals.decimation_kernel import filtered_samples
+from pipeline.signals.log import Log
+
+COUPLING_POLE = 30.0
+"""Observer pole [1/s] of a joint of the set's size at which each sample stands nearly alone: above its 18 1/s."""
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
 
@@ -205,6 +209,15 @@ class HybridModel:
         more = len(self._curve_spread) - len(self.theta)
         joint = replace(self.joint, centres=self.joint.centres + more // CURVES)
         return replace(self, joint=joint, theta=np.append(self.theta, np.zeros(more)))
+
+    @property
+    def coupling(self) -> float:
+        """Observer pole [1/s] at which each sample stands nearly alone."""
+        return COUPLING_POLE / self.joint.similarity.time
+
+    def observed(self, parts: Sequence[Log]) -> CondensedProblem:
+        """The joint coupled to the parts of a log."""
+        return CondensedProblem(self.joint, parts, from_start=True)
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors that the data allow, shape (count, P); always the same for the same model.

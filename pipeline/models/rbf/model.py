@@ -1,6 +1,6 @@
 """The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Annotated, Any, ClassVar, Self
 
@@ -19,11 +19,12 @@ from pipeline.models.rbf.coefficients import DAMPING, FORCE, INPUT, Coefficients
 from pipeline.models.rbf.dynamics import free_rates
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.problem import steps_per_sample
+from pipeline.models.rbf.problem import JointProblem, steps_per_sample
 from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointStructure
 from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
+from pipeline.signals.log import Log
 from pipeline.solvers.fixed_step import run_status
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
@@ -223,6 +224,15 @@ class RbfModel:
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
         return posterior_draws(self.theta, self.spread, count, SEED)
+
+    @property
+    def coupling(self) -> float:
+        """Observer gain [frequency scale] at which each sample stands nearly alone."""
+        return PATH_OBSERVER_GAIN
+
+    def observed(self, parts: Sequence[Log]) -> JointProblem:
+        """The joint coupled to the parts of a log."""
+        return JointProblem(self.parameters, parts)
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
