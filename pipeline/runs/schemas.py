@@ -13,6 +13,7 @@ from pipeline.errors import CorruptArtifactError
 from pipeline.runs.columns import (
     FLEET_COLUMNS,
     FLEET_FACT_COLUMNS,
+    INSTRUMENT_COLUMNS,
     PHI_COLUMN,
     RATE_COLUMNS,
     RECORD_COLUMNS,
@@ -40,6 +41,7 @@ SIGNALS = Schema("signals", RECORD_COLUMNS)
 KINEMATICS = Schema("kinematics", (*RECORD_COLUMNS, *RATE_COLUMNS))
 PREDICTIONS = Schema("predictions", (*RECORD_COLUMNS[:2], *RATE_COLUMNS, *TUBE_COLUMNS, PHI_COLUMN))
 SCORES = Schema("scores", SCORE_COLUMNS)
+INSTRUMENTS = Schema("instruments", INSTRUMENT_COLUMNS)
 FLEET = Schema("fleet", FLEET_COLUMNS)
 FLEET_FACTS = Schema("fleet-facts", FLEET_FACT_COLUMNS)
 STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_COLUMNS.items()}
@@ -75,6 +77,7 @@ _OF_FILES = (
     ("*/*/kinematics.parquet", KINEMATICS),
     ("*/*/predictions/*.parquet", PREDICTIONS),
     ("scores.parquet", SCORES),
+    ("instruments.parquet", INSTRUMENTS),
     ("studies/folds/*.parquet", STUDIES["folds"]),
     *((f"studies/{study}.parquet", schema) for study, schema in STUDIES.items()),
 )
