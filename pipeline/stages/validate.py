@@ -31,7 +31,7 @@ from pipeline.settings import Prototype
 from pipeline.signals.trajectory import voltages
 from pipeline.units import HORIZONS
 
-ALGORITHM = "28"
+ALGORITHM = "29"
 
 _RESTARTS = 60
 
