@@ -120,25 +120,28 @@ def entry(part: LogPart, rows: Sequence[Row], displacement: str) -> str:
 
 
 def instruments_figure(rows: Sequence[Row]) -> Figure | None:
-    """Errors of each log below one another, in units of their limits; None where nothing was measured."""
+    """Errors of all logs in units of their limits, a line for each quantity; None where nothing was measured."""
     measured = [row for row in main_rows(rows) if row["status"] == "measured"] if rows else []
     if not measured:
         return None
-    several = len({(row["role"], row["log"]) for row in measured}) > 1
-    places = np.arange(len(measured), dtype=np.float64)[::-1]
+    names = list(dict.fromkeys(_name(row) for row in reversed(measured)))
+    logs = list(dict.fromkeys((row["role"], row["log"]) for row in reversed(measured)))
+    of_log = dict(zip(logs, np.linspace(-0.5, 0.5, len(logs) + 2)[1:-1].tolist(), strict=True))
+    y = np.array([names.index(_name(row)) + of_log[row["role"], row["log"]] for row in measured])
     limits = np.array([row["limit"] for row in measured])
+    beyond = np.array([row["beyond"] for row in measured])
     at = np.array([row["estimate"] for row in measured]) / limits
     half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
     ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
-    bars = Line(f"{SIGNIFICANCE:g} standard errors", "measured", ends, np.repeat(places, 3), dash="solid")
-    band = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(at) - 0.5))
-    names = [_name(row) + (f", {row['log']}" if several else "") for row in measured]
+    bars = Line(f"± {SIGNIFICANCE:g} standard errors", "measured", ends, np.repeat(y, 3), dash="solid")
+    band = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
+    points = [Points("a log", "measured", at[~beyond], y[~beyond])]
+    points += [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
     panel = Panel(
-        "", "1", (bars,), (band,), (Points("reading", "measured", at, places),),
-        y_limits=(-0.6, len(at) - 0.4), names=tuple(reversed(names)),
+        "", "1", (bars,), (band,), tuple(points), y_limits=(-0.6, len(names) - 0.4), names=tuple(names)
     )  # fmt: skip
-    caption = f"An error counts where its bar lies outside the limit on one side as a whole. {RELATIVE}"
-    x = "error of the reading over its limit"
+    caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
     return Figure(
-        "instruments", "Instruments of the logs", caption, x, "1", (panel,), tall=0.4 + 0.14 * len(at), half=True
-    )
+        "instruments", "Instruments of the logs", caption, "error of the reading over its limit", "1", (panel,),
+        half=True,
+    )  # fmt: skip
