@@ -23,7 +23,7 @@ from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
 
-ALGORITHM = "19"
+ALGORITHM = "20"
 _MISSED, _UNSEEN = 0.09, 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
 [m] where the logs show no wells."""
