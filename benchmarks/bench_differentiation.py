@@ -37,9 +37,7 @@ Differentiator = Callable[[np.ndarray, float], Derivatives]
 
 ORDERS: tuple[Order, ...] = (1, 2, 3, 4)
 DEGREES: tuple[Literal[3, 5], ...] = (3, 5)
-FORMS: tuple[tuple[Literal["large", "small"], Literal["exact", "fitted"]], ...] = (
-    ("large", "exact"), ("large", "fitted"), ("small", "exact"), ("small", "fitted"),
-)  # fmt: skip
+STARTS: tuple[Literal["exact", "fitted"], ...] = ("exact", "fitted")
 CASES = [
     (signals.corner(), (0.05,)),
     (signals.sine(), (0.001, 0.05)),
@@ -355,22 +353,22 @@ def speed(largest: int) -> None:
         print(
             f"{n:9d} {seconds:9.4f} {1e9 * seconds / n:9.0f} {result.iterations:5d} {ratio:17.2f} {peak_memory(n):9.0f}"
         )
-    forms(min(largest, 1_125_000))  # after the table: a child's peak memory starts from its parent's
+    starts(min(largest, 1_125_000))  # after the table: a child's peak memory starts from its parent's
     for n in (1000, 3750):
         beside_peers(n)
 
 
-def forms(n: int) -> None:
-    """Processor time of every form, start and rounding on one record."""
+def starts(n: int) -> None:
+    """Processor time of every start and rounding on one record."""
     y, dt = long_record(n)
     print(f"\nN = {n}, alpha = 0.01 mm s, to a relative duality gap of 1e-10")
-    print(f"{'form':28s} {'epsilon':>8s} {'time [s]':>9s} {'steps':>5s}")
-    for form, start in FORMS:
+    print(f"{'start':28s} {'epsilon':>8s} {'time [s]':>9s} {'steps':>5s}")
+    for start in STARTS:
         for epsilon in (1e-12, 1e-6, 1e-2):
-            solve = partial(tvregdiff, y, dt, alpha=0.01, form=form, start=start, epsilon=epsilon)
+            solve = partial(tvregdiff, y, dt, alpha=0.01, start=start, epsilon=epsilon)
             steps = solve().iterations
             seconds = timed(solve, least=1.0)
-            print(f"{form + ', start ' + start:28s} {epsilon:8.0e} {seconds:9.3f} {steps:5d}", flush=True)
+            print(f"{start:28s} {epsilon:8.0e} {seconds:9.3f} {steps:5d}", flush=True)
 
 
 def beside_peers(n: int) -> None:

@@ -15,12 +15,11 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parent / "prototypes"
 VARIANTS: dict[str, dict[str, object]] = {
     "order 3, 1 ms (default)": {},
-    "order 3, 1 ms, without reweighting": {"reweighted": False},
     "order 2, 1 ms": {"order": 2},
     "order 4, 1 ms": {"order": 4},
-    "order 3, 10 ms": {"rate": "signals"},
+    "order 3, 10 ms": {"record_interval": 0.01},
     "Savitzky-Golay, 1 ms": {"method": "savitzky-golay"},
-    "paper: order 1, alpha 0.01, 10 ms": {"order": 1, "alpha": 0.01, "epsilon": 1e-6, "rate": "signals"},
+    "paper: order 1, alpha 0.01, 10 ms": {"order": 1, "alpha": 0.01, "epsilon": 1e-6, "record_interval": 0.01},
 }
 
 
@@ -30,13 +29,14 @@ def debist(*arguments: str) -> str:
 
 
 def settings(example: Path, differentiate: dict[str, object]) -> str:
-    """The example's settings file with absolute paths to its logs and another `[differentiate]`."""
+    """The example's settings file with absolute paths to its logs, another `[differentiate]` and record."""
     text = example.read_text(encoding="utf-8")
     for paths in tomllib.loads(text)["logs"].values():
         for path in paths:
             text = text.replace(f'"{path}"', json.dumps(str((example.parent / path).resolve())))
-    lines = [f"{key} = {json.dumps(value)}" for key, value in differentiate.items()]
-    return "\n".join([text, "[differentiate]", *lines, ""])
+    lines = [f"{key} = {json.dumps(value)}" for key, value in differentiate.items() if key != "record_interval"]
+    record = ["[ingest]", "record_interval = 0.01"] if "record_interval" in differentiate else []
+    return "\n".join([text, "[differentiate]", *lines, *record, ""])
 
 
 def scores(example: Path, folder: Path, differentiate: dict[str, object]) -> dict[str, str]:

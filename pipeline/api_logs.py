@@ -85,7 +85,7 @@ def check(place: str | Path) -> "pd.DataFrame":
 
 @one_thread
 def differentiate(
-    t: "ArrayLike", q: "ArrayLike", *, method: Literal["tvregdiff", "savitzky-golay", "rts"] = "tvregdiff",
+    t: "ArrayLike", q: "ArrayLike", *, method: Literal["tvregdiff", "savitzky-golay"] = "tvregdiff",
     order: Literal[1, 2, 3, 4] = 3, alpha: float | None = None, epsilon: float | None = None,
 ) -> "pd.DataFrame":  # fmt: skip
     """Velocity and acceleration of a displacement at uniform times, as a run differentiates it.

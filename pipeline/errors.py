@@ -6,7 +6,7 @@ import re
 import sys
 import warnings
 from collections.abc import Sequence
-from typing import ClassVar
+from typing import ClassVar, Self
 
 _DISK = (errno.EIO, errno.ESTALE, errno.ENXIO, errno.ENODEV, errno.ETIMEDOUT, errno.EACCES, errno.EMFILE, errno.ENFILE)
 _NO_MEMORY = re.compile(
@@ -41,8 +41,13 @@ class SeveralMistakesError(InputError):
     """
 
     def __init__(self, where: str, mistakes: Sequence[str]) -> None:
+        self._given = (where, mistakes)
         self.lines = (f"{where}: {len(mistakes)} mistakes", *mistakes)
         super().__init__(f"{self.lines[0]}: {'; '.join(f'({i}) {text}' for i, text in enumerate(mistakes, 1))}")
+
+    def __reduce__(self) -> tuple[type[Self], tuple[str, Sequence[str]]]:
+        """What makes it anew where it comes from another process."""
+        return type(self), self._given
 
     @classmethod
     def of(cls, where: str, mistakes: Sequence[str]) -> InputError:

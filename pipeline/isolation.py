@@ -56,7 +56,7 @@ _starting, _preloaded = threading.RLock(), list[str]()
 
 def preload(modules: Sequence[str]) -> None:
     """Have the server import these modules too; without effect elsewhere, and once the server runs."""
-    context = _context()
+    context = process_context()
     _preloaded.extend(name for name in modules if name not in _preloaded)
     if context.get_start_method() == "forkserver":
         context.set_forkserver_preload(_preloaded)
@@ -123,9 +123,9 @@ class Isolated:
     def __init__(self, work: Callable[..., None], *arguments: Any, time_limit: float = math.inf) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="debist-", ignore_cleanup_errors=True)
         self._words, self.late = Path(self._folder.name) / "words", False
-        context = _context()
+        context = process_context()
         self.channel, theirs = context.Pipe(duplex=False)
-        with theirs, _apart():
+        with theirs, apart():
             self._process = context.Process(
                 target=_work, args=(theirs, _current_folder(), str(self._words), work, arguments)
             )
@@ -200,9 +200,9 @@ def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int)
     if jobs == 1 or not items:
         yield from map(work, items)
         return
-    with ProcessPoolExecutor(jobs, mp_context=_context(), initializer=_begin) as pool:
+    with ProcessPoolExecutor(jobs, mp_context=process_context(), initializer=begin) as pool:
         try:
-            with _apart():
+            with apart():
                 results = pool.map(work, items)
             yield from results
         except BaseException:
@@ -211,7 +211,7 @@ def in_processes(work: Callable[[Item], Made], items: Sequence[Item], jobs: int)
             raise
 
 
-def _context() -> Any:
+def process_context() -> Any:
     """Fork server or new interpreters; a process of the server has no server of its own, and is forked itself."""
     _check_descriptors()
     forks = "forkserver" in multiprocessing.get_all_start_methods() and bool(sys.platform == "linux")
@@ -234,7 +234,7 @@ def _check_descriptors() -> None:
 
 
 @contextmanager
-def _apart() -> Iterator[None]:
+def apart() -> Iterator[None]:
     """Within, processes are started that share neither main module, current folder nor number of threads with this one.
 
     `multiprocessing` has each import the main module, which need not have the guard that this takes.
@@ -272,7 +272,7 @@ def _current_folder() -> str | None:
 
 def _work(channel: Connection, here: str | None, words: str, work: Callable[..., None], arguments: Any) -> None:
     """In the process: do the work, with standard error in a file and standard output nowhere."""
-    _begin()
+    begin()
     if not Path(words).parent.is_dir():  # the command was stopped while this process began
         return
     if here is not None:
@@ -284,7 +284,7 @@ def _work(channel: Connection, here: str | None, words: str, work: Callable[...,
     work(lambda message: channel.send_bytes(json.dumps(message).encode()), *arguments)
 
 
-def _begin() -> None:
+def begin() -> None:
     """End this process with its parent, which alone decides what Ctrl-C means."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()

@@ -29,6 +29,13 @@ def settle_machine() -> None:
         os.environ["MATPLOTLIBRC"] = str(Path(matplotlib.origin or "").parent / "mpl-data")
 
 
+def cores() -> int:
+    """The number of processor cores that this process may use."""
+    if hasattr(os, "sched_getaffinity"):  # a job of a cluster may have fewer than the machine
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
 def one_thread(work: Callable[P, T]) -> Callable[P, T]:
     """The same function, during which linear algebra takes one thread; the number before is restored."""
 

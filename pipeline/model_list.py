@@ -1,7 +1,4 @@
-"""Every model of the program: one line each. Settings, stages, folds, export and the store read this list.
-
-So do the basis functions of the paper's model.
-"""
+"""Every model of the program: one line each. Settings, stages, folds, export and the store read this list."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -24,8 +21,8 @@ class ModelEntry:
         The settings table that names it, and the stage that fits it.
     needs_parameters : bool
         Whether it needs a parameter set of the analytical joint.
-    on_request : bool
-        Whether it is fitted only where the settings name it.
+    takes_mass : bool
+        Whether the mass in the settings enters its fit.
     stands_in : tuple of str
         Gates of the training data (`pipeline.settings.TrainingGate`) that need not hold for it: what the data do not
         show, its equations or its priors decide.
@@ -35,7 +32,7 @@ class ModelEntry:
     kind: str
     part: Literal["identify", "compare"] = "compare"
     needs_parameters: bool = False
-    on_request: bool = False
+    takes_mass: bool = True
     stands_in: tuple[str, ...] = ()
 
 
@@ -47,11 +44,13 @@ ENTRIES = (
     ModelEntry("rbf-paper", "pipeline.models.paper.model:RBF_PAPER", "identify"),
     ModelEntry("sindy", "pipeline.models.sindy.model:SINDY"),
     ModelEntry("sindy-default", "pipeline.models.sindy.model:SINDY_DEFAULT"),
-    ModelEntry("narx", "pipeline.models.narx:NARX"),
-    ModelEntry("neural", "pipeline.models.neural:NEURAL", on_request=True),
-    ModelEntry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True),
+    ModelEntry("narx", "pipeline.models.narx:NARX", takes_mass=False),
+    ModelEntry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True, takes_mass=False),
     ModelEntry(
-        "analytical-calibrated", "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED", needs_parameters=True
+        "analytical-calibrated",
+        "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED",
+        needs_parameters=True,
+        takes_mass=False,
     ),
 )
 
@@ -63,11 +62,6 @@ LAG_START = 0.02
 
 RBF_TIME_LIMIT = 20.0
 """Processor time [s] of an identification of `rbf` by its cost model."""
-
-BASIS_FUNCTIONS = (
-    ("gaussian", "pipeline.equations.basis_functions:GAUSSIAN"),
-)  # fmt: skip
-"""Name of each radial basis function in the settings, and where its law is, from which its kernel is generated."""
 
 
 def entry(name: str) -> ModelEntry | None:

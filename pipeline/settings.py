@@ -6,15 +6,16 @@ The reference page of the settings is generated from the descriptions below.
 
 import difflib
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
 from pydantic import Field, ValidationError, field_validator, model_validator
 
 from pipeline.errors import SeveralMistakesError
-from pipeline.model_list import AUTO, BASIS_FUNCTIONS, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
+from pipeline.former_settings import GATES
+from pipeline.model_list import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 from pipeline.names import check_log_name, check_name, log_name, slug
 from pipeline.settings_file import mistakes, read_document
-from pipeline.settings_logs import ROLES, Channels, Logs, Number, SettingsTable, Switch, Whole, log_label
+from pipeline.settings_logs import ROLES, Channels, Logs, Number, SettingsTable, Whole, log_label
 
 
 class Quantity(SettingsTable):
@@ -110,18 +111,14 @@ class Ingest(SettingsTable):
 class Differentiate(SettingsTable):
     """From displacement to velocity and acceleration."""
 
-    method: Literal["tvregdiff", "savitzky-golay", "rts"] = "tvregdiff"
-    """Differentiator: total-variation regularised, Savitzky-Golay filter, or Rauch-Tung-Striebel smoother."""
+    method: Literal["tvregdiff", "savitzky-golay"] = "tvregdiff"
+    """Differentiator: total-variation regularised, or Savitzky-Golay filter."""
     order: Literal[1, 2, 3, 4] = 3
     """Derivative whose variation TVRegDiff penalises; 1 is the paper's, applied twice for the acceleration."""
     alpha: Number | Literal["auto"] = "auto"
     """Regularisation parameter, for q in mm [mm·s^order], deg or mV; "auto": by the log's noise; the paper's: 0.01."""
     epsilon: Number | None = Field(default=None, gt=0.0, le=1e6)
     """With a fixed alpha: rounding of the variation's corner, for q in mm [(mm/s^order)²], deg or mV; default 1e-6."""
-    reweighted: Switch = True
-    """Lift the penalty where the acceleration jumps; applies to alpha = "auto" and orders above 1."""
-    rate: Literal["record", "signals"] = "record"
-    """Differentiate the fine record and read off, or the decimated signals."""
 
     @field_validator("alpha")
     @classmethod
@@ -132,14 +129,39 @@ class Differentiate(SettingsTable):
 
     @model_validator(mode="after")
     def _alpha_applies(self) -> "Differentiate":
-        for key in ("alpha", "reweighted") if self.method != "tvregdiff" else ():
-            if getattr(self, key) != _default(Differentiate, key):
-                raise ValueError(
-                    f'{key} is for method = "tvregdiff"; {self.method!r} goes by the noise, leave {key} out'
-                )
+        if self.method != "tvregdiff" and self.alpha != AUTO:
+            raise ValueError(f'alpha is for method = "tvregdiff"; {self.method!r} goes by the noise, leave alpha out')
         if self.alpha == "auto" and self.epsilon is not None:
             raise ValueError('epsilon is chosen together with alpha = "auto"; give alpha too, or leave epsilon out')
         return self
+
+
+class Structure(SettingsTable):
+    """Elements of `rbf`; "auto": by inner validation on the training logs."""
+
+    friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
+    """Friction beside the damping d(q). "viscous": none; "coulomb": one stop operator; "lag": one relaxing
+    element; "lags": two hidden shapes and a slow relaxing element; "maxwell-slip": three stop operators; "lag+slip",
+    "lags+slip": with one stop operator. "auto": by inner validation on the training logs, "lags+slip" for a
+    bistable joint."""
+    force: Literal["auto", "curve", "polynomial", "offset"] = "auto"
+    """Restoring force: a cubic with Gaussians, the cubic alone, or a constant for a free mass."""
+    damping: Literal["auto", "curve", "constant"] = "auto"
+    """Damping d(q): a curve or a number."""
+    drag: Literal["auto", "none", "quadratic"] = "auto"
+    """Drag of a fluid, by the square of the speed."""
+    stops: Literal["auto", "none", "both"] = "auto"
+    """End stops, one on either side, with a stiffness and a resistance while they are touched."""
+    gain: Literal["auto", "curve", "constant"] = "auto"
+    """Gain of each input: a curve or a number."""
+    drive: Literal["auto", "direct", "lag", "delay", "lag+delay", "effect-lag"] = "auto"
+    """How an input reaches the device: at once, behind a first-order lag, a constant delay, or both. With
+    "effect-lag" what the input does lags, as heat or pressure follows a power."""
+    effect: Literal["auto", "plain", "bent", "dead-zone"] = "auto"
+    """How strongly an input acts: in proportion (or by its square), by a curve that is steeper or flatter at
+    zero, as of an amplifier, valve or motor that saturates, or past a dead zone in which it does nothing."""
+    hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
+    """Inputs between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
 
 
 class Identify(SettingsTable):
@@ -152,56 +174,21 @@ class Identify(SettingsTable):
     the physics-informed RBF network from data alone. "rbf-paper": section 4.2 of the paper to the letter."""
     basis_functions: Whole = Field(default=CENTRES, ge=2, le=200)
     """Basis functions M of each curve of `rbf-paper`."""
-    basis: str = "gaussian"
-    """Which radial basis function `rbf-paper` has; CONTRIBUTING.md says how to add one."""
     smoothing: Number = Field(default=SMOOTHING, gt=0.0, le=10.0)
     """Width of a basis function of `rbf-paper` over the distance of the centres, sigma_n."""
     corrections: Literal["auto", "none", "always"] = "auto"
     """RBF corrections of `hybrid`; "auto": where the equations leave an error and held-out data speak for them."""
-    friction: Literal["auto", "viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"] = "auto"
-    """Friction of `rbf`, beside the damping d(q). "viscous": none; "coulomb": one stop operator; "lag": one relaxing
-    element; "lags": two hidden shapes and a slow relaxing element; "maxwell-slip": three stop operators; "lag+slip",
-    "lags+slip": with one stop operator. "auto": by inner validation on the training logs, "lags+slip" for a
-    bistable joint."""
-    force: Literal["auto", "curve", "polynomial", "offset"] = "auto"
-    """Restoring force of `rbf`: a cubic with Gaussians, the cubic alone, or a constant for a free mass."""
-    damping: Literal["auto", "curve", "constant"] = "auto"
-    """Damping d(q) of `rbf`: a curve or a number."""
-    drag: Literal["auto", "none", "quadratic"] = "auto"
-    """Drag of a fluid in `rbf`, by the square of the speed."""
-    stops: Literal["auto", "none", "both"] = "auto"
-    """End stops of `rbf`, one on either side, with a stiffness and a resistance while they are touched."""
-    gain: Literal["auto", "curve", "constant"] = "auto"
-    """Gain of each input of `rbf`: a curve or a number."""
-    drive: Literal["auto", "direct", "lag", "delay", "lag+delay", "effect-lag"] = "auto"
-    """How an input of `rbf` reaches the device: at once, behind a first-order lag, a constant delay, or both. With
-    "effect-lag" what the input does lags, as heat or pressure follows a power."""
-    effect: Literal["auto", "plain", "bent", "dead-zone"] = "auto"
-    """How strongly an input of `rbf` acts: in proportion (or by its square), by a curve that is steeper or flatter at
-    zero, as of an amplifier, valve or motor that saturates, or past a dead zone in which it does nothing."""
-    hold: Literal["auto", "linear", "zero", "cubic", "record"] = "auto"
-    """Inputs of `rbf` between two samples: a line, held (a zero-order hold), a cubic spline, or the finer record."""
+    structure: Structure = Structure()
+    """Elements of `rbf`."""
     time_limit: Number = Field(default=RBF_TIME_LIMIT, gt=0.0, le=1e6)
     """Processor time [s] for `rbf`, search and fit together; for a device that is no bistable joint it grows with the
     samples of the training logs beyond 7,500. It counts evaluations by a stated cost and not the clock,
     so results do not depend on the machine; a fit that it cuts short is said not to have converged."""
-    rbf_basis_functions: Annotated[Whole, Field(ge=2, le=200)] | Literal["auto"] = "auto"
-    """Gaussian basis functions of each curve of `rbf`; "auto": by inner validation, 12 for a bistable joint."""
-    rbf_smoothing: Annotated[Number, Field(gt=0.0, le=10.0)] | Literal["auto"] = "auto"
-    """sigma_n of `rbf`; "auto": by inner validation, 1 for a bistable joint."""
-    rbf_prior: Literal["auto", "smooth"] = "auto"
-    """What `rbf` believes before the log; "auto": of a bistable joint of the usual structure the population prior of
-    simulated joints, else, as "smooth", that curves are smooth and sides alike."""
 
     @field_validator("models")
     @classmethod
     def _known(cls, value: tuple[str, ...]) -> tuple[str, ...]:
         return _known_names(value, (AUTO, *names("identify")))
-
-    @field_validator("basis")
-    @classmethod
-    def _known_basis(cls, value: str) -> str:
-        return _known_names((value,), tuple(name for name, _ in BASIS_FUNCTIONS), "basis function")[0]
 
 
 class Compare(SettingsTable):
@@ -210,8 +197,7 @@ class Compare(SettingsTable):
     models: tuple[str, ...] | None = None
     """Baselines to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with
     the parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters).
-    A neural state space is fitted where it is named; it needs the extra `neural`.
-    Names: sindy, sindy-default, narx, neural, analytical, analytical-calibrated."""
+    Names: sindy, sindy-default, narx, analytical, analytical-calibrated."""
     candidates: Whole | None = Field(default=None, ge=1, le=1_000_000)
     """Candidates after which the search of SINDy or NARX ends with the best so far; it ends by itself if left out. They
     are counted and not timed, so that results do not depend on the machine."""
@@ -226,7 +212,7 @@ class Compare(SettingsTable):
 
 
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
-CheckGate = Literal["sides", "delay", "time-base", "scale", "wrapped", "device"]
+CheckGate = Literal["sides", "scale", "wrapped"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
 Gate = Literal[LogGate, CheckGate, TrainingGate]
 
@@ -237,9 +223,16 @@ class Quality(SettingsTable):
     accept: tuple[Gate, ...] = ()
     """Findings that do not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
     log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
-    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
-    "time-base", "scale", "wrapped" (an angle that jumps by a turn), "device". Of the training data: "idle",
-    "undriven", "one-well", "visits", "rank"."""
+    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "scale", "wrapped"
+    (an angle that jumps by a turn). Of the training data: "idle", "undriven", "one-well", "visits", "rank"."""
+
+    @field_validator("accept", mode="before")
+    @classmethod
+    def _present(cls, value: Any) -> Any:
+        gone = [gate for gate in value if gate in GATES] if isinstance(value, list | tuple) else []
+        if gone:
+            raise ValueError(f"{gone[0]!r} refuses no data any more: leave it out")
+        return value
 
 
 class Prototype(SettingsTable):
@@ -269,7 +262,9 @@ class Prototype(SettingsTable):
             for log, name in zip(logs, filed, strict=True):
                 check_log_name(log)
                 if [other.casefold() for other in filed].count(name.casefold()) > 1:
-                    raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
+                    raise ValueError(
+                        f"logs.{role}: two logs are named {name!r}, by which a run files them: rename one of the files"
+                    )
         twice = set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation))
         if twice:
             raise ValueError(f"logs.validation: {min(twice)!r} is a training log too; validate on a log of its own")
@@ -300,12 +295,14 @@ class Prototype(SettingsTable):
     @model_validator(mode="after")
     def _read(self) -> "Prototype":
         """Nothing is set that nothing reads; the paper's M and σ_n also decide gates and studies."""
-        of_rbf = [key for key, field in Identify.model_fields.items() if field.default == AUTO and key != "corrections"]
-        of_rbf.append("time_limit")
-        set_here = [f"identify.{key}" for key in of_rbf if getattr(self.identify, key) != _default(Identify, key)]
+        identify = self.identify
+        set_here = [f"identify.structure.{key}" for key, value in identify.structure if value != AUTO]
+        set_here += ["identify.time_limit"] if identify.time_limit != _default(Identify, "time_limit") else []
         set_here += ["plant.curves"] if self.plant.curves is not None else []
         if set_here and not {AUTO, "rbf"} & set(self.identify.models):
             raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')
+        if self.plant.siblings is not None and not {AUTO, "hybrid"} & set(self.identify.models):
+            raise ValueError('plant.siblings: is for "hybrid", which identify.models does not name')
         if self.identify.corrections != AUTO and not {AUTO, "hybrid"} & set(self.identify.models):
             raise ValueError('identify.corrections: is for "hybrid", which identify.models does not name')
         film = [key for key in sorted(FILM) if getattr(self.plant, key) != _default(Plant, key)]
@@ -333,7 +330,7 @@ class Prototype(SettingsTable):
         """The baselines to compare with: those named, or all that apply to the device."""
         if self.compare.models is not None:
             return self.compare.models
-        every = [entry for entry in ENTRIES if entry.part == "compare" and not entry.on_request]
+        every = [entry for entry in ENTRIES if entry.part == "compare"]
         return tuple(entry.name for entry in every if not entry.needs_parameters or self.plant.parameters is not None)
 
 
@@ -342,7 +339,7 @@ def _default(section: type[SettingsTable], key: str) -> Any:
     return section.model_fields[key].default
 
 
-def _known_names(given: tuple[str, ...], choices: tuple[str, ...], what: str = "model") -> tuple[str, ...]:
+def _known_names(given: tuple[str, ...], choices: tuple[str, ...]) -> tuple[str, ...]:
     """The names, each once.
 
     Raises
@@ -354,7 +351,7 @@ def _known_names(given: tuple[str, ...], choices: tuple[str, ...], what: str = "
         if name not in choices:
             close = difflib.get_close_matches(name, choices, n=1)
             hint = f"did you mean {close[0]!r}?" if close else f"there are {', '.join(choices)}"
-            raise ValueError(f"no {what} {name!r} here; {hint}")
+            raise ValueError(f"no model {name!r} here; {hint}")
     return tuple(dict.fromkeys(given))
 
 

@@ -49,7 +49,10 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d["logs"].update(train=["a/b*c.mat"]), ["'b*c'", "rename"]),
         (lambda d: d["logs"].update(train=["a.mat", "b/a.csv"]), ["logs.train", "'a'"]),
         (lambda d: d.update(differentiate={"alpha": -1.0}), ["differentiate.alpha", "positive"]),
-        (lambda d: d.update(differentiate={"method": "rts", "alpha": 0.1}), ["differentiate", "tvregdiff", "'rts'"]),
+        (
+            lambda d: d.update(differentiate={"method": "savitzky-golay", "alpha": 0.1}),
+            ["differentiate", "tvregdiff", "'savitzky-golay'"],
+        ),
         (
             lambda d: d.update(ingest={"sample_interval": 0}),
             ["sample_interval", "than or equal to 0.00001"],
@@ -73,8 +76,10 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
         (lambda d: d.update(plant={"parameters": "nominal", "inputs": "linear"}), ["plant.parameters", "v1 and v2"]),
         (lambda d: d.update(identify={"models": []}), ["identify.models"]),
         (lambda d: d.update(compare={"models": ["rbf"]}), ["compare.models", "no model 'rbf' here", "sindy"]),
-        (lambda d: d.update(identify={"models": ["rbf-paper"], "friction": "lag"}), ["identify.friction", '"rbf"']),
-        (lambda d: d.update(identify={"models": ["rbf-paper"], "drag": "none"}), ["identify.drag", '"rbf"']),
+        (
+            lambda d: d.update(identify={"models": ["rbf-paper"], "structure": {"drag": "none"}}),
+            ["identify.structure.drag", '"rbf"'],
+        ),
         (lambda d: d.update(identify={"models": ["rbf-paper"], "time_limit": 5}), ["identify.time_limit", '"rbf"']),
         (
             lambda d: d.update(
@@ -83,7 +88,10 @@ def test_only_name_logs_and_channels_are_mandatory() -> None:
             ),
             ["plant.curves", '"rbf"'],
         ),
-        (lambda d: d.update(differentiate={"method": "rts", "reweighted": False}), ["reweighted", "tvregdiff"]),
+        (lambda d: d.update(identify={"friction": "lag"}), ['[identify.structure], and friction = "lag" below it']),
+        (lambda d: d.update(identify={"rbf_prior": "smooth"}), ["identify.rbf_prior is gone; leave it out"]),
+        (lambda d: d.update(differentiate={"rate": "signals"}), ["rate is gone", "record_interval"]),
+        (lambda d: d.update(differentiate={"method": "rts"}), ["method is gone", '"savitzky-golay"']),
         (
             lambda d: (
                 d["channels"].update(qdot={"channel": "w", "unit": "m/s"}),
@@ -117,7 +125,7 @@ NUMBERS = {
     "plant": {"mass": {"value": 1.0, "unit": "kg"}},
     "ingest": {"sample_interval": 0.01, "record_interval": 0.001},
     "differentiate": {"alpha": 0.01, "epsilon": 1e-6},
-    "identify": {"basis_functions": 10, "smoothing": 0.5, "rbf_basis_functions": 10, "rbf_smoothing": 0.5},
+    "identify": {"basis_functions": 10, "smoothing": 0.5},
     "compare": {"time_limit": 60.0},
 }
 

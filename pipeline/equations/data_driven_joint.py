@@ -22,7 +22,7 @@ from typing import Any
 import casadi as ca
 
 from pipeline.equations import elements
-from pipeline.equations.basis_functions import GAUSSIAN
+from pipeline.equations.basis_functions import gaussian
 from pipeline.equations.elements import lag_rate
 
 Expression = Any
@@ -85,7 +85,7 @@ def _touched(way: Any) -> Expression:
 def bell(inside: Any, centre: Any, bend: Any) -> Expression:
     """A Gaussian at x `clipped` to its range, outside of which it goes on as a constant; bend = 1/(2σ²)."""
     distance = inside - centre
-    return GAUSSIAN.law(2.0 * bend * distance * distance)
+    return gaussian(2.0 * bend * distance * distance)
 
 
 def acceleration(p: Any, curves: Any, push: Any, arm: Any, arc: Any, drag: Any) -> Expression:

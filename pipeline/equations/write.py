@@ -20,7 +20,6 @@ from pipeline.equations import (
     elements,
     full_joint,
 )
-from pipeline.equations.basis_functions import basis_functions
 from pipeline.equations.basis_functions import kernels as bell_kernels
 
 _FULL = """Kernels of the full-order joint.
@@ -45,7 +44,6 @@ def texts() -> dict[str, str]:
     """File name and text of every generated module."""
     return {
         "analytical_joint.py": _full(),
-        "basis_functions.py": _basis_functions(),
         "condensed_joint.py": _condensed(),
         "condensed_joint_jacobian.py": _condensed_jacobian(),
         "terms.py": _terms(),
@@ -133,28 +131,6 @@ def _function(name: str, docstring: str, source: Graph) -> str:
         f"def {name}({signature}) -> {'float' if value else 'None'}:\n"
         f'    """{docstring}"""\n' + (f"    found: float = {call}\n    return found\n" if value else f"    {call}\n")
     )
-
-
-def _basis_functions() -> str:
-    functions, square = basis_functions(), ca.SX.sym("square")
-    values = {name: function.law(square) for name, function in functions.items()}
-    outputs = {name: {"found": ca.vertcat(value, ca.gradient(value, square))} for name, value in values.items()}
-    named = {name.upper(): graph({"square": square}, output) for name, output in outputs.items()}
-    imports = "from pipeline.codegen.numba_writer import formula\nfrom pipeline.compiled import shared\n"
-    # An infinite reach is written as a number whose square is one.
-    constants = {
-        "NAMES": tuple(functions),
-        "REACHES": tuple(min(function.reach, 1e150) for function in functions.values()),
-    }
-    text = _module("Radial basis functions: values and slopes.", named, constants, imports)
-    text += "\nGRAPHS = {" + ", ".join(f"{name!r}: {name.upper()}" for name in functions) + "}\n"
-    text += "".join(f"\n_{name} = formula({name.upper()})\n" for name in functions)
-    text += "\n\n@shared\ndef basis_function(kind: int, square: float) -> tuple[float, float]:\n"
-    text += '    """Value of the function `NAMES[kind]`, and its slope along `square`, ((q − ξ)/σ)²."""\n'
-    for kind, name in enumerate(functions):
-        case = "    " if kind == len(functions) - 1 else f"    if kind == {kind}:\n        "
-        text += f"{case}return _{name}((square,))  # type: ignore[no-any-return]\n"
-    return text
 
 
 def _terms() -> str:

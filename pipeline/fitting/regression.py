@@ -10,10 +10,13 @@ from typing import Literal
 import numpy as np
 import scipy.linalg
 
+from pipeline.codegen.numba_writer import formula
 from pipeline.compiled import compiled
 from pipeline.errors import InputError
-from pipeline.generated.basis_functions import NAMES, basis_function
+from pipeline.generated.terms import GAUSSIAN
 from pipeline.numerics.arrays import FloatArray
+
+_gaussian = formula(GAUSSIAN)
 
 
 def basis_centres(low: float, high: float, count: int) -> FloatArray:
@@ -38,8 +41,8 @@ def basis_width(centres: FloatArray, smoothing: float) -> float:
     return smoothing * float(centres[1] - centres[0])
 
 
-def basis_values(q: FloatArray, centres: FloatArray, width: float, basis: str = "gaussian") -> FloatArray:
-    """Values φ_i(q) of a basis function about each centre (eq. 38).
+def basis_values(q: FloatArray, centres: FloatArray, width: float) -> FloatArray:
+    """Values φ_i(q) of the Gaussian about each centre (eq. 38).
 
     Parameters
     ----------
@@ -49,24 +52,22 @@ def basis_values(q: FloatArray, centres: FloatArray, width: float, basis: str = 
         ξ_i, in the unit of q.
     width : float
         σ = σ_n Δξ, in the unit of q.
-    basis : str
-        Name of the function, see `pipeline.model_list`.
 
     Returns
     -------
     FloatArray, shape (N, M)
         Cost: N·M exponentials, about 5 ns each.
     """
-    return _values(np.ascontiguousarray(q), centres, width, NAMES.index(basis))
+    return _values(np.ascontiguousarray(q), centres, width)
 
 
 @compiled
-def _values(q: FloatArray, centres: FloatArray, width: float, kind: int) -> FloatArray:
+def _values(q: FloatArray, centres: FloatArray, width: float) -> FloatArray:
     values = np.empty((len(q), len(centres)))
     for n in range(len(q)):
         for i in range(len(centres)):
             distance = (q[n] - centres[i]) / width
-            values[n, i] = basis_function(kind, distance * distance)[0]
+            values[n, i] = _gaussian((distance * distance,))[0]
     return values
 
 

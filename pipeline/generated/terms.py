@@ -152,6 +152,14 @@ input p 0; abs 0; input state 0; mul 1 2; sub 0 3; input length 0; constant 1.0;
     """,
 )
 
+GAUSSIAN = Graph(
+    {'square': 1},
+    {'found': 1},
+    """
+constant -0.5; input square 0; mul 0 1; exp 2; store found 0 3
+    """,
+)
+
 BELL_SHAPE = Graph(
     {'q': 1, 'basis': 3},
     {'shape': 3},

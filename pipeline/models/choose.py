@@ -174,10 +174,10 @@ def _network_errors(training: Training, rbf: Fit, rival: float) -> tuple[FloatAr
     early = replace(training, records=parts)
     for limit, friction in JUDGED_NETWORKS:
         training_part = _within(early, limit)
-        if training_part.identify.friction == "auto":
-            training_part = replace(
-                training_part, identify=training_part.identify.model_copy(update={"friction": friction})
-            )
+        identify = training_part.identify
+        if identify.structure.friction == "auto":
+            structure = identify.structure.model_copy(update={"friction": friction})
+            training_part = replace(training_part, identify=identify.model_copy(update={"structure": structure}))
         model = rbf(training_part)
         errors = _errors(model, training.records)
         fitted = _rms(_errors(model, parts, held_out=False))

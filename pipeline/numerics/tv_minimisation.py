@@ -36,9 +36,6 @@ class VariationProblem:
         Weight and rounding of the variation [signal].
     order : int
         Order m of the difference whose variation is penalised.
-    trapezoidal : bool
-        m = 1 only: y is the trapezoidal sum of increments at the samples (Chartrand's small-scale form), with
-        one more difference t_1 between the first two; otherwise the increments lie between the samples.
     fitted_start : bool
         Whether y_0 is an unknown with its misfit in the sum; otherwise ``y_0 = b_0``.
     weights : FloatArray, shape (N,), optional
@@ -49,14 +46,13 @@ class VariationProblem:
     lam: float
     delta: float
     order: int = 1
-    trapezoidal: bool = False
     fitted_start: bool = False
     weights: FloatArray | None = None
 
     @property
     def differences(self) -> int:
         """Number of terms of the variation."""
-        return self.b.size - self.order - (0 if self.trapezoidal else 1)
+        return self.b.size - self.order - 1
 
     def lam_of_terms(self) -> FloatArray:
         """Weight of each difference, shape (N,) [signal]."""
@@ -107,7 +103,7 @@ class _Iterate:
         """Solve for the Newton step; return the longest dual step and the objective after a full one."""
         problem, first_variance = self.problem, 1.0 if self.problem.fitted_start else 0.0
         if problem.order == 1:
-            return newton_step(self.at, self.step, delta, 0.5 if problem.trapezoidal else 1.0, first_variance)
+            return newton_step(self.at, self.step, delta, first_variance)
         return newton_step_high_order(self.at, self.step, delta, problem.order, first_variance)
 
     def objective(self, delta: float, share: float = 0.0) -> float:

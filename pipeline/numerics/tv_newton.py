@@ -108,9 +108,7 @@ def within_bounds(longest: float, p: float, dp: float) -> float:
 
 
 @compiled
-def newton_step(
-    at: Iterate, step: NewtonStep, delta: float, gamma: float, first_variance: float
-) -> tuple[float, float]:
+def newton_step(at: Iterate, step: NewtonStep, delta: float, first_variance: float) -> tuple[float, float]:
     """Write the Newton step; return the longest dual step and the objective after a full step.
 
     The longest dual step is the one that keeps |p| ≤ 1; the objective is that of `objective`.
@@ -123,43 +121,37 @@ def newton_step(
         The step (output).
     delta : float
         Rounding of the total variation [unit of the data].
-    gamma : float
-        Share of a difference ``t_i`` that the value ``y_i`` already sees: 1 when increments are the unknowns
-        (LARGE), ½ when the signal is the trapezoidal sum of values at the samples (SMALL).
     first_variance : float
         0: the first sample is exact, 1: it is as noisy as the others.
     """
-    b, y, t, q, p, lam = at
+    b, y, _, q, _, _ = at
     dy, dt, dp, _ = step
     z0 = b[0] - y[0] - q[0]
     z1 = b[1] - y[1] - q[1]
-    # Diffuse start: two samples fix value and increment.  SMALL has a difference between them, LARGE has not.
-    mu1, v1 = driving_noise(t[1], p[1], 1.0 / lam[1], delta) if gamma < 1.0 else (0.0, 0.0)
-    slope, variance = z1 - z0 + (1.0 - gamma) * mu1, 1.0 + first_variance + (1.0 - gamma) ** 2 * v1
-    _filter(at, step, delta, gamma, z1, slope, variance)
-    a0, a1, longest, variation, misfit = _smooth(at, step, delta, gamma)
-    drive = (1.0 - gamma) * a1
-    dy[1], dy[0] = z1 + a0 + a1, z0 - first_variance * a1
-    dt[1], dt[0] = mu1 + v1 * drive, 0.0
-    dp[1], dp[0] = drive / lam[1], 0.0
+    # Diffuse start: two samples fix value and increment.
+    _filter(at, step, delta, z1, z1 - z0, 1.0 + first_variance)
+    a0, a1, longest, variation, misfit = _smooth(at, step, delta)
+    dy[1] = z1 + a0 + a1
+    dy[0] = z0 - first_variance * a1
+    dt[:2] = 0.0
+    dp[:2] = 0.0
     for i in range(2):
-        variation += lam[i] * excess(t[i] + dt[i], delta)
         misfit += (y[i] + dy[i] - b[i]) ** 2
-    return within_bounds(longest, p[1], dp[1]), variation + 0.5 * misfit
+    return longest, variation + 0.5 * misfit
 
 
 @compiled(inline="always")
-def _filter(at: Iterate, step: NewtonStep, delta: float, gamma: float, m0: float, m1: float, p11: float) -> None:
+def _filter(at: Iterate, step: NewtonStep, delta: float, m0: float, m1: float, p11: float) -> None:
     """Kalman filter from value `m0` and increment `m1`, covariance [[1, 1], [1, `p11`]]; mu to `dt`, v to `dy`."""
     b, y, t, q, p, lam = at
     dy, dt, _, gains = step
     p00, p01 = 1.0, 1.0
     for i in range(2, b.size):
         mu, v = driving_noise(t[i], p[i], 1.0 / lam[i], delta)
-        m0 += m1 + gamma * mu
+        m0 += m1 + mu
         m1 += mu
-        p00 += 2.0 * p01 + p11 + gamma * gamma * v
-        p01 += p11 + gamma * v
+        p00 += 2.0 * p01 + p11 + v
+        p01 += p11 + v
         p11 += v
         inverse = 1.0 / (p00 + 1.0)
         innovation = (b[i] - y[i] - q[i] - m0) * inverse
@@ -177,7 +169,7 @@ def _filter(at: Iterate, step: NewtonStep, delta: float, gamma: float, m0: float
 
 
 @compiled(inline="always")
-def _smooth(at: Iterate, step: NewtonStep, delta: float, gamma: float) -> tuple[float, float, float, float, float]:
+def _smooth(at: Iterate, step: NewtonStep, delta: float) -> tuple[float, float, float, float, float]:
     """Adjoint sweep down to sample 2: the adjoint there, the longest dual step, variation and squared misfit."""
     b, y, t, q, p, lam = at
     dy, dt, dp, gains = step
@@ -189,7 +181,7 @@ def _smooth(at: Iterate, step: NewtonStep, delta: float, gamma: float) -> tuple[
     for i in range(b.size - 1, 1, -1):
         residual = gains[i, 2] - gains[i, 0] * a0 - gains[i, 1] * a1
         a0 += residual
-        drive = gamma * a0 + a1
+        drive = a0 + a1
         a1 += a0
         dt[i] += dy[i] * drive
         dp[i] = drive / lam[i]

@@ -17,7 +17,7 @@ from pipeline.si_prefix import grouped, moment, power, quantity, significant
 from pipeline.signals.trajectory import UNKNOWN, unknown_rows, voltages
 from pipeline.units import ALPHA_UNIT, signal_units
 
-METHODS = {"tvregdiff": "TVRegDiff", "savitzky-golay": "Savitzky–Golay filter", "rts": "Rauch–Tung–Striebel smoother"}
+METHODS = {"tvregdiff": "TVRegDiff", "savitzky-golay": "Savitzky–Golay filter"}
 BASELINES_SHOWN = 2
 LOG_FIGURES = ("signals", "derivatives", "models", "residuals")
 

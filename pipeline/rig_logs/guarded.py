@@ -55,8 +55,7 @@ def read_recording(
     Notes
     -----
     Cost: the start of the process (elsewhere than on Linux each time), most of it numpy's import; the parse, and one
-    write of 8 bytes a sample; the arrays are views of a mapped temporary file, so the system can page them out. A
-    large compressed variable of a MAT file of version 5 is expanded into another one.
+    write of 8 bytes a sample; the arrays are views of a mapped temporary file, so the system can page them out.
     """
     with tempfile.TemporaryDirectory(prefix="debist-", ignore_cleanup_errors=True) as folder:
         samples = Path(folder) / "samples"
@@ -95,12 +94,9 @@ def _ask_child(
         "limits": asdict(limits),
         "samples": str(samples),
     }
-    for last in (False, True):  # what a reader dies of may be the machine; the file is blamed after a second reading
-        done = read_in_child(request, _PATIENCE * limits.seconds(size), progress)
-        if done.late:
-            raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system")
-        if done.answer is not None or last or done.ended_by == "SIGXCPU":
-            break
+    done = read_in_child(request, _PATIENCE * limits.seconds(size), progress)
+    if done.late:
+        raise InputError(f"{path}: reading it does not end; damaged, or on a stalled file system")
     if done.answer is None:
         raise InputError(f"{path}: its reader {_cause_of_death(done, limits, size)}")
     if "error" in done.answer:
@@ -135,9 +131,9 @@ def _cause_of_death(done: Done, limits: Limits, size: int) -> str:
     if done.ended_by == "SIGXCPU":
         return f"was ended after {limits.seconds(size)} s of processor time; the file is too large or damaged"
     if done.ended_by.startswith("SIGKILL"):
-        return f"was killed twice; for want of memory (it may take {limits.memory(size) >> 20} MB)? run again alone"
+        return f"was killed; for want of memory (it may take {limits.memory(size) >> 20} MB)? run again alone"
     if done.ended_by:
-        return f"died of {done.ended_by}, and again at a second reading; the file is damaged"
+        return f"died of {done.ended_by}; the file is damaged"
     reason = done.last_line[:200] or "no reason given"
     return f"failed ({reason}); the file is damaged or not what it claims to be"
 
@@ -166,4 +162,8 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Fl
         for entry in answer["channels"]
     )
     rates = {str(name): float(rate) for name, rate in answer["rates"].items()}
-    return Recording(path, str(answer["format"]), channels, tuple(answer["listed"]), tuple(answer["notes"]), rates)
+    descriptions = {str(name): str(text) for name, text in answer["descriptions"].items()}
+    return Recording(
+        path, str(answer["format"]), channels, tuple(answer["listed"]), tuple(answer["notes"]), rates, descriptions,
+        str(answer["heading"]),
+    )  # fmt: skip

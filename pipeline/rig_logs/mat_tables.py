@@ -21,16 +21,11 @@ def table_channels(path: Path, name: str, kind: str) -> tuple[list[MatChannel], 
     Raises
     ------
     UnreadableLogError
-        mat-io is not installed, does not read this table, or the file leads to others.
+        mat-io does not read this table, or the file leads to others.
     """
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # it sets an option of pandas that is deprecated
-            from matio import load_from_mat
-    except ImportError:
-        raise UnreadableLogError(
-            f'a MATLAB {kind}: `pip install "debist[matlab]"` reads it, or save its columns as arrays'
-        ) from None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # it sets an option of pandas that is deprecated
+        from matio import load_from_mat
     with path.open("rb") as file:
         if file.read(8) == b"MATLAB 7" or b"\x89HDF" in file.read(512):
             for _ in walk(open_hdf5(path)):  # refuses what lies in other files

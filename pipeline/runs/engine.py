@@ -1,11 +1,10 @@
 """Bring artifacts up to date: content decides what is done again, and every redo has its reason."""
 
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -120,50 +119,32 @@ class TaskStatus:
         return not self.reasons
 
 
-def bring_up_to_date(run: RunFolder, tasks: Iterable[Task], observer: Observer) -> list[TaskStatus]:
-    """Do those tasks whose outputs are missing, damaged or stale, in order.
+@dataclass(frozen=True)
+class After:
+    """A mark in a plan: which tasks stand behind it depends on what this artifact holds."""
 
-    Damaged files are set aside under a name of their own before the rebuild. A task that fails leaves its old outputs
-    as they were.
-    """
-    run.recover()
-    done = []
-    for task in tasks:
-        seen = _seen(task)
-        recipe = _recipe(run, task)
-        reasons = _reasons(run, task, recipe)
-        done.append(TaskStatus(task.stage, task.title, task.outputs, reasons))
-        if not reasons:
-            observer.skipped(task)
-            continue
-        observer.started(task, reasons)
-        began = time.perf_counter()
-        for name in _outputs(run, task):
-            if name in run.manifest.artifacts and run.problem(name) not in (None, "is missing"):
-                run.set_aside(name)
-        try:
-            written = task.work(run, partial(observer.progressed, task)) if task.reports else task.work(run)
-            _check_sources(task, recipe, seen)
-        except BaseException:
-            run.recover()
-            raise
-        run.commit(recipe, written)
-        for warning in dict.fromkeys(w for artifact in written.values() for w in artifact.notes.get("warnings", ())):
-            observer.warned(task.title, warning)
-        observer.finished(task, time.perf_counter() - began)
-    return done
+    artifact: str
 
 
-def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
+Plan = Iterable[Task | After]
+"""The tasks of a run, inputs before what is made from them."""
+
+
+def tasks_of(plan: Plan) -> Iterator[Task]:
+    """The tasks of a plan, without its marks."""
+    return (entry for entry in plan if isinstance(entry, Task))
+
+
+def status(run: RunFolder, plan: Plan) -> list[TaskStatus]:
     """What a run would redo and why, without doing it; what hangs on a stale input is stale too."""
     stale: set[str] = set()
     statuses = []
-    for task in tasks:
+    for task in tasks_of(plan):
         artifacts = run.manifest.artifacts
         waiting = [f"input {n} is {'stale' if n in artifacts else 'not made yet'}" for n in task.inputs if n in stale]
         missing = [name for name in task.inputs if name not in artifacts]
         reasons = waiting or (
-            [f"input {missing[0]} is missing"] if missing else _reasons(run, task, _recipe(run, task))
+            [f"input {missing[0]} is missing"] if missing else reasons_of(run, task, recipe_of(run, task))
         )
         if reasons:
             stale.update(task.outputs)
@@ -171,7 +152,8 @@ def status(run: RunFolder, tasks: Iterable[Task]) -> list[TaskStatus]:
     return statuses
 
 
-def _recipe(run: RunFolder, task: Task) -> Recipe:
+def recipe_of(run: RunFolder, task: Task) -> Recipe:
+    """What decides the outputs of a task, with the content of its inputs of today."""
     inputs = {name: run.record(name).content_hash for name in task.inputs}
     for name, path in (task.sources or {}).items():
         try:
@@ -197,24 +179,25 @@ def unreadable_source(path: Path, error: OSError) -> str:
 
 
 @dataclass(frozen=True)
-class _Seen:
+class Seen:
     """Size and times that show whether a file changed, and whether they are too recent to show it."""
 
     identity: tuple[int, ...]
     recent: bool
 
 
-def _seen(task: Task) -> dict[Path, _Seen]:
-    seen: dict[Path, _Seen] = {}
+def seen(task: Task) -> dict[Path, Seen]:
+    """The state of the raw files of a task."""
+    states: dict[Path, Seen] = {}
     for path in (task.sources or {}).values():
-        with suppress(OSError):  # `_recipe` says what is wrong with it
+        with suppress(OSError):  # `recipe_of` says what is wrong with it
             stat = path.stat()
             identity = (stat.st_dev, stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns)
-            seen[path] = _Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
-    return seen
+            states[path] = Seen(identity, time.time_ns() - max(stat.st_ctime_ns, stat.st_mtime_ns) < _TICK)
+    return states
 
 
-def _check_sources(task: Task, recipe: Recipe, before: Mapping[Path, _Seen]) -> None:
+def check_sources(task: Task, recipe: Recipe, before: Mapping[Path, Seen]) -> None:
     """Make sure that the bytes which were hashed are those which were read.
 
     Raises
@@ -222,7 +205,7 @@ def _check_sources(task: Task, recipe: Recipe, before: Mapping[Path, _Seen]) -> 
     InputError
         A source was changed or replaced between the two.
     """
-    after = _seen(task)
+    after = seen(task)
     for name, path in (task.sources or {}).items():
         was, now = before.get(path), after.get(path)
         same = was is not None and now is not None and was.identity == now.identity
@@ -232,15 +215,16 @@ def _check_sources(task: Task, recipe: Recipe, before: Mapping[Path, _Seen]) -> 
             raise InputError(f"{path}: was changed while it was read; wait until it is complete and run again")
 
 
-def _outputs(run: RunFolder, task: Task) -> list[str]:
+def outputs_of(run: RunFolder, task: Task) -> list[str]:
     """The declared outputs, and what was written beside them because of the data."""
     first = run.manifest.artifacts.get(task.outputs[0])
     beside = [name for name, record in run.manifest.artifacts.items() if first and record.recipe == first.recipe]
     return list(dict.fromkeys((*task.outputs, *beside)))
 
 
-def _reasons(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
-    for name in _outputs(run, task):
+def reasons_of(run: RunFolder, task: Task, recipe: Recipe) -> list[str]:
+    """Why a task is to be done; empty where its outputs are up to date."""
+    for name in outputs_of(run, task):
         if name not in run.manifest.artifacts:
             return [FIRST_TIME]
         problem = run.problem(name)

@@ -24,6 +24,7 @@ from pydantic import Field, TypeAdapter, ValidationError
 
 from pipeline import __version__
 from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.former_settings import translated
 from pipeline.names import shell_word
 from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import move, not_written, reading, refuse_link, sweep, write_text
@@ -45,7 +46,7 @@ _Path = Annotated[str, Field(pattern=r"^\.*[A-Za-z0-9_-][A-Za-z0-9._-]*(/\.*[A-Z
 
 
 _RECORDED = (
-    "asammdf", "h5py", "llvmlite", "numba", "numpy", "pandas", "pint", "pyarrow", "pydantic", "pynumdiff", "pysindy",
+    "asammdf", "h5py", "llvmlite", "numba", "numpy", "pandas", "pint", "pyarrow", "pydantic", "pysindy",
     "scikit-learn", "scipy",
 )  # fmt: skip
 
@@ -200,7 +201,8 @@ def load_manifest(root: Path) -> Manifest:
         raise CorruptArtifactError(f"{path}: was changed after it was written; {ADVICE}")
     for name, record in manifest.artifacts.items():
         notes = checked_notes(record.notes, f"{path}: artifacts.{name}.notes")
-        manifest.artifacts[name] = replace(record, notes=notes)
+        recipe = replace(record.recipe, settings=translated(record.recipe.settings, used=True))
+        manifest.artifacts[name] = replace(record, recipe=recipe, notes=notes)
     _INTACT.add(digest)
     return manifest
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pipeline.errors import CorruptArtifactError, InputError, SupersededError, warn_user
+from pipeline.former_settings import translated
 from pipeline.names import shell_word
 from pipeline.plain_files import open_plain
 from pipeline.runs import layout, tables, trees
@@ -155,7 +156,7 @@ class RunFolder:
             They are none.
         """
         try:
-            return parse_prototype(self.manifest.prototype, f"{self.root}/{MANIFEST}: prototype")
+            return parse_prototype(translated(self.manifest.prototype), f"{self.root}/{MANIFEST}: prototype")
         except InputError as error:
             raise CorruptArtifactError(f"{error}; run again from the settings file") from None
 

@@ -5,14 +5,12 @@ where the truth has none.  The derivatives of the regularised signal are taken b
 at the samples themselves; nothing is shifted by half a sample.
 """
 
-import warnings
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.machine import import_configured
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
 from pipeline.numerics.metrics import rms
@@ -20,15 +18,13 @@ from pipeline.numerics.tvregdiff import Order, tvregdiff
 from pipeline.signals.noise import noise_std
 from pipeline.signals.smoothing_parameter import SmoothingParameter, smoothing_parameter
 
-Method = Literal["tvregdiff", "savitzky-golay", "rts"]
+Method = Literal["tvregdiff", "savitzky-golay"]
 
 PAPER_EPSILON = 1e-6
 """Rounding of the variation's corner beside a given α, for q in mm [(mm/s^order)²], degrees or mV."""
 _WINDOW = 14.0
 """Window of the Savitzky-Golay filter in memory lengths of the smoother with the same noise and increments."""
 _DEGREE = 5
-_RTS_RATIO = 8.0
-"""Decimal logarithm of process over measurement noise that PyNumDiff's smoother is given."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +65,6 @@ def differentiate(
     order: Order = 3,
     alpha: float | None = None,
     epsilon: float | None = None,
-    reweighted: bool = True,
 ) -> Kinematics:
     """Velocity and acceleration at the samples of one gap-free stretch.
 
@@ -79,7 +74,7 @@ def differentiate(
         Displacement [m or rad, or any unit], N ≥ 1, finite.
     dt : float
         Sampling interval [s].
-    method : {"tvregdiff", "savitzky-golay", "rts"}
+    method : {"tvregdiff", "savitzky-golay"}
         Total-variation regularised (default), SciPy's Savitzky-Golay filter of degree 5, or PyNumDiff's
         Rauch-Tung-Striebel smoother with constant acceleration.
     order : {1, 2, 3, 4}, default 3
@@ -88,9 +83,6 @@ def differentiate(
     alpha, epsilon : float, optional
         Parameters of `tvregdiff` [signal·s^m, (signal/s^m)²]; both are chosen from the record
         (`smoothing_parameter`) if both are left out; one alone is refused.
-    reweighted : bool, default True
-        Whether the penalty is lifted where the acceleration jumps, as after a voltage step, and no derivative is taken
-        across a jump; with automatic parameters and orders above 1 only.
 
     Returns
     -------
@@ -103,19 +95,18 @@ def differentiate(
     """
     if samples.ndim != 1 or samples.size == 0 or not np.isfinite(samples).all():
         raise InputError("differentiate needs a stretch of finite samples, shape (N,): split the record at its gaps")
-    if method not in ("tvregdiff", "savitzky-golay", "rts"):
-        raise InputError(f"unknown differentiator {method!r}: use tvregdiff, savitzky-golay or rts")
+    if method not in ("tvregdiff", "savitzky-golay"):
+        raise InputError(f"unknown differentiator {method!r}: use tvregdiff or savitzky-golay")
     if order not in (1, 2, 3, 4):
         raise InputError(f"order is {order!r}: use 1, 2, 3 or 4")
     if samples.size <= order + 2 or np.ptp(samples) == 0.0:
         return _read_off(samples, dt, SmoothingParameter(0.0, 0.0, 0.0, 0.0, settled=True))
     if method != "tvregdiff":
-        parameter = smoothing_parameter(samples, dt, 2)
-        return (_savitzky_golay if method == "savitzky-golay" else _rts)(samples, dt, parameter)
+        return _savitzky_golay(samples, dt, smoothing_parameter(samples, dt, 2))
     if alpha is None or epsilon is None:
         if alpha != epsilon:
             raise InputError("alpha and epsilon belong together: both carry the unit of the samples")
-        parameter = smoothing_parameter(samples, dt, order, reweighted=reweighted and order > 1)
+        parameter = smoothing_parameter(samples, dt, order, reweighted=order > 1)
     else:
         parameter = SmoothingParameter(alpha, epsilon, noise_std(samples), 0.0, settled=True)
     return _tvregdiff_twice(samples, dt, parameter) if order == 1 else _tvregdiff(samples, dt, parameter, order)
@@ -189,21 +180,6 @@ def _savitzky_golay(samples: FloatArray, dt: float, parameter: SmoothingParamete
         savgol_filter(samples, window, degree, deriv=derivative, delta=dt) for derivative in (0, 1, 2)
     )
     return _kinematics(smooth, qdot, qddot, parameter)
-
-
-def _rts(samples: FloatArray, dt: float, parameter: SmoothingParameter) -> Kinematics:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # on import PyNumDiff warns that its optional convex solver is missing
-        rtsdiff = import_configured("pynumdiff").rtsdiff
-    # Acceleration that wanders with the variance sqrt(epsilon)/alpha, in units of the noise's, from sample to sample.
-    ratio = np.log10(np.sqrt(parameter.epsilon) / parameter.alpha / dt)
-    # Its memory, the fifth root of noise over process, lies between a sample and the record.
-    ratio = np.clip(ratio, -5.0 * np.log10(samples.size * dt), -5.0 * np.log10(dt))
-    # PyNumDiff's initial covariance is 100 in whatever units; in this unit of time it is 10⁶ times the noise.
-    unit = 10.0 ** ((_RTS_RATIO - ratio) / 5.0)
-    smooth, rate = rtsdiff(samples, dt / unit, order=2, log_qr_ratio=_RTS_RATIO, forwardbackward=True)
-    qdot = rate / unit
-    return _kinematics(smooth, qdot, finite_difference(qdot, dt, 1), parameter)
 
 
 @dataclass(frozen=True)

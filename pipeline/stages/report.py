@@ -63,14 +63,7 @@ def tasks(
     """
     from pipeline.reporting.log_figures import LOG_FIGURES
 
-    read_before: dict[RunFolder, Prepared] = {}
-
-    def prepared(run: RunFolder) -> Prepared:
-        """The run as read and judged, once for page and figures."""
-        if run not in read_before:
-            read_before[run] = prepare(run, prototype, models, studies, control)
-        return read_before[run]
-
+    prepared = partial(prepare, prototype=prototype, models=models, studies=studies, control=control)
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
     inputs = _inputs(prototype, models, studies, control)
     settings = {"parameters": parameter_values(parameters), "models": list(models)}
@@ -84,7 +77,7 @@ def tasks(
         for ending in FORMATS
     )
     pages = (layout.REPORT, layout.DATASHEET)
-    page = Task("report", "page", ALGORITHM, shown, inputs, pages, lambda run: _page(run, prepared(run)))
+    page = Task("report", "page", ALGORITHM, shown, inputs, pages, partial(_page, prepared=prepared))
     if figures is None:
         return [page]
     work = partial(_drawings, prepared=prepared, typeface=figures)
@@ -143,12 +136,13 @@ def prepare(
     return Prepared(data, sheet, figures_of(data, sheet))
 
 
-def _page(run: RunFolder, prepared: Prepared) -> Mapping[str, Written]:
+def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mapping[str, Written]:
     from pipeline.reporting.run_report import run_report
 
-    verdict = prepared.sheet.grades
-    page = run_report(prepared.data, prepared.sheet, prepared.figures)
-    document = json.dumps(prepared.sheet.to_json(prepared.data), indent=1, ensure_ascii=False, allow_nan=False)
+    contents = prepared(run)
+    verdict = contents.sheet.grades
+    page = run_report(contents.data, contents.sheet, contents.figures)
+    document = json.dumps(contents.sheet.to_json(contents.data), indent=1, ensure_ascii=False, allow_nan=False)
     return {
         layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": verdict}),
         layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": verdict}),

@@ -1,59 +1,26 @@
 """Run: the stages in order, on one locked run folder."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal
 
 from pipeline.errors import DebistError
-from pipeline.loading.parameter_sets import parameter_set
-from pipeline.loading.run_models import identified_models, made_control
 from pipeline.names import Typeface
 from pipeline.runs import layout
 from pipeline.runs.atomic import sweep
-from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date, status
+from pipeline.runs.engine import Observer, Plan, Task, TaskStatus, status, tasks_of
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.settings import Prototype, load_prototype
-from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, side_files, validate
+from pipeline.runs.schedule import bring_up_to_date
+from pipeline.settings import load_prototype
+from pipeline.stages import scores
 from pipeline.stages.run_place import Place, before_any_work, edited, place_of, run_folder
+from pipeline.stages.table import STAGE_NAMES, STAGES, Planned, of_stages, plan, reading_tasks
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
-STAGES = ("ingest", "check", "differentiate", "identify", "validate", "compare", "scores", "report")
-"""In the order of the work; those of `StageName` can be run alone."""
-
-
-def plan(run: RunFolder, prototype: Prototype, prototype_file: Path) -> Iterator[Task]:
-    """Every task of a run, in order; those behind the identification are planned when it is done.
-
-    Which models there are may be known only then: their names are files of what follows.
-
-    Raises
-    ------
-    InputError
-        The settings name a parameter set that is not there.
-    """
-    parameters = parameter_set(prototype, prototype_file)
-    yield from _reading_tasks(prototype, prototype_file)
-    yield from check.tasks(prototype)
-    yield from differentiate.tasks(prototype)
-    yield from identify.tasks(prototype, parameters)
-    identified = identified_models(run, prototype)
-    models = (*identified, *prototype.baselines)
-    yield from validate.tasks(prototype, parameters, identified)
-    for name in prototype.baselines:
-        yield compare.task(prototype, parameters, name)
-        yield validate.task(prototype, parameters, "compare", name, layout.baseline(name))
-    yield scores.task(prototype, parameters, models)
-    yield from report.tasks(
-        prototype, parameters, models, report.made_studies(run), report.made_figures(run), made_control(run)
-    )
-
-
-def _reading_tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
-    """The tasks that read raw files."""
-    return [*ingest.tasks(prototype, prototype_file), *side_files.tasks(prototype, prototype_file)]
+"""Stages that can be done alone."""
 
 
 def run_prototype(
@@ -64,6 +31,7 @@ def run_prototype(
     only: StageName | None = None,
     with_report: bool = True,
     replace: bool = False,
+    jobs: int = 1,
 ) -> list[TaskStatus]:
     """Bring the run of a prototype's settings file up to date, or only one of its stages, or all but the report.
 
@@ -81,6 +49,8 @@ def run_prototype(
         Make the report, too.
     replace : bool
         Let the run folder belong to this prototype from now on, if it was another one's.
+    jobs : int
+        Processes for tasks that do not wait for each other; results and messages are the same for any number.
 
     Raises
     ------
@@ -89,20 +59,15 @@ def run_prototype(
     """
     place = given if isinstance(given, Place) else place_of(given, output)
     prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
-    before_any_work(place, _reading_tasks(prototype, prototype_file), replace=replace)
+    before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
+    stages = [only] if only else [name for name in STAGE_NAMES if with_report or name != "report"]
     with run_lock(root):
         run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
         sweep(root)
         _strike_lost(run, observer)
-
-        def wanted() -> Iterator[Task]:
-            """The tasks, planned one after the other: what one makes may decide on the next."""
-            tasks = _of_stage(plan(run, prototype, prototype_file), only)
-            return (task for task in tasks if with_report or task.stage != "report")
-
-        observer.planned([task.stage for task in wanted()])
-        stages = (only,) if only else tuple(stage for stage in STAGES if with_report or stage != "report")
-        return _bring_up_to_date(run, wanted(), stages, observer)
+        planned = Planned(run, prototype, prototype_file)
+        observer.planned([task.stage for task in tasks_of(of_stages(plan(planned), stages))])
+        return _bring_up_to_date(run, of_stages(plan(planned), stages), stages, observer, jobs)
 
 
 def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:
@@ -118,27 +83,12 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
     root = run_folder(root)
     load_manifest(root)  # a folder without a run is refused before a lock is laid into it
     with run_lock(root):
-        run, planned = _open(root)
+        run = RunFolder.open(root)
         _strike_lost(run, observer)
-        tasks = list(planned)
-        selected = list(_of_stage(tasks, stage))
-        prototype = run.prototype
-        parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
-        if stage == "differentiate":  # nothing is differentiated before it is what the settings say
-            selected = [*_of_stage(tasks, "check"), *selected]
-        elif stage == "validate":
-            selected.append(scores.task(prototype, parameters, scores.scored_models(run, prototype)))
-        elif stage == "compare":
-            selected += _of_stage(tasks, "scores")
-        elif stage == "report":
-            selected = report.tasks(
-                prototype,
-                parameters,
-                scores.scored_models(run, prototype),
-                report.made_studies(run),
-                figures or report.made_figures(run),
-                made_control(run),
-            )
+        models = () if stage == "compare" else scores.scored_models(run, run.prototype)
+        planned = _as_stored(run, models, figures)
+        beside = next(row.with_it for row in STAGES if row.name == stage)
+        selected = list(tasks_of(of_stages(plan(planned), (stage, *beside))))
         if edits := edited(run):
             more = f", and {len(edits) - 1} more" if len(edits) > 1 else ""
             observer.warned(
@@ -148,17 +98,6 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
             )
         _refuse_damaged_inputs(run, selected)
         return _bring_up_to_date(run, selected, (stage,), observer)
-
-
-def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
-    """Make anew what is damaged or missing in the stages that a run has been through, by the settings that it holds."""
-    load_manifest(root)
-    with run_lock(root):
-        run, planned = _open(root)
-        _strike_lost(run, observer)
-        stages = {record.recipe.stage for record in run.manifest.artifacts.values()}
-        tasks = (task for task in planned if task.stage in stages)
-        return _bring_up_to_date(run, tasks, tuple(stage for stage in STAGES if stage in stages), observer)
 
 
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
@@ -178,10 +117,10 @@ def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
 
 
 def _bring_up_to_date(
-    run: RunFolder, tasks: Iterable[Task], stages: Sequence[str], observer: Observer
+    run: RunFolder, tasks: Plan, stages: Sequence[str], observer: Observer, jobs: int = 1
 ) -> list[TaskStatus]:
     """Do what is to be done, and then state the content of these stages and of all that have tasks."""
-    done = bring_up_to_date(run, tasks, observer)
+    done = bring_up_to_date(run, tasks, observer, jobs=jobs)
     contents = {stage: dict[str, str]() for stage in (*stages, *(task.stage for task in done))}
     for task in done:
         contents[task.stage] |= {name: run.record(name).content_hash for name in task.outputs}
@@ -203,7 +142,7 @@ def run_status(root: Path) -> list[TaskStatus]:
         """Its tasks, by the settings file if there is one."""
         prototype_file = Path(run.manifest.prototype_file)
         prototype = load_prototype(prototype_file) if prototype_file.is_file() else run.prototype
-        return status(run, plan(run, prototype, prototype_file))
+        return status(run, plan(Planned(run, prototype, prototype_file)))
 
     return in_snapshot(run_folder(root), judged)
 
@@ -217,12 +156,12 @@ def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
         What `run_prototype` would raise before any work.
     """
     prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
-    before_any_work(place, _reading_tasks(prototype, prototype_file), replace=replace)
+    before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
     if (root / MANIFEST).is_file():
-        return in_snapshot(root, lambda run: status(run, plan(run, prototype, prototype_file)))
+        return in_snapshot(root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
     with TemporaryDirectory(prefix="debist-plan-") as empty:
         run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), prototype_file)
-        return status(run, plan(run, prototype, prototype_file))
+        return status(run, plan(Planned(run, prototype, prototype_file)))
 
 
 def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
@@ -232,7 +171,7 @@ def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True)
         made_for = (run.manifest.prototype, run.manifest.prototype_file)
         if made_for != (prototype.model_dump(mode="json"), str(prototype_file.resolve())):
             return False
-        tasks = plan(run, prototype, prototype_file)
+        tasks = plan(Planned(run, prototype, prototype_file))
         return all(result.up_to_date for result in status(run, tasks) if with_report or result.stage != "report")
     except DebistError:
         return False
@@ -249,10 +188,6 @@ def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], st
     return statuses
 
 
-def _open(root: Path) -> tuple[RunFolder, Iterator[Task]]:
-    run = RunFolder.open(root)
-    return run, plan(run, run.prototype, Path(run.manifest.prototype_file))
-
-
-def _of_stage(tasks: Iterable[Task], stage: str | None) -> Iterator[Task]:
-    return (task for task in tasks if stage in (None, task.stage))
+def _as_stored(run: RunFolder, models: tuple[str, ...] = (), typeface: Typeface | None = None) -> Planned:
+    """A run by the settings that it holds."""
+    return Planned(run, run.prototype, Path(run.manifest.prototype_file), models, typeface)

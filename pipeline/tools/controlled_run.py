@@ -17,11 +17,13 @@ from pipeline.models.hybrid.model import HybridModel
 from pipeline.names import shell_word
 from pipeline.numerics.progress import OnProgress
 from pipeline.runs import layout
-from pipeline.runs.engine import Observer, Task, bring_up_to_date
+from pipeline.runs.engine import Observer, Task
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
+from pipeline.signals.log import log_of
 
 ALGORITHM = "20"
 _MISSED, _UNSEEN = 0.09, 2e-3
@@ -162,8 +164,8 @@ def control_run(root: Path) -> ControlRun:
 
 def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
     """Readings [m] at which the logs show the joint at rest; None where they show no two wells."""
-    tables = [run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype)]
-    wells = wells_of(tables, joint=True)
+    logs = [log_of(run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
+    wells = wells_of(logs, joint=True)
     return (wells.left, wells.right) if isinstance(wells, Wells) else None
 
 

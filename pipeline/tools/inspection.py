@@ -20,8 +20,9 @@ from pipeline.numerics.arrays import runs_of
 from pipeline.rig_logs.channel_roles import suggested_unit
 from pipeline.rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
 from pipeline.rig_logs.source import CsvOptions
-from pipeline.runs.engine import Observer, bring_up_to_date
+from pipeline.runs.engine import Observer
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.scoring.wells import NoWells, Wells
 from pipeline.settings import Prototype, load_prototype
 from pipeline.si_prefix import scale
@@ -232,7 +233,7 @@ def _supposed(inspection: Inspection) -> Prototype:
     channels: dict[str, Any] = {}
     log = inspection.path
     name = shell_word(log)
-    settings = f"fill in what `debist init {name} > P.toml` writes, then `debist inspect {name} --settings P.toml`"
+    settings = f"fill in what `debist init {name} -o P.toml` writes, then `debist inspect {name} --settings P.toml`"
     for role in inspection.suggestions:
         if role.role == "v2" and not role.candidates:
             continue

@@ -26,19 +26,20 @@ from pipeline.reporting.figure import Figure, of_models, window
 from pipeline.reporting.log_figures import log_figures
 from pipeline.reporting.paper_page import paper_page, table_1, table_2
 from pipeline.runs import layout, schemas
-from pipeline.runs.engine import Observer, Task, TaskStatus, bring_up_to_date
+from pipeline.runs.engine import Observer, Task, TaskStatus, tasks_of
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import Compare, Differentiate, Identify, Prototype, load_prototype
 from pipeline.settings_logs import ROLES
 from pipeline.signals.differentiate import AlphaStudy, alpha_study
 from pipeline.stages import scores
-from pipeline.stages.run import plan
+from pipeline.stages.table import STAGE_NAMES, Planned, of_stages, plan
 from pipeline.tools.study import study_task
 from pipeline.units import ALPHA_UNIT
 
 ALGORITHM = "4"
-RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6, reweighted=False, rate="signals")
+RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6)
 """§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
 SAMPLE_INTERVAL = 0.01
 BY_RECIPE = "{} by § 5.1"
@@ -98,7 +99,9 @@ def paper_settings(prototype: Prototype) -> Prototype:
     return prototype.model_copy(
         update={
             "plant": plant,
-            "ingest": prototype.ingest.model_copy(update={"sample_interval": SAMPLE_INTERVAL}),
+            "ingest": prototype.ingest.model_copy(
+                update={"sample_interval": SAMPLE_INTERVAL, "record_interval": SAMPLE_INTERVAL}
+            ),
             "differentiate": RECIPE,
             "identify": Identify(models=("rbf-paper",), basis_functions=CENTRES, smoothing=SMOOTHING),
             "compare": Compare(models=("analytical", "analytical-calibrated", "sindy")),
@@ -122,7 +125,8 @@ def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun
     recipe, root = paper_settings(prototype), output or root
     with run_lock(root):
         run = RunFolder.create(root, recipe.model_dump(mode="json"), prototype_file)
-        tasks = [task for task in plan(run, recipe, prototype_file) if task.stage != "report"]
+        stages = [name for name in STAGE_NAMES if name != "report"]
+        tasks = list(tasks_of(of_stages(plan(Planned(run, recipe, prototype_file)), stages)))
         tasks += [study_task(recipe, "basis", 1), _task(recipe, prototype_file)]
         done = bring_up_to_date(run, tasks, observer)
     return PaperRun(root, root / layout.PAPER, done, run.record(layout.PAPER).notes["table_2"])

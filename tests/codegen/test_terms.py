@@ -6,7 +6,8 @@ import pytest
 from pipeline.codegen.graph import apply, trace
 from pipeline.codegen.numba_writer import formula
 from pipeline.compiled import compiled
-from pipeline.generated import basis_functions, terms
+from pipeline.generated import terms
+from pipeline.models.paper.lagged_free_run import REACH
 
 SLOPED = {
     "POWERS": ("x",),
@@ -48,7 +49,9 @@ def test_slopes_are_the_derivatives(name):
         assert slopes[:, :, place] == pytest.approx(difference, abs=1e-7 * max(1.0, scale))
 
 
-@pytest.mark.parametrize("name", [*SLOPED, "DAHL_RATE", "LAGGED_RATES", "POLYNOMIAL_VARIABLES", "REDUCED_RATES"])
+@pytest.mark.parametrize(
+    "name", [*SLOPED, "GAUSSIAN", "DAHL_RATE", "LAGGED_RATES", "POLYNOMIAL_VARIABLES", "REDUCED_RATES"]
+)
 def test_a_formula_and_a_trace_give_what_the_graph_gives(name):
     graph = getattr(terms, name)
     given = drawn(graph, 20)
@@ -61,13 +64,9 @@ def test_a_formula_and_a_trace_give_what_the_graph_gives(name):
     assert again.evaluate(x=numbers)["found"] == pytest.approx(truth, rel=1e-12, abs=1e-14)
 
 
-@pytest.mark.parametrize("name", basis_functions.GRAPHS)
-def test_a_basis_function_is_a_bell(name):
-    """1 at its centre, falling all the way, and nothing behind its reach; the slope is the derivative."""
-    graph, kind = basis_functions.GRAPHS[name], list(basis_functions.GRAPHS).index(name)
-    square = np.linspace(0.0, 9.0, 901)
-    value, slope = graph.evaluate(square=square[:, None])["found"].T
-    assert value[0] == pytest.approx(1.0)
+def test_the_gaussian_is_a_bell():
+    """1 at its centre, falling all the way, and nothing behind its reach."""
+    value = terms.GAUSSIAN.evaluate(square=np.linspace(0.0, REACH**2, 901)[:, None])["found"][:, 0]
+    assert value[0] == 1.0
     assert np.all(np.diff(value) < 0.0)
-    assert slope[1:-1] == pytest.approx((value[2:] - value[:-2]) / 0.02, abs=1e-4)
-    assert basis_functions.basis_function(kind, basis_functions.REACHES[kind] ** 2)[0] < 1e-15
+    assert value[-1] < np.finfo(float).eps / 2

@@ -14,7 +14,7 @@ import pytest
 
 from pipeline.generated.condensed_joint import STATES
 from tests.docs.pages import ROOT, blocks
-from tests.prototypes import QUICK, motion, settings, write_csv
+from tests.prototypes import QUICK, motion, settings
 
 _LINE = re.compile(r"<!-- line: (?P<table>\w+) in (?P<file>\S+) -->\n```text\n(?P<line>.*?)\n```", re.S)
 
@@ -69,7 +69,7 @@ def run(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dic
     validate = ("validate", folder / "run")
     _, *printed = _outputs(
         tree,
-        ("run", folder / "P.toml", "-o", folder / "run", "--quiet"),
+        ("run", folder / "P.toml", "-o", folder / "run", "-q"),
         ("inspect", folder / "log.npy", "--json"),
         (*validate, "--json"),
         (*validate, "--format", "csv"),
@@ -177,25 +177,6 @@ def test_new_elements_on_the_tip(generated: Path) -> None:
     # The exact Jacobian has the new state's law.
     assert found["relaxes"] == pytest.approx(-found["rate"])
     assert found["follows"] == pytest.approx(1.0)
-
-
-@pytest.mark.long
-def test_a_new_basis_function(generated: Path, tmp_path: Path) -> None:
-    write_csv(tmp_path / "log.csv", *motion(8.0, 200.0, 3))
-    errors = {}
-    for basis in ("gaussian", "quadratic"):
-        text = settings(QUICK.replace("[compare]", f'basis = "{basis}"\n[compare]'), name=basis)
-        (tmp_path / f"{basis}.toml").write_text(text, encoding="utf-8")
-        run = tmp_path / basis
-        _debist(generated, "run", tmp_path / f"{basis}.toml", "-o", run, "--no-report")
-        scores = json.loads(_debist(generated, "validate", run, "--json"))["scores"]
-        errors[basis] = next(row["nrmse"] for row in scores if row["signal"] == "q")
-        _debist(generated, "export", run, "--to", "json", "-o", tmp_path)
-        document = json.loads((tmp_path / f"{basis}_rbf_paper.json").read_text(encoding="utf-8"))
-        assert document["equations"]["constants_si"]["basis"] == basis
-    # Another network, about as good.
-    assert errors["quadratic"] != errors["gaussian"]
-    assert errors["quadratic"] < 3.0 * errors["gaussian"] + 0.01
 
 
 def test_the_new_baseline_has_all_that_a_model_has(tree: Path) -> None:

@@ -11,9 +11,9 @@ from joints import hybrid, paper, pulses
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_set
 from pipeline.runs import layout, schemas
-from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import parse_prototype
 from pipeline.stages import scores, validate
 from tests.prototypes import Silent

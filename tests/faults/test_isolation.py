@@ -159,7 +159,7 @@ def test_results_of_several_processes_come_in_order():
 def test_a_temporary_folder_of_a_long_name_takes_new_interpreters(tmp_path, monkeypatch):
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path / ("x" * 90)))
     (tmp_path / ("x" * 90)).mkdir()
-    assert isolation._context().get_start_method() == "spawn"
+    assert isolation.process_context().get_start_method() == "spawn"
     with Isolated(greets, "you") as process:
         assert len(list(process)) == 1
 

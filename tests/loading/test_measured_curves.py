@@ -9,8 +9,8 @@ from pipeline.errors import InputError
 from pipeline.loading.device import Device, device
 from pipeline.loading.prior_knowledge import read_measured_curves
 from pipeline.loading.report_data import measured_curves
-from pipeline.runs.engine import bring_up_to_date
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages.side_files import tasks
 from tests.prototypes import Silent

@@ -43,10 +43,10 @@ def test_smoother_is_the_newton_step(order: int, fitted: bool, n: int) -> None:
     expected = dense_step(b, y, q, p[order + 1 :], lam[order + 1 :], delta, order, fitted)
     full = objective(b, y + expected[0], np.append(np.zeros(order + 1), t[order + 1 :] + expected[1]), lam, delta)
 
-    kernels = [(newton_step_high_order, order)] + ([(newton_step, 1.0)] if order == 1 else [])
+    kernels = [(newton_step_high_order, (order,))] + ([(newton_step, ())] if order == 1 else [])
     for kernel, shape in kernels:
         step = NewtonStep(*(np.empty(n) for _ in range(3)), np.empty((n, order + 2)))
-        longest, value = kernel(Iterate(b, y, t, q, p, lam), step, delta, shape, float(fitted))
+        longest, value = kernel(Iterate(b, y, t, q, p, lam), step, delta, *shape, float(fitted))
         dy, dt, dp, _ = step
         np.testing.assert_allclose(dy, expected[0], atol=1e-10)
         np.testing.assert_allclose(dt[order + 1 :], expected[1], atol=1e-10)

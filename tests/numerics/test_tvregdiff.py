@@ -10,37 +10,30 @@ from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.tvregdiff import tvregdiff
 
-FORMS = ("large", "small")
-
 
 def chartrand(n: int = 100, noise_std: float = 0.05, seed: int = 0) -> tuple[FloatArray, float]:
     x = np.linspace(0.0, 1.0, n)
     return np.abs(x - 0.5) + noise_std * np.random.default_rng(seed).standard_normal(n), float(x[1])
 
 
-def functional(u: FloatArray, samples: FloatArray, h: float, alpha: float, epsilon: float, form: str) -> float:
-    """Chartrand's functional of the derivative u: N − 1 values between the samples (large), N at them (small)."""
+def functional(u: FloatArray, samples: FloatArray, h: float, alpha: float, epsilon: float) -> float:
+    """Chartrand's functional of the derivative u, N − 1 values between the samples."""
     b = samples - samples[0]
-    if form == "large":
-        x = h * np.cumsum(u)
-        variation = alpha * np.sum(np.sqrt(np.diff(u) ** 2 + epsilon))
-    else:
-        x = h * np.cumsum(0.5 * (u[1:] + u[:-1]))
-        variation = alpha * h * np.sum(np.sqrt((np.diff(u) / h) ** 2 + epsilon))
+    x = h * np.cumsum(u)
+    variation = alpha * np.sum(np.sqrt(np.diff(u) ** 2 + epsilon))
     return float(variation + 0.5 * np.sum((x - b[1:]) ** 2))
 
 
-@pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize("alpha", [pytest.param(1e-3, marks=pytest.mark.long), 1e-2, 0.2])
-def test_objective_is_the_minimum_of_the_functional(form: str, alpha: float) -> None:
+def test_objective_is_the_minimum_of_the_functional(alpha: float) -> None:
     samples, h = chartrand(20)
     epsilon = 1e-3
-    result = tvregdiff(samples, h, alpha=alpha, epsilon=epsilon, form=form)
-    start = np.zeros(samples.size - (form == "large"))
+    result = tvregdiff(samples, h, alpha=alpha, epsilon=epsilon)
+    start = np.zeros(samples.size - 1)
     reference = minimize(
         functional,
         start,
-        args=(samples, h, alpha, epsilon, form),
+        args=(samples, h, alpha, epsilon),
         method="BFGS",
         options={"gtol": 1e-9, "maxiter": 20_000},
     )
@@ -49,46 +42,23 @@ def test_objective_is_the_minimum_of_the_functional(form: str, alpha: float) -> 
     assert result.objective == pytest.approx(reference.fun, rel=1e-6)
 
 
-@pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize("epsilon", [1e-12, 1e-6, 1e-2])
-def test_objective_is_the_functional_of_the_returned_signal(form: str, epsilon: float) -> None:
+def test_objective_is_the_functional_of_the_returned_signal(epsilon: float) -> None:
     samples, h = chartrand(200)
-    result = tvregdiff(samples, h, alpha=0.2, epsilon=epsilon, form=form)
-    u = np.diff(result.integral) / h if form == "large" else result.derivative
-    assert result.objective == pytest.approx(functional(u, samples, h, 0.2, epsilon, form), rel=1e-9)
+    result = tvregdiff(samples, h, alpha=0.2, epsilon=epsilon)
+    u = np.diff(result.integral) / h
+    assert result.objective == pytest.approx(functional(u, samples, h, 0.2, epsilon), rel=1e-9)
 
 
-@pytest.mark.parametrize("form", FORMS)
-def test_no_nearby_derivative_is_better(form: str) -> None:
+def test_no_nearby_derivative_is_better() -> None:
     samples, h = chartrand(300)
     rng = np.random.default_rng(3)
-    result = tvregdiff(samples, h, alpha=0.05, epsilon=1e-6, form=form)
-    u = np.diff(result.integral) / h if form == "large" else result.derivative
+    result = tvregdiff(samples, h, alpha=0.05, epsilon=1e-6)
+    u = np.diff(result.integral) / h
     for size in (1e-1, 1e-3, 1e-5):
         for _ in range(20):
-            other = functional(u + size * rng.standard_normal(u.size), samples, h, 0.05, 1e-6, form)
+            other = functional(u + size * rng.standard_normal(u.size), samples, h, 0.05, 1e-6)
             assert other >= result.objective * (1.0 - 1e-12)
-
-
-@pytest.mark.parametrize("form", FORMS)
-def test_published_start_minimises_the_functional_of_the_original_codes(form: str) -> None:
-    """Their antiderivative starts one step before the first sample: n = N increments, or N + 1 values."""
-    samples, h = chartrand(25)
-    alpha, epsilon = 0.1, 1e-3
-    b = samples - samples[0]
-
-    def published(u: FloatArray) -> float:
-        if form == "large":
-            x, variation = h * np.cumsum(u), np.sum(np.sqrt(np.diff(u) ** 2 + epsilon))
-        else:
-            x, variation = h * np.cumsum(0.5 * (u[1:] + u[:-1])), h * np.sum(np.sqrt((np.diff(u) / h) ** 2 + epsilon))
-        return float(alpha * variation + 0.5 * np.sum((x - b) ** 2))
-
-    start = np.zeros(samples.size + (form == "small"))
-    reference = minimize(published, start, method="BFGS", options={"gtol": 1e-10, "maxiter": 20_000})
-    result = tvregdiff(samples, h, alpha=alpha, epsilon=epsilon, form=form, start="published")
-    assert result.derivative.shape == result.integral.shape == samples.shape
-    assert result.objective == pytest.approx(reference.fun, rel=1e-7)
 
 
 @pytest.mark.parametrize("order", [1, 2, 3, 4])
@@ -104,12 +74,11 @@ def test_gap_bounds_the_distance_to_the_minimiser(order: int, start: str) -> Non
     assert best.gap <= 1e-12 * best.objective
 
 
-@pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize("scale", [1e-9, 1e-3, 3.7e4, 1e12])
-def test_unit_of_the_signal_does_not_matter(form: str, scale: float) -> None:
+def test_unit_of_the_signal_does_not_matter(scale: float) -> None:
     samples, h = chartrand()
-    one = tvregdiff(samples, h, alpha=0.2, epsilon=1e-6, form=form)
-    other = tvregdiff(scale * samples, h, alpha=scale * 0.2, epsilon=scale**2 * 1e-6, form=form)
+    one = tvregdiff(samples, h, alpha=0.2, epsilon=1e-6)
+    other = tvregdiff(scale * samples, h, alpha=scale * 0.2, epsilon=scale**2 * 1e-6)
     np.testing.assert_allclose(other.derivative / scale, one.derivative, atol=1e-7)
     assert other.objective / scale**2 == pytest.approx(one.objective, rel=1e-10)
 
@@ -122,7 +91,7 @@ def test_unit_of_time_does_not_matter(factor: float) -> None:
     np.testing.assert_allclose(other.derivative * factor, one.derivative, atol=1e-9)
 
 
-@pytest.mark.parametrize("kwargs", [{"form": "large"}, {"form": "small"}, {"start": "fitted"}])
+@pytest.mark.parametrize("kwargs", [{}, {"start": "fitted"}])
 @pytest.mark.parametrize("n", [2, 3, 4, 100, 100_000])
 @pytest.mark.parametrize("epsilon", [1e-12, 1e-2])
 @pytest.mark.parametrize("dt", [1e-6, 1.0, 1e3])
@@ -145,12 +114,11 @@ def test_higher_orders_reproduce_polynomials(order: int) -> None:
     np.testing.assert_allclose(result.derivative, slope, atol=1e-6)
 
 
-@pytest.mark.parametrize("form", FORMS)
-def test_derivative_is_aligned_with_the_samples(form: str) -> None:
+def test_derivative_is_aligned_with_the_samples() -> None:
     h = 1e-2
     t = h * np.arange(400)
-    alpha, epsilon = (1e-9, 1e-6) if form == "large" else (1e-6, 1e-2)
-    derivative = tvregdiff(np.sin(3.0 * t), h, alpha=alpha, epsilon=epsilon, form=form).derivative
+    alpha, epsilon = 1e-9, 1e-6
+    derivative = tvregdiff(np.sin(3.0 * t), h, alpha=alpha, epsilon=epsilon).derivative
     inside = slice(10, -10)
     truth, change = 3.0 * np.cos(3.0 * t)[inside], -9.0 * np.sin(3.0 * t)[inside]
     error = derivative[inside] - truth
@@ -177,25 +145,22 @@ def test_large_alpha_gives_the_polynomial_of_least_squares(order: int) -> None:
     np.testing.assert_allclose(result.integral, fit, atol=1e-6)
 
 
-@pytest.mark.parametrize("form", FORMS)
-def test_weights_scale_the_terms_of_the_variation(form: str) -> None:
+def test_weights_scale_the_terms_of_the_variation() -> None:
     """Equal weights are a factor on alpha; others minimise the weighted functional, written down again here."""
     samples, h = chartrand(60)
     n = samples.size
-    alone = tvregdiff(samples, h, alpha=0.06, epsilon=1e-3, form=form)
-    equal = tvregdiff(samples, h, alpha=0.2, epsilon=1e-3, form=form, weights=np.full(n, 0.3))
+    alone = tvregdiff(samples, h, alpha=0.06, epsilon=1e-3)
+    equal = tvregdiff(samples, h, alpha=0.2, epsilon=1e-3, weights=np.full(n, 0.3))
     np.testing.assert_allclose(equal.derivative, alone.derivative, atol=1e-6)
     assert equal.objective == pytest.approx(alone.objective, rel=1e-9)
 
     weights = np.random.default_rng(1).uniform(0.1, 1.0, n)
-    result = tvregdiff(samples, h, alpha=0.06, epsilon=1e-3, form=form, weights=weights)
-    u = np.diff(result.integral) / h if form == "large" else result.derivative
+    result = tvregdiff(samples, h, alpha=0.06, epsilon=1e-3, weights=weights)
+    u = np.diff(result.integral) / h
 
     def weighted(u: FloatArray) -> float:
-        misfit = functional(u, samples, h, 1e-300, 1e-3, form)
-        if form == "large":
-            return misfit + 0.06 * float(np.sum(weights[2:] * np.sqrt(np.diff(u) ** 2 + 1e-3)))
-        return misfit + 0.06 * h * float(np.sum(weights[1:] * np.sqrt((np.diff(u) / h) ** 2 + 1e-3)))
+        misfit = functional(u, samples, h, 1e-300, 1e-3)
+        return misfit + 0.06 * float(np.sum(weights[2:] * np.sqrt(np.diff(u) ** 2 + 1e-3)))
 
     assert result.objective == pytest.approx(weighted(u), rel=1e-9)
     rng = np.random.default_rng(2)
@@ -223,12 +188,11 @@ def test_corner_is_found() -> None:
     assert np.sqrt(np.mean((np.gradient(samples, h) - truth) ** 2)) > 2.0
 
 
-@pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize("epsilon", [1e-12, 1e-6, 1e-2])
 @pytest.mark.parametrize("n", [3, 10, 1000, 50_000])
-def test_converges_at_every_size_and_rounding(form: str, epsilon: float, n: int) -> None:
+def test_converges_at_every_size_and_rounding(epsilon: float, n: int) -> None:
     samples, h = chartrand(n)
-    result = tvregdiff(samples, h, alpha=0.02, epsilon=epsilon, form=form)
+    result = tvregdiff(samples, h, alpha=0.02, epsilon=epsilon)
     assert result.converged, (result.status, result.iterations)
     assert result.gap <= 1e-9 * result.objective
     assert np.isfinite(result.derivative).all()
@@ -275,17 +239,15 @@ def test_tolerance_below_rounding_ends_with_the_reason() -> None:
     st.lists(st.floats(-1e3, 1e3, allow_subnormal=False), min_size=3, max_size=40),
     st.floats(-4, 3),
     st.floats(-12, -2),
-    st.sampled_from(FORMS),
 )
-def test_any_record_is_minimised(values: list[float], log_alpha: float, log_epsilon: float, form: str) -> None:
+def test_any_record_is_minimised(values: list[float], log_alpha: float, log_epsilon: float) -> None:
     samples = np.array(values)
     alpha, epsilon = 10.0**log_alpha, 10.0**log_epsilon
-    result = tvregdiff(samples, 0.1, alpha=alpha, epsilon=epsilon, form=form)
+    result = tvregdiff(samples, 0.1, alpha=alpha, epsilon=epsilon)
     assert np.isfinite(result.derivative).all() and result.gap >= 0.0
-    candidates = [np.full(samples.size - (form == "large"), slope) for slope in (0.0, np.ptp(samples))]
-    if form == "large":
-        candidates.append(np.diff(samples) / 0.1)
-    lowest = min(functional(u, samples, 0.1, alpha, epsilon, form) for u in candidates)
+    candidates = [np.full(samples.size - 1, slope) for slope in (0.0, np.ptp(samples))]
+    candidates.append(np.diff(samples) / 0.1)
+    lowest = min(functional(u, samples, 0.1, alpha, epsilon) for u in candidates)
     assert result.objective - result.gap <= lowest * (1.0 + 1e-9)
     if result.converged:
         assert result.objective <= lowest * (1.0 + 1e-9)
@@ -300,12 +262,11 @@ def test_any_record_is_minimised(values: list[float], log_alpha: float, log_epsi
         ([1.0, 2.0, 3.0], {"alpha": 0.0}, "alpha"),
         ([1.0, 2.0, 3.0], {"epsilon": -1.0}, "epsilon"),
         ([1.0, 2.0, 3.0], {"dt": np.inf}, "dt"),
-        ([1.0, 2.0, 3.0], {"form": "medium"}, "medium"),
         ([1.0, 2.0, 3.0], {"order": 3}, "order 3"),
         (np.zeros(9), {"order": 5}, "order=5"),
         ([1.0, 2.0, 3.0], {"weights": [1.0, 1.0]}, "3 positive, finite weights"),
         ([1.0, 2.0, 3.0], {"weights": [1.0, 0.0, 1.0]}, "positive"),
-        ([1.0, 2.0, 3.0], {"order": 2, "form": "small"}, "'large'"),
+        ([1.0, 2.0, 3.0], {"start": "published"}, "published"),
     ],
 )
 def test_bad_input_is_one_line(samples: object, kwargs: dict[str, object], word: str) -> None:

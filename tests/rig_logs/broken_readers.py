@@ -30,18 +30,6 @@ def sleeps(send, request) -> None:
     time.sleep(60)
 
 
-def dies_once(send, request) -> None:
-    """It writes some samples and dies, as a thread of a library may make it; a second time it reads."""
-    from pipeline.rig_logs.child import read_log
-
-    samples = Path(request["samples"])
-    if samples.exists():
-        read_log(send, request)
-    else:
-        samples.write_bytes(b"\x01" * 24)
-        os.abort()
-
-
 def promises_samples_that_are_not_there(send, request) -> None:
     channel = {"name": "q", "unit": "", "dtype": "", "time": None, "samples": [[0, 1000000]]}
     Path(request["samples"]).touch()

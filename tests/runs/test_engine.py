@@ -8,10 +8,11 @@ from typing import Any
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError, RunLockedError
-from pipeline.runs.engine import Task, bring_up_to_date, status
+from pipeline.runs.engine import Task, status
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST
 from pipeline.runs.run_folder import RunFolder, Written
+from pipeline.runs.schedule import bring_up_to_date
 from tests.prototypes import Silent
 
 

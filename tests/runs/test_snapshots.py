@@ -10,10 +10,11 @@ import pytest
 
 from pipeline.errors import InputError, SupersededError
 from pipeline.runs.columns import Column
-from pipeline.runs.engine import Task, bring_up_to_date
+from pipeline.runs.engine import Task
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder, in_snapshot
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.runs.schemas import Schema
 from pipeline.tools.verify import verify_everything
 from tests.prototypes import Silent

@@ -10,7 +10,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
 from pipeline.numerics.tv_chain import effective_parameters
 from pipeline.numerics.tvregdiff import tvregdiff
-from pipeline.signals.differentiate import alpha_study, differentiate
+from pipeline.signals.differentiate import Kinematics, alpha_study, differentiate
 from pipeline.signals.noise import noise_std
 from pipeline.signals.resampling import decimate
 from pipeline.signals.smoothing_parameter import SHAPE, increment_scale, jump_weights, smoothing_parameter
@@ -20,9 +20,7 @@ METHODS = [
     {"order": 2},
     {"order": 3},
     {"order": 4},
-    {"order": 3, "reweighted": False},
     {"method": "savitzky-golay"},
-    {"method": "rts"},
 ]
 
 
@@ -288,12 +286,17 @@ def test_automatic_alpha_is_near_the_best(order: int, noise: float) -> None:
     assert rms(automatic.qdot - record.first) < 0.4 * max(errors)
 
 
+def without_reweighting(samples: FloatArray, dt: float, order: int) -> Kinematics:
+    chosen = smoothing_parameter(samples, dt, order)
+    return differentiate(samples, dt, order=order, alpha=chosen.alpha, epsilon=chosen.epsilon)
+
+
 @pytest.mark.parametrize("order", [3, 4])
 @pytest.mark.parametrize("noise", [3e-4, 3e-3, 1e-2])
 def test_reweighting_keeps_jumps_of_the_acceleration(order: int, noise: float) -> None:
     record = signals.ring_down()
     samples = record.noisy(noise, np.random.default_rng(7))
-    plain, reweighted = (differentiate(samples, record.dt, order=order, reweighted=r) for r in (False, True))
+    plain, reweighted = without_reweighting(samples, record.dt, order), differentiate(samples, record.dt, order=order)
     assert reweighted.converged
     assert rms(reweighted.qdot - record.first) < 0.65 * rms(plain.qdot - record.first)
     assert rms(reweighted.qddot - record.second) < 0.8 * rms(plain.qddot - record.second)
@@ -303,7 +306,7 @@ def test_reweighting_keeps_jumps_of_the_acceleration(order: int, noise: float) -
 @pytest.mark.parametrize("noise", [1e-3, 1e-2])
 def test_reweighting_leaves_smooth_records_alone(record: signals.Signal, noise: float) -> None:
     samples = record.noisy(noise, np.random.default_rng(7))
-    plain, reweighted = (differentiate(samples, record.dt, reweighted=r) for r in (False, True))
+    plain, reweighted = without_reweighting(samples, record.dt, 3), differentiate(samples, record.dt)
     assert rms(reweighted.qdot - record.first) < 1.05 * rms(plain.qdot - record.first)
     assert rms(reweighted.qddot - record.second) < 1.05 * rms(plain.qddot - record.second)
 

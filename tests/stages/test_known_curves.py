@@ -18,9 +18,8 @@ mass = { value = %.9f, unit = "kg" }
 curves = "stand.csv"
 [identify]
 models = ["rbf"]
+[identify.structure]
 friction = "lag"
-rbf_basis_functions = 12
-rbf_smoothing = 1.0
 """
 
 

@@ -103,7 +103,9 @@ def test_what_the_priors_of_the_network_decide_does_not_refuse_it(tmp_path, monk
 def test_what_no_model_needs_is_told_and_is_no_fault_of_the_data(tmp_path, monkeypatch):
     found = [Finding("rank", "columns cannot be told apart", "vary the inputs")]
     monkeypatch.setattr("pipeline.stages.identify._findings", lambda *_: found)
-    toml = TOML.replace('["rbf-paper"]', '["rbf"]').replace("[identify]", '[identify]\nfriction = "viscous"')
+    toml = TOML.replace('["rbf-paper"]', '["rbf"]').replace(
+        "[identify]", '[identify]\nstructure = { friction = "viscous" }'
+    )
     result = _run(_write(tmp_path, toml), "--no-report")
     assert result.exit_code == 0, result.output
     assert "columns cannot be told apart; there the priors of rbf decide" in result.stderr

@@ -10,10 +10,11 @@ from pipeline.device_parameters import NOMINAL
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.joint_figures import COLOURED
 from pipeline.reporting.paper_page import table_1, table_2, table_2_row
-from pipeline.runs.engine import bring_up_to_date
+from pipeline.runs.engine import tasks_of
 from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import Compare, Prototype, parse_prototype
-from pipeline.stages.run import plan
+from pipeline.stages.table import STAGE_NAMES, Planned, of_stages, plan
 from pipeline.tools.paper import FIGURES, joint_figures, paper_settings, run_paper
 
 PRINTED = {"q": 2.1, "phi": 2.0, "qdot": 4.1, "qddot": 5.0}
@@ -38,7 +39,7 @@ def test_the_recipe_is_the_printed_one() -> None:
     recipe = paper_settings(prototype(ingest={"sample_interval": 0.005}))
     assert recipe.ingest.sample_interval == 0.01
     assert (recipe.differentiate.alpha, recipe.differentiate.epsilon, recipe.differentiate.order) == (0.01, 1e-6, 1)
-    assert recipe.differentiate.rate == "signals"
+    assert recipe.ingest.record_interval == 0.01
     assert (recipe.identify.basis_functions, recipe.identify.smoothing) == (10, 0.5)
     assert recipe.plant.parameters == "nominal"
 
@@ -48,7 +49,8 @@ def test_the_recipe_meets_the_printed_errors_on_a_training_log(shared_folder: Pa
     log = str(shared_folder / "rig-logs" / "P2" / "train.mf4")
     recipe = paper_settings(prototype(logs={"train": [log]})).model_copy(update={"compare": Compare(models=())})
     run = RunFolder.create(tmp_path / "run", recipe.model_dump(mode="json"), tmp_path / "P.toml")
-    tasks = [task for task in plan(run, recipe, tmp_path / "P.toml") if task.stage != "report"]
+    stages = [name for name in STAGE_NAMES if name != "report"]
+    tasks = list(tasks_of(of_stages(plan(Planned(run, recipe, tmp_path / "P.toml")), stages)))
     bring_up_to_date(run, tasks, Progress(quiet=True))
     scores = run.read_table("scores.parquet")
     errors = {

@@ -12,25 +12,27 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pipeline.codegen.numba_writer import formula
-from pipeline.generated.basis_functions import NAMES, REACHES, basis_function
-from pipeline.generated.terms import LAGGED_RATES
+from pipeline.generated.terms import GAUSSIAN, LAGGED_RATES
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.fixed_step import Methods, between_samples, bounded_run, inlined, integrator, no_begin, no_finish
 
+_gaussian = formula(GAUSSIAN)
 _lagged_rates = formula(LAGGED_RATES)
+
+REACH = 8.6
+"""|q − ξ|/σ from which a bell is left out of a sum: exp(−37) is below rounding."""
 
 
 class LaggedJoint(NamedTuple):
     """A joint of eqs. 37 to 40 in a run, see `lagged_rbf_run`.
 
-    `parts` are half steps in a sample interval, `kind` counts the basis functions, `farthest` is the square of the
-    function's reach (None: no term is left out), `inverse` is 1/σ, `u` and `values` have room for inputs and curves.
+    `parts` are half steps in a sample interval, `farthest` is the square of the reach of a bell (None: no term is left
+    out), `inverse` is 1/σ, `u` and `values` have room for inputs and curves.
     """
 
     v: FloatArray
     squared: bool
     parts: int
-    kind: int
     farthest: float | None
     centres: FloatArray
     weights: FloatArray
@@ -59,7 +61,7 @@ def _move(system, x, u, dx):
         distance = (x[0] - system.centres[i]) * system.inverse
         square = distance * distance
         if system.farthest is None or square < system.farthest:
-            value = basis_function(system.kind, square)[0]
+            value = _gaussian((square,))[0]
             for s in range(len(system.values)):
                 system.values[s] += system.weights[i, s] * value
     push = 0.0
@@ -86,8 +88,6 @@ class LaggedLaw:
         σ of the bells, in the unit of q.
     lag : float
         T_z [s].
-    basis : str
-        Name of the basis function, see `pipeline.model_list`.
     squared : bool
         Whether the force goes with the square of the voltage.
     """
@@ -96,15 +96,13 @@ class LaggedLaw:
     weights: FloatArray
     width: float
     lag: float
-    basis: str = "gaussian"
     squared: bool = True
 
     def joint(self, v: FloatArray, parts: int, reach: float | None, u: FloatArray, values: FloatArray) -> LaggedJoint:
         """The system of a run."""
         return LaggedJoint(
-            v, self.squared, parts, NAMES.index(self.basis), None if reach is None else reach**2,
-            np.ascontiguousarray(self.centres), np.ascontiguousarray(self.weights), 1.0 / self.width, float(self.lag),
-            u, values,
+            v, self.squared, parts, None if reach is None else reach**2, np.ascontiguousarray(self.centres),
+            np.ascontiguousarray(self.weights), 1.0 / self.width, float(self.lag), u, values,
         )  # fmt: skip
 
 
@@ -143,6 +141,6 @@ def lagged_rbf_run(
         Samples within the bounds; N if the run completed. Cost: 4·steps·N evaluations of M exponentials and
         (2 + K)·M products, about 60 ns each for M = 10.
     """
-    reach, inputs = REACHES[NAMES.index(law.basis)], v.shape[1]
-    system = law.joint(np.ascontiguousarray(v), 2 * steps, reach, np.zeros(inputs), np.zeros(2 + inputs))
+    inputs = v.shape[1]
+    system = law.joint(np.ascontiguousarray(v), 2 * steps, REACH, np.zeros(inputs), np.zeros(2 + inputs))
     return bounded_run(_integrate, system, np.array([start[0], start[1], start[-1]]), len(v), steps, interval, bounds)

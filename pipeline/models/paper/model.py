@@ -8,7 +8,7 @@ with c, d, g_k = Σ_i θ_i exp(−(q−ξ_i)²/(2σ_n²Δξ²)). Eq. 37 prints �
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -27,11 +27,10 @@ from pipeline.fitting.regression import (
     regressor,
     triangular_factor,
 )
-from pipeline.generated.basis_functions import NAMES
 from pipeline.model_list import CENTRES, LAG_START, SMOOTHING
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind, Training
-from pipeline.models.model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table
+from pipeline.models.model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
 from pipeline.models.paper.lag_search import LagSearch, LagStretch, search_lag
 from pipeline.models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
@@ -47,50 +46,34 @@ SEED = 20251  # of the draws of weights: the same model gives the same bands
 
 
 class RbfPaperModel(ModelFile):
-    """The identified model of §4.2; its file holds the same entries.
-
-    Attributes
-    ----------
-    centres : FloatArray, shape (M,)
-        ξ_i [m].
-    smoothing : float
-        σ_n; the bells have the width σ_n Δξ.
-    width : float
-        σ [m] of the bells.
-    weights : FloatArray, shape (2 + K, M)
-        θ_c [N/m], θ_d [N s/m], θ_g1 … θ_gK [N/V²]; per unit mass where `mass_kg` is 1 because it is unknown.
-    lag_s : float
-        T_z [s].
-    mass_kg : float
-        m_q [kg].
-    inputs : {"squared", "linear"}
-        Whether u = v² or u = v.
-    basis : str
-        Name of the basis function, see `pipeline.model_list`.
-    spread : FloatArray, shape ((2 + K)·M, rank)
-        Factor S of the weights' covariance S Sᵀ, in their units; empty if it is not known.
-    diagnostics : dict
-        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged, lag_search
-        (T_z, cost, rank and condition number of each accepted step), visits per centre.
-    """
+    """The identified model of §4.2, and its file. K inputs, M basis functions."""
 
     sizes: ClassVar[Sizes] = {"R": (3, 2 + MOST_INPUTS), "M": (2, 200), "S": (0, 1000)}
     name: ClassVar[str] = "rbf-paper"
     fine_voltages: ClassVar[bool] = False
-    centres: Rising
+    centres: Annotated[Rising, Unit("{q}")]
+    """Centres ξ of the basis functions."""
     smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
-    width: Positive = Field(default_factory=lambda data: basis_width(data["centres"], data["smoothing"]))
-    weights: Annotated[FloatArray, Table("R M", -_LARGEST, _LARGEST)]
-    lag_s: Lag
-    mass_kg: Positive = 1.0
+    """Smoothing factor σ_n: the width over the distance of the centres."""
+    width: Annotated[Positive, Unit("{q}")] = Field(
+        default_factory=lambda data: basis_width(data["centres"], data["smoothing"])
+    )
+    """Width σ of the basis functions."""
+    weights: Annotated[FloatArray, Table("R M", -_LARGEST, _LARGEST), Unit("{c}, {d}, {g}")]
+    """Weights by row: stiffness c, damping d, gain g of each input."""
+    lag_s: Annotated[Lag, Unit("s")]
+    """Time constant T_z of the friction state."""
+    mass_kg: Annotated[Positive, Unit("{m}")] = 1.0
+    """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
     inputs: InputLaw = "squared"
-    basis: str = "gaussian"
-    spread: Annotated[FloatArray, Table("W S", -_LARGEST, _LARGEST)] = np.empty((0, 0))
+    """Whether inputs act squared or linear."""
+    basis: Literal["gaussian"] = "gaussian"
+    """Basis function."""
+    spread: Annotated[FloatArray, Table("W S", -_LARGEST, _LARGEST), Unit("{c}, {d}, {g}")] = np.empty((0, 0))
+    """Factor S of the covariance S Sᵀ of the weights, row by row of weights; empty if it is not known."""
 
     @model_validator(mode="after")
     def _named(self) -> Self:
-        if self.basis not in NAMES:
-            raise ValueError(f"basis must be one of {', '.join(NAMES)}")
         if len(self.spread) not in (0, self.weights.size):
             raise ValueError(f"spread has {len(self.spread)} rows for {self.weights.size} weights")
         return self
@@ -104,7 +87,7 @@ class RbfPaperModel(ModelFile):
     def law(self) -> LaggedLaw:
         """The equation of motion over the mass."""
         weights = np.ascontiguousarray(self.weights.T) / self.mass
-        return LaggedLaw(self.centres, weights, self.width, self.lag_s, self.basis, self.inputs == "squared")
+        return LaggedLaw(self.centres, weights, self.width, self.lag_s, self.inputs == "squared")
 
     @property
     def input_count(self) -> int:
@@ -141,7 +124,7 @@ class RbfPaperModel(ModelFile):
         """Acceleration [m/s²] along a measured path, the friction state filtered from the measured velocity."""
         z, _ = first_order_lag(np.ascontiguousarray(qdot), sample_interval(t), self.lag_s)
         signals = curve_signals(q, z, input_signal(v, self.inputs))
-        curves = basis_values(q, self.centres, self.width, self.basis) @ self.weights.T
+        curves = basis_values(q, self.centres, self.width) @ self.weights.T
         force: FloatArray = np.einsum("ij,ij->i", curves, signals)
         return force / self.mass
 
@@ -162,7 +145,7 @@ class RbfPaperModel(ModelFile):
         return curves_of_draws(draws.reshape(count, *self.weights.shape), lambda w: self._characteristics(w, q))
 
     def _characteristics(self, weights: FloatArray, q: FloatArray) -> dict[str, FloatArray]:
-        values = basis_values(q, self.centres, self.width, self.basis) @ weights.T
+        values = basis_values(q, self.centres, self.width) @ weights.T
         result = {"F": values[:, 0] * q, "d": values[:, 1]}
         for k, gain in enumerate(values.T[2:], start=1):
             result |= {f"dC{k}_dq": 2.0 * gain} if self.inputs == "squared" else {f"g{k}": gain}
@@ -172,13 +155,13 @@ class RbfPaperModel(ModelFile):
         """Rows of eq. 40 along a measured motion, shape (N, (2 + K)·M), the lag being known."""
         z, _ = first_order_lag(np.ascontiguousarray(motion.qdot), motion.interval, self.lag_s)
         signals = curve_signals(motion.q, z, input_signal(motion.v, self.inputs))
-        return regressor(basis_values(motion.q, self.centres, self.width, self.basis), signals)
+        return regressor(basis_values(motion.q, self.centres, self.width), signals)
 
     def force_rows(self, q: FloatArray) -> FloatArray:
         """Rows that give the restoring force c(q) q [N] at q [m] from all weights, shape (n, (2 + K)·M)."""
         signals = np.zeros((len(q), len(self.weights)))
         signals[:, 0] = q
-        return regressor(basis_values(q, self.centres, self.width, self.basis), signals)
+        return regressor(basis_values(q, self.centres, self.width), signals)
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""
@@ -203,7 +186,6 @@ def identify_rbf_paper(
     smoothing: float = SMOOTHING,
     mass: float = 1.0,
     inputs: InputLaw = "squared",
-    basis: str = "gaussian",
 ) -> RbfPaperModel:
     """Identify the model of §4.2 from gap-free stretches of training logs.
 
@@ -219,8 +201,6 @@ def identify_rbf_paper(
         m_q [kg]; 1 if unknown, the weights are then per unit mass.
     inputs : {"squared", "linear"}
         Whether u = v² or u = v.
-    basis : str
-        Name of the basis function.
 
     Raises
     ------
@@ -229,7 +209,7 @@ def identify_rbf_paper(
     """
     centres = basis_centres(*operating_range(trajectories), basis_functions)
     width = basis_width(centres, smoothing)
-    stretches = [_stretch(x, basis_values(x.q, centres, width, basis), mass, inputs) for x in trajectories]
+    stretches = [_stretch(x, basis_values(x.q, centres, width), mass, inputs) for x in trajectories]
     search = search_lag(stretches, start=LAG_START, bounds=LAG_BOUNDS)
     fit = pseudo_inverse_fit(*triangular_factor(_rows(stretches)))
     tau = _correlation_time(stretches, fit.weights)
@@ -240,7 +220,6 @@ def identify_rbf_paper(
         lag_s=search.time_constant,
         mass_kg=mass,
         inputs=inputs,
-        basis=basis,
         spread=fit.residual_rms * np.sqrt(tau) * fit.spread,
         diagnostics={
             **_diagnostics(fit, search),
@@ -290,12 +269,11 @@ def _diagnostics(fit: LinearFit, search: LagSearch) -> dict[str, Any]:
 
 def _fit(training: Training) -> RbfPaperModel:
     return identify_rbf_paper(
-        training.stretches,
+        training.segments,
         basis_functions=training.identify.basis_functions,
         smoothing=training.identify.smoothing,
         mass=training.mass,
         inputs=training.inputs,
-        basis=training.identify.basis,
     )
 
 

@@ -289,20 +289,17 @@ def _diagnostics(records: Sequence[Record], fitted: _Fitted, tried: dict[str, fl
 
 def _decided(training: Training) -> RbfChoice:
     """Choices of the settings for the structure."""
-    settings, before = training.identify, training.inputs_before
+    structure, before = training.identify.structure, training.inputs_before
 
-    def said(name: str) -> Any:
-        value = getattr(settings, name)
+    def decided(name: str) -> Any:
+        value = getattr(structure, name)
         return None if value == "auto" else value
 
     return RbfChoice(
-        basis_functions=said("rbf_basis_functions"),
-        smoothing=said("rbf_smoothing"),
-        stops=None if settings.stops == "auto" else settings.stops == "both",
-        drag=None if settings.drag == "auto" else settings.drag == "quadratic",
+        stops=None if structure.stops == "auto" else structure.stops == "both",
+        drag=None if structure.drag == "auto" else structure.drag == "quadratic",
         rest_at_zero=None if before == "auto" else before == "zero",
-        population=settings.rbf_prior == "auto",
-        **{name: said(name) for name in ("friction", "force", "damping", "gain", "drive", "effect", "hold")},
+        **{name: decided(name) for name in ("friction", "force", "damping", "gain", "drive", "effect", "hold")},
     )
 
 

@@ -4,15 +4,14 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.models.kind import KnownCurves, Training
+from pipeline.models.kind import KnownCurves
 from pipeline.models.rbf.candidates import FRICTION, Candidate, RbfChoice, candidate, first_candidate, offers
-from pipeline.models.rbf.identify import RBF, identify_rbf
+from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.model import RbfModel, _equation_of_motion
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped, starting_joint
 from pipeline.models.rbf.structure import JointScales, JointStructure
 from pipeline.scoring.tubes import NO_TUBES, tubes
-from pipeline.settings import Compare, Identify
 from pipeline.signals.differentiate import differentiate
 from pipeline.signals.trajectory import Record
 from tests.file_columns import unknown_entries
@@ -508,13 +507,6 @@ def test_sides_are_taken_for_alike_where_they_are():
     model = identify_rbf([seen(21)], choice=RbfChoice(population=False))
     assert list(model.diagnostics["candidates"]) == [model.diagnostics["chosen"], *_looser(model)]
     assert model.diagnostics["chosen"].endswith("mirror-symmetric to 3 %")
-
-
-def test_the_settings_take_away_what_other_joints_teach():
-    logs = (log(planted(), 21, n=200),)
-    settings = Identify(models=("rbf",), rbf_prior="smooth", time_limit=0.2)
-    model = RBF.fit(Training((), logs, ("m", "V"), "squared", None, None, None, settings, Compare()))
-    assert not any(str(one).endswith("population prior") for one in model.diagnostics["candidates"])
 
 
 @pytest.mark.long
