@@ -351,7 +351,7 @@ def identify(
     t, q, v1, v2 : array_like, shape (N,)
         Times [s], displacement [m, or rad for an angle] and one or two voltages [V], as raw as they are: any rate,
         gaps in t and NaN allowed. Or one DataFrame with the columns t_s, q_m (q_rad), v1_V, v2_V, or a list of them,
-        one for a log.
+        one for a log. Both voltages may come as one array `v1` of shape (N, 2), as `Model.simulate` takes them.
     mass : float, optional
         Moving mass [kg] (inertia [kg·m²] for an angle); without it the curves are per unit mass.
     parameters : str or Path, optional
@@ -366,7 +366,7 @@ def identify(
         "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical" or "analytical-calibrated".
     settings : mapping, optional
         Tables of a settings file, such as ``{"ingest": {"sample_interval": 0.005}}``, or
-        ``{"identify": {"structure": {"friction": "lag"}}}``.
+        ``{"identify": {"structure": {"friction": "lag"}}}``. Paths in them are relative to the current folder.
 
     Returns
     -------

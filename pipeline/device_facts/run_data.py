@@ -104,6 +104,8 @@ class RunData:
         How "auto" chose between the models (`pipeline.models.choose.Choice`), if it did.
     log_checks : sequence of mapping
         Rows of `debist check` as its JSON has them; none in a run of before they were made.
+    instruments : sequence of mapping
+        Rows of ``instruments.parquet``; none in a run without it.
     siblings : NormalPopulation or None
         What `[plant] siblings` names, as the run holds it.
     rails_kept : bool
@@ -130,6 +132,7 @@ class RunData:
     measured_curves: Columns = field(default_factory=dict)
     accepted: tuple[str, ...] = ()
     log_checks: tuple[Mapping[str, Any], ...] = ()
+    instruments: tuple[Mapping[str, Any], ...] = ()
     control: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     choice: Mapping[str, Any] | None = None
     rails_kept: bool = False

@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.checks.check import check_logs
-from pipeline.checks.overlap import shared_recordings, shared_rows
+from pipeline.checks.copies import shared_recordings, shared_rows
 from pipeline.checks.rows import findings, remarks
 from pipeline.checks.weak_form import LogSignals
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
-from pipeline.errors import InputError, warn_user
+from pipeline.errors import DataRefusedError, InputError, warn_user
 from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
+from pipeline.loading.prior_knowledge import prior_knowledge_in
 from pipeline.loading.si_log import SiLog, on_uniform_clocks
 from pipeline.loading.trajectories import load_motion, motion, training
 from pipeline.model_list import AUTO, ENTRIES, entry, names
@@ -33,10 +34,10 @@ from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.signals.trajectory import UNKNOWN
 from pipeline.stages.check import declared, log_signals
-from pipeline.stages.differentiate import kinematics
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, resamplings
-from pipeline.stages.scores import ComparedRun, score_rows
+from pipeline.steps.differentiate import kinematics
+from pipeline.steps.score import ComparedRun, score_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -99,7 +100,13 @@ def settings(
         if name == "identify" and isinstance(table, Mapping) and "models" in table:
             raise InputError("settings has identify.models; the argument `model` names the model")
         document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
-    return parse_prototype(document, "debist.identify")
+    prototype = parse_prototype(document, "debist.identify")
+    if prototype.compare.curves is not None:
+        raise InputError("settings has compare.curves, which only the report of a run draws; leave it out")
+    for key in ("curves", "siblings") if model in names("compare") else ():
+        if getattr(prototype.plant, key) is not None:
+            raise InputError(f"settings has plant.{key}, which the model {model!r} does not take; leave it out")
+    return prototype
 
 
 def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
@@ -201,20 +208,31 @@ def identify_signals(
     """The model of that name, or the headline for `AUTO`; notes on the fits; and the logs.
 
     What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
+
+    Raises
+    ------
+    DataRefusedError
+        The signals do not show what the model needs, or are in other units, as voltages in kV.
     """
+    settings_file = Path.cwd() / "settings.toml"
+    parameters = parameter_set(prototype, settings_file)
+    prior = prior_knowledge_in(settings_file, prototype, parameters)
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
     measured = [part.motion for part in parts]
     records, stated = [part.signals for part in parts], declared(prototype)
-    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records, stated.sample_interval))]
-    contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
+    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records))]
+    unaccepted = [finding for finding in findings(rows) if finding.gate not in prototype.quality.accept]
+    contradictions = [f"{finding.text}: {finding.advice}" for finding in unaccepted]
+    if units := [text for finding, text in zip(unaccepted, contradictions, strict=True) if finding.gate == "scale"]:
+        accept = "settings={'quality': {'accept': ['scale']}}"
+        raise DataRefusedError(f"{units[0]}; give SI units, or if they are, accept it: {accept}")
     for text in (*contradictions, *remarks(rows)):
         warn_user(text)
-    parameters = parameter_set(prototype, Path.cwd() / "settings.toml")
     if name in names("compare"):
         model = kind(name).fit(training(measured, prototype, parameters))
         notes: dict[str, Any] = {"warnings": [], name: model.describe()}
     else:
-        models, notes = identified(measured, prototype, parameters)
+        models, notes = identified(measured, prototype, parameters, prior)
         model = next(iter(models.values()))
     remarks_of_all = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
     notes |= {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}
@@ -283,13 +301,17 @@ def signals_of(table: "pd.DataFrame") -> Signals:
 
 
 def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
-    """The signals of single columns: arrays, lists or Series.
+    """The signals of single columns: arrays, lists or Series; `v1` may hold both voltages, shape (N, 2).
 
     Raises
     ------
     InputError
         A column is no column of numbers, NaN where there is none, or they differ in length.
     """
+    if v2 is None and (both := real_numbers(v1, "v1")).ndim == 2:
+        if both.shape[1] > 2 or (len(both) != np.size(t) and both.shape[1] == np.size(t)):
+            raise InputError(f"v1 has the shape {both.shape}; give one or two columns of voltages, shape (N, 2)")
+        v1, v2 = (*both.T, None)[:2]
     columns = _columns({"t": t, "q": q, "v1": v1, "v2": v2}, gaps=True)
     return Signals(columns.pop("t"), columns.pop("q"), np.column_stack(list(columns.values())))
 

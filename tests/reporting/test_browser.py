@@ -12,7 +12,7 @@ import pytest
 
 from pipeline.reporting.page import packed
 from tests.reporting.synthetic import run_data
-from tests.reporting.test_page import fleet_page, large_fleet_page, report_of, report_page
+from tests.reporting.test_page import fleet_page, report_of, report_page
 
 selenium = pytest.importorskip("selenium", reason="selenium is not installed")
 
@@ -308,32 +308,9 @@ def test_on_paper_no_table_is_wider_than_the_sheet(browser: Any, pages: dict[str
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
 
-@pytest.mark.long
-def test_a_large_fleet_shows_the_rows_in_sight(browser: Any, tmp_path: Path) -> None:
-    from selenium.webdriver.common.by import By
-
-    path = tmp_path / "large.html"
-    path.write_text(large_fleet_page(), encoding="utf-8")
-    _open(browser, path.as_uri())
-    assert _until(lambda: browser.execute_script("return document.documentElement.dataset.fleet"))
-    rows = "return [...document.querySelectorAll('#fleet tbody tr:not(.space)')].map((r) => r.cells[{}].textContent)"
-    assert 10 < len(browser.execute_script(rows.format(0))) < 80
-    assert browser.execute_script(rows.format(0))[0] == "P0001"
-    assert browser.find_element(By.CSS_SELECTOR, "#fleet a").get_attribute("href").endswith("/P0001/report.html")
-
-    heading = next(h for h in browser.find_elements(By.CSS_SELECTOR, "#fleet thead th") if "NRMSE" in h.text)
-    heading.find_element(By.TAG_NAME, "button").click()
-    assert heading.get_attribute("aria-sort") == "ascending"
-    shown = [float(text.strip("▲ ")) for text in browser.execute_script(rows.format(3))]
-    assert shown == sorted(shown)
-    browser.execute_script("document.querySelector('.window').scrollTop = 1e6")
-    assert _until(lambda: browser.execute_script(rows.format(2))[-1] == "failed")  # without a value, so at the end
-
-    browser.find_element(By.CSS_SELECTOR, "#fleet-tools input[value=failed]").click()
-    assert len(browser.execute_script(rows.format(0))) == 3
-    assert browser.execute_script("return document.querySelector('#fleet tbody [title]').title").startswith("bad")
-    browser.find_element(By.CSS_SELECTOR, "#fleet-tools input[value=failed]").click()
-    browser.find_element(By.CSS_SELECTOR, "#fleet-tools input[type=search]").send_keys("p0123")
-    assert browser.execute_script(rows.format(0)) == ["P0123"]
-    assert browser.execute_script("return window.pwned") is None
-    assert browser.get_log("browser") == []
+def test_on_a_phone_nothing_of_the_fleet_is_cut(browser: Any, pages: dict[str, str]) -> None:
+    _open(browser, pages["fleet"], width=390)
+    cut = """return [...document.querySelectorAll('body *')].filter((e) => !e.closest('nav, svg') &&
+                    (e.scrollWidth > e.clientWidth + 1 && e.clientWidth || e.getBoundingClientRect().right > 391))
+                 .map((e) => e.outerHTML.slice(0, 90));"""
+    assert browser.execute_script(cut) == []

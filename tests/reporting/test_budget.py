@@ -119,7 +119,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
 @pytest.mark.long
 def test_the_report_of_seven_models_stays_in_the_budget(run: RunFolder) -> None:
     """Its processor time is a row of `benchmarks/bench_speed.py`."""
-    result = CliRunner().invoke(app, ["report", str(run.root), "--quiet"])
+    result = CliRunner().invoke(app, ["report", str(run.root), "-q"])
     assert result.exit_code == 0, result.output
     page = run.path(layout.REPORT).read_text(encoding="utf-8")
     assert [name for name in _models() if f">{name}<" not in page] == []
@@ -128,7 +128,7 @@ def test_the_report_of_seven_models_stays_in_the_budget(run: RunFolder) -> None:
 
 @pytest.mark.long
 def test_figures_of_seven_models_stay_in_the_budget(run: RunFolder) -> None:
-    result = CliRunner().invoke(app, ["report", str(run.root), "--quiet", "--figures", "serif"])
+    result = CliRunner().invoke(app, ["report", str(run.root), "-q", "--figures", "serif"])
     assert result.exit_code == 0, result.output
     figures = list((run.root / "figures").iterdir())
     assert {

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -21,8 +21,12 @@ from pipeline.solvers.stiff import STATES
 
 
 class _File(ModelFile):
+    """The file of the model."""
+
     name: Literal["analytical", "analytical-calibrated"]
+    """Name of the model."""
     tolerance: Annotated[float, Field(ge=1e-8, le=0.1)]
+    """Local error of the integrator, relative to the usual size of each state."""
     parameters: JointValues
 
 
@@ -42,6 +46,7 @@ class AnalyticalModel:
         Local error tolerance of the integrator (`pipeline.models.analytical.full_order.simulate`).
     """
 
+    file: ClassVar[type[ModelFile]] = _File
     parameters: JointParameters
     name: str = "analytical"
     fine_voltages = True

@@ -11,7 +11,17 @@ from pipeline.errors import CorruptArtifactError
 from pipeline.fitting.regression import InputLaw
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind
-from pipeline.models.model_file import MOST_INPUTS, Exponents, ModelFile, Positive, PositiveRow, Sizes, Span, Table
+from pipeline.models.model_file import (
+    MOST_INPUTS,
+    Exponents,
+    ModelFile,
+    Positive,
+    PositiveRow,
+    Sizes,
+    Span,
+    Table,
+    Unit,
+)
 from pipeline.models.polynomial_dynamics import (
     FIRST_INPUT,
     FRICTION,
@@ -43,21 +53,33 @@ MOST_LAGS = 9
 
 
 class _File(ModelFile):
+    """The file of the model."""
+
     sizes: ClassVar[Sizes] = {
         "P": (1, 500),
         "X": (FIRST_INPUT + 1, FIRST_INPUT + MOST_INPUTS + MOST_LAGS),
         "L": (0, MOST_LAGS),
     }
     name: Literal["sindy", "sindy-default"]
+    """Name of the model."""
     exponents: Exponents
-    coefficients: Annotated[FloatArray, Table("2 P")]
-    scales: PositiveRow
-    lag_s: Annotated[FloatArray, Table("L", 1e-9, 1e9)]
+    """Powers of the scaled variables, a row for each monomial."""
+    coefficients: Annotated[FloatArray, Table("2 P"), Unit("{q}/s, {q}/s²")]
+    """Coefficients of the monomials of scaled variables: rows of q̇ and q̈."""
+    scales: Annotated[PositiveRow, Unit("SI")]
+    """Scale of each variable: displacement, velocities, inputs."""
+    lag_s: Annotated[FloatArray, Table("L", 1e-9, 1e9), Unit("s")]
+    """Times of the lag states."""
     lag_source: Annotated[IntArray, Table("L", QDOT, FIRST_INPUT + MOST_INPUTS, whole=True)]
-    mass_kg: Positive
+    """Column of the exponents whose variable each lag state follows."""
+    mass_kg: Annotated[Positive, Unit("{m}")]
+    """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
     inputs: Literal["squared", "linear"]
-    bounds: Span
+    """Whether inputs act squared or linear."""
+    bounds: Annotated[Span, Unit("{q}")]
+    """Smallest and largest displacement, beyond which a run counts as diverged."""
     units: Annotated[Units, BeforeValidator(_units)] = ("m", "V")
+    """SI units of displacement and inputs."""
 
 
 @dataclass(frozen=True)
@@ -78,6 +100,7 @@ class SindyModel:
         SI units of q and of the inputs, in which equations are printed.
     """
 
+    file: ClassVar[type[ModelFile]] = _File
     dynamics: PolynomialDynamics
     name: str = "sindy"
     mass: float = 1.0
