@@ -182,6 +182,11 @@ def load_scores(root: Path) -> list[dict[str, Any]]:
     return in_snapshot(root, lambda run: run.read_records(layout.SCORES))
 
 
+def load_instruments(root: Path) -> list[dict[str, Any]]:
+    """The errors of the instruments of a run's logs as records, null where they are not measured."""
+    return in_snapshot(root, lambda run: run.read_records(layout.INSTRUMENTS))
+
+
 def load_datasheet(root: Path) -> dict[str, Any]:
     """The document ``datasheet.json`` of a run, checked against the manifest.
 

@@ -70,6 +70,11 @@ def _long_enough(parts: Sequence[Log]) -> list[Log]:
     return long_enough or [max(parts, key=lambda part: len(part.t))]
 
 
+def fitted_parts(log: Log) -> list[Log]:
+    """The parts of a log as fits take them."""
+    return [part.to_fit() for part in _long_enough(log.parts())]
+
+
 def _known_curves(table: Table, inputs: int) -> KnownCurves:
     slopes = [table.get(f"dC{k}_dq") for k in range(1, inputs + 1)]
     return KnownCurves(table["q"], table.get("F"), tuple(None if slope is None else 0.5 * slope for slope in slopes))

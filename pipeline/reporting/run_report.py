@@ -173,11 +173,9 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
 
 
 def _cell(cell: TableCell) -> dict[str, Any]:
-    bad = cell.text.startswith("diverged")
-    number, bracket, interval = (cell.text, "", "") if bad else cell.text.partition("[")
-    value = number.strip() if number.strip().replace(".", "", 1).isdigit() else ""
-    shown = number.strip() + (BEST if cell.best else TIED * cell.tied)
-    return {"number": shown, "interval": bracket + interval, "best": cell.best, "bad": bad, "value": value}
+    value = cell.number if cell.is_number else ""
+    shown = cell.number + (BEST if cell.best else TIED * cell.tied)
+    return {"number": shown, "interval": cell.interval, "best": cell.best, "bad": cell.diverged, "value": value}
 
 
 def _without_q(figure: Figure) -> Figure:

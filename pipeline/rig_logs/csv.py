@@ -90,12 +90,10 @@ class CsvSource(Source):
     def _noted(self, texts: dict[str, str]) -> list[str]:
         """How the file is read, and which columns are left out as `texts`."""
         dialect = self._dialect
-        prefixed = [repr(name) for name, each in zip(self._columns, dialect.columns, strict=False) if each.prefixed]
-        applied = [f"SI prefixes behind numbers are applied in {', '.join(prefixed)}"] if prefixed else []
         headed = dict(zip(self._columns, dialect.headings, strict=True))
         left = {name: text for name, text in texts.items() if self._firsts[name] or headed[name]}
         rates = (note_on_rate(*each) for each in dialect.rates)
-        return [dialect.describe(), *rates, *dialect.scales, *self.notes, *applied, *left_out(left)]
+        return [dialect.describe(), *rates, *dialect.scales, *self.notes, *left_out(left)]
 
     def _left_out(self) -> dict[str, str]:
         """What stands in the columns that are no numbers."""
@@ -199,7 +197,7 @@ class CsvSource(Source):
         self._words, self._remarks = {}, []
         dialect = self._dialect
         named = dialect.delimiter != " " and any(len(row) == width + 1 for row in dialect.above)  # a column of comments
-        plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." and not dialect.columns else None
+        plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." else None
         for number, line in self._lines():
             if plain and plain.fullmatch(line):  # as most lines do, and at a third of the cost
                 yield "\t".join(line.replace(dialect.delimiter, " ").split()) + "\n"
