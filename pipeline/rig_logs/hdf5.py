@@ -41,8 +41,6 @@ from pipeline.rig_logs.source import (
 )
 from pipeline.units import SECONDS, time_unit
 
-_MOST_OBJECTS = 100_000
-_DEEPEST = 16
 _LARGEST_RATIO = 2000.0
 _SMALL_BYTES = 1 << 20
 
@@ -110,12 +108,10 @@ def checked(item: Any) -> Any:
 def walk(group: Any) -> Iterator[tuple[str, Any]]:
     """Every dataset below a group with its path from there, each once, in the file's order."""
     seen: set[Any] = set()
-    yield from _walk(group, "", 0, seen)
+    yield from _walk(group, "", seen)
 
 
-def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple[str, Any]]:
-    if depth > _DEEPEST or len(seen) > _MOST_OBJECTS:
-        raise UnreadableLogError("groups are nested too deeply or hold too many objects")
+def _walk(group: Any, prefix: str, seen: set[Any]) -> Iterator[tuple[str, Any]]:
     for name in group:
         if isinstance(group.get(name, getlink=True), h5py.SoftLink):
             continue  # what it names is listed in its own place, if it is in this file
@@ -125,7 +121,7 @@ def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple
             continue
         seen.add(address)
         if isinstance(item, h5py.Group):
-            yield from _walk(item, f"{prefix}{name}/", depth + 1, seen)
+            yield from _walk(item, f"{prefix}{name}/", seen)
         elif isinstance(item, h5py.Dataset):
             yield f"{prefix}{name}", item
 

@@ -8,6 +8,7 @@ no styles; so such a file is opened a second time with the name of its styles ch
 import csv
 import io
 import math
+import re
 import zipfile
 from collections.abc import Sequence
 from dataclasses import replace
@@ -26,6 +27,7 @@ _LOCAL_HEADER = 30
 """Bytes before the name of a member in a ZIP file."""
 _DAY_0, _DAY_1 = datetime(1899, 12, 30), datetime(1899, 12, 31)
 """From where Excel counts days; calamine takes the first ones of 1900 for what Excel shows."""
+_OPEN_FORMULA = re.compile(rb"(?:</f>|<f[^>]*/>)\s*(?:<v\s*/>|<v></v>)?\s*</c>")
 _START = 100
 """Rows among which a heading stands."""
 _DAY_NS = 86_400 * 10**9
@@ -51,6 +53,8 @@ class WorkbookSource(View):
         except (CalamineError, ValueError, OSError) as error:
             raise UnreadableLogError(f"the workbook cannot be opened: {error}") from error
         _check_order(of_table, rows, raw)
+        if plain and any(cell == "" for each in rows.values() for row in each for cell in row):
+            _check_formulas(content)
         written, mark = temporary_path(self), options.decimal or "."
         kinds = _clocks(rows[of_table[0]])
         with written.open("w", newline="", encoding="utf-8") as file:
@@ -74,11 +78,6 @@ class WorkbookSource(View):
             self.notes.insert(0, f"{len(sheets)} sheets: {named} is read, {others} not")
         if rounded:
             self.notes.append("times of such a workbook are rounded to 1 ms; XLSX holds more digits")
-        formulas = "are they formulas without stored results? Open the workbook in a spreadsheet program and save it"
-        self.texts = {
-            name: f"empty cells only; {formulas}" if text.startswith("empty cells") else text
-            for name, text in self.texts.items()
-        }
 
 
 def _without_styles(content: bytes) -> bytes:
@@ -93,6 +92,16 @@ def _without_styles(content: bytes) -> bytes:
     for place in (local, content.rindex(_STYLES)):
         changed[place : place + len(_STYLES)] = _NO_STYLES
     return bytes(changed)
+
+
+def _check_formulas(content: bytes) -> None:
+    """Refuse an XLSX file with formulas that no program has worked out: their cells would be empty."""
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        sheets = (archive.read(name) for name in archive.namelist() if name.startswith("xl/worksheets/"))
+        if any(_OPEN_FORMULA.search(sheet) for sheet in sheets):
+            raise UnreadableLogError(
+                "it has formulas without stored results: open it in a spreadsheet program and save it"
+            )
 
 
 def _is_time(cell: Any) -> bool:

@@ -12,6 +12,7 @@ from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.model_list import ENTRIES
 from pipeline.models.kind import kind
+from pipeline.models.model_file import declaration
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -48,4 +49,5 @@ def _write_fit(
     model = kind(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, device(prototype).model_column)}
+    columns = device(prototype).model_columns({name: declaration(model)})
+    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}

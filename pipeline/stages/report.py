@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 
-ALGORITHM = "34"
+ALGORITHM = "35"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 

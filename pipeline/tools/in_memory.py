@@ -34,10 +34,10 @@ from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.signals.trajectory import UNKNOWN
 from pipeline.stages.check import declared, log_signals
-from pipeline.stages.differentiate import kinematics
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, resamplings
-from pipeline.stages.scores import ComparedRun, score_rows
+from pipeline.steps.differentiate import kinematics
+from pipeline.steps.score import ComparedRun, score_rows
 
 if TYPE_CHECKING:
     import pandas as pd

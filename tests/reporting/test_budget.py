@@ -50,8 +50,8 @@ def _models() -> dict[str, Any]:
         "sindy": sindy(),
         "sindy-default": sindy(),
         "narx": narx,
-        "analytical": AnalyticalModel(NOMINAL),
-        "analytical-calibrated": AnalyticalModel(NOMINAL, "analytical-calibrated"),
+        "analytical": AnalyticalModel(parameters=NOMINAL),
+        "analytical-calibrated": AnalyticalModel(parameters=NOMINAL, name="analytical-calibrated"),
     }
 
 

@@ -148,7 +148,8 @@ def _sheet(rows):
 
 def _cell(column, cell):
     if isinstance(cell, str):
-        return f'<c t="inlineStr"><is><t>{cell}</t></is></c>' if cell else "<c><f>A1</f></c>"
+        formula = f"<c><f>{cell[1:]}</f></c>"
+        return formula if cell.startswith("=") else f'<c t="inlineStr"><is><t>{cell}</t></is></c>'
     return f'<c s="{int(column == 0)}"><v>{cell!r}</v></c>'
 
 
