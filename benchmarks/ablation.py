@@ -12,7 +12,7 @@ import numpy as np
 
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
-from pipeline.loading.trajectories import load_motion, training, training_tables
+from pipeline.loading.trajectories import load_logs, training
 from pipeline.machine import one_thread
 from pipeline.models.kind import kind
 from pipeline.numerics.metrics import nrmse
@@ -29,12 +29,13 @@ def errors(root: Path) -> list[float]:
     run = RunFolder.open(root)
     prototype = run.prototype
     parameters = parameter_set(prototype, Path(run.manifest.prototype_file))
-    tables, found = training_tables(run, prototype), []
-    logs = [load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype) if role == "validation"]
+    trained = load_logs(run, prototype, "train")
+    logs = load_logs(run, prototype, "validation")
+    found = []
     for name, corrections in VARIANTS:
         identify = prototype.identify.model_copy(update={"corrections": corrections})
-        model = kind(name).fit(training(tables, prototype.model_copy(update={"identify": identify}), parameters))
-        runs = [(table["q"], free_run(table, model)) for table in logs]
+        model = kind(name).fit(training(trained, prototype.model_copy(update={"identify": identify}), parameters))
+        runs = [(log.q, free_run(log, model)) for log in logs]
         found.append(max(_error(q, made.q) if made.status == "ok" else np.inf for q, made in runs))
     return found
 

@@ -155,7 +155,7 @@ def main() -> None:
             (folder / "long.toml").write_text(channels.format(log=log.name))
             write_log(log, kind, options.rows, options.rate)
             program = "from cli import app; app()"
-            ours = measured([sys.executable, "-c", program, "ingest", "long.toml", "-o", "run", "--quiet"], folder)
+            ours = measured([sys.executable, "-c", program, "ingest", "long.toml", "-o", "run", "-q"], folder)
             peer = measured([sys.executable, "-c", PEERS[kind]], folder)
             print(
                 f"{kind:8} {options.rows:9} {log.stat().st_size / 1e6:8.0f} {ours[0]:11.1f} {ours[1] / 2**20:12.0f}"

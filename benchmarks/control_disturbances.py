@@ -3,7 +3,7 @@
 `python benchmarks/control_disturbances.py RIG=RUN …`: for each folder of `debist rig simulate` and the run that was
 identified from it, the controller of the run against the joint itself, with its own converters and laser. Printed are a
 line for each joint with its misses, and the table. About 20 s of processor time a joint. On a joint of another size
-(`debist rig simulate --size`) forces grow with the third power of the size and lengths with the first; the time to
+(`size` of an experiment) forces grow with the third power of the size and lengths with the first; the time to
 settle that is wanted stays.
 """
 

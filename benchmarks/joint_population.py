@@ -18,7 +18,7 @@ from population_estimate import estimate_symmetric_population, information_of, w
 
 from pipeline.fitting.homotopy import COUPLED
 from pipeline.fitting.population import Information
-from pipeline.loading.trajectories import training, training_tables
+from pipeline.loading.trajectories import load_logs, training
 from pipeline.models.rbf.candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.parameter_layout import ParameterLayout
@@ -55,7 +55,7 @@ def records(folder: Path) -> tuple[Record, ...]:
     run_prototype(settings, root, Unheard(), only="ingest")
     run_stage(root, "differentiate", Unheard())
     prototype = load_prototype(settings)
-    return training(training_tables(RunFolder.open(root), prototype), prototype, None).records
+    return training(load_logs(RunFolder.open(root), prototype, "train"), prototype, None).records
 
 
 def fitted(folder: Path) -> Fitted:

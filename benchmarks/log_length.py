@@ -13,10 +13,9 @@ import numpy as np
 import debist
 from pipeline.errors import DataRefusedError
 from pipeline.loading.free_runs import free_run
-from pipeline.loading.trajectories import load_motion, training, training_tables
+from pipeline.loading.trajectories import load_logs, training
 from pipeline.models.kind import kind
-from pipeline.runs import layout
-from pipeline.runs.tables import Table
+from pipeline.signals.log import Log
 
 LENGTHS = (5.0, 10.0, 20.0, 37.5)
 """Of the training log [s]."""
@@ -26,25 +25,23 @@ def errors(folder: Path) -> list[float]:
     """NRMSE of q [%] on the validation log, for each of `LENGTHS`; infinite where no joint can be fitted."""
     opened = debist.open_run(folder)
     prototype, run = opened._prototype, opened._folder
-    tables = training_tables(run, prototype)
-    log = next(log for role, log, _ in layout.logs(prototype) if role == "validation")
-    validation = load_motion(run, prototype, "validation", log)
-    span = np.nanmax(validation["q"]) - np.nanmin(validation["q"])
+    trained = load_logs(run, prototype, "train")
+    validation = load_logs(run, prototype, "validation")[0]
+    span = np.nanmax(validation.q) - np.nanmin(validation.q)
     measured = []
     for length in LENGTHS:
         try:
-            model = kind("hybrid").fit(training([_first(table, length) for table in tables], prototype, None))
+            model = kind("hybrid").fit(training([_first(log, length) for log in trained], prototype, None))
         except DataRefusedError:
             measured.append(np.inf)
             continue
-        error = free_run(validation, model).q - validation["q"]
+        error = free_run(validation, model).q - validation.q
         measured.append(float(100.0 * np.sqrt(np.nanmean(error**2)) / span))
     return measured
 
 
-def _first(table: Table, length: float) -> Table:
-    rows = table["t"] < table["t"][0] + length
-    return {name: values[rows] for name, values in table.items()}
+def _first(log: Log, length: float) -> Log:
+    return log.part(0, int(np.searchsorted(log.t, log.t[0] + length)))
 
 
 def main(folders: list[Path]) -> None:

@@ -19,7 +19,8 @@ from measure import UnheardBatch
 import pipeline.rig.fleet
 from cli import debist
 from debist import open_run
-from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch
+from pipeline.batch.batch import Execution, run_batch
+from pipeline.batch.members import members, prototype_files
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.siblings import learn
 from pipeline.rig.fleet import Experiment, simulate_prototype
@@ -43,7 +44,7 @@ def simulate(folder: Path, kind: str, case: str, seed: int) -> None:
         return
     with mock.patch.object(pipeline.rig.fleet, "_joint", joint):
         experiment = Experiment(kind, "parquet", 2000.0, validation_logs=0)
-        settings = simulate_prototype(home, home.name, experiment, seed=seed, force=True)
+        settings = simulate_prototype(home, home.name, experiment, seed=seed)
     log = pq.read_table(home / "train.parquet")
     at = log.schema.get_field_index("Laser_q")
     shown = pa.array(laser * log.column(at).to_numpy()).cast(log.schema.field(at).type)
@@ -56,7 +57,7 @@ def main(folder: Path, siblings: int = 30, odd: int = 5, seed: int = 57114000) -
         for place, (case, count) in enumerate(zip(CASES, (siblings, odd, odd), strict=True)):
             for i in range(count):
                 simulate(folder / "logs", kind, case, seed + 1000 * number + 100 * place + i)
-    run_batch(named_prototypes(prototype_files([folder / "logs"])), folder / "runs", UnheardBatch(), debist,
+    run_batch(members(prototype_files([folder / "logs"], folder)), folder / "runs", UnheardBatch(), debist,
               Execution(1, report=False))  # fmt: skip
     for kind in KINDS:
         runs = sorted((folder / "runs").glob(f"{kind}-*"))

@@ -19,7 +19,7 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from pipeline.loading.free_runs import free_run
-from pipeline.loading.trajectories import load_motion, training, training_tables
+from pipeline.loading.trajectories import load_logs, training
 from pipeline.machine import one_thread
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import Training
@@ -31,13 +31,11 @@ from pipeline.models.rbf.structure import JointStructure
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.numerics.tvregdiff import tvregdiff
-from pipeline.runs import layout
 from pipeline.runs.engine import Unheard
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schedule import bring_up_to_date
-from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, load_prototype
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 from pipeline.stages.table import Planned, of_stages, plan
 from pipeline.tools.paper import RECIPE, paper_settings
 from pipeline.units import ALPHA_UNIT
@@ -54,17 +52,17 @@ class Logs:
     """Training data and validation tables of a joint by the recipe of `debist paper`, and by that of `debist run`."""
 
     printed: Training
-    printed_validation: list[Table]
+    printed_validation: list[Log]
     usual: Training
-    usual_validation: list[Table]
+    usual_validation: list[Log]
 
 
 def shifted(data: Training) -> Training:
     """The training data with derivatives as published codes return them, shifted to the samples behind."""
-    return replace(data, stretches=tuple(_shifted(x) for x in data.stretches))
+    return replace(data, segments=tuple(_shifted(x) for x in data.segments))
 
 
-def _shifted(x: Trajectory) -> Trajectory:
+def _shifted(x: Log) -> Log:
     unit = ALPHA_UNIT["m"][1]
     alpha, epsilon = float(RECIPE.alpha) * unit, float(RECIPE.epsilon or 0.0) * unit**2
 
@@ -82,8 +80,8 @@ def linear(data: Training, *, functions: int, smoothing: float, bounded: bool = 
     identify = data.identify.model_copy(update={"basis_functions": functions, "smoothing": smoothing})
     model = RBF_PAPER.fit(replace(data, identify=identify))
     assert isinstance(model, RbfPaperModel)
-    matrix = np.concatenate([model.regressors(x) for x in data.stretches])
-    target = data.mass * np.concatenate([x.qddot for x in data.stretches])
+    matrix = np.concatenate([model.regressors(x) for x in data.segments])
+    target = data.mass * np.concatenate([x.qddot for x in data.segments])
     norms, size = np.linalg.norm(matrix, axis=0), float(np.linalg.norm(target))
     norms[norms == 0.0] = 1.0
     q, r = np.linalg.qr(np.vstack((matrix / norms, RIDGE * np.eye(len(norms)))))
@@ -144,19 +142,17 @@ def logs_of(file: Path, runs: Path) -> Logs:
     return Logs(*_tables(file, paper_settings(given), runs / "paper"), *_tables(file, usual, runs / "usual"))
 
 
-def _tables(file: Path, prototype: Prototype, root: Path) -> tuple[Training, list[Table]]:
+def _tables(file: Path, prototype: Prototype, root: Path) -> tuple[Training, list[Log]]:
     run = RunFolder.create(root / prototype.name, prototype.model_dump(mode="json"), file)
     bring_up_to_date(
         run, of_stages(plan(Planned(run, prototype, file)), ("ingest", "check", "differentiate")), Unheard()
     )
-    names = [log for role, log, _ in layout.logs(prototype) if role == "validation"]
-    validation = [load_motion(run, prototype, "validation", log) for log in names]
-    return training(training_tables(run, prototype), prototype, None), validation
+    return training(load_logs(run, prototype, "train"), prototype, None), load_logs(run, prototype, "validation")
 
 
-def error(model: DynamicModel, tables: Sequence[Table]) -> float:
+def error(model: DynamicModel, tables: Sequence[Log]) -> float:
     """NRMSE of q in % over the worst log; infinite where a run diverges."""
-    runs = [(table["q"], free_run(table, model)) for table in tables]
+    runs = [(log.q, free_run(log, model)) for log in tables]
     return max(100.0 * float(nrmse(q, made.q) or np.nan) if made.status == "ok" else np.inf for q, made in runs)
 
 

@@ -1,10 +1,10 @@
 """Whether `debist series` sees what changes in simulated joints: `python benchmarks/series_drift.py LOGS RUNS`.
 
-LOGS has the folders day0, day5, … of one joint, each of `debist rig simulate --age DAY --seed S`, and RUNS what `debist
-batch LOGS -o RUNS` made of them. Printed are the drifts that are claimed beside the true ones: of rests, as the laser
-reads them, of the mean of both barriers, of the laser's zero, and of the charging time. Then the runs are put into
-`--shuffles` random orders of the same days: of a joint that does not change each is another series, and the facts that
-change there are false alarms.
+LOGS has the folders day0, day5, … of one joint, each of `debist rig simulate --seed S` with `age_days`, and RUNS what
+`debist batch LOGS -o RUNS` made of them. Printed are the drifts that are claimed beside the true ones: of rests, as the
+laser reads them, of the mean of both barriers, of the laser's zero, and of the charging time. Then the runs are put
+into `--shuffles` random orders of the same days: of a joint that does not change each is another series, and the facts
+that change there are false alarms.
 """
 
 import argparse

@@ -15,8 +15,9 @@ from measure import UnheardBatch
 
 from cli import debist
 from debist import open_run
-from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch
-from pipeline.batch.matrix import with_siblings
+from pipeline.batch.batch import Execution, run_batch
+from pipeline.batch.members import SETTINGS, members, prototype_files
+from pipeline.batch.variants import with_siblings
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
 
@@ -59,13 +60,14 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, required=True)
     given = parser.parse_args()
     write_settings(given.fleet, given.output / "settings")
-    named = named_prototypes(prototype_files([given.output / "settings"]))
+    files = prototype_files([given.output / "settings"], given.output)
     without, taught = given.output / "without", given.output / "taught"
-    run_batch(named, without, UnheardBatch(), debist, Execution(1, report=False))
-    run_batch(with_siblings(named, given.siblings, taught), taught, UnheardBatch(), debist, Execution(1, report=False))
+    run_batch(members(files), without, UnheardBatch(), debist, Execution(1, report=False))
+    of_siblings = members(with_siblings(files, given.siblings, taught / SETTINGS))
+    run_batch(of_siblings, taught, UnheardBatch(), debist, Execution(1, report=False))
     for length in ("long", "short"):
         for kind in ("same", "foreign"):
-            names = [name for name, _ in named if name.startswith(kind) and name.endswith(length)]
+            names = [m.name for m in of_siblings if m.name.startswith(kind) and m.name.endswith(length)]
             before, after = (np.array([error(runs / name) for name in names]) for runs in (without, taught))
             ratios = [widths(taught / name)[c] / widths(without / name)[c] for name in names for c in CURVES]
             print(

@@ -21,7 +21,7 @@ KINDS = ("same", "foreign", "worn")
 def measured(folder: Path, kind: str, seed: int, model: str) -> dict[str, float]:
     """Scores of q on the validation log of one joint."""
     home = folder / f"{kind}-{seed}"
-    settings = simulate_prototype(home, home.name, Experiment(kind=kind, rate=10_000.0), seed=seed, force=True)
+    settings = simulate_prototype(home, home.name, Experiment(kind=kind, rate=10_000.0), seed=seed)
     text = settings.read_text(encoding="utf-8")
     blind = text[: text.index("[plant]")] + f'[identify]\nmodels = ["{model}"]\n'
     settings.write_text(blind, encoding="utf-8")

@@ -92,6 +92,15 @@ class Run:
 
         return pd.DataFrame(load_scores(self.root))
 
+    @property
+    def instruments(self) -> "pd.DataFrame":
+        """Errors of the instruments of each log, one row per log, model and quantity (columns: `data/README.md`)."""
+        import pandas as pd
+
+        from pipeline.loading.report_data import load_instruments
+
+        return pd.DataFrame(load_instruments(self.root))
+
     def log(self, name: str) -> "pd.DataFrame":
         """Signals of a log: t_s, q_m (q_rad), v1_V, v2_V, segment, qdot_m_per_s, qddot_m_per_s2; NaN where masked.
 
@@ -155,14 +164,14 @@ class Run:
         from pipeline.tools.in_memory import frame
 
         name = log or self.logs[-1]
-        table = load_motion(self._folder, self._prototype, self._role(name), name)
+        measured = load_motion(self._folder, self._prototype, self._role(name), name)
         core = self.model(model).core
-        run = free_run(table, core)
+        run = free_run(measured, core)
         columns = {"t": run.t, "q": run.q, "qdot": run.qdot, "qddot": run.qddot}
         if tube:
-            columns |= wanted_tubes(run.q, drawn_runs(table, core), core)
-        columns |= {key: table[key] for key in ("v1", "v2") if key in table}
-        result = frame(columns | {"q_measured": table["q"]}, *self._units)
+            columns |= wanted_tubes(run.q, drawn_runs(measured, core), core)
+        columns |= {f"v{k}": column for k, column in enumerate(measured.v.T, start=1)}
+        result = frame(columns | {"q_measured": measured.q}, *self._units)
         result.attrs = {"status": run.status, "diverged_at_s": run.diverged_at_s}
         return result
 

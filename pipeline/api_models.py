@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from pipeline.export.subject import Subject
     from pipeline.models.base import DynamicModel
     from pipeline.numerics.arrays import FloatArray
-    from pipeline.runs.tables import Table
     from pipeline.settings import Prototype
+    from pipeline.signals.log import Log
     from pipeline.tools.in_memory import Signals
 
 _COARSEST = 30.0  # times the sample interval that a step of times may be: 1 kHz in ms has 100
@@ -227,11 +227,11 @@ class Model:
         from pipeline.stages.validate import measured_path
         from pipeline.tools.in_memory import frame
 
-        table = self._measured(t, q, v1, v2)
-        if ahead not in range(1, len(table["t"])):
-            raise InputError(f"ahead is {ahead}; give 1 to {len(table['t']) - 1} samples")
-        path, predict = measured_path(table, self.core)
-        columns = {"t": table["t"], "q": predicted(predict, path, int(ahead)), "q_measured": table["q"]}
+        log = self._measured(t, q, v1, v2)
+        if ahead not in range(1, len(log.t)):
+            raise InputError(f"ahead is {ahead}; give 1 to {len(log.t) - 1} samples")
+        path, predict = measured_path(log, self.core)
+        columns = {"t": log.t, "q": predicted(predict, path, int(ahead)), "q_measured": log.q}
         return frame(columns, *self._units)
 
     def plot(
@@ -245,16 +245,16 @@ class Model:
         from pipeline.reporting.log_figures import fit_note
         from pipeline.si_prefix import axis_scale, moment
 
-        table = self._measured(t, q, v1, v2)
-        run = free_run(table, self.core)
+        log = self._measured(t, q, v1, v2)
+        run = free_run(log, self.core)
         if ax is None:
             ax = pyplot.subplots(figsize=(7.16, 2.6), layout="constrained")[1]
-        unit, factor = axis_scale(self._units[0], float(abs(table["q"][table["segment"] >= 0]).max()))
-        note = fit_note(table["q"], run.q)
+        unit, factor = axis_scale(self._units[0], float(abs(log.known_q).max()))
+        note = fit_note(log.q, run.q)
         if run.diverged_at_s is not None:
             note = f"diverged at {moment(run.diverged_at_s)}"
-        ax.plot(table["t"], factor * table["q"], color="0.6", linewidth=2.5, label="measured")
-        ax.plot(table["t"], factor * run.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
+        ax.plot(log.t, factor * log.q, color="0.6", linewidth=2.5, label="measured")
+        ax.plot(log.t, factor * run.q, color="#0072B2", linewidth=1.0, label=f"{self.name}: {note}")
         ax.set(xlabel="time in s", ylabel=f"q in {unit}")
         ax.legend(ncols=2, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
         return ax
@@ -300,13 +300,13 @@ class Model:
 
         return si_symbols(self._prototype)
 
-    def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Table":
-        from pipeline.tools.in_memory import as_pandas, cleaned, kinematics_of
+    def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Log":
+        from pipeline.tools.in_memory import as_pandas, cleaned, log_in
 
         t = as_pandas(t)
-        table = kinematics_of(t) if q is None else None
-        if table is not None:
-            self._check_columns(sum(name in table for name in ("v1", "v2")), "m" if "q_m" in t else "rad")
+        log = log_in(t) if q is None else None
+        if log is not None:
+            self._check_columns(log.v.shape[1], "m" if "q_m" in t else "rad")
         else:
             signals = _logs(t, q, v1, v2)
             if len(signals) > 1:
@@ -315,9 +315,9 @@ class Model:
             record = cleaned(signals[0], self._prototype, "the log")
             for text in record.warnings:
                 warn_user(text)
-            table = record.motion
-        self._warn_beyond([table[name] for name in ("v1", "v2") if name in table])
-        return table
+            log = record.motion
+        self._warn_beyond(list(log.v.T))
+        return log
 
     def _warn_beyond(self, inputs: "list[FloatArray]", q0: float | None = None) -> None:
         for text in self._subject.validity.beyond(inputs, q0):
@@ -351,7 +351,7 @@ def identify(
     t, q, v1, v2 : array_like, shape (N,)
         Times [s], displacement [m, or rad for an angle] and one or two voltages [V], as raw as they are: any rate,
         gaps in t and NaN allowed. Or one DataFrame with the columns t_s, q_m (q_rad), v1_V, v2_V, or a list of them,
-        one for a log.
+        one for a log. Both voltages may come as one array `v1` of shape (N, 2), as `Model.simulate` takes them.
     mass : float, optional
         Moving mass [kg] (inertia [kg·m²] for an angle); without it the curves are per unit mass.
     parameters : str or Path, optional
@@ -366,7 +366,7 @@ def identify(
         "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical" or "analytical-calibrated".
     settings : mapping, optional
         Tables of a settings file, such as ``{"ingest": {"sample_interval": 0.005}}``, or
-        ``{"identify": {"structure": {"friction": "lag"}}}``.
+        ``{"identify": {"structure": {"friction": "lag"}}}``. Paths in them are relative to the current folder.
 
     Returns
     -------
@@ -409,10 +409,10 @@ def identify(
         inputs=count, angle=angle or unit == "rad", action=inputs, mass=mass, model=model,
         parameters=None if parameters is None else str(parameters), more=settings or {},
     )  # fmt: skip
-    core, notes, tables = identify_signals(logs, prototype, model)
-    length = sum(float(table["t"][-1] - table["t"][0]) for table in tables)
+    core, notes, cleaned_logs = identify_signals(logs, prototype, model)
+    length = sum(log.duration for log in cleaned_logs)
     notes["training"] = f"trained on {len(logs)} log{'s' * (len(logs) > 1)} of {length:.4g} s"
-    return Model(core, prototype, notes, subject=partial(subject_of, core, prototype, tables))
+    return Model(core, prototype, notes, subject=partial(subject_of, core, prototype, cleaned_logs))
 
 
 def _logs(t: Any, q: Any, v1: Any, v2: Any) -> "list[Signals]":

@@ -1,13 +1,12 @@
 """`compiled`: numba's `njit` with its cache in `pipeline.kernel_cache`, and the parts of numba that kernels need."""
 
 import atexit
-import inspect
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar, overload
 
-from pipeline.kernel_cache import certify, folder_for
+from pipeline.kernel_cache import certify, kernel_folder
 from pipeline.machine import import_configured
 
 numba: Any = import_configured("numba")
@@ -20,28 +19,26 @@ intrinsic, implement, inlinable = extending.intrinsic, extending.overload, exten
 type_callable, lower_builtin = extending.type_callable, extending.lower_builtin
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
-_kernels: dict[Any, Path] = {}
+_kernels: list[Any] = []
 
 
 @overload
 def compiled(function: Kernel, /) -> Kernel: ...
 @overload
 def compiled(**options: Any) -> Callable[[Kernel], Kernel]: ...
-def compiled(function: Any = None, /, *, with_module_of: type | None = None, **options: Any) -> Any:
+def compiled(function: Any = None, /, **options: Any) -> Any:
     """Compile for the machine when first called, division by zero as in IEEE 754, and keep the code on disk.
 
     Parameters
     ----------
     function : callable
         In numba's subset of Python.
-    with_module_of : type, optional
-        A class of whose instances the kernel takes. Its module defines what the kernel calls on them.
     options
         Further options of ``numba.njit``, as ``@compiled(forceinline=True)``.
     """
     if function is None:
-        return partial(_kernel, with_module_of=with_module_of, options=options)
-    return _kernel(function, with_module_of, options)
+        return partial(_kernel, options=options)
+    return _kernel(function, options)
 
 
 def inner(function: Kernel, **options: Any) -> Kernel:
@@ -59,23 +56,22 @@ def shared(function: Kernel) -> Kernel:
     return inlinable(error_model="numpy", _nrt=False)(function)  # type: ignore[no-any-return]
 
 
-def _kernel(function: Callable[..., Any], with_module_of: type | None, options: dict[str, Any]) -> Any:
-    modules = frozenset(Path(inspect.getfile(source)).resolve() for source in (function, with_module_of) if source)
+def _kernel(function: Callable[..., Any], options: dict[str, Any]) -> Any:
+    folder = kernel_folder()  # none: each process compiles for itself
     usual = numba.config.CACHE_DIR
     try:
-        numba.config.CACHE_DIR = str(folder_for(modules))
-        kernel = numba.njit(function, cache=True, no_cfunc_wrapper=True, error_model="numpy", **options)
-        _kernels[kernel] = folder_for(modules)
-    except OSError:  # no folder can be made: each process compiles for itself
-        kernel = numba.njit(function, no_cfunc_wrapper=True, error_model="numpy", **options)
+        numba.config.CACHE_DIR = str(folder or "")
+        kernel = numba.njit(function, cache=folder is not None, no_cfunc_wrapper=True, error_model="numpy", **options)
     finally:
         numba.config.CACHE_DIR = usual
+    _kernels.append(kernel)
     return kernel
 
 
 def keep_kernels() -> None:
     """Certify what this process has compiled; a process that does not end as usual calls it before its end."""
-    certify({folder for kernel, folder in _kernels.items() if kernel.stats.cache_misses})
+    if any(kernel.stats.cache_misses for kernel in _kernels):
+        certify()
 
 
 atexit.register(keep_kernels)

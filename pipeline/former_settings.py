@@ -6,6 +6,9 @@ from typing import Any
 STRUCTURE = ("friction", "force", "damping", "drag", "stops", "gain", "drive", "effect", "hold")
 """Keys of `[identify]` that became the table `[identify.structure]`."""
 
+GATES = ("delay", "time-base", "device")
+"""Gates of `[quality] accept` that refuse nothing any more."""
+
 _DEFAULTS: dict[str, dict[str, Any]] = {
     "differentiate": {"reweighted": True, "rate": "record"},
     "identify": {"basis": "gaussian", "rbf_basis_functions": "auto", "rbf_smoothing": "auto", "rbf_prior": "auto"},
@@ -54,6 +57,9 @@ def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, An
                 del table[key]
     if isinstance(prototype := tables.get("prototype"), dict):
         tables["prototype"] = translated(prototype, used=used)
+    quality = tables.get("quality")
+    if not used and isinstance(quality, dict) and isinstance(accepted := quality.get("accept"), list | tuple):
+        quality["accept"] = [gate for gate in accepted if gate not in GATES]
     differentiate, identify = tables.get("differentiate"), tables.get("identify")
     if not used and isinstance(differentiate, dict) and differentiate.get("method") == "rts":
         del differentiate["method"]

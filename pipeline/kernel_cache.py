@@ -1,16 +1,14 @@
-"""Where compiled kernels lie on disk: a folder for each state of their sources, whose files are checked before use.
+"""Where numba keeps compiled kernels: a folder for each state of the package's sources, checked before it is used.
 
-numba keeps machine code and the index to it in files that it unpickles and runs without a check. So a folder that
+numba compares only the file that defines a kernel, and runs the files of its cache without a check. So a folder that
 others can write to is refused, and a digest beside each file shows whether the file is whole. A file without its digest
 is deleted, and numba compiles that kernel anew.
 """
 
 import hashlib
 import os
-import re
 import stat
 import sys
-from collections.abc import Iterable
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -20,51 +18,61 @@ from platformdirs import user_cache_path
 from pipeline.errors import InputError
 
 VARIABLE = "NUMBA_CACHE_DIR"
+WITHOUT_KERNELS = (
+    "api", "batch", "checks", "commands", "device_facts", "export", "loading", "reporting", "rig_logs", "stages",
+    "tools",
+)  # fmt: skip
+"""Rooms that no kernel imports: a change in them leaves the kernels as they are."""
 _PACKAGE = Path(__file__).resolve().parent
-_IMPORT = re.compile(rf"^from {_PACKAGE.name}\.?([\w.]*) import (\([^)]*\)|.*)", re.MULTILINE)
 _DIGEST = ".sha256"
 
 
 @cache
-def folder_for(modules: frozenset[Path]) -> Path:
-    """The folder for kernels of these modules, in a state that depends on all that they import and on versions.
+def kernel_folder() -> Path | None:
+    """The folder for the sources and libraries as they are, without damaged files; None where none can be made.
 
-    numba itself checks only the file that defines a kernel. Cost: each file of the package is read once a process.
-    Files that are not whole are deleted.
+    Cost: each source file and each kernel is read once a process, about 20 ms.
 
     Raises
     ------
     InputError
         Others can write into the folder.
-    OSError
-        The folder cannot be made.
     """
-    files = sorted(frozenset[Path]().union(*(sources(module) for module in modules)))
-    versions = (sys.implementation.cache_tag, *(version(name) for name in ("numba", "llvmlite", "numpy")))
-    state = hashlib.sha256("".join((*versions, *(_digest(file) for file in files))).encode()).hexdigest()[:16]
-    folder = _root() / state
-    folder.mkdir(parents=True, exist_ok=True)
-    check_private(folder)
-    for file in _kernels(folder):
-        if not _is_whole(file):
-            file.unlink(missing_ok=True)
+    state = hashlib.sha256(sys.implementation.cache_tag.encode())
+    for name in ("numba", "llvmlite", "numpy"):
+        state.update(version(name).encode())
+    for file in sorted(_PACKAGE.rglob("*.py")):
+        if file.relative_to(_PACKAGE).parts[0] not in WITHOUT_KERNELS:
+            state.update(hashlib.sha256(file.read_bytes()).digest())
+    named = os.environ.get(VARIABLE)
+    root = Path(named).absolute() if named else user_cache_path("debist", appauthor=False)
+    folder = root / state.hexdigest()[:16]
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        check_private(folder)
+        for file in _kernels(folder):
+            if not _is_whole(file):
+                file.unlink(missing_ok=True)
+    except OSError:
+        return None
     return folder
 
 
-def has_kernels(folder: Path) -> bool:
-    """Whether any machine code lies in a folder."""
-    return bool(_kernels(folder))
+def has_kernels() -> bool:
+    """Whether any machine code is in the folder."""
+    folder = kernel_folder()
+    return folder is not None and bool(_kernels(folder))
 
 
-def certify(folders: Iterable[Path]) -> None:
+def certify() -> None:
     """Write the digest of each file that is newer than its digest; called after a compilation."""
-    for folder in folders:
-        for file in _kernels(folder):
-            digest = file.with_name(file.name + _DIGEST)
-            if not digest.exists() or digest.stat().st_mtime_ns < file.stat().st_mtime_ns:
-                beside = digest.with_name(f"{digest.name}.{os.getpid()}")
-                beside.write_text(hashlib.sha256(file.read_bytes()).hexdigest())
-                beside.replace(digest)
+    folder = kernel_folder()
+    for file in _kernels(folder) if folder else ():
+        digest = file.with_name(file.name + _DIGEST)
+        if not digest.exists() or digest.stat().st_mtime_ns < file.stat().st_mtime_ns:
+            beside = digest.with_name(f"{digest.name}.{os.getpid()}")
+            beside.write_text(hashlib.sha256(file.read_bytes()).hexdigest())
+            beside.replace(digest)
 
 
 def check_private(folder: Path) -> None:
@@ -89,37 +97,6 @@ def check_private(folder: Path) -> None:
                 f"{folder}: others can write into {place}, and compiled kernels that lie there are run; permit writing "
                 f"to yourself alone, or name a folder of your own by {VARIABLE}"
             )
-
-
-def sources(module: Path) -> frozenset[Path]:
-    """The files of this package that `module` imports at its top, directly or not, and itself."""
-    reached, waiting = set[Path](), [module]
-    while waiting:
-        file = waiting.pop()
-        if file not in reached:
-            reached.add(file)
-            waiting += _imports(file)
-    return frozenset(reached)
-
-
-def _root() -> Path:
-    named = os.environ.get(VARIABLE)
-    return Path(named).absolute() if named else user_cache_path("debist", appauthor=False)
-
-
-@cache
-def _imports(file: Path) -> tuple[Path, ...]:
-    imported = []
-    for name, words in _IMPORT.findall(file.read_text(encoding="utf-8")):
-        place = _PACKAGE.joinpath(*name.split(".")) if name else _PACKAGE
-        inside = [place / f"{word}.py" for word in re.findall(r"\w+", words)]
-        imported += [path for path in (place.with_suffix(".py"), *inside) if path.is_file()]
-    return tuple(imported)
-
-
-@cache
-def _digest(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
 def _kernels(folder: Path) -> list[Path]:

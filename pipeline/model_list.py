@@ -21,6 +21,8 @@ class ModelEntry:
         The settings table that names it, and the stage that fits it.
     needs_parameters : bool
         Whether it needs a parameter set of the analytical joint.
+    takes_mass : bool
+        Whether the mass in the settings enters its fit.
     stands_in : tuple of str
         Gates of the training data (`pipeline.settings.TrainingGate`) that need not hold for it: what the data do not
         show, its equations or its priors decide.
@@ -30,6 +32,7 @@ class ModelEntry:
     kind: str
     part: Literal["identify", "compare"] = "compare"
     needs_parameters: bool = False
+    takes_mass: bool = True
     stands_in: tuple[str, ...] = ()
 
 
@@ -41,10 +44,13 @@ ENTRIES = (
     ModelEntry("rbf-paper", "pipeline.models.paper.model:RBF_PAPER", "identify"),
     ModelEntry("sindy", "pipeline.models.sindy.model:SINDY"),
     ModelEntry("sindy-default", "pipeline.models.sindy.model:SINDY_DEFAULT"),
-    ModelEntry("narx", "pipeline.models.narx:NARX"),
-    ModelEntry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True),
+    ModelEntry("narx", "pipeline.models.narx:NARX", takes_mass=False),
+    ModelEntry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True, takes_mass=False),
     ModelEntry(
-        "analytical-calibrated", "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED", needs_parameters=True
+        "analytical-calibrated",
+        "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED",
+        needs_parameters=True,
+        takes_mass=False,
     ),
 )
 

@@ -11,6 +11,7 @@ from typing import Any, Literal
 from pydantic import Field, ValidationError, field_validator, model_validator
 
 from pipeline.errors import SeveralMistakesError
+from pipeline.former_settings import GATES
 from pipeline.model_list import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 from pipeline.names import check_log_name, check_name, log_name, slug
 from pipeline.settings_file import mistakes, read_document
@@ -211,7 +212,7 @@ class Compare(SettingsTable):
 
 
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
-CheckGate = Literal["sides", "delay", "time-base", "scale", "wrapped", "device"]
+CheckGate = Literal["sides", "scale", "wrapped"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
 Gate = Literal[LogGate, CheckGate, TrainingGate]
 
@@ -222,9 +223,16 @@ class Quality(SettingsTable):
     accept: tuple[Gate, ...] = ()
     """Findings that do not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
     log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
-    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
-    "time-base", "scale", "wrapped" (an angle that jumps by a turn), "device". Of the training data: "idle",
-    "undriven", "one-well", "visits", "rank"."""
+    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "scale", "wrapped"
+    (an angle that jumps by a turn). Of the training data: "idle", "undriven", "one-well", "visits", "rank"."""
+
+    @field_validator("accept", mode="before")
+    @classmethod
+    def _present(cls, value: Any) -> Any:
+        gone = [gate for gate in value if gate in GATES] if isinstance(value, list | tuple) else []
+        if gone:
+            raise ValueError(f"{gone[0]!r} refuses no data any more: leave it out")
+        return value
 
 
 class Prototype(SettingsTable):
@@ -254,7 +262,9 @@ class Prototype(SettingsTable):
             for log, name in zip(logs, filed, strict=True):
                 check_log_name(log)
                 if [other.casefold() for other in filed].count(name.casefold()) > 1:
-                    raise ValueError(f"logs.{role}: two logs are named {name!r}; a run files them by that name")
+                    raise ValueError(
+                        f"logs.{role}: two logs are named {name!r}, by which a run files them: rename one of the files"
+                    )
         twice = set(map(log_label, self.logs.train)) & set(map(log_label, self.logs.validation))
         if twice:
             raise ValueError(f"logs.validation: {min(twice)!r} is a training log too; validate on a log of its own")
@@ -291,6 +301,8 @@ class Prototype(SettingsTable):
         set_here += ["plant.curves"] if self.plant.curves is not None else []
         if set_here and not {AUTO, "rbf"} & set(self.identify.models):
             raise ValueError(f'{set_here[0]}: is for "rbf", which identify.models does not name')
+        if self.plant.siblings is not None and not {AUTO, "hybrid"} & set(self.identify.models):
+            raise ValueError('plant.siblings: is for "hybrid", which identify.models does not name')
         if self.identify.corrections != AUTO and not {AUTO, "hybrid"} & set(self.identify.models):
             raise ValueError('identify.corrections: is for "hybrid", which identify.models does not name')
         film = [key for key in sorted(FILM) if getattr(self.plant, key) != _default(Plant, key)]

@@ -7,14 +7,16 @@ import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any, TypeVar, get_args
 
-from pydantic import BaseModel
+from pydantic import BaseModel, ValidationError
 
-from pipeline.errors import InputError
+from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.former_settings import replacement
 from pipeline.names import shell_word
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain, read_toml
+
+Options = TypeVar("Options", bound=BaseModel)
 
 _SLIPS = (
     (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
@@ -58,6 +60,25 @@ def read_document(path: Path) -> dict[str, Any]:
         raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(f"{path}: {_no_toml(path, error)}") from error
+
+
+def read_options(path: Path | None, schema: type[Options]) -> Options:
+    """The rare options of a command, from a TOML file of its own; the defaults where there is no file.
+
+    Raises
+    ------
+    InputError
+        The file is missing or no TOML, or a key or a value is none of the schema's.
+    """
+    if path is None:
+        return schema()
+    if not path.exists():
+        raise InputError(f"{path}: no such file")
+    document = read_document(path)
+    try:
+        return schema.model_validate(document)
+    except ValidationError as error:
+        raise SeveralMistakesError.of(str(path), mistakes(error.errors(include_url=False), schema)) from None
 
 
 def _no_toml(path: Path, error: Exception) -> str:

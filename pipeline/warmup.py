@@ -5,14 +5,11 @@ A kernel that these calls leave out is compiled when a run first calls it, which
 
 import gc
 import time
-from importlib.util import find_spec
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pipeline.isolation import in_processes
-from pipeline.kernel_cache import folder_for, has_kernels
 
 COST = 30.0
 """Processor time [s] that a first run spends on compilation, roughly."""
@@ -23,13 +20,6 @@ def warm_up(jobs: int) -> float:
     began = time.perf_counter()
     list(in_processes(_compile, range(len(GROUPS)), jobs))
     return time.perf_counter() - began
-
-
-def is_warm() -> bool:
-    """Whether the kernels of the default model are in the cache; nothing is imported to find out."""
-    specifications = (find_spec(name) for name in ("pipeline.models.hybrid.runs", "pipeline.solvers.fixed_step"))
-    modules = frozenset(Path(spec.origin) for spec in specifications if spec is not None and spec.origin)
-    return has_kernels(folder_for(modules))
 
 
 def _compile(group: int) -> None:

@@ -41,7 +41,7 @@ def test_every_command_has_help_with_an_example_and_json(command: list[str]) -> 
 
 @pytest.mark.parametrize("command", [c for c in _commands() if c[0] in ("batch", "rig", "study")], ids=" ".join)
 def test_what_simulates_or_fits_many_can_be_quiet(command: list[str]) -> None:
-    assert "--quiet" in RUNNER.invoke(app, [*command, "--help"]).output
+    assert "-q " in RUNNER.invoke(app, [*command, "--help"]).output
 
 
 def test_nothing_is_told_of_progress_where_a_terminal_is_to_be_quiet(

@@ -2,6 +2,7 @@
 
 import os
 import random
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +11,7 @@ import pytest
 
 from pipeline import compiled
 from pipeline.errors import InputError
-from pipeline.kernel_cache import VARIABLE, check_private
+from pipeline.kernel_cache import VARIABLE, WITHOUT_KERNELS, check_private
 
 _COMPILER = ("compiled.py", "kernel_cache.py", "machine.py", "errors.py")
 _CALLED = "from pipeline.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
@@ -58,7 +59,7 @@ def test_a_kernel_is_compiled_anew_when_one_that_it_calls_has_changed(package: P
     assert _words(package) == ["21.0", "0"]
 
 
-@pytest.mark.parametrize("damages", [1, pytest.param(50, marks=pytest.mark.long)])
+@pytest.mark.parametrize("damages", [1, pytest.param(20, marks=pytest.mark.long)])
 def test_damaged_kernels_are_compiled_anew(package: Path, damages: int) -> None:
     """Emptied, cut, zeroed, with a flipped bit or without their digest; and the next process finds them whole."""
     _words(package)
@@ -86,12 +87,20 @@ def test_damaged_kernels_are_compiled_anew(package: Path, damages: int) -> None:
         assert _words(package) == ["7.0", "1"], (file, number % 5)
 
 
-def test_sources_are_the_modules_imported_directly_or_not(package: Path) -> None:
-    code = (
-        "from pathlib import Path; from pipeline.kernel_cache import sources; "
-        "print(*sorted(file.name for file in sources(Path('pipeline/caller.py').resolve())))"
-    )
-    assert _words(package, code) == sorted(["called.py", "caller.py", *_COMPILER])
+def test_no_kernel_depends_on_a_room_that_the_state_of_the_sources_leaves_out() -> None:
+    """Whoever has kernels is imported; none of these rooms comes with it, nor has kernels itself."""
+    root = Path(compiled.__file__).parent
+    modules = []
+    for file in root.rglob("*.py"):
+        if re.search(r"^from pipeline\.(compiled|codegen\.numba_writer) import", file.read_text(), re.MULTILINE):
+            parts = file.relative_to(root).with_suffix("").parts
+            assert parts[0] not in WITHOUT_KERNELS, file
+            modules.append(".".join(("pipeline", *parts)))
+    assert len(modules) > 30
+    program = f"import sys; {'; '.join(f'import {name}' for name in modules)}; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=root.parent)
+    loaded = {name.split(".")[1] for name in done.stdout.split() if name.startswith("pipeline.")}
+    assert not loaded & set(WITHOUT_KERNELS)
 
 
 def test_configuration_files_of_the_current_folder_have_no_effect(package: Path, tmp_path: Path) -> None:

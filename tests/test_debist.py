@@ -15,11 +15,12 @@ from scipy.signal import lfilter
 import debist
 from pipeline.loading.free_runs import free_run
 from pipeline.stages.run import run_prototype
+from pipeline.tools.in_memory import arrays_of
 from tests.export.joints import paper, pulses
 
 SECONDS = 12.0
 # The planted joint is not of the drawn size, and one test calls its inputs linear.
-pytestmark = pytest.mark.filterwarnings("ignore:debist. log 1. (coupling|law of the inputs)")
+pytestmark = pytest.mark.filterwarnings("ignore:debist. log 1. (coupling|law of the inputs|left by the law)")
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +45,8 @@ def test_arrays_series_and_a_data_frame_give_the_same_model(log, model):
     other = debist.identify(*columns, mass=0.04, model="rbf-paper")
     np.testing.assert_array_equal(other.core.weights, model.core.weights)
     assert repr(model) == "Model('rbf-paper', 2 inputs, trained on 1 log of 12 s)"
+    t, q, *voltages = columns
+    np.testing.assert_equal(vars(arrays_of(t, q, np.column_stack(voltages))), vars(arrays_of(*columns)))
 
 
 @pytest.mark.parametrize("before", [pytest.param("first", marks=pytest.mark.long), "zero"])
@@ -123,10 +126,10 @@ def test_baselines_are_identified_and_saved_like_other_models(log, tmp_path, nam
 
 
 def test_scores_of_a_run_that_diverged_are_not_numbers(model, log, monkeypatch):
-    def lost(table, core):
+    def lost(log, core):
         """A free run that diverged at once."""
-        gone = {name: np.full(len(table["t"]), np.nan) for name in ("q", "qdot", "qddot")}
-        return dataclasses.replace(free_run(table, core), status="diverged", diverged_at_s=0.0, **gone)
+        gone = {name: np.full(len(log.t), np.nan) for name in ("q", "qdot", "qddot")}
+        return dataclasses.replace(free_run(log, core), status="diverged", diverged_at_s=0.0, **gone)
 
     monkeypatch.setattr("pipeline.tools.in_memory.free_run", lost)
     scores = model.score(log)
@@ -269,6 +272,15 @@ def test_the_overlay_states_the_fit(log, model):
         (lambda c: c | {"t": c["t"][::-1].copy()}, "time|t "),
         (lambda c: c | {"settings": {"identify": {"basis": 3}}}, "basis"),
         (lambda c: c | {"settings": {"ingest": 3}}, "ingest: must be a table"),
+        (lambda c: c | {"v1": c["v1"] / 1e3, "v2": c["v2"] / 1e3}, "give SI units, or if they are, accept it"),
+        (lambda c: c | {"v1": np.column_stack([c["v1"]] * 3), "v2": None}, r"v1 has the shape \(\d+, 3\)"),
+        (lambda c: c | {"model": "rbf", "settings": {"plant": {"curves": "none.csv"}}}, "none.csv: cannot be read"),
+        (
+            lambda c: c | {"model": "hybrid", "parameters": "nominal", "settings": {"plant": {"siblings": "none.h5"}}},
+            "none.h5: cannot be read",
+        ),
+        (lambda c: c | {"model": "sindy", "settings": {"plant": {"curves": "none.csv"}}}, "plant.curves, which the mo"),
+        (lambda c: c | {"settings": {"compare": {"curves": "none.csv"}}}, "compare.curves"),
         (lambda c: c | {"settings": {"identify": {"models": ["rbf"]}}}, "the argument `model` names the model"),
     ],
 )

@@ -61,7 +61,7 @@ def _sections(model: type[BaseModel], path: str) -> list[tuple[str, type[BaseMod
 
 
 def _is_section(annotation: typing.Any) -> bool:
-    inline = {"Channel", "LogColumn", "LogPart", "Quantity"}
+    inline = {"Channel", "LogColumn", "LogPart", "Gains", "Quantity"}
     return isinstance(annotation, type) and issubclass(annotation, BaseModel) and annotation.__name__ not in inline
 
 
@@ -76,7 +76,7 @@ def _type(annotation: typing.Any) -> str:
     if origin is typing.Annotated:
         return _type(typing.get_args(annotation)[0])
     inline = {**dict.fromkeys(("Channel", "LogColumn"), "`{ channel, unit }`"), "Quantity": "`{ value, unit }`"}
-    inline["LogPart"] = "`{ file, start, stop }`"
+    inline["LogPart"] = "`{ file, start, stop, gain, zero, delay, clock }`"
     return (inline | {"str": "text", "float": "number", "int": "integer", "bool": "boolean"})[annotation.__name__]
 
 

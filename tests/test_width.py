@@ -33,7 +33,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         yield folder
 
 
-_JOINT = ("-p", "nominal")
+_JOINT = ("--parameters", "nominal")
 _COMMANDS = (
     ("run", "P.toml", "-o", "run", "-q"),
     ("run", "P.toml", "-o", "run", "--dry-run"),
@@ -65,7 +65,7 @@ def test_a_command_fits(command: tuple[str, ...], folder: Path) -> None:
     assert "…" not in result.stdout.replace(" … ", "")
 
 
-@pytest.mark.parametrize("group", [[], ["control"], ["rig"], ["study"], ["physics"]], ids=" ".join)
+@pytest.mark.parametrize("group", [[], ["control"], ["rig"], ["physics"]], ids=" ".join)
 def test_the_help_of_a_group_cuts_no_line(group: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     lines = RUNNER.invoke(app, [*group, "--help"]).output.splitlines()

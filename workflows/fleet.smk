@@ -3,41 +3,38 @@
 import hashlib
 import json
 import subprocess
-import tomllib
+import sys
 from pathlib import Path
-
-from pipeline.names import slug
 
 OUTPUT = Path(config["output"])
 RUN = OUTPUT / "{name}"
 LAST_STAGE = "report" if config["report"] else "compare"
 STAGES = ["ingest", "check", "differentiate", "identify", "validate", "scores", "compare"]
 STAGES += ["report"] if config["report"] else []
-FLEET_TABLES = [OUTPUT / "fleet.parquet", OUTPUT / "fleet.csv", OUTPUT / "fleet.html"]
+FLEET_TABLES = [OUTPUT / name for name in ("fleet.parquet", "fleet.csv", "fleet-facts.parquet", "fleet.html")]
 _RUNS_AT_A_TIME = 500  # keeps the command line short
 
 
-def settings_files(place):
-    """The settings files of a place, found as `debist batch` finds them."""
-    path = Path(place)
-    if path.is_dir():
-        return sorted(path.glob("*.toml")) + sorted(path.glob("*/*.toml"))
-    members = tomllib.loads(path.read_text(encoding="utf-8")).get("prototypes")
-    return [path] if members is None else [path.parent / member for member in members]
+def listed_prototypes():
+    """The prototypes of the fleet as `debist batch` finds them; those with bad settings are named and left out."""
+    command = ["debist", "batch", *config["prototypes"], "-o", str(OUTPUT), "--list", "--json"]
+    listed = subprocess.run(command, stdout=subprocess.PIPE)
+    if listed.returncode != 0:
+        sys.exit("the prototypes cannot be listed; the line above names the reason")
+    found = json.loads(listed.stdout)["prototypes"]
+    for prototype in found:
+        if prototype["error"]:
+            print(f"left out: {prototype['error']}", file=sys.stderr)
+    return {prototype["name"]: prototype for prototype in found if not prototype["error"]}
 
 
-def name_of(path):
-    return slug(tomllib.loads(path.read_text(encoding="utf-8"))["name"])
-
-
-PROTOTYPES = {name_of(path): path for place in config["prototypes"] for path in settings_files(place)}
+LISTED = listed_prototypes()
+PROTOTYPES = {name: Path(prototype["settings"]) for name, prototype in LISTED.items()}
 
 
 def raw_logs(name):
-    """The raw logs of a prototype, relative to its settings file."""
-    path = PROTOTYPES[name]
-    logs = tomllib.loads(path.read_text(encoding="utf-8"))["logs"]
-    return [path.parent / log for role in ("train", "validation") for log in logs.get(role, ())]
+    """The raw logs of a prototype."""
+    return LISTED[name]["logs"]
 
 
 def settings_hash(name):
@@ -59,10 +56,10 @@ def drop_what_no_longer_holds():
     runs = [OUTPUT / name for name in PROTOTYPES if (OUTPUT / name / "stages").is_dir()]
     for first in range(0, len(runs), _RUNS_AT_A_TIME):
         some = runs[first : first + _RUNS_AT_A_TIME]
-        told = subprocess.run(
+        states = subprocess.run(
             ["debist", "status", "--brief", "--json", *map(str, some)], stdout=subprocess.PIPE, check=True
         )
-        for run in json.loads(told.stdout)["runs"]:
+        for run in json.loads(states.stdout)["runs"]:
             stale = [i for i, stage in enumerate(STAGES) if run["error"] or stage in run["stale"]]
             follows = [manifest(run["run"], stage) for i, stage in enumerate(STAGES) if stale and i >= stale[0]]
             dropped += [path for path in follows if path.exists()]

@@ -1,28 +1,27 @@
-"""How far a batch is: what its journals and its runs show while its processes, here or elsewhere, go on."""
+"""How far a batch is: what its run folders show while its processes, here or elsewhere, go on."""
 
+import os
+import stat
 from collections import Counter
-from collections.abc import Iterable
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Literal
 
-from pipeline.batch.journal import Event, Journal, journals, latest
+from pipeline.batch.failures import failed_names, failure
 from pipeline.errors import DebistError, InputError
 from pipeline.runs import layout
-from pipeline.runs.lock import HOLDER, is_held
+from pipeline.runs.atomic import reading
+from pipeline.runs.lock import HOLDER, LOCK, is_held
 from pipeline.runs.manifest import MANIFEST, load_manifest
 
-State = Literal["done", "running", "failed", "stopped", "waiting"]
+State = Literal["done", "running", "failed", "stopped"]
 STATES: dict[State, str] = {
     "done": "has its scores",
     "running": "a process holds its run",
     "failed": "its process ended with a reason",
     "stopped": "begun, and no process holds it; the same command goes on",
-    "waiting": "not begun",
 }
-_STARTING = 60.0
-"""Time [s] that a process may take from its start until it holds its run."""
 
 
 @dataclass(frozen=True)
@@ -37,23 +36,9 @@ class Member:
 
 @dataclass(frozen=True)
 class FleetProgress:
-    """How far a batch is.
-
-    Attributes
-    ----------
-    members : tuple of Member
-        In the order of the names.
-    expected_end : datetime or None
-        When the shards that have begun will be done, by the wall time of the prototypes so far; None where nothing
-        runs or none is done.
-    shards, begun : int
-        How many shards there are, and how many have begun; 0 for a folder without journals.
-    """
+    """How far a batch is; the members in the order of the names."""
 
     members: tuple[Member, ...]
-    expected_end: datetime | None = None
-    shards: int = 0
-    begun: int = 0
 
     @property
     def counts(self) -> dict[str, int]:
@@ -63,88 +48,59 @@ class FleetProgress:
 
 
 def is_fleet(folder: Path) -> bool:
-    """Whether a folder is no run but holds runs or the journals of a batch."""
-    return (
-        folder.is_dir()
-        and not (folder / MANIFEST).exists()
-        and (any(folder.glob("batch-*.jsonl")) or any(folder.glob(f"*/{MANIFEST}")))
-    )
+    """Whether a folder is no run but holds runs, or failures of a batch."""
+    if not folder.is_dir() or (folder / MANIFEST).exists():
+        return False
+    return bool(_runs(folder) or failed_names(folder))
 
 
 def fleet_progress(output: Path) -> FleetProgress:
-    """How far the batch in a folder is, or what the runs in it are without one; it reads and hashes no artifact.
+    """The state of each run in a folder; artifacts are neither read nor hashed.
 
     Raises
     ------
-    DebistError
-        The folder or a journal cannot be read.
+    InputError
+        The folder cannot be read, or holds no runs.
     """
-    recorded, time = journals(output), datetime.now(UTC)
-    events = latest(recorded)
-    runs = {path.parent.name for path in output.glob(f"*/{MANIFEST}")}
-    names = sorted(runs | set(events) | {name for journal in recorded for name in journal.plan.planned})
+    names = sorted({*_runs(output), *failed_names(output)})
     if not names:
-        raise InputError(f"{output}: holds neither runs nor the journal of a batch; name the DIR of `debist batch`")
-    members = tuple(_member(output, name, events.get(name), time) for name in names)
-    running = {member.name for member in members if member.state == "running"}
-    ends = [end for journal in recorded if (end := _expected_end(journal, running, time))]
-    of_newest = _newest(recorded)
-    shards = of_newest[0].shard.of if of_newest else 0
-    return FleetProgress(members, max(ends, default=None), shards, len(of_newest))
+        raise InputError(f"{output}: holds no runs; name the DIR of `debist batch`")
+    return FleetProgress(tuple(_member(output, name) for name in names))
 
 
-def _newest(recorded: Iterable[Journal]) -> list[Journal]:
-    """The journals of the batch that was begun last: another one may have had another count of shards."""
-    by_count: dict[int, list[Journal]] = {}
-    for journal in recorded:
-        by_count.setdefault(journal.shard.of, []).append(journal)
-    return max(by_count.values(), key=_last_time, default=[])
+def _runs(output: Path) -> list[str]:
+    """Names of the run folders; links are none."""
+    with reading(output):
+        entries = [entry for entry in os.scandir(output) if entry.is_dir(follow_symlinks=False)]
+    return [entry.name for entry in entries if any(map(_is_file, (Path(entry) / MANIFEST, Path(entry) / LOCK)))]
 
 
-def _last_time(recorded: Iterable[Journal]) -> float:
-    return max((event.time.timestamp() for journal in recorded for event in journal.last.values()), default=0.0)
-
-
-def _member(output: Path, name: str, event: Event | None, time: datetime) -> Member:
-    run = output / name
-    if (run / HOLDER).is_file() and is_held(run):  # the lock itself is tried only where a note says who may hold it
-        return Member(name, "running", since=event.time if event else None)
-    if event is None or event.state == "not started":
-        return _without_event(run, name)
-    if event.state == "failed":
-        return Member(name, "failed", event.reason, event.time)
-    if event.state != "started":
-        return Member(name, "done", since=event.time)
-    starting = time - event.time < timedelta(seconds=_STARTING)
-    return Member(name, "running" if starting else "stopped", since=event.time)
-
-
-def _without_event(run: Path, name: str) -> Member:
-    """A run that no batch made, or none yet."""
-    if not (run / MANIFEST).is_file():
-        return Member(name, "waiting")
+def _is_file(path: Path) -> bool:
+    """Whether a regular file lies there, and no link, FIFO or folder."""
     try:
-        return Member(name, "done" if layout.SCORES in load_manifest(run).artifacts else "stopped")
+        return stat.S_ISREG(path.lstat().st_mode)
+    except OSError:
+        return False
+
+
+def _member(output: Path, name: str) -> Member:
+    run = output / name
+    if _is_file(run / HOLDER) and is_held(run):  # the lock itself is tried only where a note names its holder
+        return Member(name, "running", since=_time(run / HOLDER))
+    if (failed := failure(output, name)) is not None:
+        return Member(name, "failed", failed.reason, datetime.fromtimestamp(failed.time, UTC))
+    if not _is_file(run / MANIFEST):
+        return Member(name, "stopped")
+    try:
+        state: State = "done" if layout.SCORES in load_manifest(run).artifacts else "stopped"
     except DebistError as error:
         return Member(name, "failed", str(error))
+    return Member(name, state, since=_time(run / MANIFEST))
 
 
-def _expected_end(journal: Journal, running: set[str], time: datetime) -> datetime | None:
-    """When a shard will be done, if it goes on as before; runs that were up to date are left out of the estimate."""
-    seconds = [event.seconds for event in journal.last.values() if event.state in ("done", "failed")]
-    own = running & set(journal.plan.planned)
-    if not seconds or not own:
+def _time(path: Path) -> datetime | None:
+    """When a file was written."""
+    try:
+        return datetime.fromtimestamp(path.stat().st_mtime, UTC)
+    except OSError:
         return None
-    mean = sum(seconds) / len(seconds)
-    begun = (time - journal.last[name].time for name in own if name in journal.last)
-    spent = sum(min(mean, span.total_seconds()) for span in begun)
-    ended = sum(event.state != "started" for event in journal.last.values())
-    left = mean * (len(journal.plan.planned) - ended) - spent
-    return time + timedelta(seconds=max(0.0, left) / min(journal.plan.jobs, len(own)))
-
-
-def shard_notes(progress: FleetProgress) -> str:
-    """That some shards have not begun; empty where all have, or where there is one only."""
-    if progress.begun == progress.shards:
-        return ""
-    return f"{progress.begun} of {progress.shards} shards have begun; the others add prototypes and time"

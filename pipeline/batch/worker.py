@@ -8,6 +8,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from pipeline.batch.failures import failure_file, keep_failure
+from pipeline.errors import RunLockedError
 from pipeline.isolation import Isolated, Send, death, largest_memory
 
 Program = Callable[[list[str]], object]
@@ -68,8 +70,12 @@ class Worker(Isolated):
         self, program: Program, name: str, prototype: Path, output: Path, options: Sequence[str] = (), *,
         time_limit: float = math.inf,
     ) -> None:  # fmt: skip
-        self.name, self._prototype, self._time_limit, self._began = name, prototype, time_limit, time.perf_counter()
-        command = ["run", str(prototype), "-o", str(output / name), "--json", "--quiet", "--jobs", "1", *options]
+        self.name = name
+        self._prototype = prototype
+        self._output = output
+        self._time_limit = time_limit
+        self._began = time.perf_counter()
+        command = ["run", str(prototype), "-o", str(output / name), "--json", "-q", "--jobs", "1", *options]
         super().__init__(_run, program, command, time_limit=time_limit)
 
     def outcome(self) -> Outcome:
@@ -77,13 +83,25 @@ class Worker(Isolated):
         messages = list(self)
         answer = messages[-1] if messages else {}
         code = answer["exit_code"] if answer else self.exit_code()
-        reason = reason_of(code, self.words())
+        printed = self.words()
+        reason = reason_of(code, printed)
         if self.late:
             reason = (
                 f"stopped after the time limit of {self._time_limit:g} s; raise --time-limit, the same command goes on"
             )
-        cost = answer.get("processor_seconds", 0.0), answer.get("memory_bytes", 0)
-        return Outcome(self.name, self._prototype, code, reason, time.perf_counter() - self._began, *cost)
+        if code not in (0, RunLockedError.exit_code):  # a locked run is another process's
+            keep_failure(self._output, self.name, code, reason, printed)
+            if code == 1:
+                reason = f"{reason}; its traceback is in {failure_file(self._output, self.name)}"
+        return Outcome(
+            self.name,
+            self._prototype,
+            code,
+            reason,
+            time.perf_counter() - self._began,
+            answer.get("processor_seconds", 0.0),
+            answer.get("memory_bytes", 0),
+        )
 
 
 def _run(send: Send, program: Program, command: list[str]) -> None:
@@ -106,6 +124,8 @@ def reason_of(exit_code: int, stderr: str) -> str:
     if exit_code < 0:
         return f"ended by {death(exit_code)}; what is written is whole, and the same command goes on"
     lines = [line for line in stderr.splitlines() if line.strip()]
+    if exit_code == 1:
+        return _last_of_traceback(lines)
     errors = [number for number, line in enumerate(lines) if line.startswith("debist: ")]
     if not errors:
         return (lines or [death(exit_code)])[-1]
@@ -113,3 +133,9 @@ def reason_of(exit_code: int, stderr: str) -> str:
     return (
         lines[errors[-1]].removeprefix("debist: ") + (": " if more else "") + "; ".join(line.strip() for line in more)
     )
+
+
+def _last_of_traceback(lines: Sequence[str]) -> str:
+    """The exception that a traceback ends with."""
+    own = [line for line in lines if not line.startswith(("debist: ", "warning: "))]
+    return f"a bug of debist: {own[-1].strip()}" if own else death(1)

@@ -9,7 +9,7 @@ import signal
 import sys
 import traceback
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from functools import wraps
@@ -21,6 +21,7 @@ import typer
 from typer.core import TyperGroup
 
 from pipeline.commands.console import emit_json, printable, printed
+from pipeline.commands.gone import replacement
 from pipeline.errors import WARNING, DebistError, InputError, interrupted, memory_failure
 
 _STOPPED = "a file is written whole or not at all; the same command starts again"
@@ -35,7 +36,7 @@ _FULL = (errno.EMFILE, errno.ENFILE)
 ORDER = (
     "demo", "init", "inspect", "check", "run",
     "ingest", "differentiate", "identify", "validate", "compare", "report",
-    "show", "plot", "status", "verify", "repair", "diff", "series",
+    "show", "plot", "status", "verify", "diff", "series",
     "batch", "fleet", "study", "export", "paper", "control", "rig", "physics", "warmup",
 )  # fmt: skip
 
@@ -69,6 +70,8 @@ class Program(typer.Typer):
         for number, name in enumerate(("stdin", "stdout", "stderr")):
             if getattr(sys, name) is None:  # closed, so that a file would be opened in its place
                 setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_RDWR), "r" if number == 0 else "w"))
+            elif name == "stdout" and isinstance(sys.stdout, io.TextIOWrapper):
+                sys.stdout.reconfigure(encoding="utf-8")
             elif name == "stderr" and not sys.stderr.isatty():
                 sys.stderr = io.TextIOWrapper(_Unfailing(2, "w", closefd=False), "utf-8", write_through=True)
         for stop, usual in ((signal.SIGINT, signal.default_int_handler), (signal.SIGTERM, signal.SIG_DFL)):
@@ -104,12 +107,16 @@ def _interrupt(number: int, frame: FrameType | None) -> None:
 class ErrorBoundary(WholeLines):
     """A command group that prints a known failure as one line and an unknown one as a traceback."""
 
-    _as_json = False
+    _given: Sequence[str] = ()
+
+    @property
+    def _as_json(self) -> bool:
+        return "--json" in self._given
 
     def main(self, *arguments: Any, **options: Any) -> Any:
         """Run the program; also help and version meet a standard output that takes nothing."""
         given = arguments[0] if arguments else options.get("args")
-        self._as_json = "--json" in (sys.argv[1:] if given is None else given)
+        self._given = sys.argv[1:] if given is None else given
         printed.clear()
         _warned.clear()
         try:
@@ -135,6 +142,16 @@ class ErrorBoundary(WholeLines):
             return super().make_context(*arguments, **options)
         except BrokenPipeError as error:
             raise _unread() from error
+        except Exception as error:
+            self._name_replacement(error)
+            raise
+
+    def _name_replacement(self, error: Exception) -> None:
+        """End with one line, if the error comes of a command or an option that is gone."""
+        if _of_typer(error) and (text := replacement(error, self._given)):
+            typer.echo(f"debist: {printable(text)}", err=True)
+            self._emit_error(text, InputError.exit_code)
+            raise typer.Exit(InputError.exit_code) from error
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command; exit codes are those of `pipeline.errors`."""
@@ -163,7 +180,8 @@ class ErrorBoundary(WholeLines):
                 if isinstance(error, BrokenPipeError):
                     raise _unread() from error
                 raise
-            if type(error).__module__.startswith(("typer", "click")):
+            if _of_typer(error):
+                self._name_replacement(error)
                 self._emit_error(getattr(error, "message", str(error)), InputError.exit_code)
                 raise  # a usage error, which typer prints itself
             if interrupted(error) or _signals:
@@ -183,6 +201,11 @@ class ErrorBoundary(WholeLines):
         if self._as_json and not printed:
             with suppress(OSError):  # the exit code says the same
                 emit_json({"error": {"message": message, "exit_code": exit_code}})
+
+
+def _of_typer(error: Exception) -> bool:
+    """Whether typer raised it for what the user gave."""
+    return type(error).__module__.startswith(("typer", "click"))
 
 
 def _show_warning(message: Warning | str, *_: Any) -> None:

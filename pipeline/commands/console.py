@@ -237,7 +237,7 @@ class Progress:
             typer.echo(printable(line), err=True)
 
     def warned(self, what: str, warning: str) -> None:
-        """Print a warning, also with `--quiet`."""
+        """Print a warning, also with `-q`."""
         typer.echo(printable(f"warning: {what}: {warning}"), err=True)
 
     def skipped(self, task: "Task") -> None:
@@ -315,12 +315,15 @@ PrototypeFile = Annotated[
     Path, typer.Argument(metavar="PROTOTYPE.toml", help="Settings of one prototype, or the folder of its run.")
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document on stdout and nothing else there.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress on stderr.")]
+Quiet = Annotated[bool, typer.Option("-q", help="No progress on stderr.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace files that others wrote or changed; never a log.")]
-Output = Annotated[Path | None, typer.Option("-o", "--output", metavar="RUN", help="Run folder [default: runs/NAME].")]
+Parameters = Annotated[
+    str, typer.Option("--parameters", metavar="SET", help="table1, nominal, or a TOML file with units.")
+]
+Output = Annotated[Path | None, typer.Option("-o", metavar="RUN", help="Run folder [default: runs/NAME].")]
 TableFormat = Literal["text", "csv", "latex", "markdown"]
 Form = Annotated[TableFormat, typer.Option("--format", help="Form of the table.")]
-Report = Annotated[bool, typer.Option("--report/--no-report", help="Make the report of each prototype.")]
+NoReport = Annotated[bool, typer.Option("--no-report", help="Make no report.")]
 Details = Annotated[
     bool, typer.Option("--details", help="The whole tables: every log, intervals, horizons, switching times.")
 ]

@@ -58,7 +58,7 @@ def linearise(
     v1: Annotated[str, typer.Option(help="Constant voltage of the left membrane, with its unit.")] = "0 V",
     v2: Annotated[str, typer.Option(help="Constant voltage of the right membrane, with its unit.")] = "0 V",
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
+        Path | None, typer.Option("-o", metavar="DIR", help="Folder of the files [default: RUN/exports].")
     ] = None,
     force: Force = False,
     quiet: Quiet = False,
@@ -132,9 +132,7 @@ def pulse(
     snap: Snap,
     output: Annotated[
         Path | None,
-        typer.Option(
-            "--file", "-o", "--output", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."
-        ),
+        typer.Option("-o", metavar="FILE", help="CSV and MAT [default: RUN/exports/pulse-to-….csv]."),
     ] = None,
     max_voltage: Most = None,
     lag: Lag = None,
@@ -145,7 +143,7 @@ def pulse(
     """A feedforward snap from well to well: push, brake, catch, optimised on the model and robust over its posterior.
 
     Voltages in V at 1 kHz, for `debist rig closed-loop --play` and test benches.
-    Example: debist control pulse runs/P1 --to right --file snap.csv
+    Example: debist control pulse runs/P1 --to right -o snap.csv
     """
     from pipeline.runs import layout
     from pipeline.tools import control

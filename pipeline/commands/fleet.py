@@ -31,16 +31,14 @@ def learn(
     ],
     output: Annotated[
         Path,
-        typer.Option(
-            "--file", "-o", "--output", metavar="FILE", help="File of the siblings (.h5), for plant.siblings."
-        ),
+        typer.Option("-o", metavar="FILE", help="File of the siblings (.h5), for plant.siblings."),
     ],
     as_json: Json = False,
 ) -> None:
     """Mean, spread and correlations of the deviations of identified siblings, as a prior of the next joint; odd ones.
 
     From five siblings on; all need the parameter set that the next joint has. Lengths in m, all other units SI, odd
-    quantities in percent where they are positive. Example: debist fleet learn runs --file siblings.h5
+    quantities in percent where they are positive. Example: debist fleet learn runs -o siblings.h5
     """
     from pipeline.tools.fleet import learn_siblings
 
@@ -94,7 +92,7 @@ def series(
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option("--page", "-o", "--output", metavar="FILE", help="Write a page with a figure of each fact."),
+        typer.Option("--page", metavar="FILE", help="Write a page with a figure of each fact."),
     ] = None,
     form: Annotated[Literal["text", "csv"], typer.Option("--format", help="Form of the table.")] = "text",
     as_json: Json = False,

@@ -1,5 +1,6 @@
 """Raw logs before there is a run: a first settings file, what a log holds, and whether the settings fit."""
 
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -202,9 +203,9 @@ def check(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Sides, signs, delays, time base, mass and device: are the logs what the settings say? Nothing is fitted.
+    """Sides, signs, units, time base, mass and rests: are the logs what the settings say? Nothing is fitted.
 
-    Delays in ms, rates in Hz, pushes in m/s². Exit code 3 if the model would be wrong. `debist run` does it first.
+    Rates in Hz, fields in V/µm. Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
     from pipeline.stages.check import verdict
@@ -231,7 +232,7 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
         elif details and row.more:
             emit_text(row.sentence, indent="  ")
     if all(row.state in ("ok", "not seen") for row in rows):
-        emit_text("nothing speaks against it")
+        emit_text("no contradiction; gains, zeros, delays and clocks are measured after the fit")
 
 
 LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]
@@ -241,21 +242,47 @@ def init(
     logs: Annotated[
         list[Path], typer.Argument(metavar="LOG...", help="Raw logs of one device: MAT, MDF4, CSV, Parquet or HDF5.")
     ],
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--output", metavar="P.toml", help="File to write; no file is overwritten [default: print]."
+        ),
+    ] = None,
     as_json: Json = False,
 ) -> None:
-    """Print a starting settings file for raw logs; what cannot be known is left for you to fill in.
+    """A starting settings file for raw logs; what cannot be known is left for you to fill in.
 
     Units are those of the logs where they state them; which log is for validation is proposed by its name.
-    Example: debist init train.mat validation.mat > P1.toml
+    Example: debist init train.mat validation.mat -o P1.toml
     """
+    from pipeline.errors import InputError
+    from pipeline.names import shell_word
     from pipeline.rig_logs.draft import toml_draft
     from pipeline.rig_logs.inspection import inspect_log
+    from pipeline.runs.atomic import write_text
 
-    draft = toml_draft([inspect_log(log) for log in logs], [str(log) for log in logs])
+    if output is not None and os.path.lexists(output):
+        raise InputError(f"{output}: exists; give another name, or delete it first")
+    paths = [str(log) if output is None else _path_from(output.parent, log) for log in logs]
+    where = "this file" if output is not None else "the current folder; -o P.toml writes them from its own"
+    draft = toml_draft([inspect_log(log) for log in logs], paths, where)
+    if output is not None:
+        write_text(output, draft)
     if as_json:
         emit_json({"toml": draft})
+    elif output is not None:
+        emit_text(f"{output}: fill in what is marked, then `debist check {shell_word(output)}`")
     else:
         typer.echo(draft, nl=False)
+
+
+def _path_from(folder: Path, log: Path) -> str:
+    """The path of a log from a folder, with strokes as TOML files have them; from the root on another drive."""
+    try:
+        path = os.path.relpath(os.path.abspath(log), os.path.realpath(folder))  # noqa: PTH100
+    except ValueError:
+        path = os.path.abspath(log)  # noqa: PTH100
+    return path.replace(os.sep, "/")
 
 
 def inspect(

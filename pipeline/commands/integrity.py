@@ -1,13 +1,12 @@
-"""`debist verify`, `debist repair`: is everything as it was written?"""
+"""`debist verify`: is everything as it was written?"""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.commands.console import Json, Progress, Quiet, Run, emit_json, emit_table, printable
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.names import shell_word
+from pipeline.commands.console import Json, Run, emit_json, emit_table, printable
+from pipeline.errors import CorruptArtifactError
 
 if TYPE_CHECKING:
     from pipeline.tools.verify import Verified, VerifiedRun
@@ -23,27 +22,20 @@ def verify(
     every: Annotated[
         bool, typer.Option("--all", help="RUN is a folder of runs: check each, and the fleet tables.")
     ] = False,
-    part: Annotated[
-        str | None, typer.Option("--subset", metavar="I/N|P%", help="Hash this part of the files, or a random share.")
-    ] = None,
     as_json: Json = False,
 ) -> None:
     """Check every file of a run; exit code 4 if one does not have the bytes that were written or does not belong there.
 
-    With --against also whether another run, of another machine for
-    instance, holds the same content; where floating point forbids that, whether it is the same to 6 digits (of the
-    largest magnitude of a column); exit code 4 if not. With --subset 3/10 names decide: ten calls read all files.
+    With --against also whether another run, of another machine for instance, holds the same content; where floating
+    point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
     Example: debist verify runs/P1 --against crate/run
     """
     from pipeline.tools import verify as tool
 
-    if part is not None and against is not None:
-        raise InputError("--against compares whole runs; give it without --subset")
-    chosen = tool.every if part is None else tool.subset(part)
     if every:
-        _emit_all(tool.verify_all(run, chosen), as_json)
+        _emit_all(tool.verify_all(run), as_json)
         return
-    checked = tool.verify_everything(run, chosen)
+    checked = tool.verify_everything(run)
     if against is not None and checked.intact:
         from pipeline.commands.results import emit_comparison
         from pipeline.tools.diff import compare_runs
@@ -55,37 +47,12 @@ def verify(
     _fail_beside(run, checked)
 
 
-def repair(
-    run: Run,
-    prototype: Annotated[
-        Path | None, typer.Argument(metavar="[PROTOTYPE.toml]", help="Settings, for a run whose manifest is damaged.")
-    ] = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-) -> None:
-    """Set aside damaged artifacts of a run and make them anew from the intact ones and the raw logs.
-
-    Nothing is deleted: damaged files keep a name with .corrupt-. Example: debist repair runs/P1
-    """
-    from pipeline.tools.verify import repair_run
-
-    with Progress(quiet=quiet) as progress:
-        done, checked = repair_run(run, progress, prototype)
-    redone = [status for status in done if not status.up_to_date]
-    if as_json:
-        emit_json({"redone": [vars(status) for status in redone], **vars(checked)})
-    else:
-        typer.echo(f"{len(redone)} of {len(done)} tasks done anew; {checked.checked} artifacts, " + _state(checked))
-    _fail_where(run, checked)
-
-
 def _emit(checked: "Verified", as_json: bool) -> None:
     if as_json:
         emit_json(vars(checked))
         return
     if checked.intact:
-        of = f" of {checked.checked + checked.left_out}" if checked.left_out else ""
-        typer.echo(f"{checked.checked}{of} artifacts checked, all intact")
+        typer.echo(f"{checked.checked} artifacts checked, all intact")
     for what, names in (
         ("does not belong to the run", checked.unknown),
         ("left by an interrupted run", checked.leftover),
@@ -94,10 +61,6 @@ def _emit(checked: "Verified", as_json: bool) -> None:
             typer.echo(printable(f"{what}: {name}"), err=True)
         if len(names) > _MOST_NAMED:
             typer.echo(f"and {len(names) - _MOST_NAMED} more", err=True)
-
-
-def _state(checked: "Verified") -> str:
-    return f"{len(checked.problems)} not as they were written" if checked.problems else "all intact"
 
 
 def _emit_all(runs: "list[VerifiedRun]", as_json: bool) -> None:
@@ -132,7 +95,7 @@ def _fail_where(run: Path, checked: "Verified") -> None:
     if checked.problems:
         raise CorruptArtifactError(
             "; ".join(f"{p['artifact']} (stage {p['stage']}) {p['problem']}" for p in checked.problems)
-            + f"; `debist repair {shell_word(run)}` sets aside and rebuilds what is damaged"
+            + "; `debist run` sets aside what is damaged and makes it anew"
         )
 
 

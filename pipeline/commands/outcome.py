@@ -17,6 +17,7 @@ from pipeline.names import shell_word
 if TYPE_CHECKING:
     from typing import Literal
 
+    from pipeline.batch.members import Member
     from pipeline.batch.progress import FleetProgress
     from pipeline.batch.worker import Outcome
     from pipeline.reporting.tables import Format
@@ -66,6 +67,20 @@ def _emit_details(run: Path) -> None:
         for log in dict.fromkeys(row[0] for row in rows):
             emit_table(log, heading[1:], [row[1:] for row in rows if row[0] == log])
     emit_text("\n".join(table.explanation for table in tables))
+
+
+def emit_instruments(run: Path) -> None:
+    """Print what the instruments of the logs read beyond their limits, with the lines to write in the settings."""
+    from pipeline.loading.report_data import instruments_shown
+    from pipeline.reporting.instrument_table import instrument_table
+
+    rows, parts, displacement = instruments_shown(run)
+    if not rows:
+        return
+    table = instrument_table(rows, parts, displacement)
+    if table.rows:
+        emit_table("instruments", table.heading, table.rows, numeric_from=len(table.heading))
+    emit_text(table.explanation)
 
 
 def emit_verdict(run: Path) -> None:
@@ -127,30 +142,30 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
 
 
 def emit_fleet_progress(folder: Path, progress: "FleetProgress", *, as_json: bool) -> None:
-    """Print for each prototype of a batch whether it is done, running or failed, and when all are expected to be."""
-    from pipeline.batch.progress import shard_notes
-
-    end = progress.expected_end
+    """Print for each prototype of a batch whether it is done, running, stopped or failed."""
     if as_json:
         members = [vars(member) | {"since": member.since and member.since.isoformat()} for member in progress.members]
-        emit_json(
-            {
-                "folder": folder, "counts": progress.counts, "expected_end": end and end.isoformat(),
-                "shards": progress.shards, "shards_begun": progress.begun, "prototypes": members,
-            }
-        )  # fmt: skip
+        emit_json({"folder": folder, "counts": progress.counts, "prototypes": members})
         return
     rows = [
         (member.name, member.state, member.since.strftime("%Y-%m-%d %H:%M:%SZ") if member.since else "", member.reason)
         for member in progress.members
-        if member.state != "waiting"
     ]
     emit_table(str(folder), ("prototype", "state", "since", "reason"), rows, numeric_from=4)
     counted = ", ".join(f"{count} {state}" for state, count in progress.counts.items() if count)
-    left = f"; expected end {end:%Y-%m-%d %H:%MZ}" if end else ""
-    emit_text(f"{len(progress.members)} prototypes: {counted}{left}")
-    if note := shard_notes(progress):
-        emit_text(note)
+    emit_text(f"{len(progress.members)} prototypes: {counted}")
+
+
+def emit_members(members: "Sequence[Member]", *, as_json: bool) -> None:
+    """Print the prototypes of a batch with their settings files and logs."""
+    if as_json:
+        emit_json({"prototypes": [asdict(member) for member in members]})
+        return
+    rows = [
+        (member.name, str(member.settings), member.error or ", ".join(log.name for log in member.logs))
+        for member in members
+    ]
+    emit_table(f"{len(members)} prototypes", ("prototype", "settings", "logs, or the mistake"), rows, numeric_from=3)
 
 
 def summary(results: "Sequence[TaskStatus]") -> str:
@@ -298,7 +313,8 @@ def emit_outcomes(outcomes: "Sequence[Outcome]", output: Path, *, as_json: bool)
     cost = sum(outcome.processor_seconds for outcome in outcomes)
     if cost:
         memory = max(outcome.memory_bytes for outcome in outcomes)
-        typer.echo(f"{cost:.1f} s of processor time; at most {memory / 1e6:.0f} MB of memory in a process")
+        counted = f"; at most {memory / 1e6:.0f} MB of memory in a process" if memory else ""
+        typer.echo(f"{cost:.1f} s of processor time{counted}")
 
 
 def _state(outcome: "Outcome") -> str:

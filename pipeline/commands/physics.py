@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pipeline.commands.boundary import group, with_options
-from pipeline.commands.console import Force, Quiet, emit_json, emit_table, progress_report, with_units
+from pipeline.commands.console import Parameters, Quiet, emit_json, emit_table, progress_report, with_units
 from pipeline.errors import InputError
 from pipeline.units import parse_quantity
 
@@ -50,9 +50,7 @@ Signals = Annotated[
 class JointSet:
     """The parameters of a joint."""
 
-    parameters: Annotated[
-        str, typer.Option("--parameters", "-p", metavar="SET", help="table1, nominal, or a TOML file with units.")
-    ] = "nominal"
+    parameters: Parameters = "nominal"
     overrides: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="Replace a parameter, e.g. 'E=1.8 GPa', 'left.b=23.2 mm'."),
@@ -63,18 +61,6 @@ class JointSet:
         from pipeline.loading.parameter_sets import joint_parameters
 
         return joint_parameters(self.parameters, overrides=self.overrides or ())
-
-
-@dataclass(frozen=True)
-class Search:
-    """How the calibration searches."""
-
-    symmetric: Annotated[
-        bool, typer.Option("--paper", help="Only the paper's seven parameters: no asymmetry, no friction.")
-    ] = False
-    starts: Annotated[int, typer.Option(help="Starts of the search, the first at SET.", min=1, max=100)] = 3
-    seed: Annotated[int, typer.Option(help="Draws the other starts.", min=0)] = 0
-    jobs: Annotated[int, typer.Option(help="Threads.", min=1, max=64)] = 2
 
 
 def _draw(place: Path | None, name: str, *shown: Any) -> None:
@@ -255,35 +241,37 @@ def reduce(joint: "JointParameters", motions: "Motions", figure: Path | None, as
 
 
 @app.command()
-@with_options
 def calibrate(
     kinematics: Annotated[list[Path], typer.Argument(metavar="KINEMATICS…", help="kinematics.parquet of runs.")],
-    parameters: JointSet,
-    search: Search,
-    output: Annotated[
-        Path | None, typer.Option("--file", "-o", "--output", metavar="FILE", help="Write the calibrated set as TOML.")
+    parameters: Parameters = "nominal",
+    paper: Annotated[
+        bool, typer.Option("--paper", help="Only the paper's seven parameters: no asymmetry, no friction.")
+    ] = False,
+    search: Annotated[
+        Path | None, typer.Option("--search", metavar="FILE", help="TOML file with starts, seed and threads.")
     ] = None,
+    output: Annotated[Path | None, typer.Option("-o", metavar="FILE", help="Write the calibrated set as TOML.")] = None,
     figure: Figure = None,
-    force: Force = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
     """Fit parameters to logs (§ 3.3): values and standard errors in SI units, error of q in mm.
 
-    Example: debist physics calibrate runs/P1/train/train/kinematics.parquet --file P1-joint.toml
+    Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
     """
     from pipeline.device_parameters import QUANTITIES
+    from pipeline.loading.parameter_sets import joint_parameters
     from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
+    from pipeline.settings_file import read_options
     from pipeline.tools import physics
 
-    names = PAPER_NAMES if search.symmetric else ASYMMETRIC_NAMES + FRICTION_NAMES
+    names = PAPER_NAMES if paper else ASYMMETRIC_NAMES + FRICTION_NAMES
+    how = read_options(search, physics.SearchFile)
+    joint = joint_parameters(parameters)
     with progress_report("calibrating", quiet=quiet) as report:
-        joint = parameters.joint()
-        fit = physics.calibrate(
-            kinematics, joint, names=names, starts=search.starts, seed=search.seed, jobs=search.jobs, report=report
-        )
+        fit = physics.calibrate(kinematics, joint, names=names, search=how, report=report)
     if output is not None:
-        physics.write_parameters(fit, output, force=force)
+        physics.write_parameters(fit, output)
     _draw(figure, "calibration_figure", joint, fit)
     if as_json:
         emit_json(physics.calibration_document(fit))

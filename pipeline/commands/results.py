@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from pipeline.commands.boundary import group
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of, with_units
 from pipeline.commands.outcome import emit_table_2
 from pipeline.errors import CorruptArtifactError, InputError
@@ -17,6 +16,7 @@ from pipeline.names import Target
 from pipeline.si_prefix import percent
 
 if TYPE_CHECKING:
+    from pipeline.runs.columns import Sweep
     from pipeline.tools.diff import Comparison, RunDifferences
     from pipeline.tools.study import StudyResult
 
@@ -158,10 +158,10 @@ def export(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder.", callback=run_of)],
     target: Annotated[Target, typer.Option("--to", help="Form of the export.")],
     model: Annotated[
-        str | None, typer.Option("--model", "-m", help="Model that is exported [default: the headline].")
+        str | None, typer.Option("--model", help="Model that is exported [default: the headline].")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="DIR", help="Folder of the files [default: RUN/exports].")
+        Path | None, typer.Option("-o", metavar="DIR", help="Folder of the files [default: RUN/exports].")
     ] = None,
     force: Force = False,
     as_json: Json = False,
@@ -188,7 +188,7 @@ def paper(
     source: Annotated[Path, typer.Argument(metavar="RUN|PROTOTYPE.toml", help="Run folder, or settings file.")],
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", metavar="DIR", help="Folder of the recipe's run [default: RUN-paper]."),
+        typer.Option("-o", metavar="DIR", help="Folder of the recipe's run [default: RUN-paper]."),
     ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -209,72 +209,46 @@ def paper(
     typer.echo(f"page: {recipe.page}\nfigures: {recipe.root / 'paper'}")
 
 
-if TYPE_CHECKING:
-    from pipeline.runs.columns import Sweep
-
-study = group("Studies of alpha, the RBF basis, the data, and cross-validation.")
-
-Run = Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.", callback=run_of)]
-Jobs = Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")]
-
-
-@study.command()
-def alpha(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Over- and under-smoothing against alpha (figure 11c), and the alpha that is chosen, in the unit of the settings.
-
-    The rest in SI units; writes studies/alpha.parquet (all in SI units) and .svg.
-
-    Example: debist study alpha runs/P1
-    """
-    _study(run, "alpha", 1, as_json=as_json, quiet=quiet)
-
-
-@study.command()
-def basis(run: Run, jobs: Jobs = 1, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Number M and width of the basis functions of rbf-paper (figure 11b); errors in SI units and fractions.
-
-    Example: debist study basis runs/P1 --jobs 2
-    """
-    _study(run, "basis", jobs, as_json=as_json, quiet=quiet)
-
-
-@study.command()
-def data(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Free-run NRMSE (a fraction) of rbf-paper against the amount of training data and added noise [m].
-
-    Example: debist study data runs/P1
-    """
-    _study(run, "data", 1, as_json=as_json, quiet=quiet)
-
-
-@study.command()
-def online(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Online identification (§ 4.1): recursive least squares over the training logs; errors as fractions, time in s.
-
-    How fast the curves converge, and how they follow a planted drift of 10 %. Example: debist study online runs/P1
-    """
-    _study(run, "online", 1, as_json=as_json, quiet=quiet)
-
-
-@study.command()
-def folds(
-    run: Run,
-    by: Annotated[Literal["blocks", "logs"], typer.Option(help="Leave out blocks of time, or whole logs.")] = "blocks",
-    count: Annotated[int | None, typer.Option("--folds", help="Folds [default: 5 blocks, or every log once].")] = None,
-    model: Annotated[list[str] | None, typer.Option(help="A model of the run; repeat for more [default: all].")] = None,
-    jobs: Jobs = 1,
+def study(
+    kind: Annotated[Literal["alpha", "basis", "data", "online", "folds"], typer.Argument(help="What is studied.")],
+    run: Annotated[Path, typer.Argument(metavar="RUN", help="Run folder with kinematics.", callback=run_of)],
+    by: Annotated[
+        Literal["blocks", "logs"] | None, typer.Option(help="Of folds: leave out blocks of time, or whole logs.")
+    ] = None,
+    count: Annotated[
+        int | None, typer.Option("--folds", help="Of folds: how many [default: 5 blocks, or every log once].")
+    ] = None,
+    model: Annotated[
+        list[str] | None, typer.Option(help="Of folds: a model of the run; repeat for more [default: all].")
+    ] = None,
+    jobs: Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time, for basis and folds.")] = 1,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """k-fold cross-validation: every model fitted anew without each fold of all logs, and run freely over it.
+    """Study one thing on the logs of a run: alpha, basis, data, online, or folds.
 
-    NRMSE in percent (fractions in the JSON). Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
+    alpha: over- and under-smoothing against the regularisation parameter (figure 11c), and the one that is chosen.
+    basis: number M and width of the basis functions of rbf-paper (figure 11b).
+    data: free-run NRMSE of rbf-paper against the amount of training data and added noise [m].
+    online: recursive least squares over the training logs (§ 4.1), and a planted drift of 10 %.
+    folds: k-fold cross-validation; every model is fitted anew without each fold of all logs, and run freely over it.
+
+    NRMSE in percent for folds, else as fractions; alpha in the unit of the settings, the rest in SI units. Writes
+    studies/KIND.parquet (SI units) and .svg.
+
+    Example: debist study folds runs/P1 --folds 4 --model rbf --model sindy
     """
+    if kind != "folds":
+        given = {"--by": by, "--folds": count, "--model": model}
+        for option in (name for name, value in given.items() if value):
+            raise InputError(f"{option}: is for `debist study folds`; leave it out")
+        _study(run, kind, jobs, as_json=as_json, quiet=quiet)
+        return
     from pipeline.reporting.short_tables import FOLD_EXPLANATION, fold_table
     from pipeline.tools.folds import run_folds
 
     with Progress(quiet=quiet or as_json) as progress:
-        result = run_folds(run, progress, by=by, folds=count, models=model or (), jobs=jobs)
+        result = run_folds(run, progress, by=by or "blocks", folds=count, models=model or (), jobs=jobs)
     if as_json:
         emit_json(_study_document(result))
         return

@@ -13,11 +13,11 @@ from pipeline.commands.console import (
     Details,
     Force,
     Json,
+    NoReport,
     Output,
     Progress,
     PrototypeFile,
     Quiet,
-    Report,
     Run,
     Runs,
     emit_json,
@@ -44,21 +44,17 @@ class Shown:
 def plot(
     runs: Runs,
     shown: Shown,
-    figure: Annotated[
-        str | None, typer.Option("-f", "--figure", help="Name of the figure [default: list them].")
-    ] = None,
+    figure: Annotated[str | None, typer.Option("--figure", help="Name of the figure [default: list them].")] = None,
     output: Annotated[
         Path | None,
-        typer.Option(
-            "--file", "-o", "--output", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."
-        ),
+        typer.Option("-o", help="File (.svg, .pdf, .png), or a folder for several runs [default: here]."),
     ] = None,
     force: Force = False,
     as_json: Json = False,
 ) -> None:
     """One figure of one or several runs as SVG, PDF or PNG; without --figure the names of all figures.
 
-    Times in s. Example: debist plot runs/P1 -f validation-validation-models --file models.pdf --from 18 --to 24
+    Times in s. Example: debist plot runs/P1 --figure validation-validation-models -o models.pdf --from 18 --to 24
     """
     from pipeline.tools.plot import Excerpt, plot_runs, run_figures
 
@@ -94,19 +90,20 @@ def show(run: Run, as_json: Json = False) -> None:
     emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
     if shown.seen:
         emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
+    outcome.emit_instruments(run)
     emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
 
 
 def run_command(
     prototype: PrototypeFile,
     output: Output = None,
-    with_report: Report = True,
+    no_report: NoReport = False,
     details: Details = False,
     only_plan: Annotated[bool, typer.Option("--dry-run", help="Only say what would be done, and why.")] = False,
     replace: Annotated[
         bool, typer.Option("--replace", help="Take over the folder of another prototype's run, overwriting it.")
     ] = False,
-    jobs: Annotated[int | None, typer.Option("--jobs", "-j", min=1, help="Processes [default: all cores].")] = None,
+    jobs: Annotated[int | None, typer.Option("--jobs", min=1, help="Processes [default: all cores].")] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -123,10 +120,11 @@ def run_command(
         return
     _announce_compilation(quiet)
     with Progress(quiet=quiet) as progress:
-        results = run_prototype(place, None, progress, with_report=with_report, replace=replace, jobs=jobs or cores())
-    outcome.emit_scores(place.root, as_json=as_json, details=details, with_report=with_report)
+        results = run_prototype(place, None, progress, with_report=not no_report, replace=replace, jobs=jobs or cores())
+    outcome.emit_scores(place.root, as_json=as_json, details=details, with_report=not no_report)
     if not as_json:
-        if with_report:
+        outcome.emit_instruments(place.root)
+        if not no_report:
             outcome.emit_verdict(place.root)
         typer.echo(outcome.summary(results))
     outcome.emit_stale_exports(place.root)
@@ -155,9 +153,10 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
 
 
 def _announce_compilation(quiet: bool) -> None:
-    from pipeline.warmup import COST, is_warm
+    from pipeline.kernel_cache import has_kernels
+    from pipeline.warmup import COST
 
-    if not quiet and not is_warm():
+    if not quiet and not has_kernels():
         typer.echo(
             f"compiling once, about {COST:.0f} s of processor time; `debist warmup` does this ahead of a run", err=True
         )
@@ -169,7 +168,7 @@ def status(
     watch: Annotated[bool, typer.Option("--watch", help="Of a batch: show it anew until nothing runs.")] = False,
     as_json: Json = False,
 ) -> None:
-    """What is stale in a run, and why; of the folder of a batch: what is done, running or failed, and the expected end.
+    """What is stale in a run, and why; of the folder of a batch: what is done, running, stopped or failed.
 
     A run's artifacts are compared with the logs and the settings file of today. Example: debist status runs/P1
     """
@@ -210,7 +209,7 @@ def _fleet_status(folder: Path, *, watch: bool, as_json: bool) -> None:
 
 
 def warmup(
-    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, help="Processes at a time.")] = 2, as_json: Json = False
+    jobs: Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time.")] = 2, as_json: Json = False
 ) -> None:
     """Compile the kernels once per installation, so that no later command has to.
 

@@ -39,6 +39,7 @@ MASKS = (
 
 DEALT_WITH = re.compile(
     r"masked|split there|start anew|not finite|single-sample|extreme .*saturated|kept|interpolated$|accepted"
+    r"|taken as uniform|a clock of its own"
 )
 """Remarks on what is left out of fits and scores, or what the user has decided on."""
 

@@ -1,5 +1,6 @@
 """The exported model with its bounds and curves, and its realisation: states, constants, equations of motion."""
 
+import hashlib
 import importlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -21,6 +22,10 @@ _STRONGER, _FARTHER = 1.05, 0.6
 """Times the largest trained input, and the trained range from its middle, beyond which a model extrapolates."""
 _WEAKER = (0.2e-3, 3e-3)
 """Shares of the largest trained input between which another one looks like kV."""
+
+
+MATLAB_NAME = 63
+"""Most letters of a name in MATLAB (namelengthmax)."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +113,11 @@ class Subject:
     def identifier(self) -> str:
         """Name for files and functions: letters, digits and underscores."""
         text = "".join(c if c.isascii() and c.isalnum() else "_" for c in f"{slug(self.prototype)}_{self.name}")
-        return text if text[0].isalpha() else f"m{text}"
+        text = text if text[0].isalpha() else f"m{text}"
+        if len(text) <= MATLAB_NAME:
+            return text
+        digest = hashlib.sha256(text.encode()).hexdigest()[:8]  # separates it from others that begin alike
+        return f"{text[: MATLAB_NAME - len(digest) - 1]}_{digest}"
 
     def realisation(self) -> "Realisation":
         """States, constants and kernels of the model, see `realise`."""

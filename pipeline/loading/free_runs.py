@@ -5,12 +5,11 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.loading.trajectories import EDGE, begins_in_motion, drive, part, part_rows
 from pipeline.models.base import DynamicModel, FreeRun, HasDraws, HasTubes
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.columns import TUBE_COLUMNS
-from pipeline.runs.tables import Table
 from pipeline.scoring.tubes import Tubes, tubes
+from pipeline.signals.log import EDGE, Log
 
 DRAWS = 32
 """Free runs that show what the training data leave open."""
@@ -27,35 +26,35 @@ class Start(NamedTuple):
     qdot0: float
 
 
-def free_run(table: Table, model: DynamicModel) -> FreeRun:
+def free_run(log: Log, model: DynamicModel) -> FreeRun:
     """Simulate a model over the parts of a log; rows before and between them, and after a divergence, are NaN.
 
     Parameters
     ----------
-    table : Table
-        A kinematics table, with the fine voltages of its record if the model takes them.
+    log : Log
+        With the inputs between its samples if the model takes them.
     model : DynamicModel
         What is simulated.
     """
-    q, qdot, qddot = (np.full(len(table["t"]), np.nan) for _ in range(3))
-    for rows in part_rows(table):
-        made = model.simulate(*start_of(part(table, rows), model))
+    q, qdot, qddot = (np.full(len(log.t), np.nan) for _ in range(3))
+    for rows, part in zip(log.part_rows(), log.parts(), strict=True):
+        made = model.simulate(*start_of(part, model))
         q[rows], qdot[rows], qddot[rows] = made.q, made.qdot, made.qddot
         if made.status != "ok":
-            return FreeRun(table["t"], q, qdot, qddot, made.status, made.diverged_at_s)
-    return FreeRun(table["t"], q, qdot, qddot, "ok", None)
+            return FreeRun(log.t, q, qdot, qddot, made.status, made.diverged_at_s)
+    return FreeRun(log.t, q, qdot, qddot, "ok", None)
 
 
-def drawn_runs(table: Table, model: DynamicModel) -> FloatArray | None:
+def drawn_runs(log: Log, model: DynamicModel) -> FloatArray | None:
     """Free runs over the parts of a log drawn from the posterior of a model's parameters, q of shape (`DRAWS`, N).
 
     NaN before, between and behind the parts; None for a model without draws.
     """
     if not isinstance(model, HasDraws):
         return None
-    ensemble = np.full((DRAWS, len(table["t"])), np.nan)
-    for rows in part_rows(table):
-        ensemble[:, rows], _ = model.simulate_draws(*start_of(part(table, rows), model), count=DRAWS)
+    ensemble = np.full((DRAWS, len(log.t)), np.nan)
+    for rows, part in zip(log.part_rows(), log.parts(), strict=True):
+        ensemble[:, rows], _ = model.simulate_draws(*start_of(part, model), count=DRAWS)
     return ensemble
 
 
@@ -86,30 +85,31 @@ def wanted_tubes(q: FloatArray, ensemble: FloatArray | None, model: DynamicModel
     return tube_columns(around)
 
 
-def start_of(piece: Table, model: DynamicModel) -> Start:
+def start_of(part: Log, model: DynamicModel) -> Start:
     """Where a free run of a model over a part of a log starts, whatever is simulated from there.
 
     At rest the velocity is the measured one or the derivative. Where it begins in motion a derivative at its edge is
     poor, and a free run carries its error on: then it is the velocity with which the model follows the first samples.
     """
-    v, q0, qdot0 = drive(piece, fine=model.fine_voltages), float(piece["q"][0]), float(piece["qdot"][0])
-    if begins_in_motion(piece):
-        qdot0 = followed_velocity(piece, v, model)
-    return Start(piece["t"], v, q0, qdot0)
+    v = part.drive_of(fine=model.fine_voltages)
+    qdot0 = followed_velocity(part, v, model) if part.begins_in_motion else float(part.qdot[0])
+    return Start(part.t, v, float(part.q[0]), qdot0)
 
 
-def followed_velocity(table: Table, v: FloatArray, model: DynamicModel) -> float:
+def followed_velocity(log: Log, v: FloatArray, model: DynamicModel) -> float:
     """The velocity with which a model follows the first samples best, by two Gauss-Newton steps from the derivative.
 
     The derivative stays where nothing lowers the error.
     """
     part = slice(0, EDGE + 1)
-    q, start = table["q"][part], float(table["qdot"][0])
-    seen, nudge = np.isfinite(q), 1e-3 * float(np.nanstd(table["qdot"]))
+    q = log.q[part]
+    start = float(log.qdot[0])
+    seen = np.isfinite(q)
+    nudge = 1e-3 * float(np.nanstd(log.qdot))
 
     def error(velocity: float) -> FloatArray:
         """Error of q at the first samples of a run that begins with this velocity."""
-        return (model.simulate(table["t"][part], v[part], float(q[0]), velocity).q - q)[seen]
+        return (model.simulate(log.t[part], v[part], float(q[0]), velocity).q - q)[seen]
 
     best, least = start, error(start)
     for _ in range(2):

@@ -11,7 +11,7 @@ import numpy as np
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.fitting.population import NormalPopulation
-from pipeline.loading.device import Device
+from pipeline.loading.device import Device, device
 from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain
 from pipeline.runs import layout
@@ -130,17 +130,17 @@ def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | N
     return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
 
 
-def siblings_of(run: RunFolder, parameters: JointParameters | None) -> NormalPopulation:
-    """What siblings teach, as the run holds it.
+def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPopulation:
+    """What siblings teach, of the tree of their file.
 
     Raises
     ------
     InputError
-        They were learnt about another parameter set than the run's.
+        They were learnt about another parameter set than that of the settings.
     """
     from pipeline.models.hybrid.siblings import from_tree
 
-    about, population, _ = from_tree(run.read_tree(layout.SIBLINGS))
+    about, population, _ = from_tree(tree)
     if parameters is None or about != parameters:
         raise InputError("plant.siblings: they were learnt about another parameter set than plant.parameters; use that")
     return population
@@ -171,5 +171,20 @@ def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointPa
     named = known_inputs(prototype)
     return PriorKnowledge(
         run.read_table(layout.KNOWN_CURVES) if layout.KNOWN_CURVES in named else None,
-        siblings_of(run, parameters) if layout.SIBLINGS in named else None,
+        taught(run.read_tree(layout.SIBLINGS), parameters) if layout.SIBLINGS in named else None,
+    )
+
+
+def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
+    """What is known beside signals in memory: the files that the settings name, as seen from a settings file.
+
+    Raises
+    ------
+    InputError
+        A file is missing or cannot be read, or the siblings have another parameter set.
+    """
+    curves, siblings = prototype.plant.curves, prototype.plant.siblings
+    return PriorKnowledge(
+        None if curves is None else read_measured_curves(layout.source(curves, settings_file), device(prototype)),
+        None if siblings is None else taught(read_siblings(layout.source(siblings, settings_file)), parameters),
     )

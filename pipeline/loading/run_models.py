@@ -9,15 +9,14 @@ from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
 from pipeline.loading.free_runs import start_of
-from pipeline.loading.trajectories import load_motion, longest_rows, part, training_tables
+from pipeline.loading.trajectories import load_logs, load_motion
 from pipeline.models.base import DynamicModel
 from pipeline.models.kind import model_from_tree
 from pipeline.names import shell_word
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.tables import Table
 from pipeline.settings import Prototype
-from pipeline.signals.trajectory import voltages
+from pipeline.signals.log import Log
 
 if TYPE_CHECKING:
     from pipeline.export.subject import Subject, Validity
@@ -142,12 +141,12 @@ def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject"
     """A model of the run, the headline if none is named, and what travels along with it."""
     chosen, artifact = model_artifact(run, prototype, name)
     model, check = load_run_model(run, prototype, chosen), _check_log(run, prototype)
-    logs, origin = training_tables(run, prototype), run.record(artifact).content_hash
+    logs, origin = load_logs(run, prototype, "train"), run.record(artifact).content_hash
     return subject_on(check, model, prototype, logs, chosen, origin)
 
 
 def subject_on(
-    check: Table, model: DynamicModel, prototype: Prototype, logs: Sequence[Table], name: str, origin: str
+    check: Log, model: DynamicModel, prototype: Prototype, logs: Sequence[Log], name: str, origin: str
 ) -> "Subject":
     """A model called `name`, identified from the kinematics of `logs`, with the log `check` that travels along.
 
@@ -163,21 +162,20 @@ def subject_on(
         validity=validity_of(logs, prototype),
         origin=origin,
         t=start.t - start.t[0],
-        v=voltages(check),
+        v=check.v,
         start=(start.q0, start.qdot0),
         curve_units=device(prototype).curve_units,
     )
 
 
-def _check_log(run: RunFolder, prototype: Prototype) -> Table:
+def _check_log(run: RunFolder, prototype: Prototype) -> Log:
     """The first validation log, or the first training log where there is none; of one with gaps the longest part."""
     role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
-    table = load_motion(run, prototype, role, log)
-    return part(table, longest_rows(table))
+    return load_motion(run, prototype, role, log).longest_part()
 
 
-def validity_of(tables: Sequence[Table], prototype: Prototype) -> "Validity":
-    """What the kinematics of training logs span."""
+def validity_of(logs: Sequence[Log], prototype: Prototype) -> "Validity":
+    """What training logs span."""
     from pipeline.export.subject import Validity
 
     plant = device(prototype)
@@ -186,11 +184,10 @@ def validity_of(tables: Sequence[Table], prototype: Prototype) -> "Validity":
         """Smallest and largest of all logs."""
         return min(float(np.nanmin(x)) for x in values), max(float(np.nanmax(x)) for x in values)
 
-    inputs = [name for name in ("v1", "v2") if name in tables[0]]
     return Validity(
-        q=span([table["q"] for table in tables]),
-        qdot=span([table["qdot"] for table in tables]),
-        v=tuple(span([table[name] for table in tables]) for name in inputs),
+        q=span([log.q for log in logs]),
+        qdot=span([log.qdot for log in logs]),
+        v=tuple(span([log.v[:, k] for log in logs]) for k in range(logs[0].v.shape[1])),
         sample_interval=prototype.ingest.sample_interval,
         q_unit=plant.displacement.symbol,
         v_units=tuple(unit.symbol for unit in plant.inputs),

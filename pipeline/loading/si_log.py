@@ -2,22 +2,29 @@
 
 import math
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pipeline.checks.gates import judge
 from pipeline.errors import InputError
 from pipeline.loading.device import Device
 from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
+from pipeline.rig_logs.channel_roles import clocks_beside, suggested_unit
+from pipeline.rig_logs.source import rates_beside
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Channel, LogColumn
+from pipeline.si_prefix import quantity
 from pipeline.signals.columns import Signal, chunks, column, equal, held, one_sign, scaled, sparse
 from pipeline.signals.missing import code_remarks, codes_in, masked
+from pipeline.signals.quality_gates import Finding
+from pipeline.signals.rounded_clock import uniform_clock
+from pipeline.signals.signal_quality import span
 from pipeline.signals.timebase import nominal_step, unwrapped
-from pipeline.units import DISPLACEMENT, INPUT, TIME, VELOCITY, SiUnit, to_si
+from pipeline.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
 
 if TYPE_CHECKING:
     from pipeline.rig_logs import Recording
@@ -79,7 +86,29 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
     used = (channels.time, *signals, *(signal.time for signal in signals))
     wanted = [each.channel for each in used if each is not None]
     csv = CsvOptions(**prototype.ingest.csv.model_dump())
-    return _si_log(read_recording(path, channels=wanted, csv=csv, progress=progress), prototype, plant)
+    read = read_recording(path, channels=wanted, csv=csv, progress=progress)
+    beside = _clocks_beside(read, prototype)
+    if unread := list(set(beside.values()).difference(wanted)):
+        clocks = read_recording(path, channels=unread, csv=csv).channels
+        read = replace(read, channels=(*read.channels, *clocks))
+    return on_uniform_clocks(_si_log(read, prototype, plant, beside))
+
+
+def on_uniform_clocks(log: SiLog) -> SiLog:
+    """The log with the uniform clock in place of stamps that are those of one, rounded; which is noted."""
+    signals = {"q": log.q, **log.beside}
+    clocks = {id(time): uniform_clock(time) for time, _ in signals.values()}
+    notes = list(log.notes)
+    for key, clock in clocks.items():
+        if clock is not None:
+            names = ", ".join(name for name, (time, _) in signals.items() if id(time) == key)
+            of = "" if len(clocks) == 1 else f" of {names}"
+            notes.append(f"the time stamps{of} are {clock.described}")
+    made = [
+        (time if (clock := clocks[id(time)]) is None else clock.time, samples) for time, samples in signals.values()
+    ]
+    inputs = len(log.inputs)
+    return SiLog(made[0], tuple(made[1 : inputs + 1]), made[-1] if made[inputs + 1 :] else None, tuple(notes))
 
 
 def part_of_log(log: SiLog, span: tuple[float, float], path: Path) -> SiLog:
@@ -112,7 +141,21 @@ def _within(time: FloatArray, span: tuple[float, float]) -> "slice | BoolArray":
     return rows[0] if len(rows) == 1 else inside
 
 
-def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLog:
+def _clocks_beside(recording: "Recording", prototype: Prototype) -> dict[str, str]:
+    """The column of time that stands beside each channel, where the log has several and the settings name one."""
+    channels = prototype.channels
+    used = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
+    if channels.time is None or all(each.time for each in used):
+        return {}
+    own = clocks_beside(recording.listed)
+    beside = {each.channel: own[each.channel] for each in used if not each.time and each.channel in own}
+    several = len({*beside.values(), *(each.time.channel for each in used if each.time)}) > 1
+    return beside if several else {}
+
+
+def _si_log(
+    recording: "Recording", prototype: Prototype, plant: Device, clocks: Mapping[str, str] | None = None
+) -> SiLog:
     channels = prototype.channels
     signals = [(channels.q, plant.displacement), *zip(channels.inputs, plant.inputs, strict=True)]
     names = ["q", *(f"v{i}" for i in range(1, len(signals)))]
@@ -121,7 +164,10 @@ def _si_log(recording: "Recording", prototype: Prototype, plant: Device) -> SiLo
         names.append("qdot")
     notes: list[str] = []
     columns = [_si(recording, channel, unit, name, notes) for (channel, unit), name in zip(signals, names, strict=True)]
-    bases = _bases(recording, [channel for channel, _ in signals], prototype, notes)
+    bases = _bases(
+        recording, dict(zip(names, (channel for channel, _ in signals), strict=True)), prototype, clocks or {}, notes
+    )
+    notes += _contradicted_rates(recording, channels.q.channel, bases[0], prototype)
     if prototype.ingest.time_reversal == "unwrap":
         made = {id(base): unwrapped(base) for base in bases}
         if any(not equal(base, made[id(base)]) for base in bases):
@@ -197,22 +243,71 @@ def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, 
     return samples if part == "all" else one_sign(samples, 1.0 if part == "positive" else -1.0)
 
 
-def _bases(recording: "Recording", channels: list[Channel], prototype: Prototype, notes: list[str]) -> list[FloatArray]:
-    """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object."""
+def _bases(
+    recording: "Recording", channels: Mapping[str, Channel], prototype: Prototype, clocks: Mapping[str, str],
+    notes: list[str],
+) -> list[FloatArray]:  # fmt: skip
+    """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object.
+
+    Parameters
+    ----------
+    recording : Recording
+        The log.
+    channels : mapping of str to Channel
+        The signals' channels, by their names in a record.
+    prototype : Prototype
+        Names the time of all.
+    clocks : mapping of str to str
+        The column of time that stands beside a channel, where the log has several.
+    notes : list of str
+        Gets what is remarkable.
+    """
     of_all, bases = prototype.channels.time, list[FloatArray]()
-    own = _own_bases(recording, [each for each in channels if not (each.time or of_all)], prototype.ingest.sample_rate)
+    without = [each for each in channels.values() if not (each.time or of_all)]
+    own = _own_bases(recording, without, prototype.ingest.sample_rate)
     read: dict[LogColumn, FloatArray] = {}
-    for channel in channels:
+
+    def seconds(clock: LogColumn) -> FloatArray:
+        """The stamps of a column, read once."""
+        if clock not in read:
+            unit = to_si(clock.unit, TIME, f"{prototype.name}: time {clock.channel!r}")
+            read[clock] = _si(recording, clock, unit, "time", notes)
+        return read[clock]
+
+    for name, channel in channels.items():
         clock = channel.time or of_all
         if clock is None:
             bases.append(own.pop(0))
             continue
-        if clock not in read:
-            unit = to_si(clock.unit, TIME, f"{prototype.name}: time {clock.channel!r}")
-            read[clock] = _si(recording, clock, unit, "time", notes)
-        base = read[clock]
+        base = seconds(clock)
+        beside = clock.channel if channel.time else clocks.get(channel.channel, clock.channel)
+        if beside != clock.channel:
+            stated = suggested_unit(beside, recording.channel(beside).unit)
+            column_beside = {"channel": beside, "unit": stated if stated in SECONDS else clock.unit}
+            base = _of_two(name, base, seconds(clock.model_copy(update=column_beside)), (clock.channel, beside), notes)
         bases.append(next((other for other in bases if other is not base and equal(other, base)), base))
     return bases
+
+
+def _of_two(
+    name: str, of_all: FloatArray, beside: FloatArray, columns: tuple[str, str], notes: list[str]
+) -> FloatArray:
+    """The time base [s] of a signal: the column beside it where that runs over the same time as that of all."""
+    rises = all(np.all(np.diff(beside[rows][np.isfinite(beside[rows])]) >= 0.0) for rows in chunks(beside.size))
+    if beside.size != of_all.size or equal(beside, of_all) or not rises or np.nanmax(beside) == np.nanmin(beside):
+        return of_all
+    (begin, end), (own_begin, own_end) = span(of_all), span(beside)
+    shared = min(end, own_end) - max(begin, own_begin)
+    what = f"{name} stands beside a clock of its own, {columns[1]!r}"
+    if 2.0 * shared > max(end - begin, own_end - own_begin):
+        apart = quantity(float(np.nanmax(np.abs(beside - of_all), initial=0.0)), "s")
+        notes.append(f"{what}, up to {apart} from {columns[0]!r}: it is used for {name}")
+        return beside
+    notes.append(
+        f"{what}, which differs from {columns[0]!r}, and is not used: it runs from {own_begin:.6g} to {own_end:.6g} s; "
+        f"give that of {name} in [channels] as time = {{ channel, unit }}"
+    )
+    return of_all
 
 
 def _own_bases(recording: "Recording", channels: list[Channel], rate: float | None) -> list[FloatArray]:
@@ -241,6 +336,29 @@ def _own_bases(recording: "Recording", channels: list[Channel], rate: float | No
     return bases
 
 
+def _contradicted_rates(recording: "Recording", channel: str, time: FloatArray, prototype: Prototype) -> list[str]:
+    """What to say of sample rates beside a channel that the log states and its time [s] contradicts.
+
+    Raises
+    ------
+    DataRefusedError
+        The time is made of the rate of the settings, which these do not accept unchecked.
+    """
+    rates = rates_beside(channel, recording.rates)
+    own = 1.0 / nominal_step(time) if rates else 0.0
+    if any(abs(rate / own - 1.0) <= _RATES_AGREE for rate in rates.values()) or not rates:
+        return []
+    stated = " and ".join(f"{name} states {rate:.6g} Hz" for name, rate in rates.items())
+    if prototype.ingest.sample_rate is None:
+        return [f"in the log {stated}, but by its time it has {own:.6g} samples per second: is the unit of time right?"]
+    finding = Finding(
+        "rate",
+        f"in the log {stated}, but [ingest] sample_rate is {prototype.ingest.sample_rate:g} Hz",
+        "correct sample_rate, or where the log means another rate keep it",
+    )
+    return judge(f"{recording.path}", [finding], prototype.quality)
+
+
 def _counted(size: int, rate: float) -> FloatArray:
     """Stamps [s] of so many samples at a rate [Hz]."""
     return column(size, (np.arange(rows.start, rows.stop) / rate for rows in chunks(size)), np.float64)
@@ -260,8 +378,9 @@ def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUn
     except InputError:
         return
     other_kind = own.symbol != resolved.symbol
+    monitor = ', or of a 1:1000 monitor give unit = "V", scale = 1000' if (bare, unit) == ("V", "kV") else ""
     if (other_kind and stated) or not (other_kind or np.isclose(own.factor, resolved.factor, rtol=1e-9)):
         raise InputError(
             f"{path}: channel {channel!r} is in {bare} by {'the log' if stated else 'its name'}, but in {unit} by the "
-            "settings; correct the unit in [channels]"
+            f"settings; correct the unit in [channels]{monitor}"
         )

@@ -16,7 +16,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs.trees import read_tree
 from pipeline.settings import Compare, Identify
-from pipeline.signals.trajectory import Record, Trajectory
+from pipeline.signals.log import Log
 
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
@@ -98,9 +98,9 @@ class Training:
 
     Attributes
     ----------
-    stretches : tuple of Trajectory
-        Their gap-free stretches.
-    records : tuple of Record
+    segments : tuple of Log
+        Their gap-free segments.
+    records : tuple of Log
         The whole logs with gaps masked, and with the voltages between the samples.
     units : (str, str)
         SI symbols of q (m or rad) and of the inputs.
@@ -124,8 +124,8 @@ class Training:
         Called with the step of a fit, and the share of its time limit that is spent.
     """
 
-    stretches: tuple[Trajectory, ...]
-    records: tuple[Record, ...]
+    segments: tuple[Log, ...]
+    records: tuple[Log, ...]
     units: tuple[str, str]
     inputs: "InputLaw"
     known_mass: float | None
@@ -139,9 +139,9 @@ class Training:
     on_progress: OnProgress = silent
 
     @property
-    def finely_driven(self) -> list[Trajectory]:
-        """The stretches, with the voltages between the samples: a snap begins where a pulse does, not at a sample."""
-        return [stretch for record in self.records for stretch in record.stretches()]
+    def fitted_segments(self) -> list[Log]:
+        """The gap-free segments of `records`, which leave out what is poorly known at the beginning of a log."""
+        return [segment for record in self.records for segment in record.segments()]
 
     @property
     def mass(self) -> float:

@@ -1,4 +1,4 @@
-"""The page of a fleet: a sortable table, distributions of facts and errors, outliers marked, links to single pages."""
+"""The page of a fleet: a sortable table of its worst and odd prototypes, distributions, links to single pages."""
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -7,58 +7,69 @@ from typing import Any
 from urllib.parse import quote
 
 import numpy as np
-from markupsafe import Markup
 
 from pipeline.numerics.metrics import robust_std
-from pipeline.reporting.fleet_table import FACTS, FleetColumn, Summary, decimals, fleet_columns, histogram, strip_chart
-from pipeline.reporting.page import json_for_script, render
+from pipeline.reporting.canvas import page_chart
+from pipeline.reporting.fleet_table import FACTS, FleetColumn, Summary, decimals, distribution
+from pipeline.reporting.legend import swatches
+from pipeline.reporting.page import render
 from pipeline.si_prefix import scale, significant
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
 OUTLIER, LEAST_VALUES = 3.5, 6
 ERROR, TRAINING = "NRMSE of q", " (training)"
-LISTED = 400
-"""Members up to which every one has a row of markup and a dot in the distributions."""
+LISTED = 200
+"""Rows of the page; `fleet-facts.parquet` and `fleet.parquet` have all prototypes."""
 
 
 def fleet_report(members: Iterable[Summary], page_name: str) -> str:
     """The page as HTML; the same members give the same bytes.
 
-    Up to `LISTED` members it is a table of 2 kB for each, which needs no script. More are columns of numbers, 60 bytes
-    for each, of which a script shows those rows that are in sight; distributions are then histograms.
+    Cost: 0.2 s for the drawing of each quantity that six prototypes have, else some milliseconds.
     """
     fleet = list(members)
-    quantities, many = _quantities(fleet), len(fleet) > LISTED
-    done, failed = [member for member in fleet if member.done], [member for member in fleet if member.reason]
+    quantities = _quantities(fleet)
+    done = [member for member in fleet if member.done]
     shown = [(q, decimals(q.values)) for q in quantities]
     context = {
         "title": page_name,
         "count": len(fleet),
         "done": len(done),
-        "failed": failed[:LISTED],
-        "failures": len(failed),
+        "failures": sum(bool(member.reason) for member in fleet),
         "grades": _grades(done),
         "bare": sum(not member.model for member in done),
         "headings": [q.heading for q in quantities],
-        "rows": [] if many else [_row(member, i, shown) for i, member in enumerate(fleet)],
-        "columns": json_for_script(fleet_columns(fleet, quantities)) if many else "",
-        "strips": [
-            (q.title, _distribution(q, fleet, many))
-            for q in quantities
-            if np.isfinite(_validated(q, fleet).values).sum() > 1
-        ],
+        "rows": [_row(fleet[i], i, shown) for i in _listed(fleet, quantities)],
+        "charts": [_chart(q) for q in (_validated(q, fleet) for q in quantities) if _varies(q)],
         "models": _models(done),
     }
-    return render("fleet.html.j2", ("series.js", "tables.js", "fleet_table.js") if many else ("tables.js",), context)
+    return render("fleet.html.j2", ("tables.js",), context)
 
 
-def _distribution(q: FleetColumn, members: Sequence[Summary], many: bool) -> Markup:
-    shown = _validated(q, members)
-    return histogram(shown) if many else strip_chart(shown, [member.name for member in members])
+def _listed(members: Sequence[Summary], quantities: Sequence[FleetColumn]) -> list[int]:
+    """The rows of the page: all, or those that failed, are odd, or have the largest errors, in their order."""
+    if len(members) <= LISTED:
+        return list(range(len(members)))
+    odd = np.any([q.outliers for q in quantities], axis=0) if quantities else np.zeros(len(members), dtype=np.bool_)
+    ranks = [
+        (not member.reason, not odd[i], -np.nan_to_num(member.error, nan=np.inf), i) for i, member in enumerate(members)
+    ]
+    return sorted(i for *_, i in sorted(ranks)[:LISTED])
+
+
+def _varies(q: FleetColumn) -> bool:
+    """Whether there is a distribution to draw: as many values as an outlier needs, of which two differ."""
+    finite = q.values[np.isfinite(q.values)]
+    return finite.size >= LEAST_VALUES and bool(np.ptp(finite) > 0.0)
+
+
+def _chart(q: FleetColumn) -> dict[str, Any]:
+    figure = distribution(q)
+    return {"figure": figure, "drawings": page_chart(figure, ()), "legend": swatches(figure, (), marks=True)}
 
 
 def _validated(q: FleetColumn, members: Sequence[Summary]) -> FleetColumn:
-    """The same without errors on training logs, which say nothing beside those on others."""
+    """The same without errors on training logs, which must not stand beside those on others."""
     trained = np.array([member.training and q.scored for member in members])
     return replace(q, values=np.where(trained, np.nan, q.values))
 
@@ -124,8 +135,8 @@ def _row(member: Summary, index: int, quantities: Sequence[tuple[FleetColumn, in
     return {
         "name": member.name,
         "link": f"./{quote(member.link)}" if member.link is not None else None,
-        "reason": member.reason,
-        "why": member.why,
+        "failed": bool(member.reason),
+        "why": member.reason or member.why,
         "data": member.data,
         "model": member.model,
         "cells": cells,
@@ -154,9 +165,10 @@ def _models(done: Sequence[Summary]) -> list[dict[str, Any]]:
         quartiles = (
             [float(x) for x in np.quantile(defined, [0.5, 0.25, 0.75, 1.0])] if defined.size else [float("nan")] * 4
         )
-        cells = [
+        counts = [{"text": str(n), "value": str(n)} for n in (len(values), len(values) - defined.size)]
+        errors_of = [
             {"text": significant(x) if np.isfinite(x) else "–", "value": repr(x) if np.isfinite(x) else ""}
             for x in quartiles
         ]
-        rows.append({"model": model, "logs": len(values), "undefined": len(values) - defined.size, "cells": cells})
+        rows.append({"model": model, "cells": counts + errors_of})
     return rows

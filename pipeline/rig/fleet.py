@@ -4,18 +4,20 @@ import json
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
-from typing import Literal, cast, get_args
+from typing import Any, Literal, cast, get_args
 
 import numpy as np
+from pydantic import Field
 
 from pipeline.errors import InputError
 from pipeline.rig.bench import Bench, BenchRecord, random_bench, record
 from pipeline.rig.excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
 from pipeline.rig.joint import wells
-from pipeline.rig.log import LAYOUTS, Fault, RawLog, inject_faults
+from pipeline.rig.log import LAYOUTS, Fault, FaultKind, RawLog, inject_faults
 from pipeline.rig.parameters import RigParameters, as_json, nominal, sized, table1
 from pipeline.rig.random_joint import Family, aged, random_joint
 from pipeline.runs.outputs import new_outputs, rebased
+from pipeline.settings_logs import Number, SettingsTable, Whole
 
 Kind = Literal["same", "foreign", "worn", "nominal", "table1"]
 Role = Literal["train", "validation"]
@@ -69,7 +71,7 @@ class Experiment:
     training_logs: int = 1
     validation_logs: int = 1
     excitation: str | None = None
-    faults: tuple[str, ...] = ()
+    faults: tuple[FaultKind, ...] = ()
     play: str | None = None
     charging: float = 0.0
     age: float | None = None
@@ -78,22 +80,77 @@ class Experiment:
 
     def __post_init__(self) -> None:
         for option, value, allowed in (
-            ("kind", self.kind, get_args(Kind)),
-            ("excitation", self.excitation or "mixed", EXCITATIONS),
-            ("format", self.format, tuple(LAYOUTS)),
+            ("--kind", self.kind, get_args(Kind)),
+            ("excitation =", self.excitation or "mixed", EXCITATIONS),
+            ("--format", self.format, tuple(LAYOUTS)),
         ):
             if value not in allowed:
-                raise InputError(f"--{option} {value}: unknown; choose one of {', '.join(allowed)}")
+                raise InputError(f"{option} {value}: unknown; choose one of {', '.join(allowed)}")
         if self.rate < _RATE_STEP or self.rate % _RATE_STEP:
             raise InputError(f"--rate {self.rate:g}: the rig samples at multiples of {_RATE_STEP:g} Hz")
         if not 2.0 <= self.duration <= 3600.0:
             raise InputError(f"--duration {self.duration:g}: a log lasts 2 to 3600 s")
-        if not 0.0 <= self.charging <= 1.0:
-            raise InputError(f"--charging-time {self.charging:g} s: membranes charge within 0 to 1 s")
-        if self.age is not None and not 0.0 <= self.age <= 1e5:
-            raise InputError(f"--age {self.age:g}: a prototype is 0 to 100,000 days old")
-        if not 0.2 <= self.size <= 5.0:
-            raise InputError(f"--size {self.size:g}: a joint is 0.2 to 5 times as long as the drawing")
+
+
+class Drift(SettingsTable):
+    """Changes in a day, proportional to the age."""
+
+    capacitance_percent: Number = 0.0
+    """Of both membranes."""
+    stiffness_percent: Number = 0.0
+    """Of the beam in bending."""
+    charging_s: Number = 0.0
+    """Of the time constant with which the membranes charge."""
+    laser_m: Number = 0.0
+    """Of the laser's reading at q = 0."""
+
+
+USUAL_DRIFT = Drift(capacitance_percent=-0.1, stiffness_percent=-0.05, charging_s=20e-6, laser_m=2e-6)
+
+
+class ExperimentFile(SettingsTable):
+    """What is rare in an experiment: the TOML file of `debist rig simulate --experiment`."""
+
+    training_logs: Whole = Field(default=1, ge=1, le=99)
+    """Number of training logs."""
+    validation_logs: Whole = Field(default=1, ge=0, le=99)
+    """Number of validation logs."""
+    excitation: str | None = None
+    """pulses, alternating (the paper's), chirps, both, steps, multisine, mixed, training or validation; left out, that
+    of the log's role."""
+    play: str | None = None
+    """Voltages for the training logs: a CSV or MAT file in V, relative to this file."""
+    faults: tuple[FaultKind, ...] = ()
+    """Faults that each log gets."""
+    charging_time_s: Number = Field(default=0.0, ge=0.0, le=1.0)
+    """Time constant of each membrane behind its electrodes."""
+    size: Number = Field(default=1.0, ge=0.2, le=5.0)
+    """Factor on the joint's lengths, which moves alike."""
+    age_days: Number | None = Field(default=None, ge=0.0, le=1e5)
+    """Age of the prototype: the same joint with other logs."""
+    drift: Drift = USUAL_DRIFT
+    """What changes in a day, where there is an age."""
+
+    def fields(self, folder: Path) -> dict[str, Any]:
+        """The same as fields of an `Experiment`; `folder` is that of the file."""
+        drift = self.drift
+        changes = {
+            "capacitance": 0.01 * drift.capacitance_percent,
+            "stiffness": 0.01 * drift.stiffness_percent,
+            "charging": drift.charging_s,
+            "laser": drift.laser_m,
+        }
+        return {
+            "training_logs": self.training_logs,
+            "validation_logs": self.validation_logs,
+            "excitation": self.excitation,
+            "play": None if self.play is None else str(folder / self.play),
+            "faults": self.faults,
+            "charging": self.charging_time_s,
+            "size": self.size,
+            "age": self.age_days,
+            "drift": changes if self.age_days is not None else {},
+        }
 
 
 @dataclass(frozen=True)
@@ -142,16 +199,16 @@ def write_prototype(folder: Path, name: str, experiment: Experiment, *, seed: in
         "bench": asdict(bench),
         "faults": {stem: [asdict(fault) for fault in injected] for stem, injected in faults.items()},
     }
-    (folder / "truth" / "truth.json").write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
+    (folder / "truth" / "truth.json").write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8", newline="\n")
     prototype = folder / f"{name}.toml"
     files = {role: [f"{log.stem}{form.suffix}" for log in logs if log.role == role] for role in get_args(Role)}
     drawing = 'parameters = "nominal"\n' if experiment.size == 1.0 else ""  # of another size there is no drawing
     text = prototype_toml(name, moving_mass(joint), files, experiment.format, more=drawing)
-    prototype.write_text(text, encoding="utf-8")
+    prototype.write_text(text, encoding="utf-8", newline="\n")
     return prototype
 
 
-def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int, force: bool = False) -> Path:
+def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed: int) -> Path:
     """Write a prototype as `write_prototype` does, and return its settings file.
 
     Raises
@@ -160,14 +217,12 @@ def simulate_prototype(folder: Path, name: str, experiment: Experiment, *, seed:
         The folder holds files of the same names that were not written so.
     """
     names = [*log_files(experiment), f"{name}.toml", "truth/truth.json"]
-    with new_outputs(folder, "rig simulate", force=force, names=names) as staged:
+    with new_outputs(folder, "rig simulate", force=None, names=names) as staged:
         prototype = write_prototype(staged, name, experiment, seed=seed)
     return rebased(prototype, staged, folder)
 
 
-def simulate_fleet(
-    folder: Path, count: int, experiment: Experiment, *, seed: int, force: bool = False
-) -> Iterator[Path]:
+def simulate_fleet(folder: Path, count: int, experiment: Experiment, *, seed: int) -> Iterator[Path]:
     """Write `count` prototypes ``KIND-NN/`` below `folder`, each with its own stream of random numbers; yield TOMLs.
 
     With the kind ``same`` every second prototype is ``foreign``: half of a fleet must not share the model's physics.
@@ -177,7 +232,7 @@ def simulate_fleet(
         kind = "foreign" if experiment.kind == "same" and i % 2 else experiment.kind
         name = f"{kind}-{i:02d}"
         own = int(np.random.SeedSequence([seed, i]).generate_state(1)[0])
-        yield simulate_prototype(folder / name, name, replace(experiment, kind=kind), seed=own, force=force)
+        yield simulate_prototype(folder / name, name, replace(experiment, kind=kind), seed=own)
 
 
 def draw(experiment: Experiment, rng: np.random.Generator) -> tuple[RigParameters, Bench, list[Log]]:

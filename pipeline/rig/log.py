@@ -6,12 +6,11 @@ MAT files are as ControlDesk exports them: one struct with ``X`` (time axes) and
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.errors import InputError
 from pipeline.numerics.arrays import BoolArray, FloatArray
 
 _VARIABLE = "rec"
@@ -192,7 +191,9 @@ LAYOUTS = {
 }
 
 
-KINDS = ("saturation", "dropouts", "nan", "gaps", "repeats")  # in the order in which they are put in
+FaultKind = Literal["saturation", "dropouts", "nan", "gaps", "repeats"]
+KINDS: tuple[FaultKind, ...] = get_args(FaultKind)
+"""Kinds of faults, in the order in which they are put in."""
 _COUNT = 3
 _GAP, _DROPOUT = (5e-3, 60e-3), (2e-3, 30e-3)  # s, shortest and longest
 _RAIL = 25.0e-3  # m, end of the laser's range
@@ -206,26 +207,6 @@ class Fault:
     kind: str
     start: float
     end: float
-
-
-def parse_faults(text: str) -> tuple[str, ...]:
-    """The kinds named in a comma-separated `text`.
-
-    Raises
-    ------
-    InputError
-        A kind that does not exist.
-    """
-    kinds = listed(text)
-    for kind in kinds:
-        if kind not in KINDS:
-            raise InputError(f"--faults {kind}: no such fault; choose among {', '.join(KINDS)}")
-    return kinds
-
-
-def listed(text: str) -> tuple[str, ...]:
-    """The entries of a comma-separated `text`."""
-    return tuple(entry.strip() for entry in text.split(",") if entry.strip())
 
 
 def inject_faults(log: RawLog, kinds: tuple[str, ...], rng: np.random.Generator) -> tuple[RawLog, list[Fault]]:

@@ -21,7 +21,6 @@ from pipeline.rig import parameters as law
 from pipeline.rig.bench import Bench
 from pipeline.rig.joint import simulate, wells
 from pipeline.rig.parameters import RigParameters, nominal
-from pipeline.units import parse_quantity
 
 Family = Literal["same", "foreign", "worn"]
 
@@ -199,29 +198,9 @@ DRIFTS = {"capacitance": "1", "stiffness": "1", "charging": "s", "laser": "m"}
 the time constant with which the membranes charge, and the laser's reading at q = 0. Changes are proportional to the
 age."""
 
-USUAL = "capacitance=-0.1%,stiffness=-0.05%,charging=20us,laser=2um"
-"""Default changes in a day."""
-
-
-def parse_drift(text: str) -> dict[str, float]:
-    """Changes in a day by their names, as fractions or in SI units, from ``NAME=CHANGE,…``; ``none`` is no change.
-
-    Raises
-    ------
-    InputError
-        A name or a unit is not in `DRIFTS`.
-    """
-    drift = {}
-    for entry in text.split(",") if text != "none" else ():
-        name, _, change = (part.strip() for part in entry.partition("="))
-        if name not in DRIFTS:
-            raise InputError(f"--drift {entry}: unknown; write NAME=CHANGE with {', '.join(DRIFTS)}, or none")
-        drift[name] = parse_quantity(change, (DRIFTS[name],), "--drift")
-    return drift
-
 
 def aged(joint: RigParameters, bench: Bench, age: float, drift: Mapping[str, float]) -> tuple[RigParameters, Bench]:
-    """Joint and bench at an age [days] with changes a day as `parse_drift` gives them.
+    """Joint and bench at an age [days] with changes a day by the names of `DRIFTS`.
 
     Raises
     ------
@@ -232,7 +211,7 @@ def aged(joint: RigParameters, bench: Bench, age: float, drift: Mapping[str, flo
     charging = bench.charging + change["charging"]
     if min(change["capacitance"], change["stiffness"]) <= -0.5 or charging < 0.0:
         raise InputError(
-            f"--age {age:g}: more than half of a capacitance or a stiffness is gone, or a time is negative"
+            f"age_days = {age:g}: more than half of a capacitance or a stiffness is gone, or a time is negative"
         )
     stiffer = 1.0 + change["stiffness"]
     joint = joint._replace(

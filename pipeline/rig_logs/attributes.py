@@ -19,6 +19,12 @@ _SCALE = re.compile(
     rf"factor|{_OFFSET}|y_?(inc(rement)?|mult)|multiplier|sensitivity|calib\w*|lsb)"
 )
 """Names by which a number might have to be converted, if no convention says how."""
+_DESCRIPTION = re.compile(
+    r"(?i)desc(ription)?|comments?|long_?name|labels?|beschreibung|kommentar|ni_channeldescription"
+)
+_RATIO = re.compile(
+    r"(?<![\d:.])(?:1 ?: ?(\d{3,6})|(\d{3,6}) ?: ?1)(?![\d:])|\b1 ?V ?(?:=|/|per) ?(\d*) ?kV\b|(?<![\w.])(\d*) ?kV/V\b"
+)
 _START = re.compile(r"(?i)(.*[./])?([tx]_?0|x_?(org|origin|zero)|((wf|x)_?)?(start|begin)(_?(time|offset))?)")
 
 
@@ -36,6 +42,29 @@ def unit_among(attributes: Mapping[str, Any], column: int = 0, columns: int = 1)
         if isinstance(text, str):
             return str(text)
     return ""
+
+
+def description_among(attributes: Mapping[str, Any]) -> str:
+    """What attributes say of a channel in words, on one line; "" where none does."""
+    for name in filter(_DESCRIPTION.fullmatch, attributes):
+        text = plain(attributes[name])
+        if isinstance(text, str) and text.strip():
+            return " ".join(text.split())
+    return ""
+
+
+def texts_among(attributes: Mapping[str, Any]) -> str:
+    """All attributes that are texts, as one line."""
+    texts = (plain(value) for value in attributes.values())
+    return "; ".join(" ".join(text.split()) for text in texts if isinstance(text, str))
+
+
+def monitor_ratio(*texts: str) -> float:
+    """Volts that 1 V of a monitor stands for, by the first text that states it (1:1000, 1 kV/V); else 1."""
+    for text in texts:
+        if match := _RATIO.search(text):
+            return float(match[1] or match[2] or 1000.0 * float(match[3] or match[4] or 1.0))
+    return 1.0
 
 
 def rates_among(attributes: Mapping[str, Any], place: str) -> dict[str, tuple[float, float]]:

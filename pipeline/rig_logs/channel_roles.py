@@ -42,6 +42,10 @@ _WANTED = re.compile(r"(ref|soll|set.?point|target|desired)", re.IGNORECASE)
 _LEFT = re.compile(r"(left|links|лев|左|왼쪽|[^\d]1([^\d]|$)|[ _.-]l$)", re.IGNORECASE)
 _RIGHT = re.compile(r"(right|rechts|прав|右|오른쪽|[^\d]2([^\d]|$)|[ _.-]r$)", re.IGNORECASE)
 _MOST_INPUTS = 2
+_CLOCK = re.compile(r"t|time|zeit|timestamp|xvalue", re.IGNORECASE)
+"""What is left of the name of a clock that is called after its channel …"""
+_BETWEEN_WORDS = re.compile(r"[\W_]+")
+"""… without this."""
 _GROUP = re.compile(r"(?:^|[./])[^./]*$")
 """What of a name does not stand for its group."""
 _NAME_SUFFIX = re.compile(r"(?:[_ \[(]|\s*/\s*)(?P<unit>[A-Za-zµμ%°]+)[\])]?$")
@@ -101,6 +105,7 @@ def suggest(
     own_time: bool,
     rising: Sequence[str] = (),
     counts: Mapping[str, int] | None = None,
+    described: Mapping[str, str] | None = None,
 ) -> tuple[Suggestion, ...]:
     """Suggestions for the roles.
 
@@ -114,7 +119,10 @@ def suggest(
         Channels that rise by equal steps; a single one may be the time, if no other is called so.
     counts : mapping of str to int, optional
         Samples of each channel where they are all of one raster: those of one record have equally many.
+    described : mapping of str to str, optional
+        What the log writes beside a channel, which counts where no name says enough.
     """
+    words = {name: f"{(described or {}).get(name, '')}" for name, _ in channels}
     sizes = dict.fromkeys((name for name, _ in channels), 0) | dict(counts or {})
     units = {name: suggested_unit(name, unit) for name, unit in channels}
     names = list(units)
@@ -125,17 +133,17 @@ def suggest(
     times = tuple(time for time in times if time in clocks.values() or time in spare)
     rest = [name for name in names if name in clocks and name not in rising and not _WANTED.search(name)]
     suggestions = [] if own_time else [Suggestion("time", times)]
-    q = _best(rest, units, _DISPLACEMENT_UNITS, "q")
+    q = _best(rest, units, _DISPLACEMENT_UNITS, "q", words)
     alike = [name for name in rest if len(q) == 1 and sizes[name] == sizes[q[0]]]
     rest = [name for name in rest if name in alike or not alike or clocks[name] != clocks[q[0]]]
-    inputs = _best([name for name in rest if q != (name,)], units, _INPUT_UNITS, "v")
+    inputs = _best([name for name in rest if q != (name,)], units, _INPUT_UNITS, "v", words)
     left_over = tuple(name for name in rest if name not in (*q, *inputs) and not units[name])
     if not q and len(left_over) == 1:
         q = left_over
     elif not inputs and len(left_over) <= _MOST_INPUTS and len(q) == 1:
         inputs = left_over
-    left = tuple(name for name in inputs if _LEFT.search(name) and not _RIGHT.search(name))
-    right = tuple(name for name in inputs if _RIGHT.search(name) and not _LEFT.search(name))
+    left = _on_side(inputs, _LEFT, _RIGHT, words)
+    right = _on_side(inputs, _RIGHT, _LEFT, words)
     if len(left) == 1 and len(right) == 1 and (q or len(inputs) == _MOST_INPUTS):
         suggestions += [Suggestion("q", q), Suggestion("v1", left), Suggestion("v2", right)]
     else:
@@ -162,22 +170,54 @@ def _times(channels: Sequence[tuple[str, str]], units: Mapping[str, str], rising
 
 
 def _clocks(names: Sequence[str], times: Sequence[str], sizes: Mapping[str, int]) -> dict[str, str]:
-    """The time column over which each channel may run, of as many samples: of its group, else the last before it."""
+    """The time column over which each channel may run, of as many samples.
+
+    It is the one that is called after the channel (``t_q``, ``q_time``), else that of its group, else the last before.
+    """
     clocks: dict[str, str] = {}
     for i, name in enumerate(names):
         alike = [time for time in times if sizes[time] == sizes[name]]
         grouped = [time for time in alike if _GROUP.sub("", name) and _GROUP.sub("", time) == _GROUP.sub("", name)]
         before = [time for time in alike if time in names[:i]]
+        called = [time for time in alike if _after(time, name)]
         if name not in times and (alike or not times):
-            clocks[name] = (grouped[-1:] or before[-1:] or alike[:1] or [""])[0]
+            clocks[name] = (called[-1:] or grouped[-1:] or before[-1:] or alike[:1] or [""])[0]
     return clocks
 
 
-def _best(names: list[str], units: dict[str, str], wanted: tuple[str, ...], word: str) -> tuple[str, ...]:
-    """Channels with a fitting unit and a fitting name; else with either."""
+def clocks_beside(names: Sequence[str]) -> dict[str, str]:
+    """The column of time over which each channel may run; empty where fewer than two are called so."""
+    times = [name for name in names if is_called("time", name) or any(_after(name, other) for other in names)]
+    return _clocks(names, times, dict.fromkeys(names, 0)) if len(times) > 1 else {}
+
+
+def _after(clock: str, channel: str) -> bool:
+    """Whether a column is called after a channel as its time."""
+    rest = _BETWEEN_WORDS.sub("", clock.casefold().replace(channel.casefold(), "", 1))
+    return channel != clock and channel.casefold() in clock.casefold() and bool(_CLOCK.fullmatch(rest))
+
+
+def _on_side(
+    names: Sequence[str], side: re.Pattern[str], other: re.Pattern[str], words: Mapping[str, str]
+) -> tuple[str, ...]:
+    """The inputs of one side, by their names, else by what is written beside them."""
+
+    def of(texts: Mapping[str, str]) -> tuple[str, ...]:
+        """Those whose text names this side only."""
+        return tuple(name for name in names if side.search(texts[name]) and not other.search(texts[name]))
+
+    by_name = of({name: name for name in names})
+    return by_name if len(by_name) == 1 else of(words) or by_name
+
+
+def _best(
+    names: list[str], units: dict[str, str], wanted: tuple[str, ...], word: str, words: Mapping[str, str]
+) -> tuple[str, ...]:
+    """Channels with a fitting unit and a fitting name, else with a fitting text beside them, else with either."""
     pint_names = {_PINT_NAMES.get(unit, unit).lower() for unit in wanted}
     by_unit = [name for name in names if units[name].lower() in pint_names]
     by_name = [name for name in names if is_called(word, name)]
+    by_name = by_name or [name for name in names if words[name] and is_called(word, words[name])]
     both = [name for name in by_unit if name in by_name]
     return tuple(both or by_unit or by_name)
 

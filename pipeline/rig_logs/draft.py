@@ -1,17 +1,20 @@
 """A first settings file for a raw log: what is certain is filled in, everything else is left to the user."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.names import FILL_IN, check_log_name, check_name, slug, true_name
+from pipeline.names import FILL_IN, check_log_name, check_name, log_name, slug, true_name
+from pipeline.rig_logs.attributes import monitor_ratio
 from pipeline.rig_logs.channel_roles import Role, Suggestion, suggested_unit
 from pipeline.rig_logs.experiments import Purpose, purpose_of, purposes
 from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspection
 from pipeline.rig_logs.recording import as_other_logs
+from pipeline.rig_logs.source import rates_beside
 from pipeline.settings import Ingest
 from pipeline.signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
@@ -21,15 +24,18 @@ from pipeline.units import DISPLACEMENT, SECONDS, to_si
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _MOST_LISTED, _MOST_NAMED = 100, 5
+_LONGEST = 80
+"""Letters of a description that are shown."""
+_MONITOR = 12.0
+"""Largest voltage [V] of a monitor, beyond the 10 V of its full range."""
 _ALIKE = 0.8
 """Smaller over larger magnitude of an input's two signs from which it takes both alike."""
 _VELOCITY = re.compile(r"dot$|(?<!le)vel|speed|geschw|_dt$", re.IGNORECASE)
-_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
 _RATE = re.compile(r"(?<!/s)/s$|^rpm$", re.IGNORECASE)
 _BETWEEN = re.compile(r"[_\-. ]+|(?<=[a-zäöüß])(?=[A-ZÄÖÜ])")
 
 
-def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = None) -> str:
+def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = None, folder: str = "this file") -> str:
     """The text of a prototype file for these logs of one device.
 
     Parameters
@@ -38,6 +44,8 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         What is in the logs; the channels are taken from the first.
     logs : sequence of str, optional
         The logs' paths as they shall stand in the file, relative to where the file is saved; their names by default.
+    folder : str
+        What these paths are relative to, in words.
 
     Returns
     -------
@@ -69,10 +77,10 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
         "",
         f"name = {quoted(_prototype_name(first.path))}",
         "",
-        "[logs]                                        # paths relative to this file",
+        f"[logs]                                        # paths relative to {folder}",
         f"train = [{', '.join(map(quoted, train))}]",
         f"validation = [{', '.join(map(quoted, validation))}]  # {own}",
-        *_refused_names([*train, *validation]),
+        *_refused_names(train, validation),
         "",
         "[channels]                                    # channel in the log, and the unit of its numbers",
     ]
@@ -89,10 +97,16 @@ def toml_draft(inspections: Sequence[Inspection], logs: Sequence[str] | None = N
     return "\n".join(map(_plain_line, [*lines, "", *_plant_lines(first), *_ingest_lines(first)])) + "\n"
 
 
-def _refused_names(logs: Sequence[str]) -> list[str]:
+def _refused_names(*roles: Sequence[str]) -> list[str]:
     """Why a run would refuse the names of logs."""
     lines = []
-    for log in logs:
+    for logs in roles:
+        names = [log_name(log).casefold() for log in logs]
+        twice = [log for log, name in zip(logs, names, strict=True) if names.count(name) > 1]
+        lines += (
+            [f"# {_plain(' and '.join(twice))} have one name, by which a run files them: rename one"] if twice else []
+        )
+    for log in chain.from_iterable(roles):
         try:
             check_log_name(log)
         except ValueError as error:
@@ -212,7 +226,7 @@ def _rate_lines(log: Inspection) -> list[str]:
     if not log.rates:
         rate = f"sample_rate = {quoted(FILL_IN)}"
         return [f"{f'# {rate}' if _left_over(log) else rate:<46}# {where}"]
-    stated = _rates_beside(next((each.only for each in log.suggestions if each.role == "q"), None) or "", log.rates)
+    stated = rates_beside(next((each.only for each in log.suggestions if each.role == "q"), None) or "", log.rates)
     if len(set(stated.values())) > 1:
         rates = ", ".join(f"{name} says {rate:.9g}" for name, rate in list(stated.items())[:_MOST_NAMED])
         return [f"{f'sample_rate = {quoted(FILL_IN)}':<46}# Hz; {_plain(rates)}"]
@@ -223,21 +237,12 @@ def _rate_lines(log: Inspection) -> list[str]:
     ]
 
 
-def _rates_beside(q: str, rates: Mapping[str, float]) -> Mapping[str, float]:
-    """The rates that stand in the group of q, else in the nearest one around it; all where none does."""
-    group = q
-    while group:
-        group = _GROUP_OF.sub("", group)
-        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
-            return beside
-    return rates
-
-
 def _listing(channel: InspectedChannel) -> str:
     quality = channel.quality
     unit = f" [{_plain(channel.unit)}]" if channel.unit else ""
-    line = f"#   {quoted(channel.name)}{unit}: {quality.n} samples, {quality.smallest:.6g} … {quality.largest:.6g}"
-    return "; ".join((line, *channel.remarks))
+    described = f" ({_plain(channel.description[:_LONGEST])})" if channel.description else ""
+    spans = f"{quality.n} samples, {quality.smallest:.6g} … {quality.largest:.6g}"
+    return "; ".join((f"#   {quoted(channel.name)}{unit}{described}: {spans}", *channel.remarks))
 
 
 def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], log: Inspection) -> list[str]:
@@ -256,16 +261,30 @@ def _role_lines(suggestion: Suggestion, by_name: dict[str, InspectedChannel], lo
         if suggestion.clock:
             time = by_name[suggestion.clock]
             entry = _with(entry, f"time = {_entry('', time.name, _unit(time, 'time')[0]).removeprefix(' = ')}")
+        ratio = monitor_ratio(channel.description, channel.name, log.heading) if role in ("v1", "v2") else 1.0
+        monitor = ""
+        if ratio > 1.0 and unit == "V":
+            entry = _with(entry, f"scale = {ratio:g}")
+            monitor = f"; a monitor of 1:{ratio:g} by the log"
+        elif role in ("v1", "v2") and unit == "V" and _may_be_a_monitor(channel):
+            monitor = "; of a 1:1000 monitor? then also scale = 1000"
         if role in ("v1", "v2") and _seldom(channel, log):
             return [
                 f"{_with(entry, 'on_change = true')}  # suggested; unit {origin}; few samples, far apart: recorded "
                 "when it changed?"
             ]
-        return [f"{entry}  # suggested; unit {origin}", *_signed_monitor(entry, channel, log)]
+        return [f"{entry}  # suggested; unit {origin}{monitor}", *_signed_monitor(entry, channel, log)]
     if role == "time" and any(each.clock for each in log.suggestions):
         return [f"# time is left out: each channel has its own, of {', '.join(map(quoted, names))}"]
     wanted = f"one of {', '.join(map(quoted, names))}" if names else _nothing(role)
     return [f"{_entry(role, FILL_IN, FILL_IN)}  # {wanted}"]
+
+
+def _may_be_a_monitor(channel: InspectedChannel) -> bool:
+    """Whether a voltage is as small as the monitor of a high-voltage amplifier, and not as that of a circuit."""
+    quality = channel.quality
+    both_signs = takes_both_signs(quality.smallest, quality.largest)  # as a motor's voltage
+    return not both_signs and max(-quality.smallest, quality.largest) <= _MONITOR
 
 
 def _with(entry: str, more: str) -> str:

@@ -162,4 +162,8 @@ def _recording(path: Path, answer: dict[str, Any], column: Callable[[Places], Fl
         for entry in answer["channels"]
     )
     rates = {str(name): float(rate) for name, rate in answer["rates"].items()}
-    return Recording(path, str(answer["format"]), channels, tuple(answer["listed"]), tuple(answer["notes"]), rates)
+    descriptions = {str(name): str(text) for name, text in answer["descriptions"].items()}
+    return Recording(
+        path, str(answer["format"]), channels, tuple(answer["listed"]), tuple(answer["notes"]), rates, descriptions,
+        str(answer["heading"]),
+    )  # fmt: skip

@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import rates_among, scales_among, starts_among
+from pipeline.rig_logs.attributes import description_among, rates_among, scales_among, starts_among, texts_among
 from pipeline.rig_logs.channel_roles import is_called
 from pipeline.rig_logs.hdf5_attributes import (
     NUMBERS,
@@ -41,8 +41,6 @@ from pipeline.rig_logs.source import (
 )
 from pipeline.units import SECONDS, time_unit
 
-_MOST_OBJECTS = 100_000
-_DEEPEST = 16
 _LARGEST_RATIO = 2000.0
 _SMALL_BYTES = 1 << 20
 
@@ -58,7 +56,13 @@ def open_hdf5(path: Path) -> Any:
     try:
         return h5py.File(path, "r")
     except OSError as error:
-        raise UnreadableLogError(f"HDF5 cannot open it: {_first_sentence(error)}") from error
+        reason = _first_sentence(error)
+        if "unable to lock" in reason or "already open" in reason:
+            raise UnreadableLogError(
+                "its recorder still writes it, or died while it did: end the recording, or after a crash run "
+                "`h5clear -s` on a copy"
+            ) from error
+        raise UnreadableLogError(f"HDF5 cannot open it: {reason}") from error
 
 
 def child_of(group: Any, name: str) -> Any:
@@ -104,12 +108,10 @@ def checked(item: Any) -> Any:
 def walk(group: Any) -> Iterator[tuple[str, Any]]:
     """Every dataset below a group with its path from there, each once, in the file's order."""
     seen: set[Any] = set()
-    yield from _walk(group, "", 0, seen)
+    yield from _walk(group, "", seen)
 
 
-def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple[str, Any]]:
-    if depth > _DEEPEST or len(seen) > _MOST_OBJECTS:
-        raise UnreadableLogError("groups are nested too deeply or hold too many objects")
+def _walk(group: Any, prefix: str, seen: set[Any]) -> Iterator[tuple[str, Any]]:
     for name in group:
         if isinstance(group.get(name, getlink=True), h5py.SoftLink):
             continue  # what it names is listed in its own place, if it is in this file
@@ -119,7 +121,7 @@ def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple
             continue
         seen.add(address)
         if isinstance(item, h5py.Group):
-            yield from _walk(item, f"{prefix}{name}/", depth + 1, seen)
+            yield from _walk(item, f"{prefix}{name}/", seen)
         elif isinstance(item, h5py.Dataset):
             yield f"{prefix}{name}", item
 
@@ -162,6 +164,7 @@ class Hdf5Source(Source):
         self._file = open_hdf5(path)
         self._filled = "_NCProperties" in self._file.attrs
         self.notes += scales_among(self._file.attrs)
+        self.heading = texts_among(self._file.attrs)
         others = {}
         for name, dataset in walk(self._file):
             for holder in (self._file, dataset.parent, dataset):
@@ -273,6 +276,8 @@ class Hdf5Source(Source):
         notes = [note for note, applies in possible_notes.items() if applies] + scales_among(unapplied, own)
         self.notes += [note for note in notes if note not in self.notes]
         self._places[name] = (dataset, column, packing)
+        if text := "" if table else description_among(dataset.attrs):
+            self.descriptions[name] = text
         self._entries.append(Entry(name, "s" if dtype.kind in "mM" else unit, dtype.name, int(count)))
 
 

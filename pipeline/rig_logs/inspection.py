@@ -19,6 +19,7 @@ from pipeline.signals.columns import Signal, sparse
 from pipeline.signals.dropouts import NONE, Dropouts, dropout_remarks, dropouts
 from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import MOST_REPEATED
+from pipeline.signals.rounded_clock import uniform_clock
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
 from pipeline.units import SECONDS
@@ -53,6 +54,8 @@ class InspectedChannel:
         Numbers that seem to stand for no value; they are left out of `quality`.
     every : int
         Rows from one sample to the next, where blanks stand between.
+    description : str
+        What the log writes beside it.
     """
 
     name: str
@@ -63,6 +66,7 @@ class InspectedChannel:
     remarks: tuple[str, ...]
     codes: tuple[float, ...] = ()
     every: int = 1
+    description: str = ""
 
 
 @dataclass(frozen=True)
@@ -91,6 +95,8 @@ class Inspection:
         Sample rates [Hz] that numbers in the log state, by their names; nothing decides on them.
     notes : tuple of str
         What the reader found out or had to assume.
+    heading : str
+        What the log writes above or beside all channels.
     """
 
     path: Path
@@ -103,6 +109,7 @@ class Inspection:
     apart: tuple[str, ...]
     rates: Mapping[str, float]
     notes: tuple[str, ...]
+    heading: str = ""
 
 
 def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
@@ -124,7 +131,7 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
     own_time = any(channel.time is not None for channel in recording.channels)
     notes = list(recording.notes)
     rates = {} if own_time else dict(recording.rates) | _constant_rates(recording.channels, notes)
-    roles, apart = _roles(recording.channels, rates, notes, own_time=own_time)
+    roles, apart = _roles(recording, rates, notes, own_time=own_time)
     column, clock = (None, "s") if own_time else _time_column(recording.channels, roles, notes)
     stamps: list[FloatArray] = []
     bases: list[TimeQuality] = []
@@ -150,11 +157,13 @@ def inspect_log(path: Path, *, csv: CsvOptions | None = None) -> Inspection:
             lost, quality = _without_dropouts((time, channel.samples), quality, bases[position].step)
             remarks += tuple(dropout_remarks(lost, unit=channel.unit))
         remarks = () if own_time and channel.time is None else remarks
-        channels.append(_inspected(channel, position, quality, remarks, tuple(own)))
+        described = recording.descriptions.get(channel.name, "")
+        channels.append(_inspected(channel, position, quality, remarks, tuple(own), described))
     size = path.stat().st_size
     return Inspection(
-        path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes)
-    )
+        path, recording.format, size, own_time, tuple(bases), tuple(channels), roles, apart, rates, tuple(notes),
+        recording.heading,
+    )  # fmt: skip
 
 
 def _inspected(
@@ -163,9 +172,12 @@ def _inspected(
     quality: SignalQuality,
     remarks: tuple[str, ...],
     codes: tuple[float, ...],
+    description: str,
 ) -> InspectedChannel:
     every = sparse((channel.samples, channel.samples))[1]
-    return InspectedChannel(channel.name, channel.unit, channel.dtype, base, quality, remarks, codes, every)
+    return InspectedChannel(
+        channel.name, channel.unit, channel.dtype, base, quality, remarks, codes, every, description
+    )
 
 
 def _without_dropouts(signal: Signal, quality: SignalQuality, step: float) -> tuple[Dropouts, SignalQuality]:
@@ -210,9 +222,10 @@ def _constant_rates(channels: Sequence[RecordedChannel], notes: list[str]) -> di
 
 
 def _roles(
-    channels: Sequence[RecordedChannel], rates: Collection[str], notes: list[str], *, own_time: bool
+    recording: Recording, rates: Collection[str], notes: list[str], *, own_time: bool
 ) -> tuple[tuple[Suggestion, ...], tuple[str, ...]]:
     """Suggestions for the roles, and the channels that are set apart before; why is added to the notes."""
+    channels = recording.channels
     usual = [channel for channel in channels if channel.time is not None or not own_time]
     counts = {} if own_time else {channel.name: channel.samples.size for channel in channels}
     unnamed = [channel for channel in usual if rates and not is_called("time", channel.name)]
@@ -222,7 +235,7 @@ def _roles(
     offered = [channel for channel in usual if channel.name not in left_out and channel.name not in further]
     rising = () if own_time else [channel.name for channel in offered if _rises_evenly(channel.samples)]
     named = [(channel.name, channel.unit) for channel in offered]
-    roles = suggest(named, own_time=own_time, rising=rising, counts=counts)
+    roles = suggest(named, own_time=own_time, rising=rising, counts=counts, described=recording.descriptions)
     time = next((role.only for role in roles if role.role == "time" and role.only is not None), None)
     others = () if time is None else (channel.name for channel in offered if counts[channel.name] != counts[time])
     return roles, (*sorted(left_out & counts.keys()), *further, *others)
@@ -265,8 +278,11 @@ def _time_base(time: FloatArray, stamps: list[FloatArray], bases: list[TimeQuali
     for position, seen in enumerate(stamps):
         if seen is time:
             return position
+    clock = uniform_clock(time)
+    if clock is not None:
+        notes.append(f"time stamps are {clock.described}")
     try:
-        quality = examine(time)
+        quality = examine(time if clock is None else clock.time)
     except DataRefusedError as error:
         notes.append(str(error))
         return None

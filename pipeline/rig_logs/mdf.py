@@ -5,6 +5,7 @@ gives raw numbers, without a word, where numexpr refuses one, or has sympy run i
 """
 
 import mmap
+import re
 import weakref
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -142,7 +143,10 @@ class MdfSource(Source):
             count = int(self._mdf.groups[group].channel_group.cycles_nr)
             master = None if group in self._timeless or name in clocks else masters.get(group)
             self._places[name] = (group, index)
+            if text := _words(channel):
+                self.descriptions[name] = text
             self._entries.append(Entry(name, clocks.get(name, _unit(channel)), kind, count, master))
+        self.heading = _words(self._mdf.header)
         self.notes += left_out(self.texts)
 
     def _clock(self, name: str, group: int, unit: str, kind: str) -> str:
@@ -180,6 +184,14 @@ def _is_partly_text(conversion: Any) -> bool:
 
 def _unit(channel: Any) -> str:
     return channel.unit or (getattr(channel.conversion, "unit", "") if channel.conversion else "") or ""
+
+
+def _words(block: Any) -> str:
+    """The comment of a channel or a file without its XML, on one line; that of version 3 is a description."""
+    text = getattr(block, "comment", "") or getattr(block, "description", "") or ""
+    if isinstance(text, bytes):
+        text = text.decode("latin-1")
+    return " ".join(re.sub(r"<[^>]*>", " ", str(text)).strip("\0").split())
 
 
 _KINDS_4 = {0: "uint", 1: "uint", 2: "int", 3: "int", 4: "float", 5: "float"}

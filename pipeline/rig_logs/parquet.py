@@ -12,7 +12,15 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from pipeline.arrow_columns import doubles
-from pipeline.rig_logs.attributes import is_unit, plain, rates_among, scales_among, unit_among
+from pipeline.rig_logs.attributes import (
+    description_among,
+    is_unit,
+    plain,
+    rates_among,
+    scales_among,
+    texts_among,
+    unit_among,
+)
 from pipeline.rig_logs.source import (
     EXACT,
     PART,
@@ -55,7 +63,9 @@ class ParquetSource(Source):
             own = _texts(field.metadata) | _of_column(name, of_table)
             self._units.setdefault(name, unit_among(own))
             self.notes += scales_among(own, name)
+            self.descriptions |= {name: text} if (text := description_among(own)) else {}
         self.notes += scales_among(of_table)
+        self.heading = texts_among({key: of_table[key] for key in of_table if key not in ("ARROW:schema", "pandas")})
         self.note_rates(rates_among(of_table, ""))
 
     def entries(self) -> list[Entry]:
@@ -123,14 +133,11 @@ def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str,
     """The columns below a field: itself, or those of a struct, each with its path, unless two have one name."""
     kind = field.type
     names = [kind.field(i).name for i in range(kind.num_fields)] if pa.types.is_struct(kind) else []
-    if not names or len(path) == _DEEPEST or len(set(names)) < len(names):
+    if not names or len(set(names)) < len(names):
         yield name, path, field
         return
     for i, key in enumerate(names):
         yield from _leaves(name, kind.field(i), (*path, key))
-
-
-_DEEPEST = 8
 
 
 def _is_read(kind: Any) -> bool:

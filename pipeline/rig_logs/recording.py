@@ -67,6 +67,10 @@ class Recording:
         What a reader should know, such as the dialect that was found in a CSV file.
     rates : mapping of str to float
         Sample rates [Hz] that single numbers beside the channels state, by their names; information only.
+    descriptions : mapping of str to str
+        What the log writes beside a channel, by its name.
+    heading : str
+        What it writes above or beside all of them.
     """
 
     path: Path
@@ -75,6 +79,8 @@ class Recording:
     listed: tuple[str, ...]
     notes: tuple[str, ...] = ()
     rates: Mapping[str, float] = field(default_factory=dict)
+    descriptions: Mapping[str, str] = field(default_factory=dict)
+    heading: str = ""
 
     def channel(self, name: str) -> RecordedChannel:
         """The channel of that name.

@@ -113,6 +113,10 @@ class Source(ABC):
         When each channel begins, and its step [s], where the log states them.
     stated_starts : dict of str to float
         Numbers that state when a channel or those of a group begin [s], by their names.
+    descriptions : dict of str to str
+        What the log writes beside a channel, by its name.
+    heading : str
+        What it writes above or beside all of them.
     whole_seconds : set of str
         Columns of times of day without parts of a second.
     """
@@ -125,6 +129,8 @@ class Source(ABC):
         self.rates: dict[str, float] = {}
         self.starts: dict[str, tuple[float, float]] = {}
         self.stated_starts: dict[str, float] = {}
+        self.descriptions: dict[str, str] = {}
+        self.heading = ""
         self.whole_seconds: set[str] = set()
 
     def note_rates(self, stated: Mapping[str, tuple[float, float]]) -> None:
@@ -244,6 +250,19 @@ def stated_rate(name: str, number: float) -> float | None:
 def note_on_rate(name: str, number: float, rate: float) -> str:
     """What a number that states a sample rate [Hz] is for: a log without a time channel needs it."""
     return f"{name} is {number:g}; without a time channel perhaps [ingest] sample_rate = {rate:.9g}"
+
+
+_GROUP_OF = re.compile(r"(^|[./])[^./]*$")
+
+
+def rates_beside(channel: str, rates: Mapping[str, float]) -> Mapping[str, float]:
+    """The rates that stand in the group of a channel, else in the nearest one around it; all where none does."""
+    group = channel
+    while group:
+        group = _GROUP_OF.sub("", group)
+        if beside := {name: rate for name, rate in rates.items() if _GROUP_OF.sub("", name) == group}:
+            return beside
+    return rates
 
 
 class UnreadableLogError(Exception):

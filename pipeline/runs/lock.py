@@ -16,14 +16,15 @@ from pipeline.plain_files import read_plain
 from pipeline.runs.atomic import refuse_link, write_text
 
 LOCK = ".lock"
-HOLDER = ".lock-holder.json"
+_NOTE = "-holder.json"
+HOLDER = LOCK + _NOTE
 _NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)
 _LONGEST_NOTE, _LONGEST_HOST = 4096, 100
 
 
 @contextmanager
-def run_lock(root: Path) -> Iterator[None]:
-    """Hold the run folder `root`, without waiting; missing folders are made.
+def run_lock(root: Path, name: str = LOCK) -> Iterator[None]:
+    """Hold the run folder `root` by its lock `name`, without waiting; missing folders are made.
 
     A holder that was killed holds nothing; the note beside the lock only names it.
 
@@ -34,23 +35,24 @@ def run_lock(root: Path) -> Iterator[None]:
     InputError
         The folder cannot be written, its file system offers no locks, or the lock is a symbolic link.
     """
-    refuse_link(root / LOCK)
-    lock = _lock(root)
+    refuse_link(root / name)
+    lock = FileLock(root / name, timeout=0, fallback_to_soft=False)
+    note = root / (name + _NOTE)
     try:
         root.mkdir(parents=True, exist_ok=True)
         lock.acquire()
     except Timeout:
         raise RunLockedError(
-            f"{root}: in use by {_holder(root)}; wait for it to finish or use another folder"
+            f"{root}: in use by {_holder(note)}; wait for it to finish or use another folder"
         ) from None
     except OSError as error:
         raise _not_locked(root, error) from error
     try:
-        _leave_note(root)
+        _leave_note(note)
         yield
     finally:
         with suppress(OSError):
-            (root / HOLDER).unlink(missing_ok=True)
+            note.unlink(missing_ok=True)
         with suppress(OSError):
             lock.release()
 
@@ -60,16 +62,12 @@ def is_held(root: Path) -> bool:
     if not (root / LOCK).is_file() or (root / LOCK).is_symlink():
         return False
     try:
-        with _lock(root):
+        with FileLock(root / LOCK, timeout=0, fallback_to_soft=False):
             return False
     except Timeout:
         return True
     except OSError:  # a disk that cannot be written has no writer
         return False
-
-
-def _lock(root: Path) -> FileLock:
-    return FileLock(root / LOCK, timeout=0, fallback_to_soft=False)
 
 
 def _not_locked(root: Path, error: OSError) -> InputError:
@@ -85,16 +83,16 @@ def _not_locked(root: Path, error: OSError) -> InputError:
     )
 
 
-def _leave_note(root: Path) -> None:
+def _leave_note(path: Path) -> None:
     """The holder of the lock, for the message to a second process; the lock works without it."""
     note = {"pid": os.getpid(), "host": socket.gethostname(), "since": datetime.now(UTC).isoformat(timespec="seconds")}
     with suppress(InputError):
-        write_text(root / HOLDER, json.dumps(note), within=root)
+        write_text(path, json.dumps(note), within=path.parent)
 
 
-def _holder(root: Path) -> str:
+def _holder(path: Path) -> str:
     try:
-        note = json.loads(read_plain(root / HOLDER, _LONGEST_NOTE))
+        note = json.loads(read_plain(path, _LONGEST_NOTE))
         host, since = (str(note[key])[:_LONGEST_HOST] for key in ("host", "since"))
         return f"process {int(note['pid'])} on {host} since {since}"
     except (OSError, ValueError, KeyError, TypeError, RecursionError):

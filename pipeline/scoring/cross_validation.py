@@ -33,6 +33,10 @@ class SimulatedMotion(Protocol):
 class Simulator(Protocol):
     """A fitted model."""
 
+    @property
+    def fine_voltages(self) -> bool:
+        """Whether it takes the inputs between the samples."""
+
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> SimulatedMotion:
         """Free run, see `pipeline.models.base.DynamicModel.simulate`."""
 
@@ -120,7 +124,7 @@ def fold_score(
     """
     squares, agreeing, samples, diverged = dict.fromkeys(ranges, 0.0), 0.0, 0, 0
     for x in held_out:
-        run = model.simulate(x.t, x.v, float(x.q[0]), float(x.qdot[0]))
+        run = model.simulate(x.t, x.drive_of(fine=model.fine_voltages), float(x.q[0]), float(x.qdot[0]))
         for signal in ranges:
             error = free_run_error(getattr(x, signal), getattr(run, signal), ranges[signal])
             squares[signal] += error**2 * len(x.t)

@@ -1,14 +1,15 @@
 """The two wells of a bistable record, found in the data; its snaps, and in which well a free run and the record end."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
+from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, samples_of
 from pipeline.numerics.metrics import signal_range
 from pipeline.scoring.intervals import decorrelation_lag
-from pipeline.signals.trajectory import peaks, voltages
+from pipeline.signals.log import Log
+from pipeline.signals.trajectory import peaks
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
 MIDDLE, FEW = 0.25, 0.05  # of the range of rest positions to either side; share of rests that may lie between
@@ -177,10 +178,9 @@ def find_wells(
     return next((wells for wells in seen if isinstance(wells, Wells)), seen[1])
 
 
-def wells_of(tables: Sequence[Mapping[str, FloatArray]], *, joint: bool) -> Wells | NoWells:
-    """The wells of a device, the joint or another, from the columns t, q, v1, v2 of all its logs."""
-    records = [(table["q"], voltages(table), sample_interval(table["t"])) for table in tables]
-    return find_wells(records, joint=joint)
+def wells_of(logs: Sequence[Log], *, joint: bool) -> Wells | NoWells:
+    """The wells of a device, the joint or another, from all its logs."""
+    return find_wells([(log.q, log.v, log.interval) for log in logs], joint=joint)
 
 
 def _clusters(positions: Sequence[float], span: float) -> Wells | NoWells:

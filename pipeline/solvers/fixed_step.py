@@ -79,13 +79,12 @@ def no_finish(system, x):
 def integrator(kind: type, methods: Callable[[Any], Methods]) -> Callable[..., int]:
     """`integrate` for systems of a NamedTuple class, compiled with them.
 
-    `methods` says how they move; it gets their numba type, which tells a batch from one. The machine code is made anew
-    when the class's module, or one that it imports, has changed.
+    `methods` says how they move; it gets their numba type, which tells a batch from one.
     """
     _implement(kind, methods)
     own = FunctionType(integrate.__code__, integrate.__globals__, f"integrate_{kind.__name__}")
     own.__qualname__ = own.__name__
-    run: Callable[..., int] = compiled(with_module_of=kind, fastmath=FAST, _nrt=False)(own)
+    run: Callable[..., int] = compiled(fastmath=FAST, _nrt=False)(own)
     return run
 
 

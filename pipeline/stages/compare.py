@@ -9,9 +9,10 @@ from typing import Any
 from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.trajectories import sources, training, training_tables
-from pipeline.model_list import entry
+from pipeline.loading.trajectories import load_logs, sources, training
+from pipeline.model_list import ENTRIES
 from pipeline.models.kind import kind
+from pipeline.models.model_file import declaration
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -22,11 +23,13 @@ ALGORITHM = "14"
 
 def task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:
     """The fit of one baseline."""
+    listed = next(model for model in ENTRIES if model.name == name)
+    unread = FILM | {"curves", "siblings"} | (set() if listed.takes_mass else {"mass"})
     settings = {
         "model": name,
         "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
-        "plant": prototype.plant.model_dump(mode="json", exclude=FILM),
-        "parameters": parameter_values(parameters) if _needs_parameters(name) else None,
+        "plant": prototype.plant.model_dump(mode="json", exclude=unread),
+        "parameters": parameter_values(parameters) if listed.needs_parameters else None,
     }
     return Task(
         stage="compare",
@@ -39,16 +42,12 @@ def task(prototype: Prototype, parameters: JointParameters | None, name: str) ->
     )
 
 
-def _needs_parameters(name: str) -> bool:
-    listed = entry(name)
-    return listed is not None and listed.needs_parameters
-
-
 def _write_fit(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, name: str, settings: Mapping[str, Any]
 ) -> Mapping[str, Written]:
     began = time.process_time()
-    model = kind(name).fit(training(training_tables(run, prototype), prototype, parameters))
+    model = kind(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, device(prototype).model_column)}
+    columns = device(prototype).model_columns({name: declaration(model)})
+    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}

@@ -16,17 +16,17 @@ from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
 from pipeline.loading.run_models import CHOICE, EQUATIONS, IDENTIFIED
-from pipeline.loading.trajectories import sources, training, training_tables
+from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, StoredModel, Training, kind
+from pipeline.models.model_file import declaration
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.tables import Table
 from pipeline.settings import FILM, Prototype, TrainingGate
+from pipeline.signals.log import Log
 from pipeline.signals.quality_gates import Finding
-from pipeline.signals.trajectory import voltages
 
 if TYPE_CHECKING:
     from pipeline.models.choose import Choice
@@ -70,7 +70,7 @@ def _identify(
     parameters: JointParameters | None,
     settings: Mapping[str, Any],
 ) -> dict[str, Written]:
-    plant, data = device(prototype), training_tables(run, prototype)
+    plant, data = device(prototype), load_logs(run, prototype, "train")
     prior = prior_knowledge_of(run, prototype, parameters)
     models, notes = identified(data, prototype, parameters, prior, on_progress)
     tree: dict[str, Any] = {
@@ -81,17 +81,18 @@ def _identify(
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, plant.model_column)}
+    columns = plant.model_columns({name: declaration(model) for name, model in models.items()})
+    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
 
 
 def identified(
-    data: list[Table],
+    data: list[Log],
     prototype: Prototype,
     parameters: JointParameters | None,
     prior_knowledge: PriorKnowledge | None = None,
     on_progress: OnProgress = silent,
 ) -> tuple[dict[str, StoredModel], dict[str, Any]]:
-    """Models of kinematics tables by name, the headline first, and notes on how they came about.
+    """Models of logs by name, the headline first, and notes on how they came about.
 
     Where "auto" fits the joint's equations and chooses the network, both are among the models; only the network is
     named in the note `IDENTIFIED`. An `rbf` beside "auto" that the training logs refuse is left out, with a warning.
@@ -168,7 +169,7 @@ def _stands_in(models: Collection[str]) -> tuple[tuple[str, ...], str]:
 
 
 def _asked(
-    wanted: str, given: Training, data: list[Table], prototype: Prototype, warnings: list[str]
+    wanted: str, given: Training, data: list[Log], prototype: Prototype, warnings: list[str]
 ) -> StoredModel | None:
     """A model that the settings name; no `rbf` beside "auto" where the logs refuse one, which `warnings` then state."""
     if wanted != "rbf" or AUTO not in prototype.identify.models:
@@ -180,7 +181,7 @@ def _asked(
         return None
 
 
-def _choose(given: Training, data: list[Table], prototype: Prototype) -> "Choice":
+def _choose(given: Training, data: list[Log], prototype: Prototype) -> "Choice":
     from pipeline.models.choose import Choice, choose
 
     if given.known_curves is not None:
@@ -188,21 +189,22 @@ def _choose(given: Training, data: list[Table], prototype: Prototype) -> "Choice
     return choose(given, kind("hybrid").fit, lambda part: _network(part, data, prototype))
 
 
-def _network(given: Training, data: list[Table], prototype: Prototype) -> StoredModel:
+def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredModel:
     """The data-driven model; what the joint's equations would know the data must show."""
     judge("training logs", _findings(data, prototype), prototype.quality, *_stands_in({"rbf"}))
     return kind("rbf").fit(given)
 
 
-def _findings(data: list[Table], prototype: Prototype) -> list[Finding]:
+def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:
     """What speaks against the training logs, taken together."""
     from pipeline.fitting.excitation import excitation_findings
 
-    first = np.cumsum([0, *(table["segment"].max() + 1 for table in data[:-1])])
-    segments = [np.where(t["segment"] < 0, -1, t["segment"] + k) for t, k in zip(data, first, strict=True)]
+    numbers = [log.segment for log in data]
+    first = np.cumsum([0, *(segment.max() + 1 for segment in numbers[:-1])])
+    segments = [np.where(segment < 0, -1, segment + k) for segment, k in zip(numbers, first, strict=True)]
     return excitation_findings(
-        np.concatenate([table["q"] for table in data]),
-        np.concatenate([voltages(table) for table in data]),
+        np.concatenate([log.q for log in data]),
+        np.concatenate([log.v for log in data]),
         np.concatenate(segments),
         prototype.ingest.sample_interval,
         inputs=prototype.plant.inputs,

@@ -100,17 +100,6 @@ def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Type
         return _bring_up_to_date(run, selected, (stage,), observer)
 
 
-def rebuild_run(root: Path, observer: Observer) -> list[TaskStatus]:
-    """Make anew what is damaged or missing in the stages that a run has been through, by the settings that it holds."""
-    load_manifest(root)
-    with run_lock(root):
-        run = RunFolder.open(root)
-        _strike_lost(run, observer)
-        made = {record.recipe.stage for record in run.manifest.artifacts.values()}
-        stages = [name for name in STAGE_NAMES if name in made]
-        return _bring_up_to_date(run, of_stages(plan(_as_stored(run)), stages), stages, observer)
-
-
 def _strike_lost(run: RunFolder, observer: Observer) -> None:
     """What other commands made into a run, and is damaged or lost, is struck off: no stage makes it anew."""
     run.recover()

@@ -1,7 +1,7 @@
 """Scores: every free run against its log, one row per log, model and signal."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,23 +13,20 @@ from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.run_models import identified_models
 from pipeline.names import with_true_names
-from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.numerics.metrics import signal_range
+from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
-from pipeline.runs.columns import NOTED_COLUMNS
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
-from pipeline.scoring.intervals import SEED, Interval, excess_over_lowest
 from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Role
-from pipeline.signals.trajectory import voltages
-from pipeline.units import SIGNALS, signal_units
+from pipeline.signals.log import Log, log_of
+from pipeline.steps.score import ComparedRun, rows_of_log
+from pipeline.units import SIGNALS
 
 if TYPE_CHECKING:
     from pipeline.reporting.tables import Format, NrmseTable
-    from pipeline.scoring.scores import Score
 
 ALGORITHM = "11"
 
@@ -72,109 +69,39 @@ def _score(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, models: Sequence[str]
 ) -> Mapping[str, Written]:
     rotation = rotation_map(parameters)
-    logs = [(role, log, run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
+    names = [(role, log) for role, log, _ in layout.logs(prototype)]
+    logs = [(role, log, log_of(run.read_table(layout.kinematics(role, log)))) for role, log in names]
     plant, rows = device(prototype), []
-    wells = _wells(run, [table for _, _, table in logs], plant, layout.logs(prototype)[0][:2], models)
+    wells = _wells(run, [measured for _, _, measured in logs], plant, layout.logs(prototype)[0][:2], models)
     for role, log, measured in logs:
         runs = {}
         for model in models:
             name = layout.predictions(role, log, model)
             runs[model] = ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
-        interval = sample_interval(measured["t"])
-        above = {signal: _above_lowest(runs, signal, interval, joint=plant.joint) for signal in SIGNALS}
-        for model, compared in runs.items():
-            for row in score_rows(plant, measured, compared, wells):
-                of_model = _band("above_lowest", above[row["signal"]].get(model))
-                head = {"log": log, "role": role, "model": model, "headline": model == models[0]}
-                rows.append(head | row | of_model)
+        for row in rows_of_log(plant, measured, runs, wells):
+            rows.append({"log": log, "role": role, "headline": row["model"] == models[0]} | row)
     columns = {column.key: [row.get(column.key) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 
 
 def _wells(
-    run: RunFolder, tables: Sequence[Table], plant: Device, log: tuple[Role, str], models: Sequence[str]
+    run: RunFolder, logs: Sequence[Log], plant: Device, log: tuple[Role, str], models: Sequence[str]
 ) -> Wells | NoWells:
     """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
     from pipeline.device_facts.characteristics import believed_wells
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
     judge = next((model for model in models if rests[model] is not None), models[0])
-    return believed_wells(wells_of(tables, joint=plant.joint), judge, rests[judge], joint=plant.joint)
-
-
-@dataclass(frozen=True)
-class ComparedRun:
-    """A free run: measured and calculated by signal, and its notes (``status`` and ``diverged_at_s`` at least)."""
-
-    pairs: Mapping[str, tuple[FloatArray, FloatArray]]
-    notes: Mapping[str, Any]
+    return believed_wells(wells_of(logs, joint=plant.joint), judge, rests[judge], joint=plant.joint)
 
 
 def _pairs(
-    measured: Table, calculated: Table, rotation: RotationMap | None
+    measured: Log, calculated: Table, rotation: RotationMap | None
 ) -> Mapping[str, tuple[FloatArray, FloatArray]]:
-    pairs = {name: (measured[name], calculated[name]) for name in ("q", "qdot", "qddot")}
+    pairs = {name: (getattr(measured, name), calculated[name]) for name in ("q", "qdot", "qddot")}
     if rotation is not None:
-        pairs["phi"] = (np.asarray(rotation(measured["q"])), calculated["phi"])
+        pairs["phi"] = (np.asarray(rotation(measured.q)), calculated["phi"])
     return {name: pairs[name] for name in SIGNALS if name in pairs}
-
-
-def _above_lowest(
-    runs: Mapping[str, ComparedRun], signal: str, interval: float, *, joint: bool
-) -> dict[str, Interval | None]:
-    """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
-    pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
-    errors = {
-        model: (calculated - measured) / span
-        for model, (measured, calculated) in pairs.items()
-        if (span := signal_range(measured))
-    }
-    return excess_over_lowest(errors, interval, SEED, joint=joint)
-
-
-def score_rows(plant: Device, measured: Table, compared: ComparedRun, wells: Wells | NoWells) -> list[dict[str, Any]]:
-    """The scores of a free run over kinematics, one row per signal, by the columns of ``scores.parquet``.
-
-    Errors by horizon, outcomes and what else a stage noted of the run are columns where its notes hold them.
-    """
-    from pipeline.scoring.scores import score_run
-    from pipeline.scoring.step_responses import response_errors
-
-    units = signal_units(plant.displacement.symbol)
-    v, interval = voltages(measured), sample_interval(measured["t"])
-    rng = np.random.default_rng(SEED)
-    status, diverged_at = compared.notes["status"], compared.notes["diverged_at_s"]
-    scores = score_run(
-        compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
-    )
-    more: dict[str, Any] = {c.key: compared.notes[c.key] for c in NOTED_COLUMNS if c.key in compared.notes}
-    outcomes = compared.notes.get("outcomes")
-    if outcomes:
-        more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
-    for name, error in compared.notes.get("horizons", {}).items():
-        band = error["interval"] or {"low": None, "high": None}
-        more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
-    if isinstance(wells, Wells):
-        switches = response_errors(*compared.pairs["q"], v, interval, wells, rng, joint=plant.joint)
-        more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
-        more |= _band("rise_error", switches.rise_interval, "_s")
-        more |= _band("settling_error", switches.settling_interval, "_s")
-    return [
-        _score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
-    ]
-
-
-def _score_row(score: "Score") -> dict[str, Any]:
-    """A score by the columns of ``scores.parquet``, its intervals as their two ends."""
-    row: dict[str, Any] = {}
-    for name, value in vars(score).items():
-        row |= _band(name.removesuffix("_interval"), value) if name.endswith("_interval") else {name: value}
-    return row
-
-
-def _band(of: str, band: Interval | None, unit: str = "") -> dict[str, float | None]:
-    """The columns of an interval."""
-    return {f"{of}_low{unit}": band.low if band else None, f"{of}_high{unit}": band.high if band else None}
 
 
 def score_text(root: Path, form: "Format") -> str:

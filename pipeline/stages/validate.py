@@ -16,19 +16,18 @@ from pipeline.device_parameters import JointParameters
 from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
 from pipeline.loading.parameter_sets import parameter_values
-from pipeline.loading.trajectories import drive, load_motion, part_rows, parts, recorded, sources
+from pipeline.loading.trajectories import load_motion, sources
 from pipeline.models.base import DynamicModel, FreeRun, HasTubes, predictor
 from pipeline.models.kind import model_from_tree
-from pipeline.numerics.arrays import FloatArray, sample_interval
+from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.tables import Table
 from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
 from pipeline.scoring.tubes import Tubes
 from pipeline.scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes, wells_of
 from pipeline.settings import Prototype
-from pipeline.signals.trajectory import voltages
+from pipeline.signals.log import Log
 from pipeline.units import HORIZONS
 
 ALGORITHM = "29"
@@ -65,46 +64,46 @@ def _predict(
     plant, model = device(prototype), model_from_tree(name, run.read_tree(source, name))
     rotation = rotation_map(parameters)
     written: dict[str, Written] = {}
-    tables = {(role, log): load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)}
-    trained = [table for (role, _), table in tables.items() if role == "train"]
-    seen = stable_rests(model, [table["q"] for table in trained])
-    wells = believed_wells(wells_of(list(tables.values()), joint=plant.joint), name, seen, joint=plant.joint)
-    for (role, log), table in tables.items():
+    logs = {(role, name): load_motion(run, prototype, role, name) for role, name, _ in layout.logs(prototype)}
+    trained = [log for (role, _), log in logs.items() if role == "train"]
+    seen = stable_rests(model, [log.q for log in trained])
+    wells = believed_wells(wells_of(list(logs.values()), joint=plant.joint), name, seen, joint=plant.joint)
+    for (role, log_name), log in logs.items():
         if not written:
-            _compile(model, table)
+            _compile(model, log)
         began = time.process_time()
-        result = free_run(table, model)
+        result = free_run(log, model)
         notes: dict[str, Any] = {TIMES: {"simulate_s": time.process_time() - began}}
         ahead = {name: seconds for name, (seconds, _) in HORIZONS.items()}
-        notes["horizons"] = _horizons(table, model, ahead, joint=plant.joint)
+        notes["horizons"] = _horizons(log, model, ahead, joint=plant.joint)
         notes["basis_functions"] = model.describe().get("basis_functions")
-        ensemble = drawn_runs(table, model) if isinstance(model, HasTubes) or isinstance(wells, Wells) else None
-        notes |= {"stable_rests": seen} | trust_notes(table, wells, trained, ensemble, joint=plant.joint)
+        ensemble = drawn_runs(log, model) if isinstance(model, HasTubes) or isinstance(wells, Wells) else None
+        notes |= {"stable_rests": seen} | trust_notes(log, wells, trained, ensemble, joint=plant.joint)
         tubes = tubes_of(result.q, ensemble, model)
-        notes["in_tube"] = None if tubes is None else tubes.coverage(table["q"])
-        artifact = layout.predictions(role, log, name)
+        notes["in_tube"] = None if tubes is None else tubes.coverage(log.q)
+        artifact = layout.predictions(role, log_name, name)
         written[artifact] = _write(run, artifact, plant, rotation, result, tubes, notes)
     return written
 
 
-def _compile(model: DynamicModel, table: Table) -> None:
+def _compile(model: DynamicModel, log: Log) -> None:
     """Have the model's kernels compiled, which is done once per machine and is no part of the time of a run."""
-    free_run({name: values[:3] for name, values in parts(table)[0].items()}, model)
+    free_run(log.parts()[0].part(0, 3), model)
 
 
-def measured_path(table: Table, model: DynamicModel) -> tuple[MeasuredPath, Predict]:
+def measured_path(log: Log, model: DynamicModel) -> tuple[MeasuredPath, Predict]:
     """A log as the predictions of a model are compared with it, and what predicts."""
-    v = drive(table, fine=model.fine_voltages).copy()
-    v[~recorded(table)] = np.nan
-    return MeasuredPath(table["t"], v, table["q"], table["qdot"]), predictor(model)
+    v = log.drive_of(fine=model.fine_voltages).copy()
+    v[~log.recorded] = np.nan
+    return MeasuredPath(log.t, v, log.q, log.qdot), predictor(model)
 
 
-def _horizons(table: Table, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
+def _horizons(log: Log, model: DynamicModel, horizons: Mapping[str, float], *, joint: bool) -> dict[str, Any]:
     """NRMSE of q after fixed times, from restarts along the log; none after times that its samples do not have."""
-    shortest, longest = SHORTEST_HORIZON * sample_interval(table["t"]), float(table["t"][-1] - table["t"][0])
+    shortest, longest = SHORTEST_HORIZON * log.interval, log.duration
     possible = {name: h for name, h in horizons.items() if h == 0.0 or shortest * (1.0 - 1e-9) <= h <= longest}
 
-    path, predict = measured_path(table, model)
+    path, predict = measured_path(log, model)
     horizon_scores = horizon_errors(predict, path, list(possible.values()), joint=joint, most_starts=_RESTARTS)
     errors = dict(zip(possible, horizon_scores, strict=True))
     return {name: asdict(errors.get(name, HorizonError(h, None, None, 0, 0))) for name, h in horizons.items()}
@@ -130,17 +129,17 @@ def _write(
 
 
 def trust_notes(
-    table: Table, wells: Wells | NoWells, trained: Sequence[Table], ensemble: FloatArray | None, *, joint: bool
+    log: Log, wells: Wells | NoWells, trained: Sequence[Log], ensemble: FloatArray | None, *, joint: bool
 ) -> dict[str, Any]:
     """What is noted beside the free run of a model over a log.
 
     Parameters
     ----------
-    table : Table
+    log : Log
         The log.
     wells : Wells or NoWells
         The wells of the device.
-    trained : sequence of Table
+    trained : sequence of Log
         The training logs.
     ensemble : FloatArray, shape (draws, N), or None
         Free runs of the draws, from `pipeline.loading.free_runs.drawn_runs`.
@@ -157,29 +156,23 @@ def trust_notes(
     from pipeline.fitting.coverage import share_outside
 
     return {
-        "outside_training": share_outside(*_valid([table]), *_valid(trained)),
-        "outcomes": _outcomes(table, wells, ensemble, joint=joint),
+        "outside_training": share_outside(*_valid([log]), *_valid(trained)),
+        "outcomes": _outcomes(log, wells, ensemble, joint=joint),
     }
 
 
-def _valid(tables: Sequence[Table]) -> tuple[FloatArray, FloatArray]:
-    valid_rows = [table["segment"] >= 0 for table in tables]
-    q, qdot = (
-        np.concatenate([table[name][k] for table, k in zip(tables, valid_rows, strict=True)]) for name in ("q", "qdot")
-    )
-    return q, qdot
+def _valid(logs: Sequence[Log]) -> tuple[FloatArray, FloatArray]:
+    return np.concatenate([log.known_q for log in logs]), np.concatenate([log.qdot[log.valid] for log in logs])
 
 
-def _outcomes(
-    table: Table, wells: Wells | NoWells, ensemble: FloatArray | None, *, joint: bool
-) -> dict[str, Any] | None:
-    places, t = part_rows(table), table["t"]
-    rests = places_of_rest(table["q"], voltages(table), sample_interval(t), joint=joint)
+def _outcomes(log: Log, wells: Wells | NoWells, ensemble: FloatArray | None, *, joint: bool) -> dict[str, Any] | None:
+    places = log.part_rows()
+    rests = places_of_rest(log.q, log.v, log.interval, joint=joint)
     after = [rest for rest in rests if any(rows.start < rest.start and rest.stop <= rows.stop for rows in places)]
     if ensemble is None or not isinstance(wells, Wells) or not after:
         return None
     outcomes = pulse_outcomes(ensemble, after, wells)
-    ends = [float(t[rest.stop - 1]) for rest in after]
+    ends = [float(log.t[rest.stop - 1]) for rest in after]
     return {
         "draws": DRAWS,
         "at_s": ends,

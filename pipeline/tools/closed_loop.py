@@ -4,9 +4,10 @@ import json
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, cast, get_args
+from typing import Any, Literal, cast, get_args
 
 import numpy as np
+from pydantic import Field
 
 from pipeline.control.controller import begin_control, control
 from pipeline.control.law import CONTROLLER_STATE, Law
@@ -16,7 +17,7 @@ from pipeline.loading.run_models import load_design
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
 from pipeline.rig.bench import Bench, random_bench
-from pipeline.rig.excitation import load_sequence
+from pipeline.rig.excitation import MAX_VOLTAGE, load_sequence
 from pipeline.rig.joint import saddle, tip_displacement, wells
 from pipeline.rig.log import LAYOUTS, PER_SI
 from pipeline.rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
@@ -25,6 +26,7 @@ from pipeline.rig.random_joint import Family, random_joint
 from pipeline.rig_logs import read_recording
 from pipeline.runs.outputs import new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
+from pipeline.settings_logs import Number, SettingsTable, Whole
 from pipeline.units import parse_quantity, to_si
 
 _NAMED = {"nominal": nominal, "table1": table1}
@@ -105,34 +107,6 @@ def parse_target(text: str, joint: VirtualJoint) -> tuple[FloatArray, FloatArray
     return (t, target) if t[0] == 0.0 else (np.insert(t, 0, 0.0), np.insert(target, 0, start))
 
 
-def parse_events(text: str, units: tuple[str, ...], option: str) -> tuple[tuple[float, ...], ...]:
-    """Events ``A:B:C,…`` with a unit each."""
-    events = []
-    for part in filter(None, text.split(",")):
-        values = part.split(":")
-        if len(values) != len(units):
-            raise InputError(f"{option} {part}: give {' : '.join(units)} with their units, joined by colons")
-        events.append(tuple(parse_quantity(v, (u,), option) for v, u in zip(values, units, strict=True)))
-    return tuple(events)
-
-
-def _positive(text: str, unit: str, option: str) -> float:
-    value = parse_quantity(text, (unit,), option)
-    if not 0.0 < value < float("inf"):
-        raise InputError(f"{option} {text}: give a value above zero")
-    return value
-
-
-def _in_time(events: tuple[tuple[float, ...], ...], duration: float, option: str) -> Any:
-    """Events that begin within the run and take time."""
-    for begin, *_, length in events:
-        if not (begin >= 0.0 and length > 0.0):
-            raise InputError(f"{option}: an event begins at 0 s or later and lasts longer than 0 s")
-        if begin >= duration:
-            raise InputError(f"{option}: at {begin:g} s the run is over; raise --duration, which is {duration:g} s")
-    return events
-
-
 def designed(law: Law) -> Controller:
     """The controller of this law in Python, which equals the exported one."""
     s, v = np.zeros(CONTROLLER_STATE), np.zeros(2)
@@ -179,7 +153,7 @@ def write_log(path: Path, form: str, run: ClosedLoop, name: str) -> list[Path]:
     toml = path.with_suffix(".toml")
     head = f'# Simulated by the virtual rig in closed loop.\nname = "{name}"\n\n[logs]\ntrain = ["{path.name}"]\n\n'
     plant = '[plant]\ninputs = "squared"\nparameters = "nominal"\n'
-    toml.write_text(f"{head}{layout.toml()}\n{plant}", encoding="utf-8")
+    toml.write_text(f"{head}{layout.toml()}\n{plant}", encoding="utf-8", newline="\n")
     return [path, toml]
 
 
@@ -190,80 +164,118 @@ def with_side(scenario: Scenario, joint: VirtualJoint) -> Scenario:
     return replace(scenario, side=1 if near else -1)
 
 
-@dataclass(frozen=True)
-class ClosedLoopOptions:
-    """Options of the user, as text with units (see `debist rig closed-loop --help`)."""
+class Push(SettingsTable):
+    """A force on the tip."""
 
-    target: str
-    duration: str = "5 s"
-    form: str = "mat"
-    lag: str | None = None
-    highest: str = "3 kV"
-    push: str = ""
-    hand: str = ""
-    shake: str = ""
-    drag: str = "0 N"
-    friction: float = 1.0
-    lost: str = ""
-    frozen: str = ""
-    barrier: float = 0.0
-    noise: float = 1.0
-    seed: int = 1
-    start: str | None = None
+    start_s: Number = Field(ge=0.0)
+    """When it begins."""
+    force_N: Number
+    """Its size, of a hand at its greatest, of a table its amplitude."""
+    length_s: Number = Field(gt=0.0)
+    """How long it lasts."""
 
-    def _events(self, duration: float) -> dict[str, Any]:
-        """What happens at times within a run of this length [s]."""
-        given = (
-            ("pushes", self.push, ("s", "N", "s"), "--push"),
-            ("hands", self.hand, ("s", "N", "s"), "--hand"),
-            ("shakes", self.shake, ("s", "N", "Hz", "s"), "--shake"),
-            ("lost", self.lost, ("s", "s"), "--lost"),
-            ("frozen", self.frozen, ("s", "s"), "--frozen"),
+
+class Shake(Push):
+    """A force that swings."""
+
+    frequency_Hz: Number = Field(gt=0.0)
+    """Its frequency."""
+
+
+class Loss(SettingsTable):
+    """A time without readings."""
+
+    start_s: Number = Field(ge=0.0)
+    """When it begins."""
+    length_s: Number = Field(gt=0.0)
+    """How long it lasts."""
+
+
+class ScenarioFile(SettingsTable):
+    """What is rare in a closed loop: the TOML file of `debist rig closed-loop --scenario`."""
+
+    start: Literal["left", "right"] | None = None
+    """Well in which the joint rests at first; left out, the one nearest to the first target."""
+    format: Literal["mat", "mf4", "csv", "csv-de", "parquet"] = "mat"
+    """Form of the log."""
+    lag_s: Number | None = Field(default=None, gt=0.0)
+    """Time constant of the converters; left out, the joint's."""
+    highest_V: Number = Field(default=MAX_VOLTAGE, gt=0.0)
+    """Largest voltage of the converters."""
+    pushes: tuple[Push, ...] = ()
+    """Constant forces on the tip."""
+    hands: tuple[Push, ...] = ()
+    """Forces that rise and fall, as a hand pushes and lets go."""
+    shakes: tuple[Shake, ...] = ()
+    """Forces that swing, as of a table that shakes."""
+    drag_N: Number = Field(default=0.0, ge=0.0)
+    """Force of a wire that is dragged along."""
+    friction: Number = Field(default=1.0, ge=0.0)
+    """Factor on the joint's own friction."""
+    lost: tuple[Loss, ...] = ()
+    """When the laser gives no value."""
+    frozen: tuple[Loss, ...] = ()
+    """When the laser gives its last value."""
+    barrier_percent: Number = Field(default=0.0, gt=-100.0, lt=1000.0)
+    """Change of the energy barrier to the end of the run."""
+    noise: Number = Field(default=1.0, ge=0.0)
+    """Factor on the laser's noise."""
+    seed: Whole = Field(default=1, ge=0)
+    """Draws the noise."""
+
+    def check_times(self, duration: float) -> None:
+        """Refuse an event that begins after the end of a run of this length [s]."""
+        for name in ("pushes", "hands", "shakes", "lost", "frozen"):
+            for event in getattr(self, name):
+                if event.start_s >= duration:
+                    raise InputError(
+                        f"{name}: at {event.start_s:g} s the run is over; raise --duration, which is {duration:g} s"
+                    )
+
+    def scenario(self, joint: VirtualJoint, target: str, duration: float) -> Scenario:
+        """The scenario on a joint, with its target as `parse_target` reads it and its length [s]."""
+        t, places = _checked_target(target, joint, duration)
+        self.check_times(duration)
+        scenario = Scenario(
+            t=t,
+            target=places,
+            duration=duration,
+            highest=self.highest_V,
+            lag=self.lag_s,
+            pushes=tuple((push.start_s, push.force_N, push.length_s) for push in self.pushes),
+            hands=tuple((push.start_s, push.force_N, push.length_s) for push in self.hands),
+            shakes=tuple((s.start_s, s.force_N, s.frequency_Hz, s.length_s) for s in self.shakes),
+            lost=tuple((loss.start_s, loss.length_s) for loss in self.lost),
+            frozen=tuple((loss.start_s, loss.length_s) for loss in self.frozen),
+            drag=self.drag_N,
+            friction=self.friction,
+            barrier=0.01 * self.barrier_percent,
+            noise=self.noise,
+            seed=self.seed,
         )
-        return {
-            name: _in_time(parse_events(text, units, option), duration, option) for name, text, units, option in given
-        }
+        if self.start is None:
+            return with_side(scenario, joint)
+        return replace(scenario, side=-1 if self.start == "left" else 1)
 
-    def scenario(self, joint: VirtualJoint) -> Scenario:
-        """The scenario on a joint."""
-        t, target = parse_target(self.target, joint)
-        places = joint.places
-        reach = 0.25 * (places["right"] - places["left"])
-        low, high = places["left"] - reach, places["right"] + reach
-        if target.min() < low or target.max() > high:
-            raise InputError(
-                f"--target: from {1e3 * target.min():.1f} to {1e3 * target.max():.1f} mm; this joint's wells lie at "
-                f"{1e3 * places['left']:.1f} and {1e3 * places['right']:.1f} mm, and targets from {1e3 * low:.1f} to "
-                f"{1e3 * high:.1f} mm make sense"
-            )
-        duration = parse_quantity(self.duration, ("s",), "--duration")
-        if not 0.1 <= duration <= 3600.0:
-            raise InputError(f"--duration {self.duration}: a run lasts 0.1 to 3600 s")
-        if t[-1] >= duration and not Path(self.target).is_file():
-            raise InputError(f"--target: at {t[-1]:g} s the run is over; raise --duration, which is {duration:g} s")
-        if not -100.0 < self.barrier < 1000.0:
-            raise InputError(
-                f"--barrier {self.barrier:g}: give by how many percent the barrier is higher, -100 to 1000"
-            )
-        result = with_side(
-            Scenario(
-                t=t,
-                target=target,
-                duration=duration,
-                highest=_positive(self.highest, "V", "--highest"),
-                lag=None if self.lag is None else _positive(self.lag, "s", "--lag"),
-                **self._events(duration),
-                drag=abs(parse_quantity(self.drag, ("N",), "--drag")),
-                friction=self.friction,
-                barrier=0.01 * self.barrier,
-                noise=self.noise,
-                seed=self.seed,
-            ),
-            joint,
+
+def _checked_target(text: str, joint: VirtualJoint, duration: float) -> tuple[FloatArray, FloatArray]:
+    """Times [s] and targets [m] that lie within the run and near the joint's wells."""
+    t, target = parse_target(text, joint)
+    places = joint.places
+    reach = 0.25 * (places["right"] - places["left"])
+    low = places["left"] - reach
+    high = places["right"] + reach
+    if target.min() < low or target.max() > high:
+        raise InputError(
+            f"--target: from {1e3 * target.min():.1f} to {1e3 * target.max():.1f} mm; this joint's wells lie at "
+            f"{1e3 * places['left']:.1f} and {1e3 * places['right']:.1f} mm, and targets from {1e3 * low:.1f} to "
+            f"{1e3 * high:.1f} mm make sense"
         )
-        if self.start not in (None, "left", "right"):
-            raise InputError(f"--from {self.start}: the joint rests in its left or right well")
-        return result if self.start is None else replace(result, side=-1 if self.start == "left" else 1)
+    if not 0.1 <= duration <= 3600.0:
+        raise InputError(f"--duration {duration:g} s: a run lasts 0.1 to 3600 s")
+    if t[-1] >= duration and not Path(text).is_file():
+        raise InputError(f"--target: at {t[-1]:g} s the run is over; raise --duration, which is {duration:g} s")
+    return t, target
 
 
 def closed_loop_log(
@@ -271,11 +283,27 @@ def closed_loop_log(
     controller: Path | None,
     play: Path | None,
     output: Path,
-    options: ClosedLoopOptions,
     *,
-    force: bool = False,
+    target: str,
+    duration: float,
+    options: ScenarioFile,
 ) -> tuple[list[Path], dict[str, Any]]:
     """Run the controller of a run, or play a sequence, on a joint and write the log, as `debist rig closed-loop`.
+
+    Parameters
+    ----------
+    where : str
+        The joint, as `virtual_joint` reads it.
+    controller, play : Path or None
+        Run whose controller acts, or file of a sequence that is played; one of them.
+    output : Path
+        The log; its ending follows the format.
+    target : str
+        Reference, as `parse_target` reads it.
+    duration : float
+        Length [s].
+    options : ScenarioFile
+        What is rare.
 
     Returns
     -------
@@ -286,16 +314,14 @@ def closed_loop_log(
     """
     if (controller is None) == (play is None):
         raise InputError("give either --controller or --play")
-    if options.form not in LAYOUTS:
-        raise InputError(f"--format {options.form}: unknown; choose one of {', '.join(LAYOUTS)}")
     joint = virtual_joint(where)
-    scenario = options.scenario(joint)
-    suffix = LAYOUTS[options.form].suffix
+    scenario = options.scenario(joint, target, duration)
+    suffix = LAYOUTS[options.format].suffix
     path = output if output.suffix == suffix else output.with_name(output.name + suffix)
     names = (path.name, path.with_suffix(".toml").name)
-    with new_outputs(path.parent, "rig closed-loop", force=force, names=names) as staged:
+    with new_outputs(path.parent, "rig closed-loop", force=None, names=names) as staged:
         run = run_loop(joint.parameters, joint.bench, scenario, _controller(controller, play))
-        written = write_log(staged / path.name, options.form, run, path.stem)
+        written = write_log(staged / path.name, options.format, run, path.stem)
         files = [rebased(file, staged, path.parent) for file in written]
     places = joint.places
     refused = {"commands_not_finite": run.commands_not_finite, "commands_clipped": run.commands_clipped}

@@ -23,8 +23,9 @@ from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.schedule import bring_up_to_date
 from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
+from pipeline.signals.log import log_of
 
-ALGORITHM = "19"
+ALGORITHM = "20"
 _MISSED, _UNSEEN = 0.09, 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
 [m] where the logs show no wells."""
@@ -163,8 +164,8 @@ def control_run(root: Path) -> ControlRun:
 
 def _rests(run: RunFolder, prototype: Prototype) -> tuple[float, float] | None:
     """Readings [m] at which the logs show the joint at rest; None where they show no two wells."""
-    tables = [run.read_table(layout.kinematics(role, log)) for role, log, _ in layout.logs(prototype)]
-    wells = wells_of(tables, joint=True)
+    logs = [log_of(run.read_table(layout.kinematics(role, log))) for role, log, _ in layout.logs(prototype)]
+    wells = wells_of(logs, joint=True)
     return (wells.left, wells.right) if isinstance(wells, Wells) else None
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from pipeline.loading.device import device
 from pipeline.loading.run_models import identified_models, load_run_model
-from pipeline.loading.trajectories import training_tables
+from pipeline.loading.trajectories import load_logs
 from pipeline.models.base import HasCurves
 from pipeline.names import log_title
 from pipeline.numerics.arrays import FloatArray
@@ -191,8 +191,8 @@ def _drawn(name: str, run: RunFolder) -> DrawnRun:
     plant, q, curves = device(prototype), np.zeros(0), dict[str, FloatArray]()
     headline = identified_models(run, prototype)[0]
     if layout.MODELS in run.manifest.artifacts:
-        model, tables = load_run_model(run, prototype), training_tables(run, prototype)
-        displacements = np.concatenate([table["q"] for table in tables])
+        model = load_run_model(run, prototype)
+        displacements = np.concatenate([log.q for log in load_logs(run, prototype, "train")])
         q = np.linspace(np.nanmin(displacements), np.nanmax(displacements), CURVE_PLACES)
         if isinstance(model, HasCurves):
             curves = {key: curve for key, curve in model.curves(q).items() if key in CURVES}

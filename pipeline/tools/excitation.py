@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import Field
 
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
@@ -13,6 +14,7 @@ from pipeline.export.subject import Subject
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.loading.run_models import subject
+from pipeline.model_list import CENTRES
 from pipeline.models.analytical.reduced_order import reduce_joint, simulate_reduced
 from pipeline.models.analytical.statics import equilibria
 from pipeline.models.hybrid.model import HybridModel
@@ -21,11 +23,19 @@ from pipeline.rig.excitation import ENDINGS, Sequence, command, save_sequence
 from pipeline.runs.outputs import check_places, new_outputs, rebased
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import FIELD_LIMIT, Prototype
-from pipeline.tools.excitation_design import Assessment, Design, Requirements, Simulator, design_excitation
+from pipeline.settings_logs import Number, SettingsTable, Whole
+from pipeline.tools.excitation_design import (
+    KINDS,
+    Assessment,
+    BurstKind,
+    Design,
+    Requirements,
+    Simulator,
+    design_excitation,
+)
 from pipeline.tools.next_log import NextLog, design_next_log
 
 _COMMAND = "rig excite"
-RATES = (100.0, 100e3)  # Hz, of the sequence that is written
 
 
 @dataclass(frozen=True)
@@ -71,6 +81,29 @@ class ExcitationSource:
     programme: str | None = None
 
 
+class DesignFile(SettingsTable):
+    """What is rare in a design: the TOML file of `debist rig excite --design`."""
+
+    model: str | None = None
+    """Which model of the run is simulated; left out, the main model."""
+    joints: Whole = Field(default=4, ge=1, le=20)
+    """Joints with workshop tolerances to design for at once."""
+    seed: Whole = Field(default=1, ge=0)
+    """Draws the tolerances and the candidates."""
+    max_field_V_per_um: Number | None = Field(default=None, gt=0.0)
+    """Largest field in the undeformed film; left out, the run's, or 60 V/µm."""
+    rest_s: Number = Field(default=1.0, ge=0.0)
+    """Rest before the first burst."""
+    rate_Hz: Number = Field(default=1000.0, ge=100.0, le=100e3)
+    """Rate of the written samples."""
+    kinds: tuple[BurstKind, ...] = Field(default=KINDS, min_length=1)
+    """Bursts to use."""
+    basis_functions: Whole = Field(default=CENTRES, ge=2, le=50)
+    """Basis functions of each curve."""
+    candidates: Whole = Field(default=24, ge=1, le=1000)
+    """Bursts tried for each place."""
+
+
 def excite(
     output: Path,
     source: ExcitationSource,
@@ -79,7 +112,6 @@ def excite(
     rate: float,
     *,
     report: Callable[[float], None] | None = None,
-    force: bool = False,
 ) -> tuple[Design | NextLog, tuple[Path, ...]]:
     """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
 
@@ -97,9 +129,7 @@ def excite(
     """
     if output.suffix.lower() not in ENDINGS:
         raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
-    if not RATES[0] <= rate <= RATES[1]:
-        raise InputError(f"--rate {rate:g} Hz: a sequence is written at {RATES[0]:g} to {RATES[1]:g} Hz")
-    check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=force)
+    check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=None)
     parameters = joint_parameters(source.parameters)
     thickness, field = film(source, parameters)
     wanted = replace(wanted, voltage=limits.largest(thickness, field))
@@ -111,7 +141,7 @@ def excite(
         "rate_hz": rate,
         "largest_field_v_per_m": wanted.voltage / thickness,
     }
-    with new_outputs(output.parent, _COMMAND, force=force) as staged:
+    with new_outputs(output.parent, _COMMAND, force=None) as staged:
         files = save_sequence(staged / output.name, Sequence(t, command(design.bursts, t)), about)
     return design, tuple(rebased(file, staged, output.parent) for file in files)
 
@@ -224,7 +254,7 @@ def drawn_simulators(parameters: JointParameters, rng: np.random.Generator, coun
     if len(simulators) < count:
         raise InputError(
             f"only {len(simulators)} of {_MOST_DRAWS} joints made after the drawing have two wells; "
-            "take fewer with --joints, or a drawing that is less near the edge"
+            "take fewer `joints`, or a drawing that is less near the edge"
         )
     return simulators
 

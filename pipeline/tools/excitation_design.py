@@ -11,6 +11,7 @@ doi:10.1016/0025-5564(85)90068-9).
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -27,8 +28,9 @@ Simulator = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
 """Times (N,) [s] and voltages (N, 2) [V] to q (N,) [m] and q̇ (N,) [m/s], from rest; NaN after a divergence."""
 
 INTERVAL = 5e-3  # s, of the simulated samples
-KINDS = {"pulse": 0, "both": 1, "chirp": 2, "steps": 3, "multisine": 4}
-"""Kinds of bursts, numbered as in `pipeline.rig.excitation.SHARES`."""
+BurstKind = Literal["pulse", "both", "chirp", "steps", "multisine"]
+KINDS: tuple[BurstKind, ...] = get_args(BurstKind)
+"""Kinds of bursts, in the order of `pipeline.rig.excitation.SHARES`."""
 COVERAGE_WEIGHT = 1.0  # nats per weight that full coverage is worth
 _SHORTEST = 0.3  # s, of room that is worth another burst
 _FADE_OUT = 0.2  # s without voltage at the end
@@ -60,17 +62,12 @@ class Requirements:
     duration: float = 37.5
     rest: float = 1.0
     voltage: float = 3000.0
-    kinds: tuple[str, ...] = tuple(KINDS)
+    kinds: tuple[BurstKind, ...] = KINDS
     candidates: int = 24
     basis_functions: int = CENTRES
     smoothing: float = SMOOTHING
 
     def __post_init__(self) -> None:
-        for kind in self.kinds:
-            if kind not in KINDS:
-                raise InputError(f"--kinds {kind}: unknown; choose among {', '.join(KINDS)}")
-        if not self.kinds:
-            raise InputError(f"--kinds: name at least one of {', '.join(KINDS)}")
         if not self.rest + 4.0 <= self.duration <= 3600.0:
             raise InputError(f"--duration {self.duration:g} s: a sequence lasts {self.rest + 4.0:g} to 3600 s")
         if not 0.0 < self.voltage <= 20e3:
@@ -229,7 +226,7 @@ def assess(
 
 def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
     """A burst at `start` [s] that fits, and the end [s] of the pause behind it; three of four follow the turn."""
-    kind = KINDS[wanted.kinds[int(rng.integers(len(wanted.kinds)))]]
+    kind = KINDS.index(wanted.kinds[int(rng.integers(len(wanted.kinds)))])
     turn = side if rng.random() < 0.75 else 1 - side
     burst = draw_burst(rng, kind, start, turn, wanted.voltage)
     last = wanted.duration - _FADE_OUT

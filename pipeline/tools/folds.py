@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, Literal
@@ -17,7 +17,7 @@ from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_set, parameter_values
 from pipeline.loading.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
 from pipeline.loading.run_models import identified_models
-from pipeline.loading.trajectories import load_motion, sources, training, trajectories
+from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.models.kind import kind
 from pipeline.numerics.arrays import BoolArray
 from pipeline.runs import layout, schemas
@@ -38,7 +38,7 @@ from pipeline.scoring.cross_validation import (
 )
 from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.settings import FILM, Prototype
-from pipeline.signals.trajectory import Trajectory
+from pipeline.signals.log import Log
 from pipeline.stages import compare, identify
 from pipeline.tools.study import StudyResult, study_result
 
@@ -145,11 +145,11 @@ def _task(prototype: Prototype, parameters: JointParameters | None, split: Folds
 def _work(
     run: RunFolder, prototype: Prototype, parameters: JointParameters | None, split: Folds, model: str, jobs: int
 ) -> Mapping[str, Written]:
-    tables = [load_motion(run, prototype, role, log) for role, log, _ in layout.logs(prototype)]
+    logs = load_logs(run, prototype)
     deal = block_folds if split.by == "blocks" else log_folds
-    numbers = deal([table["segment"] for table in tables], split.count)
-    data = _stretches(tables)
-    wells = wells_of(tables, joint=device(prototype).joint)
+    numbers = deal([log.segment for log in logs], split.count)
+    data = _segments(logs)
+    wells = wells_of(logs, joint=device(prototype).joint)
     judge = _Judge(
         prototype,
         parameters,
@@ -158,8 +158,10 @@ def _work(
         wells,
         prior_knowledge_of(run, prototype, parameters),
     )
-    cuts = [([_cut(t, n != k) for t, n in zip(tables, numbers, strict=True)],
-             [_cut(t, n == k) for t, n in zip(tables, numbers, strict=True)]) for k in range(split.count)]  # fmt: skip
+    dealt = list(zip(logs, numbers, strict=True))
+    cuts = [
+        ([_cut(log, n != k) for log, n in dealt], [_cut(log, n == k) for log, n in dealt]) for k in range(split.count)
+    ]
     results = list(in_processes(judge, cuts, jobs))
     if all(why for _, why, _ in results):
         raise DataRefusedError(f"none of {split.count} folds can be judged: {results[0][1]}; give fewer (--folds)")
@@ -171,9 +173,9 @@ def _work(
     return {layout.folds(model): run.write_table(layout.folds(model), schema, columns, notes)}
 
 
-def _cut(table: Table, keep: BoolArray) -> Table:
-    """The table with all other rows masked."""
-    return {**table, "segment": kept_segments(table["segment"], keep)}
+def _cut(log: Log, keep: BoolArray) -> Log:
+    """The log with all other rows masked."""
+    return replace(log, valid=kept_segments(log.segment, keep) >= 0)
 
 
 @dataclass(frozen=True)
@@ -187,31 +189,31 @@ class _Judge:
     wells: Wells | NoWells
     prior_knowledge: PriorKnowledge
 
-    def __call__(self, cut: tuple[list[Table], list[Table]]) -> tuple[dict[str, Any], str, float]:
+    def __call__(self, cut: tuple[list[Log], list[Log]]) -> tuple[dict[str, Any], str, float]:
         """Row of the table, why it was refused, processor time of the fit [s]."""
-        tables = [table for table in cut[0] if np.any(table["segment"] >= 0)]
-        samples, began = sum(len(x.t) for x in _stretches(cut[1])), time.process_time()
+        logs = [log for log in cut[0] if np.any(log.valid)]
+        samples, began = sum(len(x.t) for x in _segments(cut[1])), time.process_time()
         row: dict[str, Any] = dict.fromkeys((*NRMSE_COLUMNS, "well_agreement")) | {"samples": samples}
         if not samples:
             return row | {"status": "empty"}, "it holds no valid sample", 0.0
         try:
-            fitted = self._fit(tables)
+            fitted = self._fit(logs)
         except DebistError as error:
             return row | {"status": "refused"}, str(error), time.process_time() - began
         seconds = time.process_time() - began
-        rests = stable_rests(fitted, [table["q"] for table in tables])
+        rests = stable_rests(fitted, [log.q for log in logs])
         wells = believed_wells(self.wells, self.model, rests, joint=device(self.prototype).joint)
-        score = fold_score(fitted, _stretches(cut[1], fine=fitted.fine_voltages), self.ranges, wells)
+        score = fold_score(fitted, _segments(cut[1]), self.ranges, wells)
         row |= {key: score.nrmse[signal] for key, signal in NRMSE_COLUMNS.items()}
         row |= {"well_agreement": score.well_agreement, "status": "diverged" if score.diverged else "ok"}
         return row, "", seconds
 
-    def _fit(self, tables: list[Table]) -> Any:
-        return kind(self.model).fit(training(tables, self.prototype, self.parameters, self.prior_knowledge))
+    def _fit(self, logs: list[Log]) -> Any:
+        return kind(self.model).fit(training(logs, self.prototype, self.parameters, self.prior_knowledge))
 
 
-def _stretches(tables: Sequence[Table], *, fine: bool = False) -> list[Trajectory]:
-    return [stretch for table in tables for stretch in trajectories(table, fine=fine)]
+def _segments(logs: Sequence[Log]) -> list[Log]:
+    return [segment for log in logs for segment in log.segments()]
 
 
 def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:

@@ -8,33 +8,36 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.checks.check import check_logs
-from pipeline.checks.overlap import shared_recordings, shared_rows
+from pipeline.checks.copies import shared_recordings, shared_rows
 from pipeline.checks.rows import findings, remarks
 from pipeline.checks.weak_form import LogSignals
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
-from pipeline.errors import InputError, warn_user
+from pipeline.errors import DataRefusedError, InputError, warn_user
 from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
 from pipeline.loading.parameter_sets import parameter_set
-from pipeline.loading.si_log import SiLog
+from pipeline.loading.prior_knowledge import prior_knowledge_in
+from pipeline.loading.si_log import SiLog, on_uniform_clocks
 from pipeline.loading.trajectories import load_motion, motion, training
 from pipeline.model_list import AUTO, ENTRIES, entry, names
 from pipeline.models.base import DynamicModel, kind_of, real_numbers
 from pipeline.models.kind import StoredModel, kind
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import fit_percent
+from pipeline.runs import layout
 from pipeline.runs.columns import TUBE_COLUMNS
 from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.tables import Table
 from pipeline.scoring.wells import wells_of
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.signals.log import Log, log_of
 from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import scale_suspicion
+from pipeline.signals.trajectory import UNKNOWN
 from pipeline.stages.check import declared, log_signals
-from pipeline.stages.differentiate import kinematics
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, resamplings
-from pipeline.stages.scores import ComparedRun, score_rows
+from pipeline.steps.differentiate import kinematics
+from pipeline.steps.score import ComparedRun, score_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -97,7 +100,13 @@ def settings(
         if name == "identify" and isinstance(table, Mapping) and "models" in table:
             raise InputError("settings has identify.models; the argument `model` names the model")
         document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
-    return parse_prototype(document, "debist.identify")
+    prototype = parse_prototype(document, "debist.identify")
+    if prototype.compare.curves is not None:
+        raise InputError("settings has compare.curves, which only the report of a run draws; leave it out")
+    for key in ("curves", "siblings") if model in names("compare") else ():
+        if getattr(prototype.plant, key) is not None:
+            raise InputError(f"settings has plant.{key}, which the model {model!r} does not take; leave it out")
+    return prototype
 
 
 def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
@@ -111,7 +120,7 @@ class Cleaned:
 
     Attributes
     ----------
-    motion : Table
+    motion : Log
         On the uniform grid, with derivatives.
     signals : LogSignals
         What the checks look at.
@@ -119,13 +128,13 @@ class Cleaned:
         What was noticed and masked.
     """
 
-    motion: Table
+    motion: Log
     signals: LogSignals
     warnings: tuple[str, ...]
 
 
-def kinematics_of(table: Any) -> Table | None:
-    """Kinematics that a model is scored on, from a log of a run (`pipeline.api.Run.log`); None for other signals.
+def log_in(table: Any) -> Log | None:
+    """The log that a model is scored on, from a log of a run (`pipeline.api.Run.log`); None for other signals.
 
     A log that is still as `Run.log` returned it is read from the run again, with its parts and with the voltages
     between the samples, as the run itself simulates it. One with other values is differentiated anew.
@@ -140,13 +149,13 @@ def kinematics_of(table: Any) -> Table | None:
     if OF_RUN in table.attrs:
         root, role, log = table.attrs[OF_RUN]
         run = RunFolder.open(Path(root))
-        stored = load_motion(run, run.prototype, role, log)
+        stored = run.read_table(layout.kinematics(role, log))
         if all(np.array_equal(stored[name], columns[name], equal_nan=True) for name in columns):
-            return stored
+            return load_motion(run, run.prototype, role, log)
         rows = np.minimum(np.searchsorted(stored["t"], columns["t"]), len(stored["t"]) - 1)
         if not all(np.array_equal(stored[name][rows], columns[name], equal_nan=True) for name in columns):
             return None  # derivatives of before a change are not those of after it
-    return columns
+    return log_of(columns)
 
 
 def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None:
@@ -182,7 +191,7 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     codes = {name: codes_in(column) for name, column in given.items()}
     q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
     of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts))
-    log = SiLog(q, tuple(inputs), notes=of_codes)
+    log = on_uniform_clocks(SiLog(q, tuple(inputs), notes=of_codes))
     checked = examined(log, prototype, where)
     fine, coarse = (
         record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)
@@ -190,47 +199,59 @@ def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
     moved, _ = kinematics(coarse, fine, prototype)
     notes = {**checked.notes, "raw_step": checked.raw_step}
     remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
-    return Cleaned(motion(moved, fine, prototype, notes), log_signals(where, fine, notes), remarks)
+    return Cleaned(motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks)
 
 
 def identify_signals(
     logs: Sequence[Signals], prototype: Prototype, name: str
-) -> tuple[StoredModel, dict[str, Any], list[Table]]:
-    """The model of that name, or the headline for `AUTO`; notes on the fits; and the kinematics of the logs.
+) -> tuple[StoredModel, dict[str, Any], list[Log]]:
+    """The model of that name, or the headline for `AUTO`; notes on the fits; and the logs.
 
     What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
+
+    Raises
+    ------
+    DataRefusedError
+        The signals do not show what the model needs, or are in other units, as voltages in kV.
     """
+    settings_file = Path.cwd() / "settings.toml"
+    parameters = parameter_set(prototype, settings_file)
+    prior = prior_knowledge_in(settings_file, prototype, parameters)
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
-    tables = [part.motion for part in parts]
+    measured = [part.motion for part in parts]
     records, stated = [part.signals for part in parts], declared(prototype)
-    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records, stated.sample_interval))]
-    contradictions = [f"{f.text}: {f.advice}" for f in findings(rows) if f.gate not in prototype.quality.accept]
+    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records))]
+    unaccepted = [finding for finding in findings(rows) if finding.gate not in prototype.quality.accept]
+    contradictions = [f"{finding.text}: {finding.advice}" for finding in unaccepted]
+    if units := [text for finding, text in zip(unaccepted, contradictions, strict=True) if finding.gate == "scale"]:
+        accept = "settings={'quality': {'accept': ['scale']}}"
+        raise DataRefusedError(f"{units[0]}; give SI units, or if they are, accept it: {accept}")
     for text in (*contradictions, *remarks(rows)):
         warn_user(text)
-    parameters = parameter_set(prototype, Path.cwd() / "settings.toml")
     if name in names("compare"):
-        model = kind(name).fit(training(tables, prototype, parameters))
+        model = kind(name).fit(training(measured, prototype, parameters))
         notes: dict[str, Any] = {"warnings": [], name: model.describe()}
     else:
-        models, notes = identified(tables, prototype, parameters)
+        models, notes = identified(measured, prototype, parameters, prior)
         model = next(iter(models.values()))
     remarks_of_all = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
-    return model, notes | {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}, tables
+    notes |= {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}
+    return model, notes, measured
 
 
-def score_table(model: DynamicModel, table: Table, plant: Device) -> list[dict[str, Any]]:
+def score_table(model: DynamicModel, log: Log, plant: Device) -> list[dict[str, Any]]:
     """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them, with the fit in
     percent as MATLAB's ``compare`` states it.
     """
-    run = free_run(table, model)
-    pairs = {name: (table[name], getattr(run, name)) for name in ("q", "qdot", "qddot")}
-    rests = stable_rests(model, [table["q"]])
-    wells = believed_wells(wells_of([table], joint=plant.joint), model.name, rests, joint=plant.joint)
+    run = free_run(log, model)
+    pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
+    rests = stable_rests(model, [log.q])
+    wells = believed_wells(wells_of([log], joint=plant.joint), model.name, rests, joint=plant.joint)
     compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
     return [
         {"signal": row["signal"], "fit_percent": _or_nan(fit_percent(*pairs[row["signal"]])), "unit": row["unit"]}
         | {name: _or_nan(value) for name, value in row.items()}
-        for row in score_rows(plant, table, compared, wells)
+        for row in score_rows(plant, log, compared, wells)
     ]
 
 
@@ -280,13 +301,17 @@ def signals_of(table: "pd.DataFrame") -> Signals:
 
 
 def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
-    """The signals of single columns: arrays, lists or Series.
+    """The signals of single columns: arrays, lists or Series; `v1` may hold both voltages, shape (N, 2).
 
     Raises
     ------
     InputError
         A column is no column of numbers, NaN where there is none, or they differ in length.
     """
+    if v2 is None and (both := real_numbers(v1, "v1")).ndim == 2:
+        if both.shape[1] > 2 or (len(both) != np.size(t) and both.shape[1] == np.size(t)):
+            raise InputError(f"v1 has the shape {both.shape}; give one or two columns of voltages, shape (N, 2)")
+        v1, v2 = (*both.T, None)[:2]
     columns = _columns({"t": t, "q": q, "v1": v1, "v2": v2}, gaps=True)
     return Signals(columns.pop("t"), columns.pop("q"), np.column_stack(list(columns.values())))
 

@@ -233,7 +233,7 @@ def _supposed(inspection: Inspection) -> Prototype:
     channels: dict[str, Any] = {}
     log = inspection.path
     name = shell_word(log)
-    settings = f"fill in what `debist init {name} > P.toml` writes, then `debist inspect {name} --settings P.toml`"
+    settings = f"fill in what `debist init {name} -o P.toml` writes, then `debist inspect {name} --settings P.toml`"
     for role in inspection.suggestions:
         if role.role == "v2" and not role.candidates:
             continue

@@ -14,7 +14,7 @@ from pipeline.runs import layout
 from pipeline.runs.engine import Observer
 from pipeline.runs.outputs import new_outputs, rebased, remove_outdated
 from pipeline.scoring.wells import wells_of
-from pipeline.signals.trajectory import voltages
+from pipeline.signals.log import log_of
 from pipeline.tools.controlled_run import ControlRun, control_run, kept_document
 
 MOST_EQUILIBRIA = 9
@@ -66,10 +66,10 @@ def bode(model: LinearModel) -> dict[str, list[float]]:
 def _measured_ringing(joint_run: ControlRun) -> dict[str, Any]:
     """Mean frequency [Hz] and damping ratio of the ring-downs in both wells, over all logs, as in the datasheet."""
     logs = [(role, log) for role, log, _ in layout.logs(joint_run.prototype)]
-    tables = [joint_run.run.read_table(layout.kinematics(*log)) for log in logs]
+    measured = [log_of(joint_run.run.read_table(layout.kinematics(*log))) for log in logs]
     hum = {line for log in logs for line in joint_run.run.record(layout.record(*log)).notes.get("hum", ())}
-    wells = wells_of(tables, joint=True)
-    facts = rest_facts([(table["t"], table["q"], voltages(table)) for table in tables], wells, hum, joint=True)
+    wells = wells_of(measured, joint=True)
+    facts = rest_facts([(log.t, log.q, log.v) for log in measured], wells, hum, joint=True)
     rings = {"left": facts.rings_left, "right": facts.rings_right}
     return {
         side: {

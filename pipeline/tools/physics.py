@@ -5,15 +5,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from pydantic import Field
 
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.settings_logs import SettingsTable, Whole
 
 if TYPE_CHECKING:
     from pipeline.device_parameters import JointParameters
     from pipeline.models.analytical.calibration import Calibration
     from pipeline.models.analytical.reduced_order import Motions
     from pipeline.runs.tables import Table
+    from pipeline.signals.log import Log
 
 
 def energy_over_q(
@@ -71,14 +74,23 @@ def simulate(parameters: "JointParameters", voltage: float, signals: Path | None
     return simulate_both(parameters, t, v, q0=start)
 
 
+class SearchFile(SettingsTable):
+    """How the calibration searches: the TOML file of `debist physics calibrate --search`."""
+
+    starts: Whole = Field(default=3, ge=1, le=100)
+    """Starts of the search, the first at the given set."""
+    seed: Whole = Field(default=0, ge=0)
+    """Draws the other starts."""
+    threads: Whole = Field(default=2, ge=1, le=64)
+    """Starts that are followed at a time."""
+
+
 def calibrate(
     kinematics: Sequence[Path],
     parameters: "JointParameters",
     *,
     names: Sequence[str],
-    starts: int,
-    seed: int,
-    jobs: int,
+    search: SearchFile,
     report: Callable[[str, float], None] | None = None,
 ) -> "Calibration":
     """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files.
@@ -90,31 +102,33 @@ def calibrate(
     InputError
         A table lacks a column, or none has a stretch of motion.
     """
-    from pipeline.loading.trajectories import trajectories, with_fine_voltages
+    from pipeline.loading.trajectories import between
     from pipeline.models.analytical.calibration import calibrate as fit
+    from pipeline.signals.log import log_of
 
-    def motion(path: Path) -> "Table":
-        """The table, with the voltages between its samples where the run's record is beside it."""
+    def motion(path: Path) -> "Log":
+        """A log, with the voltages between its samples where the run's record is beside it."""
         table, record = (
             _columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment"),
             path.with_name("record.parquet"),
         )
-        return with_fine_voltages(table, _columns(record, "t", "v1", "v2")) if record.is_file() else table
+        return log_of(table, between(table["t"], _columns(record, "t", "v1", "v2")) if record.is_file() else None)
 
-    motions = [stretch for path in kinematics for stretch in trajectories(motion(path), fine=True)]
+    motions = [segment for path in kinematics for segment in motion(path).segments()]
     if not motions:
         raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
-    return fit(motions, parameters, np.random.default_rng(seed), names=names, starts=starts, jobs=jobs, report=report)
+    rng = np.random.default_rng(search.seed)
+    return fit(motions, parameters, rng, names=names, starts=search.starts, jobs=search.threads, report=report)
 
 
-def write_parameters(fit: "Calibration", target: Path, *, force: bool) -> None:
+def write_parameters(fit: "Calibration", target: Path) -> None:
     """Write a calibrated set as TOML with its standard errors as comments; errors as for `new_outputs`."""
     from pipeline.loading.parameter_sets import parameter_file
     from pipeline.runs.outputs import new_outputs
 
     errors = {name: f"± {error:.2g}" for name, error in zip(fit.names, fit.standard_errors, strict=True)}
-    with new_outputs(target.parent, "physics calibrate", force=force, names=(target.name,)) as staged:
-        (staged / target.name).write_text(parameter_file(fit.parameters, errors), encoding="utf-8")
+    with new_outputs(target.parent, "physics calibrate", force=None, names=(target.name,)) as staged:
+        (staged / target.name).write_text(parameter_file(fit.parameters, errors), encoding="utf-8", newline="\n")
 
 
 def calibration_document(fit: "Calibration") -> dict[str, Any]:

@@ -11,7 +11,7 @@ import numpy as np
 from pipeline.isolation import in_processes
 from pipeline.loading.device import Device, device
 from pipeline.loading.report_data import read_study
-from pipeline.loading.trajectories import load_motion, sources, training_trajectories, trajectories
+from pipeline.loading.trajectories import load_logs, sources
 from pipeline.models.paper.model import identify_rbf_paper
 from pipeline.models.paper.online import drifted, follow, memories
 from pipeline.numerics.arrays import FloatArray, sample_interval
@@ -27,9 +27,10 @@ from pipeline.runs.schedule import bring_up_to_date
 from pipeline.runs.tables import Table
 from pipeline.scoring.data_study import amount_study, held_out_error, noise_study
 from pipeline.settings import Prototype
+from pipeline.settings_logs import Role
 from pipeline.signals.differentiate import alpha_study, differentiate
-from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.stages.differentiate import differentiator
+from pipeline.signals.log import Log, operating_range
+from pipeline.steps.differentiate import differentiator
 from pipeline.units import ALPHA_UNIT
 
 ALGORITHM = "2"
@@ -138,15 +139,18 @@ def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tu
     return {"alpha": study.alphas, "misfit": study.misfit, "roughness": study.roughness}, notes
 
 
-def _held_out(run: RunFolder, prototype: Prototype) -> list[Trajectory]:
+def _segments(run: RunFolder, prototype: Prototype, role: Role) -> list[Log]:
+    """The gap-free segments of the logs in a role."""
+    return [segment for log in load_logs(run, prototype, role) for segment in log.segments()]
+
+
+def _held_out(run: RunFolder, prototype: Prototype) -> list[Log]:
     """The validation logs; without any, the training logs themselves."""
-    logs = [log for role, log, _ in layout.logs(prototype) if role == "validation"]
-    tables = [load_motion(run, prototype, "validation", log) for log in logs]
-    return [stretch for table in tables for stretch in trajectories(table)] or training_trajectories(run, prototype)
+    return _segments(run, prototype, "validation") or _segments(run, prototype, "train")
 
 
 def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
+    data, held_out = _segments(run, prototype, "train"), _held_out(run, prototype)
     grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
     work = partial(_one_basis, data, held_out, _asked(prototype, plant))
     mse, condition, nrmse = np.array(list(in_processes(work, grid, jobs))).T
@@ -168,7 +172,7 @@ def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
 
 
 def _one_basis(
-    data: list[Trajectory], held_out: list[Trajectory], asked: dict[str, Any], point: tuple[int, float]
+    data: list[Log], held_out: list[Log], asked: dict[str, Any], point: tuple[int, float]
 ) -> tuple[float, float, float]:
     model = identify_rbf_paper(data, **asked | {"basis_functions": point[0], "smoothing": point[1]})
     residual = np.concatenate([model.accelerate(x.t, x.v, x.q, x.qdot) - x.qddot for x in data])
@@ -176,7 +180,7 @@ def _one_basis(
 
 
 def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    data, held_out = training_trajectories(run, prototype), _held_out(run, prototype)
+    data, held_out = _segments(run, prototype, "train"), _held_out(run, prototype)
     identify = partial(identify_rbf_paper, **_asked(prototype, plant))
 
     how = differentiator(prototype.differentiate, measured=False, unit=ALPHA_UNIT[plant.displacement.symbol][1])
@@ -202,7 +206,7 @@ def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tup
 
 
 def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
-    data = training_trajectories(run, prototype)
+    data = _segments(run, prototype, "train")
     model = identify_rbf_paper(data, **_asked(prototype, plant))
     rows = np.concatenate([model.regressors(x) for x in data])
     target = plant.mass * np.concatenate([x.qddot for x in data])

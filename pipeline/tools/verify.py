@@ -1,23 +1,17 @@
-"""Verify, repair: everything in a run, or in all runs of a folder, against what was written."""
+"""Verify: everything in a run, or in all runs of a folder, against what was written."""
 
 import os
-import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
 from pathlib import Path
-from random import SystemRandom
 
-from pipeline.errors import CorruptArtifactError, DebistError, InputError, SupersededError
-from pipeline.names import part_holds, part_of, shell_word
-from pipeline.runs.atomic import TEMPORARY_MARK, move
-from pipeline.runs.engine import Observer, TaskStatus
+from pipeline.errors import DebistError, InputError, SupersededError
+from pipeline.runs.atomic import TEMPORARY_MARK
 from pipeline.runs.hashing import file_sha256
-from pipeline.runs.lock import HOLDER, LOCK, is_held, run_lock
+from pipeline.runs.lock import HOLDER, LOCK, is_held
 from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK, STAGES, load_manifest, stage_file
 from pipeline.runs.outputs import EXTRA_FOLDERS, WRITTEN, written_files
-from pipeline.runs.run_folder import CORRUPT_MARK, RunFolder, in_snapshot
-from pipeline.stages.run import rebuild_run, run_prototype
+from pipeline.runs.run_folder import RunFolder, in_snapshot
 
 
 @dataclass(frozen=True)
@@ -34,15 +28,12 @@ class Verified:
         Files and links that do not belong to the run, by their paths in the folder.
     leftover : list of str
         Files that an interrupted run leaves, by their paths in the folder.
-    left_out : int
-        Number of artifacts that a subset left out.
     """
 
     checked: int
     problems: list[dict[str, str]] = field(default_factory=list)
     unknown: list[str] = field(default_factory=list)
     leftover: list[str] = field(default_factory=list)
-    left_out: int = 0
 
     @property
     def intact(self) -> bool:
@@ -50,46 +41,19 @@ class Verified:
         return not (self.problems or self.unknown or self.leftover)
 
 
-Chosen = Callable[[str], bool]
-"""Whether a file is read and hashed; its argument is the file's path behind the folder's name."""
-
-
-def every(path: str) -> bool:
-    """All of them."""
-    return True
-
-
-def subset(text: str) -> Chosen:
-    """A subset of files: ``3/10``, which their names decide, so that ten calls read all; or 5%, drawn at random.
-
-    Raises
-    ------
-    InputError
-        The text is neither.
-    """
-    if (part := part_of(text)) is not None:
-        return lambda path: part_holds(*part, path)
-    match = re.fullmatch(r"(\d{1,3}(?:\.\d{1,6})?) ?%", text)
-    share = float(match[1]) / 100.0 if match else 0.0
-    if not 0.0 < share <= 1.0:
-        raise InputError(f"--subset {text}: write a part such as 3/10, or a share up to 100% such as 5%")
-    draw = SystemRandom()
-    return lambda path: draw.random() < share
-
-
-def verified(run: RunFolder, chosen: Chosen = every) -> Verified:
-    """Check the files of a run: all of them belong there, and the `chosen` ones have the bytes that were written.
+def verified(run: RunFolder) -> Verified:
+    """Check the files of a run: all of them belong there and have the bytes that were written.
 
     Raises
     ------
     SupersededError
         Another process went on writing into it.
     """
-    names = [name for name in sorted(run.manifest.artifacts) if chosen(f"{run.root.name}/{name}")]
+    names = sorted(run.manifest.artifacts)
     problems = [
         {"artifact": name, "stage": stage, "problem": problem}
         for name, stage, problem in (
-            *_artifacts(run, names), *_stage_manifests(run), *_written_files(run.root, chosen)
+            *_artifacts(run, names), *_stage_manifests(run), *_written_files(run.root)
         )
     ]  # fmt: skip
     others = sorted(_others(run))
@@ -102,7 +66,7 @@ def verified(run: RunFolder, chosen: Chosen = every) -> Verified:
     if (run.root / NEXT_MANIFEST).exists():  # a commit that is not complete has stage manifests to remove
         unknown = [path for path in unknown if not path.startswith(f"{STAGES}/")]
     unknown, leftover = ([path for path in some if os.path.lexists(run.root / path)] for some in (unknown, leftover))
-    return Verified(len(names), problems, unknown, leftover, len(run.manifest.artifacts) - len(names))
+    return Verified(len(names), problems, unknown, leftover)
 
 
 def _artifacts(run: RunFolder, names: Iterable[str]) -> Iterator[tuple[str, str, str]]:
@@ -122,18 +86,16 @@ def _stage_manifests(run: RunFolder) -> Iterator[tuple[str, str, str]]:
             yield stage_file(stage), stage, f"{problem}; `debist run` writes it anew"
 
 
-def _written_files(root: Path, chosen: Chosen) -> Iterator[tuple[str, str, str]]:
+def _written_files(root: Path) -> Iterator[tuple[str, str, str]]:
     """File, command and what is wrong, for what was written beside the artifacts."""
     for folder in EXTRA_FOLDERS:
-        for name, command, problem in file_problems(root / folder, chosen):
+        for name, command, problem in file_problems(root / folder):
             yield f"{folder}/{name}", command, f"{problem}; write it anew"
 
 
-def file_problems(folder: Path, chosen: Chosen = every) -> Iterator[tuple[str, str, str]]:
+def file_problems(folder: Path) -> Iterator[tuple[str, str, str]]:
     """File, command and what is wrong, for the files in the list of a folder (`pipeline.runs.outputs`)."""
     for name, entry in sorted(written_files(folder).items()):
-        if not chosen(f"{folder.parent.name}/{folder.name}/{name}"):
-            continue
         try:
             same = file_sha256(folder / name) in (entry.get("sha256"), entry.get("replaces"))
             problem = "" if same else "does not have the bytes that were written"
@@ -181,7 +143,7 @@ class VerifiedRun:
         return not self.failure and self.result.intact
 
 
-def verify_everything(root: Path, chosen: Chosen = every) -> Verified:
+def verify_everything(root: Path) -> Verified:
     """Check the files of a run, in one state of it though another process may go on writing.
 
     Raises
@@ -191,10 +153,10 @@ def verify_everything(root: Path, chosen: Chosen = every) -> Verified:
     CorruptArtifactError
         Its manifest is damaged.
     """
-    return in_snapshot(root, lambda run: verified(run, chosen))
+    return in_snapshot(root, verified)
 
 
-def verify_all(folder: Path, chosen: Chosen = every) -> list[VerifiedRun]:
+def verify_all(folder: Path) -> list[VerifiedRun]:
     """Check every run in a folder, and the tables of a fleet there.
 
     Raises
@@ -206,12 +168,12 @@ def verify_all(folder: Path, chosen: Chosen = every) -> list[VerifiedRun]:
     if not roots:
         raise InputError(f"{folder}: holds no runs")
     tables = _fleet_tables(folder)
-    return [*(_verified_run(root, chosen) for root in roots), *([tables] if tables is not None else [])]
+    return [*map(_verified_run, roots), *([tables] if tables is not None else [])]
 
 
-def _verified_run(root: Path, chosen: Chosen) -> VerifiedRun:
+def _verified_run(root: Path) -> VerifiedRun:
     try:
-        return VerifiedRun(root, verify_everything(root, chosen))
+        return VerifiedRun(root, verify_everything(root))
     except DebistError as error:
         return VerifiedRun(root, Verified(0), str(error))
 
@@ -224,37 +186,3 @@ def _fleet_tables(folder: Path) -> VerifiedRun | None:
         if command == "batch"
     ]
     return VerifiedRun(folder, Verified(len(listed), problems)) if listed else None
-
-
-def repair_run(root: Path, observer: Observer, prototype_file: Path | None = None) -> tuple[list[TaskStatus], Verified]:
-    """Set aside what is damaged and make it anew, by the settings that the run holds.
-
-    A run whose manifest is damaged is set aside as a whole and made anew from its settings file.
-
-    Returns
-    -------
-    list of TaskStatus
-        What was done and what was not.
-    Verified
-        How the run is now.
-
-    Raises
-    ------
-    InputError
-        No run there; the manifest is damaged and no settings file is given.
-    """
-    try:
-        load_manifest(root)
-    except CorruptArtifactError as error:
-        if prototype_file is None:
-            raise InputError(
-                f"{error}; or give its settings file: `debist repair {shell_word(root)} PROTOTYPE.toml`"
-            ) from error
-        stamp = datetime.now(UTC).strftime("%Y%m%dT%H%M%S%f")
-        with run_lock(root):
-            pass  # nobody writes; Windows moves no folder with an open file such as the lock
-        move(root, root.with_name(f"{root.name}{CORRUPT_MARK}{stamp}"), within=root.parent)
-        done = run_prototype(prototype_file, root, observer)
-    else:
-        done = rebuild_run(root, observer)
-    return done, verify_everything(root)

@@ -13,8 +13,10 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app, debist
-from pipeline.batch.batch import Execution, named_prototypes, prototype_files, run_batch, write_fleet_tables
-from pipeline.batch.progress import fleet_progress
+from pipeline.batch.batch import Execution, run_batch
+from pipeline.batch.failures import failure_file
+from pipeline.batch.fleet import write_fleet_tables
+from pipeline.batch.members import Member, members, prototype_files
 from pipeline.batch.worker import Outcome, Worker
 from pipeline.errors import InputError
 from pipeline.machine import ONE_THREAD
@@ -72,7 +74,7 @@ def killed_or_debist(arguments: list[str]) -> None:
 def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    named = named_prototypes([_prototype(tmp_path, name, gain) for name, gain in (("b", 0.97), ("a", 1.0))])
+    named = members([_prototype(tmp_path, name, gain) for name, gain in (("b", 0.97), ("a", 1.0))])
     told = Told()
     one = run_batch(named, tmp_path / "one", told, debist, Execution(1, report=False))
     assert told.begun == [outcome.name for outcome in told.ended] == ["b", "a"]
@@ -129,10 +131,9 @@ def test_an_interrupted_batch_does_not_wait_for_what_it_runs(tmp_path: Path) -> 
 
     told, began = Interrupting(), time.monotonic()
     with pytest.raises(KeyboardInterrupt):
-        run_batch([("a", tmp_path / "a"), ("b", tmp_path / "b")], tmp_path / "runs", told, _sleeping, Execution(2))
+        run_batch([Member(n, tmp_path / n) for n in "ab"], tmp_path / "runs", told, _sleeping, Execution(2))
     assert time.monotonic() - began < 60.0
     assert (told.begun, told.ended) == (["a", "b"], [])
-    assert fleet_progress(tmp_path / "runs").counts["running"] == 0
 
 
 def _sleeping(arguments: list[str]) -> None:
@@ -179,7 +180,8 @@ def test_numerical_libraries_of_a_worker_have_one_thread(tmp_path: Path, monkeyp
     for variable in ONE_THREAD:
         monkeypatch.setenv(variable, "7")
     with Worker(_threads, "x", tmp_path / "x.toml", tmp_path) as worker:
-        assert worker.outcome().reason == "1:1:1"
+        worker.outcome()
+    assert failure_file(tmp_path, "x").read_text().splitlines()[-1] == "1:1:1"
 
 
 def _soiling(arguments: list[str]) -> None:
@@ -193,7 +195,22 @@ def _soiling(arguments: list[str]) -> None:
 def test_no_prototype_meets_what_another_left(tmp_path: Path) -> None:
     for name in "ab":
         with Worker(_soiling, name, tmp_path / "x.toml", tmp_path) as worker:
-            assert worker.outcome().reason == "(None, False) True"
+            worker.outcome()
+        assert failure_file(tmp_path, name).read_text().splitlines()[-1] == "debist: (None, False) True"
+
+
+def _unknown(arguments: list[str]) -> None:
+    raise ZeroDivisionError("of nobody's making")
+
+
+def test_an_unknown_exception_keeps_its_traceback_until_the_prototype_does_well(tmp_path: Path) -> None:
+    named = members([_prototype(tmp_path, "a")])
+    (failed,) = run_batch(named, tmp_path / "runs", Told(), _unknown, Execution(report=False))
+    kept = failure_file(tmp_path / "runs", "a")
+    assert failed.exit_code == 1 and "ZeroDivisionError" in failed.reason and str(kept) in failed.reason
+    assert "Traceback" in kept.read_text() and "in _unknown" in kept.read_text()
+    (done,) = run_batch(named, tmp_path / "runs", Told(), debist, Execution(report=False))
+    assert done.exit_code == 0 and not kept.exists()
 
 
 def _takes_memory(arguments: list[str]) -> None:
@@ -205,7 +222,7 @@ def _takes_memory(arguments: list[str]) -> None:
 def test_memory_that_runs_out_ends_the_prototype_that_takes_it(tmp_path: Path) -> None:
     with Worker(_takes_memory, "a", tmp_path / "x.toml", tmp_path) as worker:
         outcome = worker.outcome()
-    assert (outcome.exit_code, outcome.reason) == (1, "MemoryError")
+    assert outcome.exit_code == 1 and outcome.reason.startswith("a bug of debist: MemoryError")
 
 
 def test_a_fleet_file_names_its_members(tmp_path: Path) -> None:
@@ -213,10 +230,10 @@ def test_a_fleet_file_names_its_members(tmp_path: Path) -> None:
     one = _prototype(tmp_path / "sub", "one")
     fleet = tmp_path / "fleet.toml"
     fleet.write_text('prototypes = ["sub/one.toml"]')
-    assert prototype_files([fleet, one]) == [one.resolve()]
+    assert prototype_files([fleet, one], tmp_path) == [one.resolve()]
     fleet.write_text('prototypes = ["sub/one.toml"]\njobs = 2')
     with pytest.raises(InputError, match="'prototypes' alone"):
-        prototype_files([fleet])
+        prototype_files([fleet], tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -233,21 +250,21 @@ def test_a_mistake_in_a_fleet_file_is_said_before_anything_runs(tmp_path: Path, 
     (tmp_path / "sub").mkdir()
     (tmp_path / "fleet.toml").write_text(text)
     with pytest.raises(InputError, match=f"fleet.toml: .*{said}"):
-        prototype_files([tmp_path / "fleet.toml"])
+        prototype_files([tmp_path / "fleet.toml"], tmp_path)
 
 
 def test_what_is_not_there_is_said(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no settings file"):
-        prototype_files([tmp_path])
+        prototype_files([tmp_path], tmp_path)
     with pytest.raises(InputError, match="no such file"):
-        prototype_files([tmp_path / "x.toml"])
+        prototype_files([tmp_path / "x.toml"], tmp_path)
 
 
 def test_two_of_one_name_would_share_a_folder(tmp_path: Path) -> None:
     (tmp_path / "sub").mkdir()
     pair = [_prototype(tmp_path, "a"), _prototype(tmp_path / "sub", "a")]
     with pytest.raises(InputError, match="named 'a'"):
-        named_prototypes(pair)
+        members(pair)
 
 
 def test_no_cell_of_the_csv_is_a_formula(tmp_path: Path) -> None:

@@ -8,7 +8,10 @@ from pathlib import Path
 import pytest
 
 from cli import debist
-from pipeline.batch.batch import FLEET_CSV, Execution, named_prototypes, prototype_files, run_batch, write_fleet_tables
+from pipeline.batch.batch import Execution, run_batch
+from pipeline.batch.fleet import write_fleet_tables
+from pipeline.batch.members import FLEET_CSV, members, prototype_files
+from pipeline.batch.progress import fleet_progress, is_fleet
 from pipeline.batch.worker import Outcome, Worker, reason_of
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.parameter_sets import joint_parameters
@@ -69,12 +72,12 @@ def test_settings_that_no_parser_survives_fail_alone(tmp_path):
         with pytest.raises(InputError, match=text) as caught:
             load_prototype(tmp_path / f"{name}.toml")
         assert "\n" not in str(caught.value)
-    found = [*prototype_files([tmp_path]), *prototype_files([tmp_path / f"{name}.toml" for name in said])]
-    named = named_prototypes(list(dict.fromkeys(found)))
-    assert {name for name, _ in named} >= set(said) - {"zero"}  # a link is resolved
-    outcomes = run_batch(
-        [pair for pair in named if pair[0] == "brackets"], tmp_path / "runs", Quiet(), debist, Execution(1)
-    )
+    files = [tmp_path, *(tmp_path / f"{name}.toml" for name in said)]
+    named = members(prototype_files(files, tmp_path / "runs"))
+    assert {member.name for member in named} >= set(said) - {"zero"}  # a link is resolved
+    assert all(member.error for member in named)
+    one = [member for member in named if member.name == "brackets"]
+    outcomes = run_batch(one, tmp_path / "runs", Quiet(), debist, Execution(1))
     assert [(o.exit_code, "nested too deeply" in o.reason) for o in outcomes] == [(2, True)]
     assert "nested too deeply" in (tmp_path / "runs/fleet.csv").read_text()
 
@@ -136,16 +139,31 @@ def test_the_reason_names_every_mistake():
     [
         (("Arm", "arm"), "which some disks take for the same"),
         (("Fleet.csv",), "a file of the fleet"),
-        (("batch-1-of-2.jsonl",), "a file of the fleet"),
+        (("Failed",), "a file of the fleet"),
     ],
 )
 def test_names_that_collide_on_some_disks_are_refused(tmp_path, names, said):
     for number, name in enumerate(names):
         (tmp_path / f"{number}.toml").write_text(f'name = "{name}"\n[logs]\ntrain = ["log.csv"]\n{CHANNELS}')
     with pytest.raises(InputError, match=said):
-        named_prototypes(prototype_files([tmp_path]))
+        members(prototype_files([tmp_path], tmp_path))
 
 
 def test_a_run_that_is_spoilt_after_it_ended_well_is_a_row_of_the_table(tmp_path):
     write_fleet_tables(tmp_path, [Outcome("gone", tmp_path / "gone.toml", 0, "")])
     assert "gone,2," in (tmp_path / FLEET_CSV).read_text()
+
+
+def test_the_status_of_a_folder_with_links_and_fifos_ends(tmp_path):
+    (tmp_path / "loop").symlink_to(tmp_path)
+    for name, file in (("a", MANIFEST), ("b", ".lock-holder.json"), ("c", ".lock"), ("failed", "x.txt")):
+        (tmp_path / name).mkdir()
+        os.mkfifo(tmp_path / name / file)
+    (tmp_path / "d").mkdir()
+    (tmp_path / "d" / MANIFEST).symlink_to("/dev/zero")
+    (tmp_path / "e").mkdir()
+    (tmp_path / "e" / MANIFEST).write_text("{}")
+    assert is_fleet(tmp_path)
+    assert [(member.name, member.state) for member in fleet_progress(tmp_path).members] == [
+        ("e", "failed"), ("x", "stopped"),
+    ]  # fmt: skip

@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.batch.matrix import write_matrix
+from pipeline.batch.variants import write_matrix
 from pipeline.errors import InputError
 from pipeline.settings import load_prototype
 from tests.prototypes import SMALL, motion, settings, write_csv
@@ -50,7 +50,7 @@ def test_a_wrong_set_writes_nothing(tmp_path: Path, sets: list[str], said: str) 
 def test_a_matrix_runs_and_compares(tmp_path: Path) -> None:
     write_csv(tmp_path / "log.csv", *motion(10.0, 200.0, 1, noise=3e-6))
     (tmp_path / "P.toml").write_text(settings())
-    arguments = ["study", "settings", str(tmp_path / "P.toml"), "--set", "identify.basis_functions=6,8"]
+    arguments = ["batch", str(tmp_path / "P.toml"), "--set", "identify.basis_functions=6,8"]
     done = RUNNER.invoke(app, [*arguments, "-o", str(tmp_path / "m"), "--json"])
     assert done.exit_code == 0, done.stderr
     runs = json.loads(done.stdout)["runs"]

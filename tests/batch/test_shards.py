@@ -1,7 +1,8 @@
-"""Shards of a batch: a stable split, their journals, their joined tables, and how far they are while they work."""
+"""Shards of a batch: a stable split, their joined tables, one batch at a time, and states while they work."""
 
 import json
-from datetime import UTC, datetime, timedelta
+import os
+from datetime import datetime
 from pathlib import Path
 
 import pyarrow.parquet as pq
@@ -9,12 +10,13 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.batch.batch import collect_batch
-from pipeline.batch.journal import Event, Plan, Shard, failures, journals
-from pipeline.batch.progress import fleet_progress, is_fleet
+from pipeline.batch.failures import failure, keep_failure
+from pipeline.batch.fleet import collect_batch
+from pipeline.batch.members import Member, Shard
+from pipeline.batch.progress import fleet_progress
 from pipeline.batch.worker import Outcome
 from pipeline.commands.outcome import BatchProgress
-from pipeline.errors import CorruptArtifactError, InputError
+from pipeline.errors import InputError
 from pipeline.runs.lock import run_lock
 from pipeline.runs.manifest import MANIFEST
 
@@ -36,89 +38,60 @@ def test_what_is_no_shard_is_refused(text: str) -> None:
 
 
 def _batch(folder: Path, *more: str) -> tuple[int, list[str]]:
-    arguments = ["batch", str(folder), "-o", str(folder / "runs"), *more]
-    done = RUNNER.invoke(app, [*arguments, "--json"])
-    return done.exit_code, [entry["name"] for entry in json.loads(done.stdout)["prototypes"]]
+    done = RUNNER.invoke(app, ["batch", str(folder), "-o", str(folder / "runs"), *more, "--json"])
+    return done.exit_code, [entry["name"] for entry in json.loads(done.stdout).get("prototypes", [])]
 
 
 def test_shards_leave_the_tables_to_collect_which_gives_the_reason_of_each_failure(tmp_path: Path) -> None:
     for name in ("P1", "P2", "P3"):
         (tmp_path / f"{name}.toml").write_text("name = 1")
-    (code, first), (_, second) = _batch(tmp_path, "--shard", "1/2"), _batch(tmp_path, "--shard", "2/2")
+    code, first = _batch(tmp_path, "--shard", "1/2")
+    _, second = _batch(tmp_path, "--shard", "2/2")
     assert code == 6 and sorted(first + second) == ["P1", "P2", "P3"] and first and second
     assert not (tmp_path / "runs/fleet.parquet").exists()
-    assert [journal.shard for journal in journals(tmp_path / "runs")] == [Shard(1, 2), Shard(2, 2)]
     assert _batch(tmp_path, "--collect") == (6, ["P1", "P2", "P3"])
     rows = pq.read_table(tmp_path / "runs/fleet.parquet").to_pylist()
     assert len(rows) == 3 and all("mistake" in row["reason"] for row in rows)
-    whole = {row["prototype"]: row["reason"] for row in rows}
-    assert {name: event.reason for name, event in failures(tmp_path / "runs").items()} == whole
     shown = RUNNER.invoke(app, ["status", str(tmp_path / "runs")])
     assert shown.exit_code == 0 and "3 prototypes: 3 failed" in shown.stdout
     refused = RUNNER.invoke(app, ["batch", str(tmp_path), "-o", str(tmp_path), "--shard", "1/2", "--collect"])
     assert refused.exit_code == 2 and "without --shard" in refused.stderr
 
 
-def _write(path: Path, planned: list[str], events: list[Event], jobs: int = 1) -> None:
-    lines = [Plan(planned=tuple(planned), jobs=jobs), *events]
-    path.write_text("".join(f"{line.model_dump_json()}\n" for line in lines), encoding="utf-8")
+def test_a_batch_or_shard_that_is_started_twice_is_refused_and_leaves_everything_as_it_is(tmp_path: Path) -> None:
+    (tmp_path / "P1.toml").write_text("name = 1")
+    assert _batch(tmp_path)[0] == 6
+    before = {path: path.read_bytes() for path in (tmp_path / "runs").rglob("*") if path.is_file()}
+    with run_lock(tmp_path / "runs", Shard(1, 1).lock), run_lock(tmp_path / "runs", Shard(1, 2).lock):
+        assert _batch(tmp_path)[0] == 5
+        assert _batch(tmp_path, "--shard", "1/2")[0] == 5
+        assert _batch(tmp_path, "--shard", "2/2")[0] in (0, 6)
+        assert _batch(tmp_path, "--collect")[0] == 6
+    assert all(path.read_bytes() == content for path, content in before.items() if "failed" in path.parts)
 
 
-def test_a_batch_that_goes_on_shows_states_and_its_end(tmp_path: Path) -> None:
-    now = datetime.now(UTC)
-    ago = lambda seconds: now - timedelta(seconds=seconds)  # noqa: E731
-    _write(
-        tmp_path / "batch-1-of-2.jsonl",
-        ["a", "b", "c", "d", "e"],
-        [
-            Event(time=ago(900), name="a", state="started"),
-            Event(time=ago(800), name="a", state="done", exit_code=0, seconds=100.0),
-            Event(time=ago(800), name="b", state="started"),
-            Event(time=ago(500), name="b", state="failed", exit_code=3, reason="no wells", seconds=300.0),
-            Event(time=ago(500), name="c", state="started"),
-            Event(time=ago(50), name="d", state="started"),
-        ],
-    )
-    assert is_fleet(tmp_path)
-    progress = fleet_progress(tmp_path)
-    assert [(member.name, member.state) for member in progress.members] == [
-        ("a", "done"), ("b", "failed"), ("c", "stopped"), ("d", "running"), ("e", "waiting"),
-    ]  # fmt: skip
-    # three of five are left at 200 s each, of which the one that runs has had 50 s
-    assert progress.expected_end is not None
-    assert (progress.expected_end - now).total_seconds() == pytest.approx(550.0, abs=5.0)
-    shown = json.loads(RUNNER.invoke(app, ["status", str(tmp_path), "--json"]).stdout)
-    assert shown["counts"] == {"done": 1, "running": 1, "failed": 1, "stopped": 1, "waiting": 1}
-    assert (shown["shards"], shown["shards_begun"], shown["prototypes"][1]["reason"]) == (2, 1, "no wells")
-    text = RUNNER.invoke(app, ["status", str(tmp_path)]).stdout
-    assert "no wells" in text and "1 of 2 shards have begun" in text and "expected end" in text
-
-
-def test_a_run_that_a_process_holds_is_running(tmp_path: Path) -> None:
-    _write(tmp_path / "batch-1-of-1.jsonl", ["a"], [])
-    assert [member.state for member in fleet_progress(tmp_path).members] == ["waiting"]
-    with run_lock(tmp_path / "a"):
-        assert [member.state for member in fleet_progress(tmp_path).members] == ["running"]
+def test_each_state_is_shown(tmp_path: Path) -> None:
+    keep_failure(tmp_path, "failing", 3, "no wells", "debist: no wells\n")
+    for name in ("held", "stopped"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "stopped/.lock").touch()
+    with run_lock(tmp_path / "held"):
+        shown = json.loads(RUNNER.invoke(app, ["status", str(tmp_path), "--json"]).stdout)
+    states = {member["name"]: (member["state"], member["reason"]) for member in shown["prototypes"]}
+    assert states == {"failing": ("failed", "no wells"), "held": ("running", ""), "stopped": ("stopped", "")}
+    assert shown["counts"] == {"done": 0, "running": 1, "failed": 1, "stopped": 1}
+    assert "no wells" in RUNNER.invoke(app, ["status", str(tmp_path)]).stdout
+    assert [member.state for member in fleet_progress(tmp_path).members] == ["failed", "stopped", "stopped"]
 
 
 def test_a_failure_that_was_mended_since_is_none(tmp_path: Path) -> None:
-    before = datetime.now(UTC) - timedelta(seconds=60)
-    _write(tmp_path / "batch-1-of-1.jsonl", ["a"], [Event(time=before, name="a", state="failed", reason="x")])
-    assert set(failures(tmp_path)) == {"a"}
+    keep_failure(tmp_path, "a", 2, "x", "")
+    assert failure(tmp_path, "a") is not None
     (tmp_path / "a").mkdir()
     (tmp_path / "a" / MANIFEST).write_text("{}")
-    assert not failures(tmp_path)
-    assert collect_batch([("a", tmp_path / "a.toml")], tmp_path)[0].reason != "x"
-
-
-def test_a_line_that_is_being_written_is_left_out_and_another_file_is_refused(tmp_path: Path) -> None:
-    path = tmp_path / "batch-1-of-1.jsonl"
-    _write(path, ["a"], [Event(time=datetime.now(UTC), name="a", state="started")])
-    path.write_bytes(path.read_bytes() + b'{"time": "20')
-    assert journals(tmp_path)[0].last["a"].state == "started"
-    path.write_text("[]\n")
-    with pytest.raises(CorruptArtifactError, match=r"batch-1-of-1\.jsonl: is no journal"):
-        journals(tmp_path)
+    os.utime(tmp_path / "failed/a.txt", (1.0, 1.0))
+    assert failure(tmp_path, "a") is None
+    assert collect_batch([Member("a", tmp_path / "a.toml")], tmp_path)[0].reason != "x"
 
 
 def test_each_line_of_a_log_has_time_name_and_state(capsys: pytest.CaptureFixture[str]) -> None:

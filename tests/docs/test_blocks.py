@@ -57,7 +57,7 @@ def parse(arguments: list[str]) -> None:
 
 
 def test_the_check_notices_what_does_not_exist() -> None:
-    for wrong in (["rn", "P1.toml"], ["run", "P1.toml", "--outptu", "x"], ["rig", "excite", "--file"], ["show"]):
+    for wrong in (["rn", "P1.toml"], ["run", "P1.toml", "--outptu", "x"], ["rig", "excite", "-o"], ["show"]):
         with pytest.raises(Exception, match=r"."):
             parse(wrong)
 

@@ -69,7 +69,7 @@ def run(tree: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dic
     validate = ("validate", folder / "run")
     _, *printed = _outputs(
         tree,
-        ("run", folder / "P.toml", "-o", folder / "run", "--quiet"),
+        ("run", folder / "P.toml", "-o", folder / "run", "-q"),
         ("inspect", folder / "log.npy", "--json"),
         (*validate, "--json"),
         (*validate, "--format", "csv"),

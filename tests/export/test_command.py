@@ -29,7 +29,7 @@ def test_each_form_is_written_and_named(target, files, planted_run, tmp_path):
 
 
 def test_the_bounds_are_those_of_the_training_logs_alone(planted_run, tmp_path):
-    RUNNER.invoke(app, ["export", str(planted_run), "--to", "json", "-o", str(tmp_path), "-m", "rbf-paper"])
+    RUNNER.invoke(app, ["export", str(planted_run), "--to", "json", "-o", str(tmp_path), "--model", "rbf-paper"])
     held = json.loads((tmp_path / "demo_1_rbf_paper.json").read_text(encoding="utf-8"))
     log = open_run(planted_run).log("a")
     assert held["validity"]["q"] == [log.q_m.min(), log.q_m.max()]
@@ -38,7 +38,7 @@ def test_the_bounds_are_those_of_the_training_logs_alone(planted_run, tmp_path):
 
 
 def test_a_model_that_is_not_there_is_answered_with_those_that_are(planted_run, tmp_path):
-    result = RUNNER.invoke(app, ["export", str(planted_run), "--to", "c", "-m", "sindi", "-o", str(tmp_path)])
+    result = RUNNER.invoke(app, ["export", str(planted_run), "--to", "c", "--model", "sindi", "-o", str(tmp_path)])
     assert result.exit_code == 2
     assert "'sindi'" in result.stderr and "hybrid, rbf-paper" in result.stderr
     assert list(tmp_path.iterdir()) == []

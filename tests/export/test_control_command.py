@@ -79,7 +79,7 @@ def test_a_lost_design_is_struck_off_and_the_command_that_makes_it_is_named(plan
     shutil.copytree(planted_run, run)
     call("design", run, "-q")
     (run / layout.control("design")).unlink()
-    told = CliRunner().invoke(app, ["repair", str(run)])
+    told = CliRunner().invoke(app, ["identify", str(run)])
     assert "`debist control design` makes it anew" in told.stderr
     assert CliRunner().invoke(app, ["verify", str(run)]).exit_code == 0
     call("design", run, "-q")

@@ -158,7 +158,7 @@ def test_an_output_that_is_a_file_is_a_line(bench, tmp_path, command):
         "demo": ("demo", "-o", place / "x"),
         "rig simulate": ("rig", "simulate", "-o", place, "--duration", "2", "--rate", "2000"),
         "export": ("export", bench.run, "--to", "json", "-o", place),
-        "plot": ("plot", bench.run, "-f", "curves", "--file", place / "x.svg"),
+        "plot": ("plot", bench.run, "--figure", "curves", "-o", place / "x.svg"),
     }[command]
     done = CliRunner().invoke(app, [str(argument) for argument in arguments])
     lines = done.stderr.splitlines()

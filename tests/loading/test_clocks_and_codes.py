@@ -108,3 +108,49 @@ def test_spikes_have_no_part_in_advice(tmp_path):
     warnings, _ = ingested(tmp_path, {"t": T, "q": spoilt, "v": np.abs(V)}, channels)
     assert any("80 single-sample spikes masked" in warning for warning in warnings)
     assert not any("sample_interval" in warning or "looks" in warning for warning in warnings)
+
+
+@pytest.mark.parametrize("names", [("X_Value", "X_Value"), ("t_q", "t_v"), ("Time", "v time")])
+def test_each_channel_is_on_the_clock_beside_it(tmp_path, names):
+    """As LabVIEW, ControlDesk and INCA write them; the settings name the time of one channel."""
+    table = np.c_[T, Q, T + 0.012, V]
+    header = f"{names[0]},q,{names[1]},v"
+    np.savetxt(tmp_path / "log.csv", table, delimiter=",", header=header, comments="", fmt="%.6f")
+    text = (
+        f'name = "d"\n[logs]\ntrain = ["log.csv"]\n[channels]\ntime = {{ channel = "{names[0]}", unit = "s" }}\n'
+        'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }\n[plant]\ninputs = "linear"\n'
+    )
+    (tmp_path / "d.toml").write_text(text)
+    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "d.toml"), "-o", str(tmp_path / "run")])
+    assert result.exit_code == 0
+    record = RunFolder.open(tmp_path / "run").read_table("train/log/record.parquet")
+    rises = record["t"][np.argmax(record["v1"] > 1400.0)] - T[np.argmax(V > 1400.0)]
+    assert rises == pytest.approx(0.012, abs=2e-3) and "a clock of its own" in result.output
+
+
+def test_a_second_clock_that_counts_from_elsewhere_is_named_and_not_used(tmp_path):
+    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    warnings, record = ingested(tmp_path, {"t": T, "q": Q, "t_v": T + 5000.0, "v": V}, channels)
+    assert any("'t_v', which differs from 't'" in text for text in warnings) and record["t"][-1] < 10.0
+
+
+def test_a_temperature_is_no_clock(tmp_path):
+    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    warm = 4.0 + np.sin(T)
+    warnings, _ = ingested(tmp_path, {"t": T, "q": Q, "T": warm, "v": V}, channels)
+    assert not warnings
+
+
+def test_a_rate_that_the_log_states_against_that_of_the_settings(tmp_path):
+    channels = 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    (tmp_path / "log.csv").write_text(
+        "# sample rate: 1000 Hz\nq,v\n" + "".join(f"{q:.4f},{v:.1f}\n" for q, v in zip(Q, V, strict=True))
+    )
+    text = f'name = "d"\n[logs]\ntrain = ["log.csv"]\n[channels]\n{channels}\n[plant]\ninputs = "linear"\n[ingest]\n'
+    for rate, accept, code in ((1000.0, "", 0), (100.0, "", 3), (100.0, '[quality]\naccept = ["rate"]\n', 0)):
+        (tmp_path / "d.toml").write_text(f"{text}sample_rate = {rate}\n{accept}")
+        result = RUNNER.invoke(app, ["ingest", str(tmp_path / "d.toml"), "-o", str(tmp_path / f"run{rate}{code}")])
+        assert result.exit_code == code, result.output
+        assert (
+            "sample rate states 1000 Hz, but [ingest] sample_rate is 100 Hz" in " ".join(result.output.split())
+        ) is (rate == 100.0)

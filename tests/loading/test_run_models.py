@@ -13,6 +13,7 @@ from pipeline.models.hybrid.parameters import NAMES
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.signals.log import Log
 from tests.export.joints import hybrid, pulses
 
 CHANNELS = {name: {"channel": name, "unit": unit} for name, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}
@@ -66,10 +67,9 @@ def test_an_export_does_not_depend_on_the_clock_of_its_log(run: tuple[RunFolder,
     theta[NAMES.index("softening")] = 3.0
     model, (t, v) = replace(model, theta=theta), pulses(4.0)
     path = model.simulate(t, v, -0.0105, 0.0)
-    table = {"t": t, "q": path.q, "qdot": path.qdot, "qddot": path.qddot, "v1": v[:, 0], "v2": v[:, 1]}
-    table |= {"segment": np.zeros(len(t), dtype=np.int64)}
-    late = table | {"t": t + 12.345}
-    subjects = [subject_on(each, model, run[1], [each], "hybrid", "origin") for each in (table, late)]
+    log = Log(t, path.q, path.qdot, path.qddot, v)
+    late = replace(log, t=t + 12.345)
+    subjects = [subject_on(each, model, run[1], [each], "hybrid", "origin") for each in (log, late)]
     runs = [model.simulate(each.t, each.v, *each.start).q for each in subjects]
     assert np.abs(runs[1] - runs[0]).max() < 1e-9
-    assert np.abs(model.simulate(late["t"], v, *subjects[1].start).q - runs[0]).max() > 1e-5
+    assert np.abs(model.simulate(late.t, v, *subjects[1].start).q - runs[0]).max() > 1e-5

@@ -4,6 +4,7 @@ import numpy as np
 
 from pipeline.loading.free_runs import followed_velocity
 from pipeline.models.base import FreeRun
+from pipeline.signals.log import Log
 
 
 class Line:
@@ -19,7 +20,7 @@ class Line:
 
 def known():
     t = np.arange(200) * 0.01
-    return {"t": t, "q": 0.3 * t, "qdot": 0.2 + 0.05 * np.sin(t)}
+    return Log(t, 0.3 * t, 0.2 + 0.05 * np.sin(t), 0.05 * np.cos(t), np.zeros((200, 2)))
 
 
 def test_the_velocity_is_that_with_which_the_model_follows():

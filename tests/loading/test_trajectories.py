@@ -5,20 +5,11 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from pipeline.loading.trajectories import (
-    EDGE,
-    begins_in_motion,
-    drive,
-    load_motion,
-    part_rows,
-    record,
-    recorded,
-    training,
-    trajectories,
-)
+from pipeline.loading.trajectories import load_motion, training
 from pipeline.runs import layout
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
+from pipeline.signals.log import EDGE, Log, log_of
 from pipeline.signals.trajectory import UNKNOWN
 
 ROWS, REFINED = 60, 10
@@ -55,7 +46,7 @@ def settings(**tables: object) -> Prototype:
     return parse_prototype({"name": "d", "logs": {"train": ["log.csv"]}, "channels": channels, **tables}, "d.toml")
 
 
-def motion_of(stored: Shelf, prototype: Prototype | None = None) -> Table:
+def motion_of(stored: Shelf, prototype: Prototype | None = None) -> Log:
     return load_motion(stored, prototype or settings(), "train", "log")  # type: ignore[arg-type]
 
 
@@ -64,17 +55,16 @@ def times(refined: int) -> np.ndarray:
 
 
 def test_each_sample_keeps_the_voltages_until_the_next() -> None:
-    table = motion_of(shelf(REFINED))
-    fine = drive(table, fine=True)
-    assert fine.shape == (ROWS, REFINED, 2)
-    np.testing.assert_allclose(fine[:-1, :, 0], times(REFINED)[:-1])
-    np.testing.assert_allclose(fine[:, 0, 1], -table["t"])
-    np.testing.assert_array_equal(drive(table, fine=False), np.column_stack([table["v1"], table["v2"]]))
+    log = motion_of(shelf(REFINED))
+    assert log.drive.shape == (ROWS, REFINED, 2)
+    np.testing.assert_allclose(log.drive[:-1, :, 0], times(REFINED)[:-1])
+    np.testing.assert_allclose(log.drive[:, 0, 1], -log.t)
+    np.testing.assert_array_equal(log.drive_of(fine=False), np.column_stack([log.t, -log.t]))
 
 
-def test_records_and_stretches_carry_them_along() -> None:
-    table = motion_of(shelf(REFINED))
-    whole = record(table)
+def test_parts_and_segments_carry_them_along() -> None:
+    log = motion_of(shelf(REFINED))
+    whole = log.to_fit()
     np.testing.assert_allclose(whole.drive[:, 0, 0], whole.t)
     part = whole.part(10, 20)
     np.testing.assert_allclose(part.drive[:, 0, 0], part.t)
@@ -83,25 +73,33 @@ def test_records_and_stretches_carry_them_along() -> None:
     deeper = part.part(3, 8)
     assert deeper.past is not None
     np.testing.assert_allclose(deeper.past[:, 0, 0], whole.t[:13])
-    for stretch in trajectories(table, fine=True):
-        np.testing.assert_allclose(stretch.v[:, 0, 0], stretch.t)
-    assert all(stretch.v.shape[1:] == (2,) for stretch in trajectories(table))
+    assert [len(segment.t) for segment in log.segments()] == [21, 30]
+    for segment in log.segments():
+        np.testing.assert_allclose(segment.drive[:, 0, 0], segment.t)
+        assert segment.v.shape[1:] == (2,)
+
+
+def test_segments_that_meet_are_parted_by_a_row() -> None:
+    kinematics = shelf(1).kinematics | {"segment": np.repeat([0, 1], ROWS // 2)}
+    log = log_of(kinematics | {"q": kinematics["t"], "qdot": kinematics["t"], "qddot": kinematics["t"]})
+    assert [len(segment.t) for segment in log.segments()] == [ROWS // 2, ROWS // 2 - 1]
+    assert np.flatnonzero(log.segment < 0).tolist() == [ROWS // 2]
 
 
 def test_a_record_as_coarse_as_the_samples_adds_nothing() -> None:
-    table = motion_of(shelf(1, more=1))
-    assert drive(table, fine=True).shape == (ROWS, 2)
-    assert record(table).fine is None
+    log = motion_of(shelf(1, more=1))
+    assert log.drive.shape == (ROWS, 2)
+    assert log.fine is None
 
 
 def test_inputs_that_were_zero_before_the_log_begin_at_zero_for_every_model() -> None:
-    table = motion_of(shelf(REFINED))
+    log = motion_of(shelf(REFINED))
     begun = motion_of(shelf(REFINED), settings(plant={"inputs_before": "zero"}))
-    first = int(np.argmax(table["segment"] >= 0))
-    assert (begun["v1"][first], begun["v2"][first], np.abs(drive(begun, fine=True)[first, 0]).max()) == (0.0, 0.0, 0.0)
-    np.testing.assert_array_equal(begun["v1"][first + 1 :], table["v1"][first + 1 :])
-    np.testing.assert_array_equal(drive(begun, fine=True)[first, 1:], drive(table, fine=True)[first, 1:])
-    assert table["v1"][first] != 0.0
+    first = int(np.argmax(log.valid))
+    assert np.abs(begun.v[first]).max() == np.abs(begun.drive[first, 0]).max() == 0.0
+    np.testing.assert_array_equal(begun.v[first + 1 :], log.v[first + 1 :])
+    np.testing.assert_array_equal(begun.drive[first, 1:], log.drive[first, 1:])
+    assert log.v[first, 0] != 0.0
 
 
 def test_a_log_that_begins_in_motion_is_learned_from_where_its_velocity_is_known() -> None:
@@ -109,11 +107,11 @@ def test_a_log_that_begins_in_motion_is_learned_from_where_its_velocity_is_known
     moving = {"t": t, "segment": np.zeros(t.size, dtype=np.int32), "v1": t}
     moving |= {"q": np.sin(9.0 * t), "qdot": 9.0 * np.cos(9.0 * t), "qddot": -81.0 * np.sin(9.0 * t)}
     resting = moving | {"q": np.where(t < 0.2, 0.0, moving["q"])}
-    assert begins_in_motion(moving)
-    assert not begins_in_motion(resting)
-    assert not begins_in_motion(moving | {"velocity": moving["qdot"]})
-    assert record(resting).past is None
-    whole = record(moving)
+    assert log_of(moving).begins_in_motion
+    assert not log_of(resting).begins_in_motion
+    assert not log_of(moving | {"velocity": moving["qdot"]}).begins_in_motion
+    assert log_of(resting).to_fit().past is None
+    whole = log_of(moving).to_fit()
     assert whole.t[0] == t[EDGE]
     assert whole.past is not None
     np.testing.assert_array_equal(whole.past[:, 0], t[:EDGE])
@@ -124,22 +122,22 @@ def test_first_samples_that_go_where_no_others_do_are_kept() -> None:
     t = 0.01 * np.arange(40 * EDGE)
     q = 10.0 * (1.0 - np.exp(-t / 0.03)) + 2.0 * np.sin(9.0 * t)
     rates = {"qdot": np.gradient(q, t), "qddot": np.gradient(np.gradient(q, t), t)}
-    table = {"t": t, "segment": np.zeros(t.size, dtype=np.int32), "v1": t, "q": q} | rates
-    assert begins_in_motion(table)
-    assert record(table).known_q.min() == q[0]
+    log = log_of({"t": t, "segment": np.zeros(t.size, dtype=np.int32), "v1": t, "q": q} | rates)
+    assert log.begins_in_motion
+    assert log.to_fit().known_q.min() == q[0]
 
 
 def test_a_log_without_its_inputs_for_a_while_is_trained_on_in_parts() -> None:
     whole = shelf(1)
     t = whole.kinematics["t"]
     cut = motion_of(replace(whole, unknown=((t[24], t[30]),)))
-    assert np.flatnonzero(~recorded(cut)).tolist() == [25, 26, 27, 28, 29]
-    assert part_rows(cut) == [slice(4, 25), slice(30, ROWS)]
+    assert np.flatnonzero(~cut.recorded).tolist() == [25, 26, 27, 28, 29]
+    assert cut.part_rows() == [slice(4, 25), slice(30, ROWS)]
     short = motion_of(replace(whole, unknown=((t[5], t[7]), (t[8], t[30]))))
-    assert part_rows(short) == [slice(30, ROWS)]
+    assert short.part_rows() == [slice(30, ROWS)]
     nothing = motion_of(replace(whole, unknown=tuple((t[k], t[k + 2]) for k in range(0, ROWS - 2, 3))))
-    assert part_rows(nothing) == [slice(4, ROWS)]
-    assert recorded(motion_of(whole)).all() and part_rows(motion_of(whole)) == [slice(4, ROWS)]
+    assert nothing.part_rows() == [slice(4, ROWS)]
+    assert motion_of(whole).recorded.all() and motion_of(whole).part_rows() == [slice(4, ROWS)]
 
 
 def test_parts_that_hold_no_more_than_a_beginning_teach_nothing() -> None:

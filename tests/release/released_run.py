@@ -35,7 +35,7 @@ def write_released_run(folder: Path) -> None:
     text = settings(SETTINGS, name="released", train="train.csv.gz", validation="validation.csv.gz")
     (folder / "released.toml").write_text(text, encoding="utf-8")
     os.chdir(folder)
-    done = CliRunner().invoke(app, ["run", "released.toml", "-o", "run", "--no-report", "--quiet"])
+    done = CliRunner().invoke(app, ["run", "released.toml", "-o", "run", "--no-report", "-q"])
     assert done.exit_code == 0, done.output
 
 

@@ -46,7 +46,7 @@ def test_what_the_package_imports_is_declared_explained_and_locked() -> None:
     declared = {re.split("[<>=]", entry)[0] for entry in PROJECT["dependencies"]}
     extras = {re.split("[<>=]", entry)[0] for entries in PROJECT["optional-dependencies"].values() for entry in entries}
     packages = {name.replace("_", "-").lower() for name in packages}
-    assert packages - declared - {name.lower() for name in extras} == {"casadi"}, "developers alone need it"
+    assert packages - {name.lower() for name in declared | extras} == {"casadi"}, "developers alone need it"
     table = (ROOT / "docs/reference/dependencies.md").read_text(encoding="utf-8")
     explained = {name for row in re.findall(r"^\| ([^|]+) \|", table, re.MULTILINE) for name in re.split("[ ,]+", row)}
     assert declared <= explained
@@ -82,7 +82,7 @@ def test_completion_knows_commands_and_options_and_is_quick() -> None:
     offered, _ = complete("debist i")
     assert {"init", "inspect", "ingest", "identify"} <= set(offered) and all(word[0] == "i" for word in offered)
     results = [complete("debist rig excite --max-") for _ in range(3)]
-    assert set(results[0][0]) == {"--max-voltage", "--max-field"}
+    assert set(results[0][0]) == {"--max-voltage"}
     assert min(seconds for _, seconds in results) < 0.6, "the Tab key must not import the numerics"
 
 

@@ -64,7 +64,7 @@ def test_a_released_run_is_read_or_names_what_mends_it(released: Path) -> None:
 
 def test_debist_run_brings_a_released_run_up_to_date(released: Path) -> None:
     recorded = _scores(released / "run")
-    _debist("run", "released.toml", "-o", "run", "--no-report", "--quiet")
+    _debist("run", "released.toml", "-o", "run", "--no-report", "-q")
     _debist("verify", "run")
     renewed = _scores(released / "run")
     assert set(recorded) <= set(renewed)

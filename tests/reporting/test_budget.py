@@ -50,8 +50,8 @@ def _models() -> dict[str, Any]:
         "sindy": sindy(),
         "sindy-default": sindy(),
         "narx": narx,
-        "analytical": AnalyticalModel(NOMINAL),
-        "analytical-calibrated": AnalyticalModel(NOMINAL, "analytical-calibrated"),
+        "analytical": AnalyticalModel(parameters=NOMINAL),
+        "analytical-calibrated": AnalyticalModel(parameters=NOMINAL, name="analytical-calibrated"),
     }
 
 
@@ -109,6 +109,8 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
             written[artifact] = folder.write_tree(artifact, {name: models[name].to_tree()}, models[name].describe())
     scores = {column.key: [row[column.key] for row in rows] for column in schemas.SCORES.columns}
     written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})
+    nothing = {column.key: [] for column in schemas.INSTRUMENTS.columns}
+    written[layout.INSTRUMENTS] = folder.write_table(layout.INSTRUMENTS, schemas.INSTRUMENTS, nothing, {})
     # Free runs belong to the kinematics that they were made from.
     made_from = {name: made.content_hash for name, made in written.items() if name.endswith("kinematics.parquet")}
     folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64, **made_from}), written)
@@ -119,7 +121,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
 @pytest.mark.long
 def test_the_report_of_seven_models_stays_in_the_budget(run: RunFolder) -> None:
     """Its processor time is a row of `benchmarks/bench_speed.py`."""
-    result = CliRunner().invoke(app, ["report", str(run.root), "--quiet"])
+    result = CliRunner().invoke(app, ["report", str(run.root), "-q"])
     assert result.exit_code == 0, result.output
     page = run.path(layout.REPORT).read_text(encoding="utf-8")
     assert [name for name in _models() if f">{name}<" not in page] == []
@@ -128,7 +130,7 @@ def test_the_report_of_seven_models_stays_in_the_budget(run: RunFolder) -> None:
 
 @pytest.mark.long
 def test_figures_of_seven_models_stay_in_the_budget(run: RunFolder) -> None:
-    result = CliRunner().invoke(app, ["report", str(run.root), "--quiet", "--figures", "serif"])
+    result = CliRunner().invoke(app, ["report", str(run.root), "-q", "--figures", "serif"])
     assert result.exit_code == 0, result.output
     figures = list((run.root / "figures").iterdir())
     assert {

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.batch.batch import write_fleet_report
+from pipeline.batch.fleet import write_fleet
+from pipeline.batch.worker import Outcome
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.device import device
 from pipeline.loading.report_data import load_datasheet
@@ -18,6 +19,7 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schedule import bring_up_to_date
+from pipeline.runs.tables import read_table
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
 from pipeline.tools import plot
@@ -67,6 +69,8 @@ def unreported(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     written[layout.MODELS] = folder.write_tree(layout.MODELS, tree, {"rbf-paper": {"rank": 40}})
     scores = {column.key: [row[column.key] for row in rows] for column in schemas.SCORES.columns}
     written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})
+    nothing = {column.key: [] for column in schemas.INSTRUMENTS.columns}
+    written[layout.INSTRUMENTS] = folder.write_table(layout.INSTRUMENTS, schemas.INSTRUMENTS, nothing, {})
     folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64}), written)
     bring_up_to_date(folder, check.tasks(prototype), Silent())
     return folder
@@ -175,8 +179,11 @@ def test_plot_draws_one_figure_of_a_stretch(
 
 def test_a_fleet_page_links_what_is_there_and_says_what_failed(reported: RunFolder, tmp_path: Path) -> None:
     _copy(reported, tmp_path)
-    members = [("run", ""), ("lost", ""), ("../x", f"no log {HOSTILE}")]
-    page = write_fleet_report(tmp_path, members).read_text(encoding="utf-8")
+    members = [("run", 0, ""), ("lost", 0, ""), ("../x", 2, f"no log {HOSTILE}")]
+    write_fleet(tmp_path, [Outcome(name, tmp_path, code, reason) for name, code, reason in members])
+    page = (tmp_path / "fleet.html").read_text(encoding="utf-8")
+    facts = read_table(tmp_path / "fleet-facts.parquet")
+    assert set(facts["prototype"]) == {"run"} and "well_left" in facts["fact"]
     assert 'href="./run/report.html"' in page
     assert page.count('href="./') == 1
     assert "no run here" in page

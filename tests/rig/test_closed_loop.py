@@ -17,6 +17,7 @@ from pipeline.rig.loop import Scenario, bench_from_json, played, python_controll
 from pipeline.rig.parameters import as_json, from_json, nominal
 from pipeline.rig.random_joint import random_joint
 from pipeline.rig_logs import read_recording
+from pipeline.tools.closed_loop import ScenarioFile, virtual_joint
 
 STILL = Scenario(np.zeros(1), np.zeros(1), 0.4)
 
@@ -159,66 +160,66 @@ def test_errors_of_a_moving_reference_and_of_steps_that_do_not_settle_are_printe
     assert "did not settle, then RMS" in steps.output, steps.output
 
 
+def _loop(folder: Path, still: Path, scenario: str, *options: str, joint: str = "nominal") -> str:
+    """What a loop that cannot be run prints on stderr."""
+    (folder / "scenario.toml").write_text(scenario, encoding="utf-8")
+    arguments = ["rig", "closed-loop", joint, "--scenario", str(folder / "scenario.toml"), "-o", str(folder / "out")]
+    done = CliRunner().invoke(app, [*arguments, "--play", str(still), *options])
+    assert done.exit_code == 2 and not (folder / "out.mat").exists()
+    return done.stderr
+
+
+@pytest.mark.parametrize(
+    ("scenario", "said"),
+    [
+        ("pushs = []", "unknown key 'pushs'; did you mean 'pushes'"),
+        ("[[pushes]]\nstart_s = 1.0\nforce_N = 2.0\nlength = 1.0", "did you mean 'length_s'"),
+        ('format = "xls"', "format"),
+        ("lag_s = -1e-3", "lag_s: input should be greater than 0"),
+        ("highest_V = 0.0", "highest_V: input should be greater than 0"),
+        ("[[lost]]\nstart_s = -1.0\nlength_s = 0.1", "start_s"),
+        ("barrier_percent = nan", "barrier_percent"),
+        ("[[pushes]]\nstart_s = 7.0\nforce_N = 0.05\nlength_s = 0.02", "the run is over; raise --duration"),
+        ("[[lost]]\nstart_s = 5.0\nlength_s = 0.05", "the run is over; raise --duration"),
+    ],
+)
+def test_a_scenario_that_cannot_be_is_one_line(tmp_path: Path, still: Path, scenario: str, said: str) -> None:
+    printed = _loop(tmp_path, still, scenario)
+    assert said in printed and printed.count("\n") == 1
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        ([], "either --controller or --play"),
-        (["--play", "x.csv", "--target", "3"], "no unit"),
-        (["--play", "x.csv", "--push", "1s:2N"], "joined by colons"),
-        (["--play", "x.csv", "--format", "xls"], "unknown"),
-        (["--controller", "missing"], "missing"),
-        (["--play", "x.csv", "--target", "0s:left,1s:60mm"], "make sense"),
+        (["--target", "3"], "no unit"),
+        (["--controller", "missing"], "either --controller or --play"),
+        (["--target", "0s:left,1s:60mm"], "make sense"),
+        (["--target", "0s:left,5s:right"], "the run is over; raise --duration"),
     ],
 )
-def test_bad_options_are_one_line(options: list[str], said: str) -> None:
-    done = CliRunner().invoke(app, ["rig", "closed-loop", "nominal", *options])
-    assert done.exit_code == 2
-    assert said in done.stderr
-    assert done.stderr.count("\n") == 1
+def test_bad_options_are_one_line(tmp_path: Path, still: Path, options: list[str], said: str) -> None:
+    assert said in _loop(tmp_path, still, "", *options)
 
 
-@pytest.mark.parametrize(
-    ("joint", "option", "said"),
-    [
-        ("nowhere", "--lag=1ms", "no joint of the virtual rig"),
-        ("foreign3", "--lag=1ms", "no joint of the virtual rig"),
-        ("nominal", "--lag=-1ms", "above zero"),
-        ("nominal", "--highest=-3kV", "above zero"),
-        ("nominal", "--highest=0V", "above zero"),
-        ("nominal", "--push=2s:50mN:-20ms", "--push: an event"),
-        ("nominal", "--lost=-1s:20ms", "--lost: an event"),
-        ("nominal", "--barrier=nan", "--barrier nan"),
-    ],
-)
-def test_a_mistyped_joint_and_values_without_meaning_are_refused(
-    joint: str, option: str, said: str, tmp_path: Path, still: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.parametrize("joint", ["nowhere", "foreign3"])
+def test_a_mistyped_joint_is_refused(joint: str, tmp_path: Path, still: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Also in a folder that holds a joint of its own, which is not the one that was named."""
     (tmp_path / "truth").mkdir()
     (tmp_path / "truth" / "truth.json").write_text("{}", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    asked = ["rig", "closed-loop", joint, "--play", str(still), option, "--file", str(tmp_path / "out")]
-    ended = CliRunner().invoke(app, asked)
-    assert ended.exit_code == 2
-    assert said in ended.stderr
+    assert "no joint of the virtual rig" in _loop(tmp_path, still, "", joint=joint)
 
 
-@pytest.mark.parametrize(
-    "options", [["--push", "7s:50mN:20ms"], ["--lost", "5s:50ms"], ["--target", "0s:left,5s:right"]]
-)
-def test_an_event_after_the_end_is_told(tmp_path: Path, still: Path, options: list[str]) -> None:
-    target = [] if "--target" in options else ["--target", "left"]
-    arguments = [
-        "rig",
-        "closed-loop",
-        "nominal",
-        "--play",
-        str(still),
-        "--file",
-        str(tmp_path / "log"),
-        *target,
-        *options,
-    ]
-    result = CliRunner().invoke(app, arguments)
-    assert result.exit_code == 2
-    assert "the run is over; raise --duration" in result.stderr
+def test_a_scenario_is_what_its_file_states() -> None:
+    joint = virtual_joint("nominal")
+    stated = {
+        "start": "right", "lag_s": 2e-3, "drag_N": 1e-3, "barrier_percent": 20.0,
+        "hands": [{"start_s": 1.0, "force_N": 0.01, "length_s": 0.5}],
+        "shakes": [{"start_s": 2.0, "force_N": 5e-3, "frequency_Hz": 10.0, "length_s": 1.0}],
+        "frozen": [{"start_s": 3.0, "length_s": 0.2}],
+    }  # fmt: skip
+    scenario = ScenarioFile.model_validate(stated).scenario(joint, "0s:left,0.5s:right", 5.0)
+    assert (scenario.side, scenario.lag, scenario.drag, scenario.barrier) == (1, 2e-3, 1e-3, pytest.approx(0.2))
+    assert scenario.hands == ((1.0, 0.01, 0.5),) and scenario.shakes == ((2.0, 5e-3, 10.0, 1.0),)
+    assert scenario.frozen == ((3.0, 0.2),)
+    assert ScenarioFile().scenario(joint, "0s:left,0.5s:right", 5.0).side == -1

@@ -24,7 +24,8 @@ from pipeline.rig.excitation import (
 from pipeline.rig.fleet import Experiment, write_prototype
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import parse_prototype
-from pipeline.tools.excitation import ExcitationLimits, ExcitationSource, drawn_simulators, film
+from pipeline.settings_file import read_options
+from pipeline.tools.excitation import DesignFile, ExcitationLimits, ExcitationSource, drawn_simulators, film
 from pipeline.tools.excitation_design import Design, Requirements, assess, design_excitation, probed_wells
 
 WANTED = Requirements(duration=14.0, candidates=6)
@@ -180,8 +181,9 @@ def test_the_virtual_rig_plays_a_sequence(tmp_path: Path) -> None:
 
 
 def test_the_command_designs_writes_and_says_what_it_gains(tmp_path: Path) -> None:
-    options = ["--duration", "8s", "--candidates", "8", "--joints", "1", "--max-field", "50 V/um", "--rate", "500 Hz"]
-    result = CliRunner().invoke(app, ["rig", "excite", "--file", str(tmp_path / "e.csv"), *options, "--json"])
+    (tmp_path / "d.toml").write_text("candidates = 8\njoints = 1\nmax_field_V_per_um = 50.0\nrate_Hz = 500.0\n")
+    options = ["--duration", "8s", "--design", str(tmp_path / "d.toml")]
+    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options, "--json"])
     assert result.exit_code == 0, result.output
     document = json.loads(result.stdout)
     assert document["largest_voltage_v"] == pytest.approx(2500.0) and document["relative_d_efficiency"] > 1.0
@@ -194,22 +196,34 @@ def test_the_command_designs_writes_and_says_what_it_gains(tmp_path: Path) -> No
     ("options", "words"),
     [
         (["--max-voltage", "0.8 kV"], "800 V do not take the joint from well to well"),
-        (["--kinds", "fire"], "--kinds fire.*multisine"),
         (["-o", "x.txt"], r"x\.txt.*\.csv or \.mat"),
         (["--max-voltage", "3"], "no unit"),
-        (["--max-field", "60 V"], "does not measure"),
         (["--duration", "3 s"], "5 to 3600 s"),
-        (["--rate", "1 Hz"], "100 to 100000 Hz"),
         (["--parameters", "nomial"], "did you mean 'nominal'"),
         (["--run", "nowhere"], "nowhere"),
     ],
 )
 def test_what_cannot_be_designed_is_one_line(options: list[str], words: str, tmp_path: Path) -> None:
-    result = CliRunner().invoke(app, ["rig", "excite", "--file", str(tmp_path / "e.csv"), *options])
+    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options])
     assert result.exit_code == 2
     import re
 
     assert re.search(words, result.stderr) and "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ('kinds = ["fire"]', "kinds"),
+        ("rate_Hz = 1.0", "rate_Hz: input should be greater than or equal to 100"),
+        ("rest = 1.0", "did you mean 'rest_s'"),
+        ("kinds = []", "kinds: needs at least 1 entry"),
+    ],
+)
+def test_a_mistake_in_the_file_of_a_design_is_one_line(text: str, words: str, tmp_path: Path) -> None:
+    (tmp_path / "d.toml").write_text(text)
+    with pytest.raises(InputError, match=words):
+        read_options(tmp_path / "d.toml", DesignFile)
 
 
 def test_a_damaged_sequence_is_refused(tmp_path: Path) -> None:

@@ -375,7 +375,7 @@ def test_what_is_not_clear_says_how_to_make_it_so(tmp_path):
     t = np.arange(500.0)
     log = _csv(tmp_path / "log.csv", "t,q,v", t, np.sin(t), np.cos(t))
     _, reason = inspect(log)
-    assert f"fill in what `debist init {log} > P.toml` writes, then `debist inspect {log} --settings P.toml`" in reason
+    assert f"fill in what `debist init {log} -o P.toml` writes, then `debist inspect {log} --settings P.toml`" in reason
 
 
 def _mat(path, **variables):

@@ -110,10 +110,10 @@ def test_a_list_that_somebody_spoilt_counts_for_nothing(tmp_path):
         (["rig", "simulate", "-o", "{}", "--format", "csv", "--rate", "2000"], "validation.csv"),
         (["rig", "simulate", "-o", "{}", "--seed", "3"], "same-3.toml"),
         (["rig", "fleet", "1", "-o", "{}/..", "--format", "mat"], "train.mat"),
-        (["rig", "excite", "--file", "{}/train.csv", "--duration", "8 s"], "train.csv"),
-        (["rig", "excite", "--file", "{}/train.csv", "--duration", "8 s"], "train.json"),
-        (["rig", "closed-loop", "nominal", "--play", "none.csv", "--file", "{}/train"], "train.mat"),
-        (["rig", "closed-loop", "nominal", "--play", "none.csv", "--file", "{}/train"], "train.toml"),
+        (["rig", "excite", "-o", "{}/train.csv", "--duration", "8 s"], "train.csv"),
+        (["rig", "excite", "-o", "{}/train.csv", "--duration", "8 s"], "train.json"),
+        (["rig", "closed-loop", "nominal", "--play", "none.csv", "-o", "{}/train"], "train.mat"),
+        (["rig", "closed-loop", "nominal", "--play", "none.csv", "-o", "{}/train"], "train.toml"),
         (["demo", "-o", "{}/../X"], "train.mat"),
     ],
 )
@@ -123,5 +123,5 @@ def test_no_command_of_the_rig_replaces_a_log(tmp_path, command, name):
     (folder / name).write_text(MINE)
     result = CliRunner().invoke(app, [part.format(folder) for part in command])
     assert result.exit_code == 2, result.output
-    assert f"{name}: is there already" in result.stderr and "--force" in result.stderr
+    assert f"{name}: is there already" in result.stderr and "name another place" in result.stderr
     assert [path.read_text() for path in folder.iterdir()] == [MINE]

@@ -37,6 +37,7 @@ class Memory:
     """Knows q at the times it has seen and says 0 elsewhere: it errs by nothing only on its own training data."""
 
     seen: dict[float, float]
+    fine_voltages: bool = False
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> Run:
         q = np.array([self.seen.get(float(x), 0.0) for x in t])
@@ -97,6 +98,8 @@ def test_a_divergence_counts_as_a_missed_fold_in_the_wrong_well() -> None:
     x = square(100)
 
     class Lost:
+        fine_voltages = False
+
         def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> Run:
             q = np.where(t < 0.5, x.q, np.nan)
             return Run(q, q, q)

@@ -22,6 +22,7 @@ class Offset:
     """Predicts the truth, which these tests know to be sin t, plus a constant error."""
 
     error: float
+    fine_voltages: bool = False
 
     def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> Run:
         return Run(np.sin(t) + self.error)

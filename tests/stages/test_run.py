@@ -209,7 +209,7 @@ def test_folds_are_fitted_once_and_judged_on_what_they_left_out(copy: tuple[Path
     assert (copy[1] / "studies" / "folds.svg").read_text().startswith("<?xml")
     again = RUNNER.invoke(app, command)
     assert "3 folds over blocks" in again.stdout and "first time" not in again.stderr
-    quiet = RUNNER.invoke(app, ["study", "folds", str(copy[1]), "--folds", "2", "--model", "rbf-paper", "--quiet"])
+    quiet = RUNNER.invoke(app, ["study", "folds", str(copy[1]), "--folds", "2", "--model", "rbf-paper", "-q"])
     assert "2 folds over blocks" in quiet.stdout and "folds" not in quiet.stderr
     assert RUNNER.invoke(app, ["verify", str(copy[1])]).exit_code == 0
 

@@ -1,5 +1,6 @@
 """What a free run leaves open, on a planted double well."""
 
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -9,6 +10,7 @@ import pytest
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.loading.free_runs import drawn_runs
 from pipeline.scoring.wells import Wells, wells_of
+from pipeline.signals.log import Log
 from pipeline.stages import scores
 from pipeline.stages.validate import trust_notes
 
@@ -30,19 +32,19 @@ class Undecided:
         return ensemble, np.zeros((count, 1))
 
 
-def table():
+def planted():
     """Left, right after the first pulse, left after the second; rests of a second between."""
     q, v = np.full(N, -0.01), np.zeros(N)
     q[200:400] = 0.01
     v[150:200] = v[350:400] = 3000.0
     q += 1e-5 * np.sin(np.arange(N))
-    columns = {"t": INTERVAL * np.arange(N), "q": q, "qdot": np.gradient(q, INTERVAL), "v1": v}
-    return columns | {"segment": np.zeros(N, dtype=np.int32)}
+    qdot = np.gradient(q, INTERVAL)
+    return Log(INTERVAL * np.arange(N), q, qdot, np.gradient(qdot, INTERVAL), v[:, None])
 
 
 @pytest.mark.parametrize(("share", "ambiguous"), [(0.0, False), (0.4, True), (1.0, False)])
 def test_an_outcome_hinges_where_the_ensemble_splits(share, ambiguous):
-    log = table()
+    log = planted()
     noted = trust_notes(log, wells_of([log], joint=True), [log], drawn_runs(log, Undecided(share)), joint=True)[
         "outcomes"
     ]
@@ -53,11 +55,11 @@ def test_an_outcome_hinges_where_the_ensemble_splits(share, ambiguous):
 
 
 def test_a_model_without_an_ensemble_or_a_device_without_wells_has_no_outcomes():
-    log = table()
+    log = planted()
     assert (
         trust_notes(log, wells_of([log], joint=True), [log], drawn_runs(log, object()), joint=True)["outcomes"] is None
     )
-    flat = log | {"q": 1e-5 * np.sin(np.arange(N))}
+    flat = replace(log, q=1e-5 * np.sin(np.arange(N)))
     assert (
         trust_notes(flat, wells_of([flat], joint=True), [flat], drawn_runs(log, Undecided(0.5)), joint=True)["outcomes"]
         is None
@@ -65,8 +67,8 @@ def test_a_model_without_an_ensemble_or_a_device_without_wells_has_no_outcomes()
 
 
 def test_only_states_far_from_all_training_samples_count_as_outside():
-    log = table()
-    beyond = log | {"q": np.where(np.arange(N) < 150, 0.05, log["q"])}
+    log = planted()
+    beyond = replace(log, q=np.where(np.arange(N) < 150, 0.05, log.q))
     assert (
         trust_notes(log, wells_of([log], joint=True), [log], drawn_runs(log, object()), joint=True)["outside_training"]
         == 0.0
@@ -90,18 +92,18 @@ class Curved(Undecided):
 
 
 def test_wells_of_another_device_than_the_joint_are_those_that_its_model_has_too():
-    seen = wells_of([table()], joint=True)
+    seen = wells_of([planted()], joint=True)
     assert isinstance(seen, Wells)
     for count, joint, two in ((1, False, False), (2, False, True), (1, True, True)):
-        rests = stable_rests(Curved(count), [table()["q"] * 1.1])
+        rests = stable_rests(Curved(count), [planted().q * 1.1])
         assert rests == count
         wells = believed_wells(seen, "curved", rests, joint=joint)
         assert isinstance(wells, Wells) == two
         assert (
-            trust_notes(table(), wells, [table()], drawn_runs(table(), Curved(count)), joint=joint)["outcomes"]
+            trust_notes(planted(), wells, [planted()], drawn_runs(planted(), Curved(count)), joint=joint)["outcomes"]
             is not None
         ) == two
-    assert stable_rests(object(), [table()["q"]]) is None
+    assert stable_rests(object(), [planted().q]) is None
     assert believed_wells(seen, "curved", None, joint=False) is seen
 
 
@@ -109,5 +111,5 @@ def test_wells_of_another_device_than_the_joint_are_those_that_its_model_has_too
 def test_scores_judge_no_wells_that_the_first_model_with_curves_does_not_have(rests, joint, two):
     notes = {"narx": {"stable_rests": None}, "rbf": {"stable_rests": rests}, "rbf-paper": {"stable_rests": 2}}
     run = SimpleNamespace(record=lambda name: SimpleNamespace(notes=notes[Path(name).stem]))
-    found = scores._wells(run, [table()], SimpleNamespace(joint=joint), ("train", "log"), list(notes))
+    found = scores._wells(run, [planted()], SimpleNamespace(joint=joint), ("train", "log"), list(notes))
     assert isinstance(found, Wells) == two

@@ -1,6 +1,7 @@
-"""`verify` looks at everything and names what does not belong; `repair` sets aside and rebuilds."""
+"""`verify` looks at everything and names what does not belong; a run sets aside what is damaged."""
 
 import json
+import random
 import shutil
 from pathlib import Path
 
@@ -8,13 +9,12 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.errors import InputError
 from pipeline.runs.lock import run_lock
 from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.verify import Verified, repair_run, subset, verify_all, verify_everything
+from pipeline.tools.verify import Verified, verify_all, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once
-from tests.prototypes import Silent, content, logs_read_once
+from tests.prototypes import content, logs_read_once
 
 
 @pytest.fixture(scope="module")
@@ -49,13 +49,13 @@ SPOILT = {
 
 
 @pytest.mark.parametrize("how", SPOILT)
-def test_a_stage_manifest_that_is_not_as_written_is_a_problem(run, how):
+def test_a_stage_manifest_that_is_not_as_written_is_a_problem(bench, run, how):
     """Workflow engines trust it: a stage would count as done that is not."""
     SPOILT[how](run / "stages" / "identify.json")
     assert [problem["artifact"] for problem in verify_everything(run).problems] == ["stages/identify.json"]
     result = debist("verify", run)
     assert result.exit_code == 4 and "stages/identify.json (stage identify)" in result.stderr
-    repair_run(run, Silent())
+    bench.make()
     assert verify_everything(run).intact
 
 
@@ -118,11 +118,12 @@ def test_a_run_removes_what_an_interrupted_one_left(bench, run):
 
 
 def test_all_runs_of_a_folder_are_verified_and_the_fleet_tables(run, tmp_path):
-    from pipeline.batch.batch import collect_batch
+    from pipeline.batch.fleet import collect_batch
+    from pipeline.batch.members import Member
 
     for name in ("a", "b"):
         shutil.copytree(run, tmp_path / name)
-    collect_batch([(name, tmp_path / f"{name}.toml") for name in ("a", "b")], tmp_path)
+    collect_batch([Member(name, tmp_path / f"{name}.toml") for name in ("a", "b")], tmp_path)
     assert [(found.root.name, found.intact) for found in verify_all(tmp_path)] == [
         ("a", True),
         ("b", True),
@@ -138,51 +139,15 @@ def test_all_runs_of_a_folder_are_verified_and_the_fleet_tables(run, tmp_path):
     assert len(document["runs"]) == 3
 
 
-def test_the_parts_of_a_subset_read_every_file_once(run):
-    whole = verify_everything(run)
-    (run / "scores.parquet").write_text("x")
-    parts = [verify_everything(run, subset(f"{number}/3")) for number in (1, 2, 3)]
-    assert sum(part.checked for part in parts) == whole.checked
-    assert [part.checked + part.left_out for part in parts] == [whole.checked] * 3
-    assert [problem["artifact"] for part in parts for problem in part.problems] == ["scores.parquet"]
-
-
-def test_a_share_is_drawn_anew_and_what_is_none_is_refused(run):
-    assert verify_everything(run, subset("100%")).left_out == 0
-    half = subset("50 %")
-    assert 300 < sum(half(str(number)) for number in range(1000)) < 700
-    said = debist("verify", run, "--subset", "1/2")
-    assert said.exit_code == 0 and " of " in said.stdout
-    for wrong in ("0%", "101%", "3/2", "x"):
-        assert debist("verify", run, "--subset", wrong).exit_code == 2
-    assert "without --subset" in debist("verify", run, "--subset", "1/2", "--against", run).stderr
-
-
-def test_repair_sets_aside_and_rebuilds(bench, run):
-    import random
-
+def test_a_run_sets_aside_what_is_damaged_and_makes_it_anew(bench, run):
     for name in ("model.h5", "train/train/record.parquet"):
         spoil(run / name, random.Random(1))
     (run / "stages" / "identify.json").write_text("x")
-    done, found = repair_run(run, Silent())
+    bench.make()
+    found = verify_everything(run)
     assert (found.problems, found.unknown) == ([], [])
-    assert [status.stage for status in done if not status.up_to_date] == ["ingest", "identify"]
     assert content(run) == bench.expected
     assert len(list(run.rglob("*.corrupt-*"))) == 2
-    assert all(status.up_to_date for status in repair_run(run, Silent())[0])
-
-
-def test_repair_of_a_run_without_a_manifest_needs_the_settings(bench, run):
-    (run / "manifest.json").write_text("{}")
-    with pytest.raises(InputError, match=r"give its settings file: `debist repair"):
-        repair_run(run, Silent())
-    _, found = repair_run(run, Silent(), bench.prototype)
-    # That figures for a paper were wanted stood in the manifest alone; `debist report --figures` makes them again.
-    wanted = {name: digest for name, digest in bench.expected.items() if not name.startswith("figures/")}
-    assert found.problems == [] and content(run) == wanted
-    (aside,) = run.parent.glob(f"{run.name}.corrupt-*")
-    assert (aside / "manifest.json").read_text() == "{}" and (aside / "model.h5").is_file()
-    shutil.rmtree(aside)
 
 
 def test_no_stage_manifest_outlives_its_content(run):

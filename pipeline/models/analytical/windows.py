@@ -136,7 +136,7 @@ def cut_windows(motions: Sequence[Trajectory], duration: float) -> Windows:
 
 
 def _windows(motions: Sequence[Trajectory], spans: Sequence[tuple[int, int, int]]) -> Windows:
-    drives = [voltage_knots(motion.t, motion.v) for motion in motions]
+    drives = [voltage_knots(motion.t, motion.drive) for motion in motions]
     parts = tuple(_window(motions[index], drives[index], begin, end) for index, begin, end in spans)
     return Windows(tuple(motions), np.array(spans, dtype=np.int64).reshape(-1, 3), parts)
 

@@ -215,7 +215,7 @@ def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, 
     first, last = (block.start + length * i // STARTS for i in (part, part + 1))
     whole = problem.trajectories[block.source]
     x = whole.part(first, last)
-    path, _ = free_run(dynamics, x.v, whole.interval, float(x.q[0]), float(x.qdot[0]))
+    path, _ = free_run(dynamics, x.drive, whole.interval, float(x.q[0]), float(x.qdot[0]))
     return free_run_error(x.q, path[:, 0], problem.span)
 
 

@@ -264,7 +264,7 @@ def prepare_problem(trajectories: Sequence[Trajectory], squared: bool, angle: bo
     if len({x.v.shape[-1] for x in trajectories}) != 1:
         raise InputError("the training logs differ in their number of inputs; identify them apart")
     speed = max(float(np.abs(x.qdot).max()) for x in trajectories) or 1.0
-    volts = np.max([np.abs(x.v).reshape(-1, x.v.shape[-1]).max(axis=0) for x in trajectories], axis=0)
+    volts = np.max([np.abs(x.drive).reshape(-1, x.v.shape[-1]).max(axis=0) for x in trajectories], axis=0)
     scales = np.array([max(abs(low), abs(high)), speed, SLOW * speed, 1.0, 1.0, *(volts**2 if squared else volts)])
     scales[scales == 0.0] = 1.0  # an input that is never used: its columns are zero whatever the scale
     acceleration = rms(np.concatenate([x.qddot for x in trajectories]))
@@ -312,10 +312,10 @@ def _weak_block(
     x = trajectories[block.source].part(block.start, block.stop)
     if (len(x.t) - 1) * x.interval < 2.5 * half_width:
         return np.zeros((0, 0), dtype=np.int64), np.zeros((0, 0)), np.zeros(0)
-    per_sample = x.v.shape[1] if x.v.ndim == 3 else 1
+    per_sample = x.drive.shape[1] if x.fine is not None else 1
     refined = max(1, min(max(per_sample, int(np.ceil(STEPS * x.interval / half_width))), MOST_ROWS // samples))
     places = np.arange((len(x.t) - 1) * refined + 1) / refined
-    times, voltages = np.arange(len(x.t)), x.v.reshape(-1, x.v.shape[-1])
+    times, voltages = np.arange(len(x.t)), x.drive.reshape(-1, x.v.shape[-1])
     v = np.column_stack([np.interp(places, np.arange(len(voltages)) / per_sample, column) for column in voltages.T])
     q = CubicHermiteSpline(times, x.q, x.interval * x.qdot)(places)
     qdot = CubicHermiteSpline(times, x.qdot, x.interval * x.qddot)(places)

@@ -75,8 +75,10 @@ def test_calibrate_reads_kinematics_and_writes_a_set(tmp_path: Path) -> None:
     schema = resolve(KINEMATICS, displacement="m", inputs=("V", "V"))
     write_table(source, schema, columns | {"qdot": run.q_dot, "qddot": run.q_ddot})
     figure = tmp_path / "calibration.svg"
+    once = tmp_path / "once.toml"
+    once.write_text("starts = 1\n")
     document = answer(
-        "calibrate", str(source), "--paper", "--starts", "1", "--file", str(target), "--figure", str(figure)
+        "calibrate", str(source), "--paper", "--search", str(once), "-o", str(target), "--figure", str(figure)
     )
     assert figure.read_text().startswith("<?xml")
     assert set(document) >= {"parameters", "correlation", "rmse", "at_bound", "converged"}
@@ -94,10 +96,12 @@ def test_calibrate_takes_the_voltages_of_the_record_beside_the_kinematics(tmp_pa
     source, record = tmp_path / "kinematics.parquet", tmp_path / "record.parquet"
     write_table(source, resolve(KINEMATICS, displacement="m", inputs=("V", "V")), kinematics)
     write_table(record, resolve(RECORD, displacement="m", inputs=("V", "V")), columns)
-    command = ("calibrate", str(source), "--paper", "--starts", "1", "--file", str(tmp_path / "joint.toml"))
+    once = tmp_path / "once.toml"
+    once.write_text("starts = 1\n")
+    command = ("calibrate", str(source), "--paper", "--search", str(once), "-o", str(tmp_path / "joint.toml"))
     told = answer(*command)["rmse"]
     record.unlink()
-    assert told < 1e-5 < 5e-5 < answer(*command, "--force")["rmse"]
+    assert told < 1e-5 < 5e-5 < answer(*command)["rmse"]
 
 
 @pytest.mark.parametrize(
@@ -119,16 +123,16 @@ def test_a_calibrated_set_replaces_nothing_of_others(tmp_path: Path) -> None:
     fit = Calibration(NOMINAL.with_values({"E": 1.7e9}), ("E",), one, 0.01 * one, one, (), 0.0, True, 1, one)
     target = tmp_path / "train.mat"
     target.write_bytes(b"a raw log")
-    with pytest.raises(InputError, match="--force"):
-        write_parameters(fit, target, force=False)
+    with pytest.raises(InputError, match="remove it"):
+        write_parameters(fit, target)
     assert target.read_bytes() == b"a raw log"
     (tmp_path / "P1.toml").write_text('name = "P1"\n[logs]\ntrain = ["train.mat"]\n')
     with pytest.raises(InputError, match=r"train\.mat"):
-        write_parameters(fit, target, force=True)
+        write_parameters(fit, target)
     assert target.read_bytes() == b"a raw log"
     own = tmp_path / "joint.toml"
     for _ in range(2):  # its own file is renewed
-        write_parameters(fit, own, force=False)
+        write_parameters(fit, own)
     assert joint_parameters(str(own)).E == 1.7e9
 
 

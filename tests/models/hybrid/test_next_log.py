@@ -77,7 +77,7 @@ def test_a_designed_log_is_expected_to_beat_usual_ones_within_the_voltage(model:
 
 
 def test_a_programme_needs_a_run(tmp_path: Path) -> None:
-    result = CliRunner().invoke(app, ["rig", "excite", "--file", str(tmp_path / "e.csv"), "--programme", "validation"])
+    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), "--programme", "validation"])
     assert result.exit_code == 2 and "only the model hybrid of a run" in " ".join(result.stderr.split())
 
 
@@ -86,11 +86,13 @@ def test_the_command_states_what_the_log_is_expected_to_bring(planted_run, model
     tree = {"headline": "hybrid", "hybrid": model.to_tree(), "rbf-paper": paper().to_tree()}
     notes = {"identified": ["hybrid", "rbf-paper"], "hybrid": {}, "rbf-paper": {}}
     run.commit(Recipe("test", "1", {}, {}), {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)})
-    excite = ["rig", "excite", "--file", str(tmp_path / "next.csv"), "--run", str(run.root), "--duration", "8s"]
-    result = CliRunner().invoke(app, [*excite, "--candidates", "2", "--programme", "pulses", "--json"])
+    design = tmp_path / "design.toml"
+    design.write_text("candidates = 2\n")
+    excite = ["rig", "excite", "-o", str(tmp_path / "next.csv"), "--run", str(run.root), "--duration", "8s"]
+    result = CliRunner().invoke(app, [*excite, "--design", str(design), "--programme", "pulses", "--json"])
     assert result.exit_code == 0, result.output
     stated = json.loads(result.stdout)["free_run_standard_deviation_m"]
     assert stated["with_the_designed_log"] < stated["now"]
     assert (tmp_path / "next.csv").is_file()
-    refused = CliRunner().invoke(app, [*excite, "--force", "--programme", "tango"])
+    refused = CliRunner().invoke(app, [*excite, "--programme", "tango"])
     assert refused.exit_code == 2 and "no such file" in refused.stderr

@@ -155,8 +155,8 @@ def test_a_batch_with_siblings_of_another_batch(tmp_path: Path) -> None:
         path.write_text(path.read_text() + '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n')
     shutil.move(tmp_path / "fleet/same-00", tmp_path / "new")
     debist("batch", "fleet", "-o", "runs", "--no-report")
-    said = debist("fleet", "learn", "runs", "--file", "siblings.h5")
+    said = debist("fleet", "learn", "runs", "-o", "siblings.h5")
     assert "5 siblings" in said and "less than half the prior's spread" in said
     debist("batch", "new", "-o", "taught", "--no-report", "--siblings", "siblings.h5")
-    refused = CliRunner().invoke(app, ["fleet", "learn", str(tmp_path / "taught"), "--file", str(tmp_path / "x.h5")])
+    refused = CliRunner().invoke(app, ["fleet", "learn", str(tmp_path / "taught"), "-o", str(tmp_path / "x.h5")])
     assert refused.exit_code == 3 and "was identified with siblings" in refused.stderr

@@ -1,9 +1,10 @@
-"""Settings files that a batch writes: every combination of some values of one prototype, or siblings for all."""
+"""Settings files that a batch writes: every combination of some values of one prototype, siblings for all, or rows."""
 
 import copy
 import itertools
 import tomllib
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,12 +13,10 @@ from pipeline.errors import InputError
 from pipeline.loading.prior_knowledge import read_siblings
 from pipeline.loading.report_data import load_scores
 from pipeline.names import slug
+from pipeline.plain_files import LARGEST_SETTINGS, read_plain
 from pipeline.runs.atomic import write_text
 from pipeline.settings import parse_prototype
 from pipeline.settings_file import read_document, toml_text
-
-FOLDER = "settings"
-"""Where these files lie, in the folder of the runs."""
 
 LARGEST = 1000
 """Combinations that a matrix may have."""
@@ -42,8 +41,8 @@ class Variant:
     values: dict[str, Any]
 
 
-def write_matrix(prototype_file: Path, sets: Sequence[str], output: Path) -> list[Variant]:
-    """Write a settings file for each combination into ``settings/`` of `output`; all are checked before one is written.
+def write_matrix(prototype_file: Path, sets: Sequence[str], folder: Path) -> list[Variant]:
+    """Write a settings file for each combination into `folder`; all are checked before one is written.
 
     Parameters
     ----------
@@ -51,8 +50,8 @@ def write_matrix(prototype_file: Path, sets: Sequence[str], output: Path) -> lis
         The settings that are varied.
     sets : sequence of str
         ``SECTION.KEY=VALUE,VALUE,…``; the values as in TOML, texts without quotes.
-    output : Path
-        The folder of the runs.
+    folder : Path
+        Where they go.
 
     Raises
     ------
@@ -67,18 +66,18 @@ def write_matrix(prototype_file: Path, sets: Sequence[str], output: Path) -> lis
         raise InputError(f"--set: {len(combinations)} combinations; a matrix has at least one --set and {LARGEST} runs")
     digits, documents = len(str(len(combinations))), []
     for number, values in enumerate(combinations, start=1):
-        named = _anchored(_with(document, values), prototype_file.resolve().parent)
+        named = anchored(with_values(document, values), prototype_file.resolve().parent)
         named["name"] = f"{document['name']}-{number:0{digits}d}"
         parse_prototype(named, "--set " + " ".join(f"{key}={value}" for key, value in values.items()))
         documents.append(named)
     return [
-        Variant(named["name"], _write(output, slug(named["name"]), named), values)
+        Variant(named["name"], write_settings(folder, slug(named["name"]), named), values)
         for values, named in zip(combinations, documents, strict=True)
     ]
 
 
-def with_siblings(named: Sequence[tuple[str, Path]], siblings: Path, output: Path) -> list[tuple[str, Path]]:
-    """The prototypes with `siblings` in their settings, which are written into ``settings/`` of `output`.
+def with_siblings(prototypes: Sequence[Path], siblings: Path, folder: Path) -> list[Path]:
+    """The prototypes with `siblings` in their settings, which are written into `folder`.
 
     One whose settings cannot be read stays as it is, and fails alone.
 
@@ -89,20 +88,25 @@ def with_siblings(named: Sequence[tuple[str, Path]], siblings: Path, output: Pat
     """
     read_siblings(siblings)
     changed = []
-    for name, path in named:
+    for path in prototypes:
         try:
-            document = _anchored(read_document(path), path.resolve().parent)
-            document = _with(document, {"plant.siblings": str(siblings.resolve())})
-            parse_prototype(document, str(path))
-            changed.append((name, _write(output, name, document)))
+            document = anchored(read_document(path), path.resolve().parent)
+            document = with_values(document, {"plant.siblings": str(siblings.resolve())})
+            name = parse_prototype(document, str(path)).folder
+            changed.append(write_settings(folder, name, document))
         except InputError:
-            changed.append((name, path))
+            changed.append(path)
     return changed
 
 
-def _write(output: Path, name: str, document: Mapping[str, Any]) -> Path:
-    path = output / FOLDER / f"{name}.toml"
-    write_text(path, toml_text(document), within=output)
+def write_settings(folder: Path, stem: str, document: Mapping[str, Any]) -> Path:
+    """Write settings as ``STEM.toml`` into a folder, and return the file."""
+    path = folder / f"{stem}.toml"
+    text = toml_text(document)
+    with suppress(OSError):
+        if read_plain(path, LARGEST_SETTINGS) == text.encode():  # its time stamp means a change to workflow engines
+            return path
+    write_text(path, text, within=folder.parent)
     return path
 
 
@@ -112,10 +116,10 @@ def matrix_rows(runs: Mapping[str, Path], variants: Sequence[Variant]) -> list[d
         {
             "name": variant.name,
             "settings": variant.values,
-            "scores": [row for row in load_scores(runs[variant.name]) if row["signal"] == "q"],
+            "scores": [row for row in load_scores(runs[slug(variant.name)]) if row["signal"] == "q"],
         }
         for variant in variants
-        if variant.name in runs
+        if slug(variant.name) in runs
     ]
 
 
@@ -123,10 +127,10 @@ def _varied(text: str) -> tuple[str, list[Any]]:
     key, equals, values = text.partition("=")
     if not equals or not values or not key.strip():
         raise InputError(f"--set {text}: write SECTION.KEY=VALUE,VALUE, such as identify.basis_functions=6,8,10")
-    return key.strip(), [_value(part.strip()) for part in values.split(",")]
+    return key.strip(), [toml_value(part.strip()) for part in values.split(",")]
 
 
-def _value(text: str) -> Any:
+def toml_value(text: str) -> Any:
     """A value as TOML has it, or the text itself."""
     try:
         return tomllib.loads(f"value = {text}")["value"]
@@ -134,7 +138,8 @@ def _value(text: str) -> Any:
         return text
 
 
-def _with(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+def with_values(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """A copy of settings with some values, by dotted keys."""
     changed = copy.deepcopy(document)
     for key, value in values.items():
         *sections, last = key.split(".")
@@ -142,21 +147,25 @@ def _with(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str, Any]
         for section in sections:
             table = table.setdefault(section, {})
             if not isinstance(table, dict):
-                raise InputError(f"--set {key}: {section!r} is no section of the settings")
+                raise InputError(f"{key}: {section!r} is no section of the settings")
         table[last] = value
     return changed
 
 
-def _anchored(document: dict[str, Any], folder: Path) -> dict[str, Any]:
+def anchored(document: dict[str, Any], folder: Path) -> dict[str, Any]:
     """Settings whose paths are absolute."""
     for section, key in _PATHS:
         table = document.get(section, {})
-        value = table.get(key)
+        value = table.get(key) if isinstance(table, dict) else None
         if isinstance(value, list):
-            table[key] = [
-                str(folder / log) if isinstance(log, str) else {**log, "file": str(folder / log["file"])}
-                for log in value
-            ]
+            table[key] = [_anchored_log(log, folder) for log in value]
         elif isinstance(value, str) and Path(value).suffix:
             table[key] = str(folder / value)
     return document
+
+
+def _anchored_log(log: Any, folder: Path) -> Any:
+    if isinstance(log, str):
+        return str(folder / log)
+    named = isinstance(log, dict) and isinstance(log.get("file"), str)
+    return {**log, "file": str(folder / log["file"])} if named else log
