@@ -33,7 +33,7 @@ def test_units_and_meanings_stand_beside_the_numbers_and_do_not_count_in_the_has
 
 
 def test_a_joints_parameters_have_the_units_of_the_parameter_set() -> None:
-    model = AnalyticalModel(NOMINAL)
+    model = AnalyticalModel(parameters=NOMINAL)
     tree = {"analytical": model.to_tree()}
     told = {path: columns(model)(path) for path, _ in flatten(tree)}
     assert told["analytical/parameters/left.Y"][0] == "Pa"
