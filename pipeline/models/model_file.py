@@ -212,7 +212,7 @@ _DIAGNOSTICS = {
     "ablation/*": ("1", "RMS error of free runs over the last quarter of each training log, over the range of q"),
     "acceleration_residual": ("1", "RMS of what the equation leaves of the acceleration, over its RMS"),
     "at_bound": (TEXT, "parameters that ended at a bound"),
-    "candidate_rms_m": ("{q}", "RMS error of each candidate on held-out training data"),
+    "candidate_rms_m": ("{q}", "RMS error of each candidate, on held-out data or coupled to the log"),
     "candidates": (TEXT, "structures that were tried"),
     "candidates_tried": ("1", "number of structures that were tried"),
     "chaotic": (TEXT, "whether neighbouring free runs part exponentially"),

@@ -73,14 +73,12 @@ def test_csv_needs_a_time_column(logs):
 @pytest.mark.parametrize(
     ("name", "unit", "expected"),
     [
-        ("tempo_ms", "", "ms"),
-        ("angulo_deg", "", "deg"),
-        ("u_pct", "", "percent"),
-        ("Weg q", "[µm]", "µm"),
-        ("phi", "°", "deg"),
-        ("HV1_meas", "", ""),
+        ("tempo_ms", "", "ms"), ("angulo_deg", "", "deg"), ("u_pct", "", "percent"), ("Weg q", "[µm]", "µm"),
+        ("phi", "°", "deg"), ("HV1_meas", "", ""), ("U_KV", "", "kV"), ("drive_A", "", "A"), ("signal_M", "", ""),
+        ("x_mm", "", "mm"), ("t/s", "", "s"), ("q / mm", "", "mm"), ("U/V", "", "V"), ("a/b", "", ""),
+        ("angle in deg", "", "deg"), ("t [ms]", "", "ms"), ("q [mm]", "", "mm"), ("v1 (kV)", "", "kV"),
     ],
-)
+)  # fmt: skip
 def test_unit_suggestions(name, unit, expected):
     assert suggested_unit(name, unit) == expected
 
@@ -252,11 +250,6 @@ def test_common_names_and_what_is_left_over_are_suggested(names, roles):
     assert tuple(found[role] for role in ("time", "q", "v1", "v2")) == roles
 
 
-@pytest.mark.parametrize(("name", "unit"), [("U_KV", "kV"), ("drive_A", "A"), ("signal_M", ""), ("x_mm", "mm")])
-def test_a_unit_at_the_end_of_a_name_has_its_own_letters(name, unit):
-    assert suggested_unit(name, "") == unit
-
-
 def test_a_sequence_for_a_joint_is_offered_for_a_joint_only(tmp_path):
     from typer.testing import CliRunner
 
@@ -276,13 +269,6 @@ def test_a_column_that_rises_evenly_may_be_the_time(tmp_path):
     inspection = inspect_log(path)
     assert {role.role: role.only for role in inspection.suggestions}["time"] == "column 1"
     assert tomllib.loads(toml_draft([inspection]))["channels"]["time"] == {"channel": "column 1", "unit": FILL_IN}
-
-
-@pytest.mark.parametrize(
-    ("name", "unit"), [("t/s", "s"), ("q / mm", "mm"), ("U/V", "V"), ("a/b", ""), ("angle in deg", "deg")]
-)
-def test_a_unit_behind_a_stroke_is_one(name, unit):
-    assert suggested_unit(name, "") == unit
 
 
 def _draft(path):

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.si_log import read_si
-from pipeline.rig_logs.channel_roles import suggested_unit
 from pipeline.rig_logs.source import UnreadableLogError
 from pipeline.settings import parse_prototype
 from tests.rig_logs.small_logs import load, open_here
@@ -184,8 +183,3 @@ def test_a_unit_in_the_name_of_a_channel_is_compared_with_the_settings(tmp_path,
             read_si(tmp_path / "log.parquet", prototype, device(prototype))
     else:
         assert read_si(tmp_path / "log.parquet", prototype, device(prototype)).q[1].size == N
-
-
-@pytest.mark.parametrize(("name", "unit"), [("t [ms]", "ms"), ("q [mm]", "mm"), ("v1 (kV)", "kV"), ("x_deg", "deg")])
-def test_the_unit_in_a_name_is_suggested(name, unit):
-    assert suggested_unit(name, "") == unit

@@ -188,6 +188,8 @@ def test_what_tdms_states_beside_the_numbers_is_noted_or_the_channel_left_out(tm
         (b"\x80\x04", "pickle"),
         (b"7z\xbc\xaf", "unpack it"),
         (b"RIFF", "WAVE"),
+        (np.array([0, 50, 1, 0, 2], "<i4").tobytes() + b"q\0", "version 4; load it in MATLAB .* `save NAME.mat -v7`"),
+        (np.array([1000, 1, 50, 0, 2], ">i4").tobytes() + b"q\0", "version 4; load it in MATLAB"),
     ],
 )
 def test_a_format_that_is_not_read_is_named(tmp_path, start, word):
