@@ -9,12 +9,13 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.metrics import NORMAL_MEDIAN
 from pipeline.signals.columns import chunks, column, finite, select
-from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, noise_level, resolution
+from pipeline.signals.noise import REACH, high_difference_level, is_idle, is_stepped, noise_level, resolution
 from pipeline.signals.rails import rail
 from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
 
-_SPIKE_NOISES = 12.0
+OF_BESIDE = 4.0
+"""Times what is beside it that a jump or a spike is at least; a motion of eight samples a period has up to 2."""
 BESIDE_SPIKE = 32
 """Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
 _FEW_STEPS = 6.0
@@ -259,9 +260,9 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
         apart = np.abs(part[2:] - part[:-2])
         bend = np.zeros_like(off)
         bend[1:-1] = 0.5 * np.abs(part[:-4] + part[4:] - part[1:-3] - part[3:-1])
-    spikes: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * np.maximum(apart, bend)) & (noise > 0.0)
+    spikes: BoolArray = (off > 2.0 * REACH * noise) & (off > OF_BESIDE * np.maximum(apart, bend)) & (noise > 0.0)
     at = np.flatnonzero(spikes)
-    spikes[at] = off[at] > _SPIKE_NOISES * _noise_around(part, at + 1)
+    spikes[at] = off[at] > 2.0 * REACH * _noise_around(part, at + 1)
     return spikes
 
 
