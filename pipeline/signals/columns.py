@@ -15,8 +15,6 @@ BLOCKS, BLOCK = 64, 4096
 """Blocks spread over a long column, and rows of each, from which a median is taken."""
 _LONG = 1 << 22
 """Bytes from which on a column is not held in memory."""
-_EVENLY, _MOSTLY = 0.5, 0.9
-"""Share by which the blanks between the samples of a slow channel may differ, and how many of them do not by more."""
 
 Entry = TypeVar("Entry", bound=np.generic)
 Signal = tuple[FloatArray, FloatArray]
@@ -107,7 +105,7 @@ def sparse(signal: Signal) -> tuple[Signal, int]:
         return signal, 1
     spacing = np.diff(np.flatnonzero(taken))
     usual = int(np.median(spacing)) if spacing.size else 1
-    if usual < 2 or np.mean(np.abs(spacing - usual) <= _EVENLY * usual) < _MOSTLY:
+    if usual < 2 or np.mean(spacing == usual) < 0.5:
         return signal, 1
     return (select(signal[0], taken), select(signal[1], taken)), usual
 

@@ -59,8 +59,8 @@ def _changed(signal: Signal, times: FloatArray, step: float) -> BoolArray:
     return changed
 
 
-_SLIP = 0.02
-"""Share of the usual range that a jump exceeds: encoders and potentiometers slip by less."""
+_LEAST, _LOST = 0.01, 0.03
+"""Share of the usual range that a jump exceeds, and where rows are missing: encoders and potentiometers slip by 2 %."""
 _LONGEST = 0.25
 """Duration [s] of the longest burst; what is longer and far outside is a lost target, what is not may be a place."""
 
@@ -120,7 +120,7 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     if quality.constant or quality.stepped or quality.idle:
         return NONE
     usual = quality.usual[1] - quality.usual[0]
-    jumps = _jumps(samples, max(2.0 * REACH * quality.roughness, _SLIP * usual))
+    jumps = _jumps(samples, max(2.0 * REACH * quality.roughness, _LEAST * usual))
     jumps = jumps[stamps[jumps + 1] - stamps[jumps] < ONE_LOST * step]
     if not 0 < jumps.size <= SELDOM * samples.size:
         return NONE
@@ -133,6 +133,7 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     left = left[~np.isin(left, bursts.ravel() - 1)]
     held = _held(samples, left, round(_LONGEST / step) + 1)
     left = left[~np.isin(left, held[:, 1] - 1)]
+    left = left[np.abs(samples[left + 1] - samples[left]) > _LOST * usual]
     ends = np.stack((stamps[left], stamps[left + 1]), axis=1)
     cuts = ends[np.isfinite(ends).all(axis=1)]
     first = [float(stamps[spans[0, 0]]) if spans.size else np.nan for spans in (bursts, held)]

@@ -21,11 +21,7 @@ _MOST_MOVING = 0.9
 _BALANCED = 0.25
 """Least share of the time that a signal of two values spends at either, so that it switches and does not flicker."""
 _RESOLUTION = 1e-12
-"""Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
-_OF_GRID, _OFF_GRID = 100, 0.02
-"""Fewest different values that show a grid, and the share of a step by which they may be off it."""
-_ROUNDED = 1e-9
-"""Share of the largest difference, or of the range, below which a difference is only rounding."""
+"""Share of the range of a record, or of its largest difference, below which a difference is only rounding."""
 
 
 def noise_std(samples: FloatArray) -> float:
@@ -114,8 +110,8 @@ def resolution(samples: FloatArray) -> float | None:
         return least
     step = float((values[-1] - values[0]) / np.sum(np.round(apart / least)))  # a log rounds the steps of its sensor
     steps = apart / step
-    on_grid = values.size >= _OF_GRID and bool(np.all(np.abs(steps - np.round(steps)) < _OFF_GRID))
-    return step if on_grid else None
+    off = 2.0 * float(np.max(np.abs(steps - np.round(steps))))  # at random it is uniform from 0 to 1
+    return step if off**steps.size < CHANCE else None
 
 
 def is_stepped(samples: FloatArray) -> bool:
@@ -127,7 +123,7 @@ def is_stepped(samples: FloatArray) -> bool:
     values = _excerpt(samples)
     if values.size < 2:
         return False
-    equal = _ROUNDED * float(np.ptp(values))  # interpolation rounds
+    equal = _RESOLUTION * float(np.ptp(values))  # interpolation rounds
     runs = np.diff(np.flatnonzero(~(np.abs(np.diff(values, prepend=np.nan, append=np.nan)) <= equal)))
     if runs.size < 2 or np.quantile(runs, 0.25) >= 2.0:
         return runs.size > 1
@@ -154,7 +150,7 @@ def noise_level(samples: FloatArray) -> float:
         return 0.0
     second = differences(samples, 2)
     level = noise_ofdifferences(second, 2)
-    if level <= _ROUNDED * float(np.max(np.abs(second), initial=0.0)):
+    if level <= _RESOLUTION * float(np.ptp(samples)):
         magnitude = np.abs(second)
         usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
         level = float(np.sqrt(np.mean(usual**2) / 6.0))

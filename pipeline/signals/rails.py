@@ -11,15 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import chunks
+from pipeline.signals.columns import BLOCKS, chunks
 from pipeline.signals.noise import CHANCE, below_resolution, resolution
 
 _APPROACH = 15.0
 """Widths of the level over which an approach is looked at."""
 _LINEAR = 0.37
 """Share of it that is left at half time, between 0.26 of an exponential and 0.53 of a line."""
-_VISITS = 32
-"""Longest stays that are looked at."""
 IN_A_ROW = 3
 """Samples that make a stay."""
 
@@ -136,7 +134,7 @@ def _cut_off(values: FloatArray, runs: IntArray, level: float, width: float, *, 
     Beneath noise both sides of a single turning point may look straight, so more than those must be seen.
     """
     lengths = np.diff(runs, axis=1).ravel()
-    longest = np.argsort(-lengths, kind="stable")[:_VISITS]
+    longest = np.argsort(-lengths, kind="stable")[:BLOCKS]
     stays = runs[longest[lengths[longest] >= IN_A_ROW]].tolist()
     reach = int(_APPROACH)
     coming = [values[max(0, first - reach * (end - first)) : first + 1][::-1] for first, end in stays]

@@ -11,15 +11,13 @@ from pipeline.numerics.metrics import NORMAL_MEDIAN
 from pipeline.signals.columns import chunks, column, finite, select
 from pipeline.signals.noise import REACH, high_difference_level, is_idle, is_stepped, noise_level, resolution
 from pipeline.signals.rails import rail
-from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
+from pipeline.signals.spectrum import MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
 
 OF_BESIDE = 4.0
 """Times what is beside it that a jump or a spike is at least; a motion of eight samples a period has up to 2."""
 BESIDE_SPIKE = 32
 """Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
-_FEW_STEPS = 6.0
-"""Steps of a sensor by which a rest is entered and left."""
 MOST_LEVELS = 8
 """Different values up to which they are listed one by one."""
 BOTH_SIGNS = 0.1
@@ -136,7 +134,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     Notes
     -----
     Cost: some five passes over the samples in chunks; the hum's spectrum is taken of at most
-    2²¹ samples.
+    64 windows.
     """
     usable = finite(samples)
     values = select(samples, usable)
@@ -176,7 +174,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         rests=_rests(values, start, start + frozen),
         spikes=spikes,
         spikes_at=tuple(stamps[first_spikes].tolist()),
-        hum=tuple(line for f in MAINS if (line := hum(values[:EXCERPT], step, f)) is not None),
+        hum=tuple(line for f in MAINS if (line := hum(values, step, f)) is not None),
         band=bandwidth(bridged(values, roughness) if spikes else values, step, noise),
     )
 
@@ -280,7 +278,7 @@ def _rests(values: FloatArray, begin: int, end: int) -> bool:
     """Whether a run of equal samples may be a rest that noise within the steps of a sensor does not show."""
     beside = values[[i for i in (begin - 1, end) if 0 <= i < values.size]]
     step = resolution(values)
-    return step is not None and bool(np.all(np.abs(beside - values[begin]) <= _FEW_STEPS * step))
+    return step is not None and bool(np.all(np.abs(beside - values[begin]) <= 2.0 * step))
 
 
 def _longest_run(values: FloatArray) -> tuple[int, int]:

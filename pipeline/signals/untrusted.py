@@ -35,22 +35,20 @@ _JUMP = 2
 UNBOUNDED = (-np.inf, np.inf)
 _SHORTEST_PULSE = 1e-3
 """Time [s] within which no amplifier goes there and back."""
-_LEAST_SAMPLES = 3.0
-"""Samples a sample interval from which on one of them is no pulse."""
 
 
-def without_spikes(signal: Signal, step: float, interval: float) -> tuple[Signal, int, float]:
+def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     """An input with its single samples far off neighbours that agree on the line between these; how many, and the
     stamp [s] of the first.
 
-    Nothing is changed where a step [s] is longer than 1 ms or a third of a sample interval, where such samples are
+    Nothing is changed where a step [s] is longer than 1 ms, where such samples are
     frequent, and in a command without noise: there pulses may be as short. A controller that differentiates kicks for
     one of its periods, and the device follows.
     """
     time, samples = signal
     usable = finite(samples)
     values = select(samples, usable)
-    short = step <= min(1.01 * _SHORTEST_PULSE, interval / _LEAST_SAMPLES)
+    short = step <= 1.01 * _SHORTEST_PULSE
     noise = noise_level(values) if short and values.size else 0.0
     count, first = single_spikes(values, noise)
     if not 0 < count <= SELDOM * values.size:
