@@ -83,9 +83,16 @@ def _instrument(finding: Finding) -> tuple[str, str]:
     else:
         text = f"{name} of the {finding.log} reads {size} {'high' if number.value > 0.0 else 'low'}"
     correction = finding.numbers["correction"]
-    shown = f"{correction.value:.4g}" if correction.unit == "1" else quantity(correction.value, correction.unit)
-    line = KEYS[finding.subject].format(shown)
-    return text, f"`{line}` at that log in [logs] corrects it, unless the training logs are the wrong ones"
+    line = KEYS[finding.subject].format(correction_text(finding.subject, correction.value, correction.unit))
+    mend = {"zero_q": "set the laser", "delay": "mend the recorder", "clock": "mend the recorder"}
+    advice = f"`{line}` at that log in [logs], or {mend.get(finding.subject, 'mend the probe')}"
+    return text, f"{advice}, unless the training logs are the wrong ones"
+
+
+def correction_text(name: str, value: float, displacement: str) -> str:
+    """A correction as [logs] takes it: a factor, or a number with its unit, which is that of q for its zero."""
+    unit = {"zero_q": displacement, "delay": "s"}.get(name)
+    return f"{value:.5g}" if unit is None else quantity(value, unit).replace("−", "-")
 
 
 def _extrapolation(finding: Finding) -> tuple[str, str]:

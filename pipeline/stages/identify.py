@@ -31,7 +31,7 @@ from pipeline.signals.quality_gates import Finding
 if TYPE_CHECKING:
     from pipeline.models.choose import Choice
 
-ALGORITHM = "58"
+ALGORITHM = "59"
 SEARCH_CUT = (
     "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
     "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"

@@ -93,6 +93,7 @@ def _inputs(
         layout.CHECK,
         layout.MODELS,
         layout.SCORES,
+        layout.INSTRUMENTS,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
         *((layout.KNOWN_CURVES,) if prototype.plant.curves is not None else ()),
         *((layout.SIBLINGS,) if prototype.plant.siblings is not None else ()),

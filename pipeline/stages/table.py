@@ -113,7 +113,7 @@ STAGES = (
         with_it=("scores",),
     ),
     Stage("scores", lambda p: [scores.task(p.prototype, p.parameters, p.scored)], known_after=layout.MODELS),
-    Stage("report", _report, known_after=layout.MODELS),
+    Stage("report", _report, known_after=layout.MODELS, with_it=("instruments",)),
 )
 STAGE_NAMES = tuple(stage.name for stage in STAGES)
 
