@@ -254,11 +254,6 @@ def test_a_comment_of_labview_may_be_a_number(tmp_path, comment, row):
     np.testing.assert_array_equal(load(open_here(tmp_path / "log.lvm"), "q"), Q)
 
 
-def test_words_behind_each_row_are_no_decimals(tmp_path):
-    (tmp_path / "log.csv").write_text("t,q,v\n" + _plain(end=",ok"))
-    np.testing.assert_array_equal(load(open_here(tmp_path / "log.csv"), "q"), Q)
-
-
 def test_a_long_preamble(tmp_path):
     (tmp_path / "log.csv").write_text("# a line on the rig\n" * 450 + "t,q,v\n" + _plain())
     np.testing.assert_array_equal(load(open_here(tmp_path / "log.csv"), "q"), Q)
