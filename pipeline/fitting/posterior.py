@@ -102,6 +102,24 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     return spread
 
 
+def log_evidence(fit: HomotopyFit, prior: Prior, correlation: float) -> float:
+    """Logarithm of the marginal likelihood of a fit by Laplace's method, but for a constant of the data.
+
+    Parameters
+    ----------
+    fit : HomotopyFit
+        At the minimum, with the variance s² of its residual.
+    prior : Prior
+        A proper one: as many independent rows as parameters.
+    correlation : float
+        Samples that carry the information of an independent one.
+    """
+    variance, (_, believed) = float(np.mean(fit.residual**2)), np.linalg.slogdet(prior.matrix.T @ prior.matrix)
+    precision = prior.matrix.T @ prior.matrix + fit.hessian / (variance * correlation)
+    fitted = len(fit.residual) / correlation * np.log(variance) + np.sum(prior.residual(fit.theta) ** 2)
+    return 0.5 * float(believed - np.linalg.slogdet(precision)[1] - fitted)
+
+
 def posterior_draws(mean: FloatArray, spread: FloatArray, count: int, seed: int) -> FloatArray:
     """Draws from the normal distribution of covariance S Sᵀ about `mean`, shape (count, P).
 

@@ -18,7 +18,7 @@ from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import FILM, Prototype
 
-ALGORITHM = "14"
+ALGORITHM = "15"
 
 
 def task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:
@@ -27,7 +27,6 @@ def task(prototype: Prototype, parameters: JointParameters | None, name: str) ->
     unread = FILM | {"curves", "siblings"} | (set() if listed.takes_mass else {"mass"})
     settings = {
         "model": name,
-        "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         "plant": prototype.plant.model_dump(mode="json", exclude=unread),
         "parameters": parameter_values(parameters) if listed.needs_parameters else None,
     }

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
-from pipeline.device_facts.model_quality import not_converged
 from pipeline.device_parameters import JointParameters
+from pipeline.diagnostics.sentences import not_converged
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_values
@@ -31,7 +31,7 @@ from pipeline.signals.quality_gates import Finding
 if TYPE_CHECKING:
     from pipeline.models.choose import Choice
 
-ALGORITHM = "58"
+ALGORITHM = "59"
 SEARCH_CUT = (
     "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
     "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"
