@@ -81,11 +81,3 @@ def test_what_cannot_be_meant_is_refused(folder: Path, train: str, validation: s
     prototype = _settings(folder, train, validation, name="refused")
     result = RUNNER.invoke(app, ["ingest", str(prototype), "-o", str(folder / "refused")])
     assert result.exit_code == 2 and text in result.stderr, result.stderr
-
-
-def test_a_copy_of_a_part_is_no_validation(folder: Path) -> None:
-    lines = (folder / "long.csv").read_text().splitlines(keepends=True)
-    (folder / "copy.csv").write_text("".join([lines[0], *lines[801:4801]]))
-    prototype = _settings(folder, '{ file = "long.csv", stop = "14 s" }', '"copy.csv"', name="copied")
-    result = RUNNER.invoke(app, ["run", str(prototype), "-o", str(folder / "copied"), "--no-report"])
-    assert result.exit_code == 2 and "holds the recording of the training log" in result.stderr, result.stderr
