@@ -10,7 +10,6 @@ from cli import app
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import load_prototype
-from pipeline.tools.export import _relocated
 from tests.prototypes import motion, settings, write_csv
 
 RUNNER = CliRunner()
@@ -55,9 +54,6 @@ def test_parts_of_one_recording_train_and_validate(folder: Path) -> None:
     assert "long from 0.3 min" in RUNNER.invoke(app, ["validate", str(run), "--details"]).stdout
     recipe = RunFolder.open(run).record(layout.signals("train", names[0])).recipe
     assert list(recipe.inputs) == ["long.csv"] and recipe.settings["part"] == {"stop_s": 9.0}
-    moved, inputs = _relocated(RunFolder.open(run), load_prototype(prototype))
-    assert [log["file"] for log in moved["logs"]["train"]] == ["inputs/train/long.csv"] * 2
-    assert set(inputs) == {"inputs/train/long.csv", "inputs/validation/long.csv"}
     _settings(folder, f"{TRAIN}, {TWO}", LAST.replace("0.3 min", "0.35 min"))
     assert "part" in RUNNER.invoke(app, ["status", str(run)]).output
 
