@@ -2,7 +2,7 @@
 PYTHON ?= python3
 VENV   ?= .venv
 RUN    ?= runs/demo
-BIN    := $(VENV)/bin
+BIN    := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 PIP    := $(BIN)/python -m pip --disable-pip-version-check -q
 
 FLEET  := .venv-workflow
@@ -88,16 +88,17 @@ test-workflow: $(FLEET)/.ready $(VENV)/.dev-ready
 clean:
 	rm -rf $(VENV) $(FLEET) build dist
 
-$(VENV)/bin/python:
+$(VENV)/.made:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "debist needs Python 3.11 or newer; set PYTHON=/path/to/python3.11")'
 	$(PYTHON) -m venv $(VENV)
+	touch $@
 
-$(VENV)/.run-ready: requirements.lock pyproject.toml | $(VENV)/bin/python
+$(VENV)/.run-ready: requirements.lock pyproject.toml | $(VENV)/.made
 	$(PIP) install --only-binary :all: --require-hashes -r requirements.lock
 	$(PIP) install --no-deps --no-build-isolation -e .
 	touch $@
 
-$(VENV)/.dev-ready: requirements-dev.lock pyproject.toml | $(VENV)/bin/python
+$(VENV)/.dev-ready: requirements-dev.lock pyproject.toml | $(VENV)/.made
 	$(PIP) install --only-binary :all: --require-hashes -r requirements-dev.lock
 	$(PIP) install --no-deps --no-build-isolation -e .
 	touch $@ $(VENV)/.run-ready

@@ -1,13 +1,12 @@
-"""Tables and figures of the comparison in docs/: `python benchmarks/comparison_tables.py -o RUNS [--jobs 2]`.
+"""Tables and figures of the comparison in docs/: `python benchmarks/comparison_tables.py -o RUNS`.
 
-Brings the runs of benchmarks/prototypes/*.toml in RUNS up to date (`debist run`, `debist study folds`, `debist study
-data`), then writes docs/measured/comparison.md and docs/figures/comparison-*.svg from what they hold.
+Brings the runs of benchmarks/prototypes/*.toml in RUNS up to date (`debist run`, `debist study data`), then writes
+docs/measured/comparison.md and docs/figures/comparison-*.svg from what they hold.
 `--no-run` writes only. Processor times are those of the machine; everything else is the same wherever it is run.
 """
 
 import argparse
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -30,10 +29,8 @@ from matplotlib.figure import Figure  # noqa: E402
 
 from pipeline.loading.report_data import load_scores  # noqa: E402
 from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402
-from pipeline.reporting.short_tables import fold_table  # noqa: E402
 from pipeline.runs import layout  # noqa: E402
 from pipeline.runs.run_folder import RunFolder  # noqa: E402
-from pipeline.stages.scores import score_text  # noqa: E402
 
 EXAMPLES = {
     "P1": "P1, simulated",
@@ -41,36 +38,30 @@ EXAMPLES = {
     "P3": "P3, simulated",
     "quarter-drone": "Quarter drone, measured",
 }
-FOLD_MODELS = ("rbf-paper", "sindy", "narx")  # seconds per fold; the others cost 10 to 30 s per fold
 PAGE, FIGURES = ROOT / "docs" / "measured" / "comparison.md", ROOT / "docs" / "figures"
 MEANING = """Rows are of the validation logs, which no fit has seen.
 [How models are compared](../explanation/comparison.md) defines the numbers.
-`debist validate RUN --details` prints the training logs too.
+`debist validate RUN --details` prints more, and `debist study folds RUN` fits anew without each fold.
 
-- NRMSE is in % of the measured range, in free run, with its 95 % interval.
-- **Bold** is the lowest error where every other one is higher in the paired bootstrap.
-- ≈ marks errors that the bootstrap does not tell apart from the lowest.
+- NRMSE is in % of the measured range, with its 95 % interval: in free run, and 1 s after a measured state.
+- Switches: share of pulses after which both rest in the same well.
 - Fit is in seconds of processor time on one core.
-- Folds: mean with its 95 % interval; a run that diverged has the error 100.
 """
-SHOWN = ("model", "q [%]", "wells [%]", "switches [%]", "fit [s]", "one step [%]", "0.1 s [%]", "1 s [%]")
 STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 MODELS = ("hybrid", "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
 COLOUR = dict(zip(MODELS, MODEL_COLOURS, strict=False))
 HORIZONS = (("nrmse_one_step", 0.01), ("nrmse_100ms", 0.1), ("nrmse_1s", 1.0), ("nrmse", 37.5))
 
 
-def bring_up_to_date(runs: Path, jobs: int) -> None:
+def bring_up_to_date(runs: Path) -> None:
     """The commands that the page states."""
     for name in EXAMPLES:
-        for command in commands(name, runs, jobs):
+        for command in commands(name, runs):
             subprocess.run([str(Path(sys.executable).with_name("debist")), *command], check=True, cwd=ROOT)
 
 
-def commands(name: str, runs: Path | str, jobs: int) -> Iterator[list[str]]:
+def commands(name: str, runs: Path | str) -> Iterator[list[str]]:
     yield ["run", f"benchmarks/prototypes/{name}.toml", "-o", f"{runs}/{name}", "-q"]
-    models = [part for model in FOLD_MODELS for part in ("--model", model)]
-    yield ["study", "folds", f"{runs}/{name}", *models, "--jobs", str(jobs)]
     if name == "P1":
         yield ["report", f"{runs}/{name}", "--figures", "sans"]
         yield ["study", "data", f"{runs}/{name}"]
@@ -81,36 +72,41 @@ def page(runs: Path) -> Iterator[str]:
     yield "# Measured: every model on the example logs\n\nWritten by `python benchmarks/comparison_tables.py -o RUNS` "
     yield f"({date.today():%-d %B %Y}, commit {commit.strip()}) from:\n\n"
     yield "<!-- not run: minutes, and logs that lie elsewhere -->\n```sh\n"
-    yield "".join(f"debist {' '.join(c)}\n" for name in EXAMPLES for c in commands(name, "RUNS", 1))
+    yield "".join(f"debist {' '.join(c)}\n" for name in EXAMPLES for c in commands(name, "RUNS"))
     yield f"```\n\n{MEANING}"
     for name, title in EXAMPLES.items():
-        yield f"\n## {title}\n\n{shown(score_text(runs / name, 'markdown'))}\n"
-        yield from folds(RunFolder.open(runs / name))
+        yield f"\n## {title}\n\n"
+        yield from table(runs / name)
 
 
-def shown(text: str) -> str:
-    """Rows of validation logs and the columns that the page has, of the tables that `debist validate` prints."""
-    lines, places = [], []
-    for line in text.splitlines():
-        cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if cells[0] == "log":
-            places = [place for place, cell in enumerate(cells) if cell in SHOWN]
-        if not line.startswith("|"):
-            lines.append(line)
-        elif not line.startswith("| training log"):
-            lines.append("| " + " | ".join(cells[place] if place < len(cells) else "" for place in places) + " |")
-    return "\n".join(lines)
+def table(root: Path) -> Iterator[str]:
+    """One row for each model on the validation log."""
+    yield "| model | free run [%] | after 1 s [%] | switches [%] | fit [s] |\n| --- | ---: | ---: | ---: | ---: |\n"
+    seconds = fit_times(root)
+    for model, row in validation_rows(root).items():
+        free = with_interval(row, "nrmse") if row["status"] == "ok" else f"diverged at {row['diverged_at_s']:.1f} s"
+        cells = (model, free, with_interval(row, "nrmse_1s"), percent(row["switch_accuracy"]), f"{seconds[model]:.2g}")
+        yield f"| {' | '.join(cells)} |\n"
 
 
-def folds(run: RunFolder) -> Iterator[str]:
-    notes = run.record("studies/folds.parquet").notes
-    header, rows = fold_table(notes["summary"])
-    places = [place for place, cell in enumerate(header) if cell not in ("q̇ [%]", "q̈ [%]")]
-    header, rows = [header[place] for place in places], [[row[place] for place in places] for row in rows]
-    rows = [[re.sub(r"^(.*) \*$", r"**\1**", cell) for cell in row] for row in rows]
-    yield f"\n{notes['count']} folds over {notes['by']} of all logs:\n\n"
-    for line in (header, ["---", *["---:"] * (len(header) - 1)], *rows):
-        yield "| " + " | ".join(line) + " |\n"
+def with_interval(row: dict[str, Any], key: str) -> str:
+    if row[key] is None:
+        return "–"
+    low, high = row[f"{key}_low"], row[f"{key}_high"]
+    return f"{100 * row[key]:.2f} [{100 * low:.2f}, {100 * high:.2f}]"
+
+
+def percent(share: float | None) -> str:
+    return "–" if share is None else f"{100 * share:.0f}"
+
+
+def fit_times(root: Path) -> dict[str, float]:
+    """Processor time [s] of the fit of each model."""
+    run = RunFolder.open(root)
+    notes = run.record(layout.MODELS).notes
+    fits = {model: notes[model] for model in notes["identified"]}
+    fits |= {model: run.record(layout.baseline(model)).notes for model in run.prototype.baselines}
+    return {model: float(fit["processor_time"]["fit_s"] or 0.0) for model, fit in fits.items()}
 
 
 def save(figure: Figure, name: str) -> None:
@@ -189,12 +185,11 @@ def draw_pulse(runs: Path, models: Sequence[str] = ("hybrid", "sindy", "narx", "
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "runs", metavar="RUNS")
-    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--no-run", action="store_true")
     options = parser.parse_args()
     runs = options.output.resolve()
     if not options.no_run:
-        bring_up_to_date(runs, options.jobs)
+        bring_up_to_date(runs)
     PAGE.write_text("".join(page(runs)), encoding="utf-8")
     with plt.rc_context(STYLE):
         for draw in (draw_errors, draw_horizons, draw_pulse):

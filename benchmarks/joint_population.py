@@ -40,7 +40,7 @@ Fitted = tuple[ParameterLayout, Information, FloatArray, FloatArray]
 
 
 def usual() -> Candidate:
-    structure = first_candidate(RbfChoice(), pair=True, angle=False, fine=True).structure
+    structure = first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=True).structure
     return candidate(structure, SYMMETRIES[0])
 
 

@@ -92,6 +92,15 @@ class Run:
 
         return pd.DataFrame(load_scores(self.root))
 
+    @property
+    def instruments(self) -> "pd.DataFrame":
+        """Errors of the instruments of each log, one row per log, model and quantity (columns: `data/README.md`)."""
+        import pandas as pd
+
+        from pipeline.loading.report_data import load_instruments
+
+        return pd.DataFrame(load_instruments(self.root))
+
     def log(self, name: str) -> "pd.DataFrame":
         """Signals of a log: t_s, q_m (q_rad), v1_V, v2_V, segment, qdot_m_per_s, qddot_m_per_s2; NaN where masked.
 

@@ -6,9 +6,13 @@ from typing import Any
 STRUCTURE = ("friction", "force", "damping", "drag", "stops", "gain", "drive", "effect", "hold")
 """Keys of `[identify]` that became the table `[identify.structure]`."""
 
+GATES = ("delay", "time-base", "device")
+"""Gates of `[quality] accept` that refuse nothing any more."""
+
 _DEFAULTS: dict[str, dict[str, Any]] = {
     "differentiate": {"reweighted": True, "rate": "record"},
     "identify": {"basis": "gaussian", "rbf_basis_functions": "auto", "rbf_smoothing": "auto", "rbf_prior": "auto"},
+    "compare": {"candidates": None},
 }
 """Keys that are gone, and the value that the program has now in any case."""
 
@@ -20,6 +24,7 @@ _GONE = {
     "identify.rbf_basis_functions": "leave it out: inner validation chooses the number",
     "identify.rbf_smoothing": "leave it out: inner validation chooses the width",
     "identify.rbf_prior": "leave it out: inner validation chooses the prior",
+    "compare.candidates": "leave it out: the searches end by themselves",
 }
 
 
@@ -54,6 +59,9 @@ def translated(stored: Mapping[str, Any], *, used: bool = False) -> dict[str, An
                 del table[key]
     if isinstance(prototype := tables.get("prototype"), dict):
         tables["prototype"] = translated(prototype, used=used)
+    quality = tables.get("quality")
+    if not used and isinstance(quality, dict) and isinstance(accepted := quality.get("accept"), list | tuple):
+        quality["accept"] = [gate for gate in accepted if gate not in GATES]
     differentiate, identify = tables.get("differentiate"), tables.get("identify")
     if not used and isinstance(differentiate, dict) and differentiate.get("method") == "rts":
         del differentiate["method"]

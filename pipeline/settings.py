@@ -11,6 +11,7 @@ from typing import Any, Literal
 from pydantic import Field, ValidationError, field_validator, model_validator
 
 from pipeline.errors import SeveralMistakesError
+from pipeline.former_settings import GATES
 from pipeline.model_list import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 from pipeline.names import check_log_name, check_name, log_name, slug
 from pipeline.settings_file import mistakes, read_document
@@ -197,9 +198,6 @@ class Compare(SettingsTable):
     """Baselines to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with
     the parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters).
     Names: sindy, sindy-default, narx, analytical, analytical-calibrated."""
-    candidates: Whole | None = Field(default=None, ge=1, le=1_000_000)
-    """Candidates after which the search of SINDy or NARX ends with the best so far; it ends by itself if left out. They
-    are counted and not timed, so that results do not depend on the machine."""
     curves: str | None = None
     """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
     "F [N]", "d [N s/m]", "dC1_dq [nF/m]", "dC2_dq [nF/m]", in the units that the heading names; needs plant.mass."""
@@ -211,7 +209,7 @@ class Compare(SettingsTable):
 
 
 LogGate = Literal["masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate"]
-CheckGate = Literal["sides", "delay", "time-base", "scale", "wrapped", "device"]
+CheckGate = Literal["sides", "scale", "wrapped"]
 TrainingGate = Literal["idle", "undriven", "one-well", "visits", "rank"]
 Gate = Literal[LogGate, CheckGate, TrainingGate]
 
@@ -222,9 +220,16 @@ class Quality(SettingsTable):
     accept: tuple[Gate, ...] = ()
     """Findings that do not refuse the data; they are recorded in the manifest and graded poor in the report. Of a
     log: "masked", "missing", "repeated", "dropped", "jitter", "rails", "hum", "rate". Of what `debist check` finds:
-    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "delay",
-    "time-base", "scale", "wrapped" (an angle that jumps by a turn), "device". Of the training data: "idle",
-    "undriven", "one-well", "visits", "rank"."""
+    "sides" (v1 pushes to the left, as in a device whose membranes are wired the other way round), "scale", "wrapped"
+    (an angle that jumps by a turn). Of the training data: "idle", "undriven", "one-well", "visits", "rank"."""
+
+    @field_validator("accept", mode="before")
+    @classmethod
+    def _present(cls, value: Any) -> Any:
+        gone = [gate for gate in value if gate in GATES] if isinstance(value, list | tuple) else []
+        if gone:
+            raise ValueError(f"{gone[0]!r} refuses no data any more: leave it out")
+        return value
 
 
 class Prototype(SettingsTable):

@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Strict, Tag, f
 
 from pipeline.errors import InputError
 from pipeline.names import FILL_IN, true_name
-from pipeline.units import TIME, parse_quantity
+from pipeline.units import DISPLACEMENT, TIME, parse_quantity
 
 # Numbers are written as numbers: true, "0.01", inf and nan are refused.
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
@@ -70,8 +70,28 @@ class Channel(LogColumn):
     """The channel's own time, where a table has several: its column and unit; `[channels] time` by default."""
 
 
+class Gains(SettingsTable):
+    """Factors that make the readings of a log true."""
+
+    q: Number = 1.0
+    """Factor on q."""
+    v1: Number = 1.0
+    """Factor on the first input."""
+    v2: Number = 1.0
+    """Factor on the second input."""
+
+    @model_validator(mode="after")
+    def _not_zero(self) -> "Gains":
+        for name, gain in self:
+            if gain == 0.0:
+                raise ValueError(f"{name} must not be 0: the channel would be constant")
+        return self
+
+
 class LogPart(SettingsTable):
-    """A part of a recording: all samples from `start` to before `stop`, by the time that the log itself has."""
+    """A recording with corrections of its readings, or a part of one: the samples from `start` to before `stop`, by the
+    time that the log itself has.
+    """
 
     file: str = Field(min_length=1)
     """The log."""
@@ -79,18 +99,28 @@ class LogPart(SettingsTable):
     """Where the part begins, as "12 s"; left out, with the log."""
     stop: str | None = None
     """Where it ends, as "49.5 s"; left out, with the log."""
+    gain: Gains = Gains()
+    """Factors on readings of this log, as { v1 = 1.053 }: what its instruments read too low."""
+    zero: str = "0"
+    """What is added to q after its gain, as "0.3 mm"."""
+    delay: str = "0"
+    """Time by which the inputs are delayed, as "5 ms"; negative where they were recorded late."""
+    clock: Number = Field(default=1.0, gt=0.0)
+    """Factor on the time of this log, as 0.99 where its clock runs fast."""
 
-    @field_validator("start", "stop", mode="before")
+    @field_validator("start", "stop", "zero", "delay", mode="before")
     @classmethod
     def _has_a_unit(cls, value: Any) -> Any:
         if isinstance(value, int | float):
-            raise ValueError(f'needs its unit: "{value:g} s"')
+            raise ValueError(f'needs its unit in quotes, as "{value:g} s" or "{value:g} mm"')
         return value
 
     @model_validator(mode="after")
     def _lasts(self) -> "LogPart":
         try:
             start, stop = self.span
+            parse_quantity(self.zero, DISPLACEMENT, "zero")
+            parse_quantity(self.delay, TIME, "delay")
         except InputError as error:
             raise ValueError(str(error)) from None
         if not start < stop:
@@ -117,7 +147,7 @@ Log = Annotated[
     Annotated[str, Tag("str")] | Annotated[LogPart, Tag("LogPart")],
     Discriminator(lambda log: "LogPart" if isinstance(log, dict | LogPart) else "str"),
 ]
-"""A raw log, or a part of it."""
+"""A raw log, or a part of it, or one with corrections."""
 
 
 def log_label(log: Log) -> str:
@@ -126,7 +156,9 @@ def log_label(log: Log) -> str:
 
 
 class Logs(SettingsTable):
-    """Raw logs, as paths relative to the settings file, or parts of them: { file, start, stop }."""
+    """Raw logs, as paths relative to the settings file, parts of them: { file, start, stop }, or logs whose readings
+    are corrected: { file, gain, zero, delay, clock }.
+    """
 
     train: tuple[Log, ...] = Field(min_length=1)
     """Logs on which the models are identified; a part of one is { file = "long.mf4", start = "12 s", stop = "49.5 s" },

@@ -12,8 +12,6 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.capabilities import INPUTS, NOT_SUITABLE, OUTPUTS, PRECONDITIONS
-from pipeline.names import Target
 from pipeline.settings import Prototype, Quantity
 from pipeline.settings_logs import Channel, Channels
 
@@ -61,7 +59,7 @@ def _sections(model: type[BaseModel], path: str) -> list[tuple[str, type[BaseMod
 
 
 def _is_section(annotation: typing.Any) -> bool:
-    inline = {"Channel", "LogColumn", "LogPart", "Quantity"}
+    inline = {"Channel", "LogColumn", "LogPart", "Gains", "Quantity"}
     return isinstance(annotation, type) and issubclass(annotation, BaseModel) and annotation.__name__ not in inline
 
 
@@ -76,7 +74,7 @@ def _type(annotation: typing.Any) -> str:
     if origin is typing.Annotated:
         return _type(typing.get_args(annotation)[0])
     inline = {**dict.fromkeys(("Channel", "LogColumn"), "`{ channel, unit }`"), "Quantity": "`{ value, unit }`"}
-    inline["LogPart"] = "`{ file, start, stop }`"
+    inline["LogPart"] = "`{ file, start, stop, gain, zero, delay, clock }`"
     return (inline | {"str": "text", "float": "number", "int": "integer", "bool": "boolean"})[annotation.__name__]
 
 
@@ -100,36 +98,12 @@ def _walk(group: typing.Any, path: list[str]) -> list[list[str]]:
     return found
 
 
-def _capabilities_page() -> str:
-    lines = [
-        "# Capabilities",
-        "",
-        "What `debist --capabilities` prints, for people who script debist and for assistants",
-    ]
-    lines += ["that choose a tool. Written by `python -m tests.test_reference`."]
-    for title, head, rows in (("What goes in", "input | form", INPUTS), ("What comes out", "by | output", OUTPUTS)):
-        cells = [f"| {f'`{key}`' if rows is OUTPUTS else key} | {text} |" for key, text in rows.items()]
-        lines += ["", f"## {title}", "", f"| {head} |", "|---|---|", *cells]
-    for title, sentences in (("Preconditions", PRECONDITIONS), ("Not suitable when", NOT_SUITABLE)):
-        lines += ["", f"## {title}", "", *(f"- {sentence}" for sentence in sentences)]
-    lines += ["", "[Beside other tools](../explanation/other-tools.md) names alternatives."]
-    return "\n".join(lines) + "\n"
-
-
-PAGES = {"settings.md": _settings_page, "commands.md": _commands_page, "capabilities.md": _capabilities_page}
+PAGES = {"settings.md": _settings_page, "commands.md": _commands_page}
 
 
 @pytest.mark.parametrize("name", PAGES)
 def test_the_page_is_what_the_code_says(name: str) -> None:
     assert (DOCS / name).read_text(encoding="utf-8") == PAGES[name](), "renew it: python -m tests.test_reference"
-
-
-def test_capabilities_are_one_json_document() -> None:
-    document = json.loads(CliRunner().invoke(app, ["--capabilities", "--json"]).output)
-    assert set(document["exports"]) == set(typing.get_args(Target))
-    assert {path[0] for path in _walk(get_command(app), [])} >= {
-        key.split()[1] for keys in document["outputs"] for key in keys.split(", ")
-    }
 
 
 if __name__ == "__main__":

@@ -4,12 +4,10 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 
-_REST, _ANSWER = 20, 10
-"""Rows of a rest with steady inputs, and of what follows it."""
-_STILL, _MOVED = 0.01, 0.06
-"""Share of its range within which q stays at rest, and by which it then moves."""
-_STEADY = 0.04
-"""Share of its range within which an input counts as steady."""
+_ANSWER = 10
+"""Rows within which a device that begins to move has done so; it is at rest for twice as many before."""
+_STILL = 0.02
+"""Share of its range within which q or an input stands still; q moves by three times as much."""
 
 
 def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> tuple[float, ...]:
@@ -26,18 +24,18 @@ def undriven_starts(t: FloatArray, q: FloatArray, v: FloatArray) -> tuple[float,
     -----
     Cost: some passes over N rows.
     """
-    rows = _REST + _ANSWER
+    rest = 2 * _ANSWER
+    rows = rest + _ANSWER
     if q.size <= rows:
         return ()
     view = np.lib.stride_tricks.sliding_window_view
     reach = float(np.nanmax(q) - np.nanmin(q))
     whole = view(q, rows)
-    before, after = whole[:, :_REST], whole[:, _REST:]
-    still = np.ptp(before, axis=1) < _STILL * reach
-    moved = np.abs(after[:, -1] - before[:, -1]) > _MOVED * reach
+    still = np.ptp(whole[:, :rest], axis=1) < _STILL * reach
+    moved = np.abs(whole[:, -1] - whole[:, rest - 1]) > 3.0 * _STILL * reach
     steady = np.ones(whole.shape[0], dtype=np.bool_)
     for column in v.T:
-        steady &= np.ptp(view(column, rows), axis=1) < _STEADY * np.ptp(column)
+        steady &= np.ptp(view(column, rows), axis=1) < _STILL * np.ptp(column)
     begins = np.flatnonzero(still & moved & steady)
     first = begins[np.diff(begins, prepend=-rows) > _ANSWER]
-    return tuple(t[first + _REST].tolist())
+    return tuple(t[first + rest].tolist())

@@ -13,12 +13,11 @@ from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, sample_int
 
 FORCE_ORDER = 5
 GAIN_TERMS = 3
-HALF_WIDTH = 5.0
+HALF_WIDTH = 5
 """Half width of the bump, in sample intervals of the identification: the motion is smooth over that."""
-_BUMPS_PER_WIDTH = 5
+BLOCKS = 8
+"""Parts of a log of which one at a time is left out: the spread of the results is their uncertainty (jackknife)."""
 _MOST_SAMPLES = 600_000
-_LEAST_ROWS = 60
-_LEAST_SHOWN = 1e-12  # of the normal equations: the square of 1e-6 of the design
 
 
 @dataclass(frozen=True)
@@ -39,8 +38,10 @@ class LogSignals:
         Step of the raw log [s].
     noise, resolution : float or None
         Noise of the raw q (standard deviation) and step of its converter, where there is one [m or rad].
-    hum : tuple of float
-        Mains lines [Hz] in it.
+    held : int
+        Raw samples for which q keeps each value.
+    sketch : tuple of (int, float)
+        Hashes of some windows of the raw q, and where they begin [s] (`pipeline.checks.copies`).
     """
 
     name: str
@@ -50,7 +51,8 @@ class LogSignals:
     raw_step: float
     noise: float | None = None
     resolution: float | None = None
-    hum: tuple[float, ...] = ()
+    held: int = 1
+    sketch: tuple[tuple[int, float], ...] = ()
 
     @property
     def interval(self) -> float:
@@ -63,21 +65,13 @@ class LogSignals:
 
 
 @dataclass(frozen=True)
-class Scales:
-    """By what the terms are scaled, so that logs of one device can be compared: middle and size of q, size of e."""
-
-    middle: float
-    size: float
-    drive: FloatArray
-
-
-@dataclass(frozen=True)
 class WeakTerms:
-    """A log's averages under the bumps.
+    """A log's averages under the bumps, of q and inputs scaled to size one.
 
     Attributes
     ----------
-    scales : Scales
+    size : float
+        Standard deviation of q, by which it is scaled.
     rows : IntArray, shape (R,)
         Sample at the middle of each bump that meets no masked sample.
     q : FloatArray, shape (R,)
@@ -92,7 +86,7 @@ class WeakTerms:
         Step of the samples [s].
     """
 
-    scales: Scales
+    size: float
     rows: IntArray
     q: FloatArray
     inertia: FloatArray
@@ -100,73 +94,37 @@ class WeakTerms:
     push: FloatArray
     interval: float
 
-    def design(self, lags: IntArray | None = None) -> FloatArray:
-        """All terms, shape (R, P); input i is taken `lags[i]` samples earlier."""
-        shifts = np.zeros(self.push.shape[1], dtype=np.int64) if lags is None else lags
-        return np.concatenate([self.motion, *(self.late(i, shift) for i, shift in enumerate(shifts.tolist()))], axis=1)
-
-    def late(self, i: int, lag: int) -> FloatArray:
-        """The terms of input i, taken `lag` samples earlier, shape (R, GAIN_TERMS)."""
+    def design(self, lag: int = 0) -> FloatArray:
+        """All terms, shape (R, P); the inputs are taken `lag` samples earlier."""
         late = np.take(self.push.reshape(len(self.push), -1), self.rows - lag, axis=0, mode="clip")
-        return late[:, GAIN_TERMS * i : GAIN_TERMS * (i + 1)]
-
-    def columns(self, i: int) -> slice:
-        """Where these stand in the design."""
-        first = self.motion.shape[1] + GAIN_TERMS * i
-        return slice(first, first + GAIN_TERMS)
+        return np.concatenate([self.motion, late], axis=1)
 
 
-def scales_of(log: LogSignals, *, squared: bool) -> Scales:
-    """The scales of a log; an input that does nothing has scale 1."""
-    q = log.q[np.isfinite(log.q)]
-    drive = np.max(np.abs(log.v), axis=0) ** (2 if squared else 1)
-    return Scales(float(np.mean(q)), float(np.std(q)) or 1.0, np.where(drive > 0.0, drive, 1.0))
-
-
-def weak_terms(log: LogSignals, sample_interval: float, scales: Scales, *, squared: bool) -> WeakTerms | None:
+def weak_terms(log: LogSignals, sample_interval: float, *, squared: bool) -> WeakTerms | None:
     """Average every term of a log, its first 600,000 samples if it is longer; None where too few bumps fit in.
 
-    Cost: some 20 convolutions with the bump, 0.1 s for 40,000 samples.
+    A block of them must determine all weights. Cost: some 20 convolutions with the bump, 0.1 s for 40,000 samples.
     """
     half = _half_width(log, sample_interval)
-    z, measured = _scaled(log, scales)
+    z, measured, size = _scaled(log)
     rows = _usable(measured, half)
-    if rows.size < _LEAST_ROWS:
+    if rows.size < BLOCKS * (FORCE_ORDER + 3 + GAIN_TERMS * log.v.shape[1]):
         return None
     bump, slope, curvature = _bump(half, log.interval)
     motion = [_average(z**k, bump)[rows] for k in range(FORCE_ORDER + 1)]
     motion += [_average(z, slope)[rows], _average(z**3 / 3.0, slope)[rows]]  # z² ż is the rate of z³/3
-    push, inertia = _pushes(log.v, z, bump, scales, squared), _average(z, curvature)[rows]
-    return WeakTerms(scales, rows, z[rows], inertia, np.column_stack(motion), push, log.interval)
+    inertia = _average(z, curvature)[rows]
+    push = _pushes(log.v, z, bump, squared=squared)
+    return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), push, log.interval)
 
 
-def under_inputs(terms: WeakTerms, log: LogSignals, sample_interval: float, *, squared: bool) -> WeakTerms:
+def under_inputs(
+    terms: WeakTerms, log: LogSignals, v: FloatArray, sample_interval: float, *, squared: bool
+) -> WeakTerms:
     """The terms of a log of the same motion with other inputs, or whose inputs act by their other law."""
-    scales = scales_of(log, squared=squared)
-    z, _ = _scaled(log, scales)
+    z, _, _ = _scaled(log)
     bump, _, _ = _bump(_half_width(log, sample_interval), log.interval)
-    return replace(terms, scales=scales, push=_pushes(log.v, z, bump, scales, squared))
-
-
-def _half_width(log: LogSignals, sample_interval: float) -> int:
-    return max(4, round(HALF_WIDTH * sample_interval / log.interval))
-
-
-def _scaled(log: LogSignals, scales: Scales) -> tuple[FloatArray, BoolArray]:
-    """The scaled q of the samples that are looked at, zero where it is not measured, and where it is."""
-    q = log.q[:_MOST_SAMPLES]
-    measured = np.isfinite(q)
-    return np.where(measured, (q - scales.middle) / scales.size, 0.0), measured
-
-
-def _pushes(v: FloatArray, z: FloatArray, bump: FloatArray, scales: Scales, squared: bool) -> FloatArray:
-    """`WeakTerms.push` of inputs `v`."""
-    e = (v[: len(z)] ** 2 if squared else v[: len(z)]) / scales.drive
-    push = np.empty((*e.shape, GAIN_TERMS))
-    for i in range(e.shape[1]):
-        for k in range(GAIN_TERMS):
-            push[:, i, k] = _average(e[:, i] * z**k, bump)
-    return push
+    return replace(terms, push=_pushes(v, z, bump, squared=squared))
 
 
 def solve(design: FloatArray, inertia: FloatArray) -> FloatArray:
@@ -175,16 +133,56 @@ def solve(design: FloatArray, inertia: FloatArray) -> FloatArray:
     size = np.sqrt(np.diag(normal))
     size = np.where(size > 0.0, size, 1.0)
     values, directions = np.linalg.eigh(normal / np.outer(size, size))
-    shown = values > _LEAST_SHOWN * values[-1]
+    shown = values > len(design) * np.finfo(float).eps * values[-1]
     answers = directions[:, shown].T @ (design.T @ inertia / size) / values[shown]
     weights: FloatArray = directions[:, shown] @ answers / size
     return weights
 
 
+def residual(terms: WeakTerms, lag: int = 0) -> FloatArray:
+    """What the log's own weights leave of its accelerations, shape (R,); inputs act `lag` samples later than logged.
+
+    Cost: 0.3 ms for 4,000 bumps.
+    """
+    design = terms.design(lag)
+    return terms.inertia - design @ solve(design, terms.inertia)
+
+
+def unexplained(terms: WeakTerms) -> float:
+    """RMS residual of the accelerations under the log's own weights, over their RMS."""
+    size = max(float(np.linalg.norm(terms.inertia)), np.finfo(float).tiny)
+    return float(np.linalg.norm(residual(terms))) / size
+
+
+def _half_width(log: LogSignals, sample_interval: float) -> int:
+    return max(HALF_WIDTH, round(HALF_WIDTH * sample_interval / log.interval))
+
+
+def _scaled(log: LogSignals) -> tuple[FloatArray, BoolArray, float]:
+    """The scaled q of the samples that are looked at, zero where it is not measured, where it is, and its size."""
+    q = log.q[:_MOST_SAMPLES]
+    measured = np.isfinite(q)
+    size = float(np.std(q[measured])) if measured.any() else 0.0
+    middle = float(np.mean(q[measured])) if measured.any() else 0.0
+    return np.where(measured, (q - middle) / (size or 1.0), 0.0), measured, size or 1.0
+
+
+def _pushes(v: FloatArray, z: FloatArray, bump: FloatArray, *, squared: bool) -> FloatArray:
+    """`WeakTerms.push` of inputs `v`, each over its largest drive."""
+    e = v[: len(z)] ** 2 if squared else v[: len(z)]
+    drive = np.max(np.abs(e), axis=0)
+    e = e / np.where(drive > 0.0, drive, 1.0)
+    push = np.empty((*e.shape, GAIN_TERMS))
+    for i in range(e.shape[1]):
+        for k in range(GAIN_TERMS):
+            push[:, i, k] = _average(e[:, i] * z**k, bump)
+    return push
+
+
 def _usable(measured: BoolArray, half: int) -> IntArray:
-    """Middles of bumps that meet only measured samples."""
+    """Middles of bumps, a sample interval apart, that meet only measured samples."""
     missing = np.concatenate(([0], np.cumsum(~measured)))
-    middles = np.arange(half, len(measured) - half, max(1, half // _BUMPS_PER_WIDTH))
+    middles = np.arange(half, len(measured) - half, half // HALF_WIDTH)
     usable: IntArray = middles[missing[middles + half + 1] == missing[middles - half]]
     return usable
 
@@ -192,7 +190,8 @@ def _usable(measured: BoolArray, half: int) -> IntArray:
 def _bump(half: int, h: float) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Weights that average a signal, its first and its second derivative."""
     s = np.arange(-half, half + 1) / half
-    shape, width = 1.0 - s**2, half * h
+    shape = 1.0 - s**2
+    width = half * h
     bump = shape**4
     total = float(bump.sum())
     slope = -8.0 * s * shape**3 / width
@@ -203,13 +202,3 @@ def _bump(half: int, h: float) -> tuple[FloatArray, FloatArray, FloatArray]:
 def _average(x: FloatArray, weights: FloatArray) -> FloatArray:
     result: FloatArray = np.convolve(x, weights, "same")
     return result
-
-
-def unexplained(terms: WeakTerms, delays: IntArray | None = None) -> float:
-    """RMS residual of the accelerations under the log's own weights, over their RMS.
-
-    Inputs act `delays` samples later than logged. Cost: 0.3 ms for 4,000 bumps.
-    """
-    design = terms.design(delays)
-    own = terms.inertia - design @ solve(design, terms.inertia)
-    return float(np.linalg.norm(own) / max(float(np.linalg.norm(terms.inertia)), np.finfo(float).tiny))

@@ -203,9 +203,9 @@ def check(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Sides, signs, delays, time base, mass and device: are the logs what the settings say? Nothing is fitted.
+    """Sides, signs, units, time base, mass and rests: are the logs what the settings say? Nothing is fitted.
 
-    Delays in ms, rates in Hz, pushes in m/s². Exit code 3 if the model would be wrong. `debist run` does it first.
+    Rates in Hz, fields in V/µm. Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
     from pipeline.stages.check import verdict
@@ -232,7 +232,7 @@ def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
         elif details and row.more:
             emit_text(row.sentence, indent="  ")
     if all(row.state in ("ok", "not seen") for row in rows):
-        emit_text("nothing speaks against it")
+        emit_text("no contradiction; gains, zeros, delays and clocks are measured after the fit")
 
 
 LogArgument = Annotated[Path, typer.Argument(metavar="LOG", help="Raw log: MAT, MDF4, CSV, Parquet or HDF5.")]

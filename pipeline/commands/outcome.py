@@ -69,6 +69,20 @@ def _emit_details(run: Path) -> None:
     emit_text("\n".join(table.explanation for table in tables))
 
 
+def emit_instruments(run: Path) -> None:
+    """Print what the instruments of the logs read beyond their limits, with the lines to write in the settings."""
+    from pipeline.loading.report_data import instruments_shown
+    from pipeline.reporting.instrument_table import instrument_table
+
+    rows, parts, displacement = instruments_shown(run)
+    if not rows:
+        return
+    table = instrument_table(rows, parts, displacement)
+    if table.rows:
+        emit_table("instruments", table.heading, table.rows, numeric_from=len(table.heading))
+    emit_text(table.explanation)
+
+
 def emit_verdict(run: Path) -> None:
     """Print the verdict of the report and where the report lies."""
     from pipeline.loading.report_data import load_datasheet

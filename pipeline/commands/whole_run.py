@@ -90,6 +90,7 @@ def show(run: Run, as_json: Json = False) -> None:
     emit_table(f"{shown.title}; ring-downs of small motion", ("quantity", "model", "90 % interval"), shown.facts)
     if shown.seen:
         emit_table("the same events of the logs", ("quantity", "free run of the model", "measured"), shown.seen)
+    outcome.emit_instruments(run)
     emit_table(f"verdict: {shown.verdict}", ("about", "grade", "finding", "what to do"), shown.checks, numeric_from=4)
 
 
@@ -122,6 +123,7 @@ def run_command(
         results = run_prototype(place, None, progress, with_report=not no_report, replace=replace, jobs=jobs or cores())
     outcome.emit_scores(place.root, as_json=as_json, details=details, with_report=not no_report)
     if not as_json:
+        outcome.emit_instruments(place.root)
         if not no_report:
             outcome.emit_verdict(place.root)
         typer.echo(outcome.summary(results))

@@ -8,10 +8,11 @@ import numpy as np
 from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
 from pipeline.control.controller import PERIOD
-from pipeline.control.design_tables import REACH, braking_curves, moments_per_square, target_table
-from pipeline.control.law import NUMBERS, RESTS, SIDES, TARGETS, Law
+from pipeline.control.design_tables import REACH, braking_curves, moments_per_square, reached, target_table
+from pipeline.control.law import BEYOND, NUMBERS, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import ASSUMED_LAG, ControlledJoint, inertia
+from pipeline.control.step_metrics import BAND
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import STOP_ELEMENTS
 from pipeline.generated.condensed_joint_jacobian import PREPARE
@@ -24,8 +25,8 @@ DRAWN_WELLS, DRAWN_MOMENT = 22.4e-3, 16e-3
 for it."""
 SAME_LENGTHS, SAME_MOMENTS = 1.5, 2.0
 """Factors within which they serve a joint; beyond, they grow with its own."""
-BEYOND = 2
-"""Rows of the table of targets beyond each well; a row lies in each well, where the moment that holds it is zero."""
+WEIGHT = 0.2
+"""Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""
 NEAR, FAST = 1.5e-3, 0.12
 """Distance [m] and speed [m/s] within which the regulator acts; it stops at twice that distance."""
 STEEPNESS = 1.0 / 0.1
@@ -102,10 +103,14 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     lags = acting_lags(plant, settings)
     size = beyond((right - left) / DRAWN_WELLS, SAME_LENGTHS)
     strongest = float(np.mean(moments_per_square(plant, wells[1].x, np.zeros(2)))) * plant.highest**2
-    targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0, size)
     mass = inertia(wells[1].x, plant.constants.p)
     slew = min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew)
     law = condensed_joint_law(plant, lags, size, beyond(strongest / DRAWN_MOMENT, SAME_MOMENTS))
+    reach = np.maximum(
+        reached(law, wells[0].x, right, np.array([settings.highest, 0.0])),
+        reached(law, wells[2].x, left, np.array([0.0, settings.highest])),
+    )
+    targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0, WEIGHT * reach)
     numbers = dict(zip(NUMBERS, law.numbers.tolist(), strict=True)) | {
         "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
         "per_reach": 1.0 / (size * REACH), "steepness": STEEPNESS / size, "saddle": saddle,
@@ -113,7 +118,8 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
         "pumped_left": float(slow[1] > SURE * settings.highest), "near": size * NEAR, "fast": size * FAST,
         "lever": mass[0, 1] / mass[0, 0],
         "settles": SETTLES * size**0.5 + settings.highest / slew - 1.0,
-        "slew": slew,
+        "slew": slew, "fade": PERIOD * reach[1] / (right - left), "slow": BAND * reach[1],
+        "same": BAND * (right - left) / (places[1] - places[0]),
         "allowed": min(settings.highest, np.inf if settings.average is None else settings.average),
     }  # fmt: skip
     slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]

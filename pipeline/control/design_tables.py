@@ -11,17 +11,13 @@ from pipeline.compiled import compiled
 from pipeline.control.controller import move
 from pipeline.control.estimator import PERIOD
 from pipeline.control.feedback import RESERVE
-from pipeline.control.law import CONTROLLER_STATE, FEEDBACK, NUMBERS, PLACES, REACHES, Law
+from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES, Law
 from pipeline.control.linear import LinearModel, held, held_at, jacobian
 from pipeline.control.plant import ControlledJoint, inertia
 from pipeline.generated.condensed_joint import STATES
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.inner_loops import copy_into
 
-STABLE, UNSTABLE = (0.2e-3, 0.3, 1e6, 0.2), (0.7e-3, 10.0, 3.0, 1.0)
-"""Displacement [m], speed [m/s], rate of the slope [1/s] and share of the largest moment that weigh alike in the
-regulator of a stable target and of an unstable one. The second is a compromise: a weaker one loses a joint whose gain
-is too small, a stronger one swings on where the model errs, and moves the voltages more."""
 COMMON = (0.05, 0.9)
 """Least and largest mean share of the largest squared voltage on both sides at an unstable target."""
 SLOW = 15.0
@@ -29,7 +25,7 @@ SLOW = 15.0
 
 
 def target_table(
-    plant: ControlledJoint, wells: list[LinearModel], places: FloatArray, highest: float, lag: float, size: float
+    plant: ControlledJoint, wells: list[LinearModel], places: FloatArray, highest: float, lag: float, reach: FloatArray
 ) -> tuple[FloatArray, tuple[float, float]]:
     """Rows as `pipeline.control.law.TARGET_COLUMNS` names them, and what switches the joint slowly.
 
@@ -45,8 +41,8 @@ def target_table(
         Largest voltage [V].
     lag : float
         Time constant [s] from command to force, the mean of both sides.
-    size : float
-        Lengths over those of the drawn joint.
+    reach : FloatArray, shape (CORRECTED,)
+        Of the leading states, what weighs as the largest moment.
 
     Returns
     -------
@@ -62,8 +58,7 @@ def target_table(
         (y, acting), common = charged(plant, x, u, highest)
         per_square = moments_per_square(plant, y, acting)
         holding = per_square @ (acting * (1.0, -1.0))
-        off, speed, turning, moment = UNSTABLE if common else STABLE
-        gains = regulator(plant, y, acting, highest, lag, (size * off, size * speed, turning, moment))
+        gains = regulator(plant, y, acting, highest, lag, reach)
         rows.append(np.concatenate([y, [holding], gains, per_square * highest**2, [common]]))
     return np.array(rows), slow
 
@@ -115,12 +110,12 @@ _UNSTABLE, _LEAST_COMMON = 0.5, 0.02  # 1/s, share
 
 
 def regulator(
-    plant: ControlledJoint, x: FloatArray, u: FloatArray, highest: float, lag: float,
-    weights: tuple[float, float, float, float],
-) -> FloatArray:  # fmt: skip
+    plant: ControlledJoint, x: FloatArray, u: FloatArray, highest: float, lag: float, reach: FloatArray
+) -> FloatArray:
     """Gains of the linear-quadratic regulator about an equilibrium under squared voltages, shape (FEEDBACK,).
 
-    The moment that acts follows the commanded one with the converters' lag; it is the last state. Both sides act along
+    Weights are Bryson's: each leading state over its `reach`, the moment over the largest one. The moment that acts
+    follows the commanded one with the converters' lag; it is the last state. Both sides act along
     the same direction to within a few percent; the mean of both is used.
     """
     a, b = jacobian(x, u, plant.constants)
@@ -131,16 +126,42 @@ def regulator(
     whole[:n, :n], whole[:n, n] = a, along
     whole[n, n], whole[n, n + 1] = -1.0 / lag, 1.0 / lag
     step = expm(PERIOD * whole)
-    weight = np.full(FEEDBACK, 1e-9)
-    off, speed, turning, moment = weights
-    weight[0], weight[1], weight[3] = 1.0 / off**2, 1.0 / speed**2, 1.0 / turning**2
-    control_weight = 1.0 / (moment * float(np.mean(per_square)) * highest**2) ** 2
+    weight = np.zeros(FEEDBACK)
+    weight[:CORRECTED] = 1.0 / reach**2
+    control_weight = 1.0 / (float(np.mean(per_square)) * highest**2) ** 2
     drive = step[:-1, -1:]
     cost = solve_discrete_are(step[:-1, :-1], drive, np.diag(weight), np.array([[control_weight]]))
     gain: FloatArray = np.linalg.solve(control_weight + drive.T @ cost @ drive, drive.T @ cost @ step[:-1, :-1])[0]
     return gain
 
 
+@compiled
+def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArray:
+    """Largest magnitudes of the leading states, shape (CORRECTED,), in a snap of the model.
+
+    Parameters
+    ----------
+    law : Law
+        With the model; its tables are not needed.
+    start : FloatArray, shape (STATES,)
+        A well, without voltage.
+    end : float
+        The other well [m].
+    v : FloatArray, shape (2,)
+        Voltages [V] until the joint is half way there; then there are none. At most `LONGEST` periods are looked at.
+    """
+    s, largest, none, half = np.zeros(CONTROLLER_STATE), np.zeros(CORRECTED), np.zeros(2), 0.5 * (start[0] + end)
+    s[:STATES] = start
+    for _ in range(LONGEST):
+        move(s, v if (s[0] - half) * (end - half) < 0.0 else none, law)
+        largest = np.maximum(largest, np.abs(s[:CORRECTED]))
+        if (s[0] - end) * (end - half) > 0.0:
+            break
+    return largest
+
+
+LONGEST = 1000
+"""Periods of a snap, at most."""
 REACH = 1e-3
 """Distance [m] between entries of a braking curve."""
 WRONG_WAY = 30

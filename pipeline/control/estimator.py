@@ -45,20 +45,15 @@ STRUCK, FORGET = 0.3e-3, 0.99
 later."""
 MEMORY = 10.0
 """Time constant [s] of the voltages' means."""
-OTHER = 1e-9
-"""Least distance [m] between two targets; a smaller change is the same target."""
 LARGEST, PERSISTENT = 1e-3, 15.0
 """Innovation [m] above which a reading corrects nothing, and the periods of such readings after which the estimate
 begins anew. Corrected by a part of so large an innovation, the shape's rates were wrong, and the Maxwell strains for
 seconds after them."""
 ANEW = (1e-9, 0.03, 1e-3, 1.0, 1e-3, 1.0, 1e-6)
 """Variances of the filter's numbers then."""
-ANEW_COUNTS = 0.25
-"""Time [s] that a new beginning counts among the attempts on a target."""
-STATUS = ("ok", "recovering", "lost signal", "no authority", "given up")
+STATUS = ("ok", "recovering", "lost signal", "given up")
 """Meaning of the status: the estimate began anew or differs from the readings; readings are missing, so
-the voltages go to zero; no voltage takes the offset away, so none stays on; the target was not reached, so the voltages
-are zero until the next one."""
+the voltages go to zero; the target was not reached, so the voltages are zero until the next one."""
 
 
 def named(e: Values) -> dict[str, Any]:
@@ -125,9 +120,11 @@ def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     wanted = choose(function("finite", signals[1]), signals[1], n["offset"]) - n["offset"]
     last = n["first"] + (TARGETS - 1.0) / n["per_step"]
     target = choose(function("finite", signals[1]), clip(wanted, n["first"], last), now["target"][0])
-    other = function("lt", OTHER, function("abs", target - now["target"][0]))
+    other = function("lt", 0.0, function("abs", target - now["target"][0]))
     updated["target"] = [target]
-    updated["tried"], updated["refused"] = ([choose(other, 0.0, now[name][0])] for name in ("tried", "refused"))
+    updated["stood"] = [choose(other, 0.0, function("min", now["stood"][0] + n["fade"], 1.0))]
+    for name in ("tried", "refused", "near"):
+        updated[name] = [choose(other, 0.0, now[name][0])]
     return {"s": joined(now | updated)}
 
 
@@ -140,8 +137,8 @@ def _anew(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values
     for i in range(FILTER):
         unit = n["size"] if i < 2 else n["moment_size"] if i == CORRECTED else 1.0
         state["spread"][_packed(i, i)] = ANEW[i] * unit * unit
-    unchanged = (*_OF_COMMANDS, "target", "lost", "refused", "phase", "dwell", "missed")
-    return state | {name: now[name] for name in unchanged} | {"tried": [now["tried"][0] + ANEW_COUNTS]}
+    unchanged = (*_OF_COMMANDS, "target", "stood", "lost", "refused", "phase", "moves", "tried", "missed")
+    return state | {name: now[name] for name in unchanged}
 
 
 def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
@@ -356,7 +353,7 @@ def known_state(s: Values, e: Values) -> Outputs:
     n, now = named(e), parts(s)
     q, *others = now["x"]
     status = choose(function("lt", 0.5 * LARGEST * n["size"], now["missed"][0]), 1.0, 0.0)
-    status = choose(function("lt", 0.5, now["refused"][0]), 2.0 + now["refused"][0], status)
+    status = choose(function("lt", 0.5, now["refused"][0]), 3.0, status)
     status = choose(function("lt", 0.5, now["lost"][0]), 2.0, status)
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}
 

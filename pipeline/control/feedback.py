@@ -10,53 +10,39 @@ voltage as large as the moment needs. With the target at q* and the distance s =
   the mass centre, so the mass centre's speed is judged;
 * where the largest voltage does not suffice to push the joint over its barrier, it is pushed towards the
   barrier and away from it in turn, along its own velocity: every half swing then adds energy;
-* near the target a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains of the
-  target, holds it. What the estimator calls an unknown moment is balanced. At an unstable target both sides are
-  charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly.
-* a stable target needs no voltage against a small offset. A slow moment takes a larger one away; where it does not
-  help, it is given up. The regulator damps motions about the place where the joint then rests, so an error of
-  the model's statics changes no voltage at rest. A target that is not reached for long is given up.
+* near a target that is held a linear-quadratic regulator with the whole estimated state, with the equilibrium and gains
+  of the target, acts about it. What the estimator calls an unknown moment is balanced. At an unstable target both sides
+  are charged: they pull less at the beam together, so that it leaves the target more slowly, and both act linearly;
+* in a well nothing is held: creep and loads move the well, and a bistable joint rests there without voltage. A target
+  that stands still within the band in which a joint counts as settled means the well. The same regulator then damps
+  motions about their own mean, and the joint is let go once it is slow and the moment is small;
+* a target that is not reached for long is given up.
 
 Traced into a graph as the estimator is (`pipeline.control.estimator`).
 """
 
+import math
 from typing import Any
 
 from pipeline.codegen.graph import choose, clip, fetch, function
 from pipeline.control.estimator import MEMORY, PERIOD, RAMP, Outputs, Values, joined, named, parts, row
-from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS
+from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS, WELLS
 from pipeline.generated.condensed_joint import STATES
 
 STILL = 5e-3
-"""Speed [m/s] below which a joint that is pumped has come to the end of its swing."""
-DWELL, PATIENCE = 80.0, 500.0
-"""Periods that a push of the pump lasts at least, so that it gets the joint moving; the second past the saddle."""
+"""Speed [m/s] above which a joint that is pumped moves."""
 RESERVE = 0.8
 """Share of the largest moment with which the joint brakes; the rest is left to the feedback."""
 STALLED = 0.5
 """Time [s] without coming near a target after which the joint is pumped although its model needs no pump."""
-PAST = 0.3
-"""Share of the way from the saddle to the target on which a joint that is pumped is still pushed."""
 DEAD = 0.02
-"""Share of the largest moment that the regulator leaves out: at rest in a well noise moves no voltage."""
-FREE, LEFT = 0.15e-3, 0.05e-3
-"""Offset [m] from a well that takes no voltage, and what is left of a larger one and of one from another target."""
-SLOW, INTEGRAL, LEAK = 0.35, 3.0, 3.0
-"""Time constants [s] of the slow moment at a well, of that at an unstable target, and of its decay where the offset is
-small."""
-ENGAGED, STIFFENS, TIRED = 0.035, 0.1, 0.8
-"""Shares of the largest moment above which the slow moment is on, above which the regulator holds the place too, and at
-which the attempt is given up."""
-LEAST_STIFF = 30.0
-"""Least share of the largest moment that moves a rest by a metre: a model may invert the statics beyond its wells."""
+"""Share of the largest moment below which the joint is let go in a well."""
+INTEGRAL = 3.0
+"""Time constant [s] of the slow moment at a target that is held."""
 FADES = 0.2
-"""Time constant [s] with which the mean of a stable target's regulator is taken away."""
-ENOUGH, SWINGS = 4.0, 16.0
-"""Time [s] after which a target that is not reached is given up, and how much more is given to the pump."""
-EARLY = 1.5
-"""Twice the share of the slew limit with which a voltage falls to its largest mean."""
-FORGIVEN = 0.1
-"""Part of this time that each second near the target takes away [s]."""
+"""Time constant [s] with which the mean of the regulator is taken away in a well."""
+ENOUGH = 1.0 - math.exp(-1.0)
+"""Share of the time far from a target, over `estimator.MEMORY`, at which it is given up: after that time on end."""
 _WIDTH = max(place.stop for place in TARGET_COLUMNS.values())
 
 
@@ -85,14 +71,6 @@ def braking_speeds(place: Any, distance: Any, from_right: Any, n: dict[str, Any]
     return speeds
 
 
-def slope(name: str, place: Any, n: dict[str, Any]) -> Any:
-    """Change of a column of the table of targets with the target [1/m]."""
-    lower, _ = row(place, TARGETS)
-    column = TARGET_COLUMNS[name].start
-    index = float(_WIDTH) * lower
-    return (fetch("targets", column + _WIDTH, index) - fetch("targets", column, index)) * n["per_step"]
-
-
 def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any:
     """Moment [N·m] of the linear-quadratic regulator of a target, beside the one that holds it."""
     there, gains = tabulated("rests", place), tabulated("gains", place)
@@ -100,23 +78,6 @@ def regulated(now: dict[str, Values], acting: Any, hold: Any, place: Any) -> Any
     for i in range(STATES):
         moment = moment - gains[i] * (now["x"][i] - there[i])
     return moment
-
-
-def held_slowly(
-    now: dict[str, Values], hold: Any, stiff: tuple[Any, Any], largest: Any, n: dict[str, Any]
-) -> tuple[Any, Any]:
-    """Moment [N·m] that acts at rest at a stable target, and the next slow moment [N·m].
-
-    `stiff` is the stiffness [N·m/m] there, and the larger one of both sides.
-    """
-    level, away = now["level"][0], now["x"][0] - now["target"][0]
-    off = function("le", function("abs", level), ENGAGED * largest)
-    without = _both(function("lt", function("abs", hold), stiff[0] * n["size"] * FREE), off)
-    left = choose(without, FREE, LEFT) * n["size"]
-    outside = away - clip(away, -left, left)
-    slow = choose(function("lt", 0.0, function("abs", outside)), -stiff[1] * outside / SLOW, -level / LEAK)
-    slow = choose(function("lt", 0.5, now["refused"][0]), -level / SLOW, slow)
-    return choose(without, 0.0, hold) + level, level + PERIOD * slow
 
 
 def shares(moment: Any, left: Any, right: Any, common: Any) -> Any:
@@ -146,23 +107,34 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     braked = choose(brakes, correction - RESERVE, 1.0) * towards
     before, over = (n["saddle"] - q) * towards, (target - n["saddle"]) * towards
     weak = function("lt", 0.5, choose(right, n["pumped_right"], n["pumped_left"]))
-    needed = function("or", weak, function("lt", STALLED, now["tried"][0]))
-    pumped = _both(needed, function("lt", 0.0, before + PAST * over), function("lt", 0.0, over))
-    phase, dwell = now["phase"][0], now["dwell"][0] + 1.0
-    past = _both(function("lt", before, 0.0), function("lt", 0.0, phase))
-    still = function("lt", speed * towards * phase, STILL * n["size"])
-    turns = _both(function("lt", choose(past, PATIENCE, DWELL), dwell), still)
-    phase, dwell = choose(turns, -phase, phase), choose(turns, 0.0, dwell)
+    needed = function("or", weak, function("lt", STALLED / MEMORY, now["tried"][0]))
+    pumped = _both(needed, function("lt", 0.0, before), function("lt", 0.0, over))
+    phase = now["phase"][0]
+    along = speed * towards * phase
+    moves = choose(function("lt", STILL * n["size"], along), 1.0, now["moves"][0])
+    turns = _both(function("lt", 0.5, moves), function("lt", along, 0.0))
+    phase = choose(turns, -phase, phase)
     push = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
     brakes = choose(function("or", pumped, function("not", brakes)), 0.0, since + 1.0)
-    return push, choose(pumped, phase, 1.0), choose(pumped, dwell, 0.0), brakes
+    return push, choose(pumped, phase, 1.0), choose(pumped, choose(turns, 0.0, moves), 0.0), brakes
 
 
-def _regulates(now: dict[str, Values], n: dict[str, Any]) -> Any:
-    """1 from where the joint comes near its target slowly, until it has gone twice as far."""
-    away = function("abs", now["target"][0] - now["x"][0])
+def _regulates(now: dict[str, Values], well: Any, n: dict[str, Any]) -> Any:
+    """1, or 2 where it is let go, from where the joint comes near its target slowly until it is far away.
+
+    Far away from a well is beyond the saddle.
+    """
+    target = now["target"][0]
+    away = function("abs", target - now["x"][0])
     caught = _both(function("lt", away, n["near"]), function("lt", function("abs", now["x"][1]), n["fast"]))
-    return choose(function("lt", 2.0 * n["near"], away), 0.0, choose(caught, 1.0, now["near"][0]))
+    left = choose(well, function("abs", target - n["saddle"]), 2.0 * n["near"])
+    return choose(function("lt", left, away), 0.0, choose(caught, function("max", 1.0, now["near"][0]), now["near"][0]))
+
+
+def _is_well(now: dict[str, Values], place: Any, n: dict[str, Any]) -> Any:
+    """Whether the target, in rows of the table, stands still and within the band of a well: then it means the well."""
+    away = function("min", *(function("abs", place - row) for row in WELLS))
+    return _both(function("le", away, n["same"]), function("le", 1.0, now["stood"][0]))
 
 
 def _voltages(push: Any, common: Any, top: Any, n: dict[str, Any]) -> Values:
@@ -181,76 +153,53 @@ def limited(volts: Values, now: dict[str, Values], n: dict[str, Any]) -> Values:
     periods, within = MEMORY / PERIOD, []
     for wanted, last, mean in zip(volts, now["commanded"], now["average"], strict=True):
         room = function("max", n["allowed"] - mean, 0.0)
-        above = function("sqrt", EARLY * periods * n["slew"] * room) - n["slew"]
+        above = function("sqrt", periods * n["slew"] * room) - n["slew"]
         falling = n["allowed"] + function("max", above, 0.0)
         most = function("min", falling, mean + periods * room)
         within.append(clip(function("min", wanted, most), last - n["slew"], last + n["slew"]))
     return [clip(value, 0.0, n["highest"]) for value in within]
 
 
-def _near(now: dict[str, Values], moments: tuple[Any, Any, Any], calm: Any, place: Any, n: dict[str, Any]) -> Values:
-    """Moment [N·m] near a target, the next slow moment and the next mean of the regulator.
-
-    `moments` are the one that holds the joint there, the one that acts, and the largest; `calm` at an unstable target.
-    """
-    hold, acting, largest = moments
-    stiff = function("max", slope("holding", place, n), largest * (LEAST_STIFF / n["size"]))
-    steeper = function("max", stiff, slope("holding", place - 1.0, n))
-    (stiffness, *_), level_there, mean = tabulated("gains", place), now["level"][0], now["mean"][0]
-    loaded = function("lt", STIFFENS * largest, function("abs", level_there))
-    moment, level = held_slowly(now, hold, (stiff, steeper + choose(loaded, stiffness, 0.0)), largest, n)
-    integral = level_there - PERIOD / INTEGRAL * stiffness * (now["x"][0] - now["target"][0])
-    level = clip(choose(calm, integral, level), -largest, largest)
-    moment = choose(calm, hold - now["moment"][0] + level_there, moment)
-    motion = regulated(now, acting, moment, place)
-    # Towards the saddle a moment moves the place of rest as a model has it, beyond a well perhaps not.
-    outwards = choose(function("lt", n["saddle"], now["target"][0]), hold, -hold)
-    stays = function("or", function("or", calm, loaded), function("lt", outwards, -stiff * n["size"] * FREE))
-    motion = choose(stays, motion, clip(motion, -largest, largest))
-    fading = choose(stays, 0.0, mean + PERIOD / FADES * (motion - mean))
-    return [moment + motion - choose(stays, 0.0, mean), level, fading]
-
-
 def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     """The voltages of a period, shape (2,) [V]: within the limits, ramped down without a reading."""
     n, now = named(e), parts(s)
     x, place = now["x"], (now["target"][0] - n["first"]) * n["per_step"]
-    regulates = function("lt", 0.5, _regulates(now, n))
+    well = _is_well(now, place, n)
+    regulates = function("lt", 0.5, _regulates(now, well, n))
+    rests, holds = _both(regulates, well), _both(regulates, function("not", well))
     left, right = tabulated("moments", (x[0] - n["first"]) * n["per_step"])
     pull_left, pull_right = (volts * volts for volts in now["volts"])
     acting = (left * pull_left - right * pull_right) / (n["highest"] * n["highest"])
     (common,), (hold,) = tabulated("common", place), tabulated("holding", place)
-    largest = 0.5 * (left + right)
-    calm = _both(regulates, function("lt", 0.01, common))
-    moment, level, fading = _near(now, (hold, acting, largest), calm, place, n)
+    (stiffness, *_), largest = tabulated("gains", place), 0.5 * (left + right)
+    level, mean = now["level"][0], now["mean"][0]
+    still = choose(well, 0.0, hold - now["moment"][0] + level)
+    motion = regulated(now, acting, still, place)
+    limited_motion = clip(motion, -largest, largest)
+    moment = still + choose(well, limited_motion - mean, motion)
     share = shares(moment, left, right, common)
-    share = clip(share - choose(calm, 0.0, clip(share, -DEAD, DEAD)), -1.0, 1.0)
-    push, phase, dwell, brakes = far(now, n, place)
-    push = choose(regulates, share, push)
-    # What the regulator takes back of the slow moment is not spent.
-    spent = _both(*(function("lt", TIRED, function("abs", part)) for part in (level / largest, share)))
-    refused, tried = _refused(now, n, regulates, _both(function("lt", common, 0.01), spent))
-    stopped = function("lt", choose(regulates, 1.5, 0.5), refused)
+    slow = function("lt", function("abs", x[1]), n["slow"])  # it swings less than the band in which it is settled
+    small = function("or", function("lt", function("abs", share), DEAD), function("lt", 1.5, now["near"][0]))
+    free = _both(rests, slow, small)
+    share = choose(free, 0.0, clip(share, -1.0, 1.0))
+    push, phase, moves, brakes = far(now, n, place)
+    push, common = choose(regulates, share, push), choose(holds, common, 0.0)
+    lost = function("lt", 0.5, now["lost"][0])
+    tried = now["tried"][0]
+    tried = choose(lost, tried, tried + (choose(regulates, 0.0, 1.0) - tried) * (PERIOD / MEMORY))
+    refused = choose(function("lt", ENOUGH, tried), 1.0, now["refused"][0])
+    stopped = function("lt", 0.5, refused)
+    slower = level - PERIOD / INTEGRAL * stiffness * (x[0] - now["target"][0])
     updated = {
-        "near": [choose(calm, 2.0, choose(regulates, 1.0, 0.0))],
-        "level": [choose(regulates, level, 0.0)],
-        "mean": [choose(regulates, fading, 0.0)],
+        "near": [choose(regulates, choose(free, 2.0, 1.0), 0.0)],
+        "level": [choose(holds, clip(slower, -largest, largest), 0.0)],
+        "mean": [choose(rests, mean + n["fade"] * (limited_motion - mean), 0.0)],
         "tried": [tried],
         "refused": [refused],
         "phase": [choose(regulates, now["phase"][0], phase)],
-        "dwell": [choose(regulates, now["dwell"][0], dwell)],
+        "moves": [choose(regulates, now["moves"][0], moves)],
         "brakes": [choose(regulates, 0.0, brakes)],
     }
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP
-    volts = _voltages(choose(stopped, 0.0, push), choose(stopped, 0.0, choose(calm, common, 0.0)), top, n)
+    volts = _voltages(choose(stopped, 0.0, push), choose(stopped, 0.0, common), top, n)
     return {"v": limited(volts, now, n), "s": joined(now | updated)}
-
-
-def _refused(now: dict[str, Values], n: dict[str, Any], regulates: Any, tired: Any) -> tuple[Any, Any]:
-    """What is given up, until another target comes, and the time [s] of attempts on this one."""
-    right = function("lt", now["x"][0], now["target"][0])
-    enough = ENOUGH + SWINGS * choose(right, n["pumped_right"], n["pumped_left"])
-    waits = function("or", regulates, function("lt", 0.5, now["lost"][0]))
-    tried = function("max", now["tried"][0] + choose(waits, -FORGIVEN * PERIOD, PERIOD), 0.0)
-    refused = choose(_both(regulates, tired), function("max", now["refused"][0], 1.0), now["refused"][0])
-    return choose(function("lt", enough, tried), 2.0, refused), function("min", tried, 2.0 * (ENOUGH + SWINGS))

@@ -194,6 +194,7 @@ class Datasheet:
             "level_of_intervals": COVERAGE,
             "facts": [asdict(fact) for fact in self.facts],
             "verdict": {**self.grades, "checks": [asdict(check) for check in self.checks]},
+            "instruments": [dict(row) for row in data.instruments],
             "scores": [dict(score) for score in data.scores],
         }
 

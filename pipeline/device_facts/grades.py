@@ -1,11 +1,14 @@
 """Grades: what is judged, where it begins to be fair and poor, and why."""
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
-Grade = Literal["good", "fair", "poor"]
-GRADES: tuple[Grade, ...] = ("good", "fair", "poor")
+from pipeline.diagnostics.findings import SEVERITIES, Finding, Number, Severity
+from pipeline.diagnostics.sentences import sentences
+
+Grade = Severity
+GRADES = SEVERITIES
 
 
 @dataclass(frozen=True)
@@ -56,13 +59,27 @@ OF_WELLS = ("switches", "switch_accuracy", "ambiguous", "wells")
 
 @dataclass(frozen=True)
 class Check:
-    """One judged number: what it is, its grade, the sentence with the number, and what to do unless it is good."""
+    """One judged number: what it is, its grade, the sentence with the number, and what to do unless it is good.
+
+    Of what a `Finding` is behind, `log`, `subject` and `numbers` are those of the finding.
+    """
 
     about: Literal["data", "model"]
     name: str
     grade: Grade
     statement: str
     advice: str
+    log: str = ""
+    subject: str = ""
+    numbers: Mapping[str, Number] = field(default_factory=dict)
+
+
+def of_finding(about: Literal["data", "model"], finding: Finding) -> Check:
+    """A finding as a row of the assessment."""
+    statement, advice = sentences(finding)
+    return Check(
+        about, finding.code, finding.severity, statement, advice, finding.log, finding.subject, finding.numbers
+    )
 
 
 def overall(checks: Iterable[Check]) -> Grade:

@@ -6,11 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.grades import THRESHOLDS, Check, graded
+from pipeline.device_facts.causes import causes, instrument_findings
+from pipeline.device_facts.grades import THRESHOLDS, Check, graded, of_finding
 from pipeline.device_facts.run_data import RunData
+from pipeline.diagnostics.findings import Finding, Number
 from pipeline.names import ROLE_WORDS, log_title
 from pipeline.scoring.wells import NoWells, Wells
-from pipeline.si_prefix import moment, percent, significant
+from pipeline.si_prefix import moment, percent
 from pipeline.units import HORIZONS
 
 RIVAL_SURELY = 2e-3
@@ -35,8 +37,8 @@ def model_checks(
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
         text = f"free-run NRMSE of q of {model} is {percent(max(errors))} on the worst {ROLE_WORDS[where]} log"
-        causes = f"at one switch (friction, {data.input_word} delay) or throughout (alpha, centres)"
-        checks.append(graded("model", "nrmse", max(errors), text, f"look where residuals grow: {causes}"))
+        places = f"at one switch (friction, {data.input_word} delay) or throughout (alpha, centres)"
+        checks.append(graded("model", "nrmse", max(errors), text, f"look where residuals grow: {places}"))
     if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
         judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
@@ -46,13 +48,14 @@ def model_checks(
         advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
         checks.append(graded("model", "switch_accuracy", min(right), text, advice))
     checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
+    checks += [of_finding("data", finding) for finding in instrument_findings(data, model)]
     checks += _trust_checks(judged)
     train = [s["nrmse"] for s in by_role["train"] if s["nrmse"]]
     # A still smaller error on the training data is no fault if the error is good.
     if where == "validation" and train and errors and max(errors) > THRESHOLDS["nrmse"].good:
-        ratio = max(errors) / max(train)
-        text = f"the validation error is {significant(ratio, 2)} times the training error"
-        checks.append(graded("model", "generalisation", ratio, text, "fewer basis functions, or richer training logs"))
+        worst = max((s for s in judged if s["nrmse"] is not None), key=lambda score: score["nrmse"])
+        found = causes(data, worst, max(errors) / max(train), wells)
+        checks += [of_finding("model", finding) for finding in found]
     if rest_errors is not None and isinstance(wells, Wells):
         off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
         text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
@@ -175,11 +178,15 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
         text = f"{open_ones or 'none'} of {outcomes} outcomes after pulses are too close for the model to call"
         advice = "do not trust the well after these pulses; train on pulses of that size and length"
         checks.append(graded("model", "ambiguous", open_ones / outcomes, text, advice))
-    outside = [s["outside_training"] for s in judged if s.get("outside_training") is not None]
+    outside = [s for s in judged if s.get("outside_training") is not None]
     if outside:
-        share = percent(max(outside)) if max(outside) > 0.0 else "none"
-        text = f"{share} of the samples lie in states (q, q̇) that no training sample was near"
-        outside_check = graded("model", "outside", max(outside), text, "train on motions as large and as fast")
+        most = max(outside, key=lambda score: score["outside_training"])
+        share = float(most["outside_training"])
+        finding = Finding(
+            "outside", THRESHOLDS["outside"].grade(share), log_title(most["role"], most["log"]),
+            numbers={"share": Number(share)},
+        )  # fmt: skip
+        outside_check = of_finding("model", finding)
         errors = [s["nrmse"] for s in judged]
         right = all(error is not None and THRESHOLDS["nrmse"].grade(error) == "good" for error in errors)
         checks.append(

@@ -12,6 +12,7 @@ from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import sample_interval
 from pipeline.runs.columns import StudyName
 from pipeline.scoring.wells import NoWells, Wells, wells_of
+from pipeline.settings_logs import LogPart
 from pipeline.signals.log import log_of
 from pipeline.units import curve_units, of_joint
 
@@ -104,6 +105,10 @@ class RunData:
         How "auto" chose between the models (`pipeline.models.choose.Choice`), if it did.
     log_checks : sequence of mapping
         Rows of `debist check` as its JSON has them; none in a run of before they were made.
+    instruments : sequence of mapping
+        Rows of ``instruments.parquet``; none in a run without it.
+    log_parts : mapping of (role, name) to LogPart
+        What the settings state of each log.
     siblings : NormalPopulation or None
         What `[plant] siblings` names, as the run holds it.
     rails_kept : bool
@@ -130,6 +135,8 @@ class RunData:
     measured_curves: Columns = field(default_factory=dict)
     accepted: tuple[str, ...] = ()
     log_checks: tuple[Mapping[str, Any], ...] = ()
+    instruments: tuple[Mapping[str, Any], ...] = ()
+    log_parts: Mapping[tuple[str, str], LogPart] = field(default_factory=dict)
     control: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     choice: Mapping[str, Any] | None = None
     rails_kept: bool = False

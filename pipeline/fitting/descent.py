@@ -210,6 +210,8 @@ class _Damped:
 
 
 def _damped_solution(matrix: FloatArray, right: FloatArray, damping: float) -> FloatArray:
-    """Solution of (H + damping·diag H) x = right, shape (P,)."""
-    solution: FloatArray = _Damped(matrix, np.array([damping])).solutions(right[None])[0]
+    """Solution of (H + damping·diag H) x = right, shape (P,). Cost: P³/3 flops."""
+    scale = 1.0 / np.sqrt(np.diag(matrix))
+    damped = scale[:, None] * matrix * scale + damping * np.eye(len(matrix))
+    solution: FloatArray = scale * np.linalg.solve(damped, scale * right)
     return solution

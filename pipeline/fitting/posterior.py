@@ -1,6 +1,6 @@
 """Residuals and posterior of a fit: whiteness, covariance factors, repeatable draws, and the curves of the draws."""
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +9,7 @@ from scipy.special import stdtrit
 
 from pipeline.fitting.descent import Prior
 from pipeline.fitting.homotopy import HomotopyFit
-from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.numerics.metrics import NORMAL_95
 
 SIGNIFICANCE = 0.16
@@ -102,6 +102,24 @@ def posterior_factor(fit: HomotopyFit, prior: Prior) -> FloatArray:
     return spread
 
 
+def log_evidence(fit: HomotopyFit, prior: Prior, correlation: float) -> float:
+    """Logarithm of the marginal likelihood of a fit by Laplace's method, but for a constant of the data.
+
+    Parameters
+    ----------
+    fit : HomotopyFit
+        At the minimum, with the variance s² of its residual.
+    prior : Prior
+        A proper one: as many independent rows as parameters.
+    correlation : float
+        Samples that carry the information of an independent one.
+    """
+    variance, (_, believed) = float(np.mean(fit.residual**2)), np.linalg.slogdet(prior.matrix.T @ prior.matrix)
+    precision = prior.matrix.T @ prior.matrix + fit.hessian / (variance * correlation)
+    fitted = len(fit.residual) / correlation * np.log(variance) + np.sum(prior.residual(fit.theta) ** 2)
+    return 0.5 * float(believed - np.linalg.slogdet(precision)[1] - fitted)
+
+
 def posterior_draws(mean: FloatArray, spread: FloatArray, count: int, seed: int) -> FloatArray:
     """Draws from the normal distribution of covariance S Sᵀ about `mean`, shape (count, P).
 
@@ -150,12 +168,14 @@ def first_order_curves(
     return drawn | {name: np.maximum(drawn[name], 0.0) for name in nonnegative}
 
 
-def robust_spread(residual: FloatArray, jacobian: FloatArray, noise: float, prior: Prior) -> FloatArray:
-    """Factor E of the covariance E Eᵀ of an estimate as its data show it, shape (P, P + `GROUPS`).
+def robust_spread(
+    residual: FloatArray, jacobian: FloatArray, noise: float, prior: Prior, groups: Sequence[IntArray] | None = None
+) -> FloatArray:
+    """Factor E of the covariance E Eᵀ of an estimate as its data show it, shape (P, P + groups).
 
     The posterior contains noise only. Structural errors show where groups of the data ask for different estimates.
 
-    1. The data are `GROUPS` groups in a row, with the precision H_k = JᵀJ/s² and the slope g_k = Jᵀr/s² of each. A is
+    1. The data are groups in a row, with the precision H_k = JᵀJ/s² and the slope g_k = Jᵀr/s² of each. A is
        the precision of all data and the prior. The covariance of the estimate is A⁻¹ (Σ g_k g_kᵀ + PᵀP) A⁻¹.
     2. The estimate has followed each group, so its slopes are too small. (1 − A⁻¹ H_k)⁻¹ A⁻¹ g_k is how far the
        estimate moves when the group is left out (jackknife, CR3). With the power −½ the expectation is A⁻¹ where the
@@ -163,7 +183,8 @@ def robust_spread(residual: FloatArray, jacobian: FloatArray, noise: float, prio
     3. CR3 is used. In directions where the other groups have less than `ALONE` of the precision CR2 is used, because
        an estimate without the group would be the prior there.
 
-    Moves are scaled: 1.96 standard deviations are the bounds of Student's t with `GROUPS` − 1 degrees of freedom.
+    Moves are scaled: 1.96 standard deviations are the bounds of Student's t with one degree of freedom less than there
+    are groups.
 
     Parameters
     ----------
@@ -173,15 +194,18 @@ def robust_spread(residual: FloatArray, jacobian: FloatArray, noise: float, prio
         s, the standard deviation that the estimate took its residuals to have beside the prior.
     prior : Prior
         P, with which the estimate was made.
+    groups : sequence of IntArray, optional
+        The rows of each group; `GROUPS` equal ones in a row by default.
 
     Returns
     -------
     FloatArray
-        The prior's where sensitivities overflow. Cost: 2 N P² + 30 `GROUPS` P³ flops.
+        The prior's where sensitivities overflow. Cost: 2 N P² + 30 P³ flops a group.
     """
     if not np.isfinite(jacobian).all():
         return np.asarray(np.linalg.pinv(prior.matrix), dtype=np.float64)
-    groups = np.array_split(np.arange(len(residual)), GROUPS)
+    if groups is None:
+        groups = np.array_split(np.arange(len(residual)), GROUPS)
     hessians = np.stack([jacobian[at].T @ jacobian[at] for at in groups]) / noise**2
     slopes = np.stack([jacobian[at].T @ residual[at] for at in groups]) / noise**2
     precision = hessians.sum(axis=0) + prior.matrix.T @ prior.matrix
@@ -193,5 +217,5 @@ def robust_spread(residual: FloatArray, jacobian: FloatArray, noise: float, prio
     others = np.maximum(others, np.sqrt(others * ALONE))
     pulls = np.swapaxes(turns, 1, 2) @ (slopes @ root)[:, :, None] / others[:, :, None]
     moves = (turns @ pulls)[:, :, 0] @ root.T
-    size = stdtrit(GROUPS - 1, 0.975) / NORMAL_95
+    size = stdtrit(len(groups) - 1, 0.975) / NORMAL_95
     return np.hstack([root @ (root.T @ prior.matrix.T), size * moves.T])

@@ -1,16 +1,18 @@
 """What the settings say of the device: units, inputs and mass, in SI, and its tables' schemas."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal
 
 import numpy as np
 
 from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
-from pipeline.models.model_file import column_of
+from pipeline.models.model_file import FilePart, column_of
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.schemas import Schema, resolve
+from pipeline.runs.trees import Columns
 from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
 from pipeline.settings_logs import LogColumn
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
@@ -90,12 +92,12 @@ class Device:
             tubes=tubes,
         )  # fmt: skip
 
-    def model_column(self, path: str) -> tuple[str, str]:
-        """Unit and meaning of an entry of a model's file, by its path there."""
+    def model_columns(self, files: Mapping[str, type[FilePart]]) -> Columns:
+        """Unit and meaning of each entry of a file of models by its path there; `files` declares the groups."""
         mass = MASS[self.displacement.symbol] if self.known_mass is not None else "1"
         stiffness = {"N": "N/m", "N·m": "N·m/rad"}.get(self.curve_units["F"], "1/s²")
         units = {"q": self.displacement.symbol, "v": self.inputs[0].symbol, "m": mass, "c": stiffness}
-        return column_of(path, units | self.curve_units)
+        return partial(column_of, units=units | self.curve_units, files=files)
 
 
 def device(prototype: Prototype) -> Device:

@@ -22,7 +22,7 @@ from pipeline.runs.columns import StudyName
 from pipeline.runs.engine import TIMES
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.settings import Prototype
-from pipeline.settings_logs import Role
+from pipeline.settings_logs import LogPart, Role
 from pipeline.units import ALPHA_UNIT
 
 
@@ -50,7 +50,14 @@ def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studie
         studies=tuple(read_study(run, name, plant) for name in studies),
         measured_curves=measured_curves(run, prototype),
         siblings=shown_siblings(run, prototype),
+        instruments=_instruments(run),
+        log_parts={(role, log): part for role, log, part in layout.log_parts(prototype)},
     )
+
+
+def _instruments(run: RunFolder) -> tuple[dict[str, Any], ...]:
+    """The errors of instruments; none in a run of before they were measured."""
+    return tuple(run.read_records(layout.INSTRUMENTS)) if layout.INSTRUMENTS in run.manifest.artifacts else ()
 
 
 def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArray]:
@@ -180,6 +187,22 @@ def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
 def load_scores(root: Path) -> list[dict[str, Any]]:
     """The score rows of a run as records, null where a value is undefined."""
     return in_snapshot(root, lambda run: run.read_records(layout.SCORES))
+
+
+def instruments_shown(root: Path) -> tuple[list[dict[str, Any]], Mapping[tuple[str, str], LogPart], str]:
+    """The errors of the instruments of a run's logs, what the settings state of each log, and the unit of q."""
+
+    def shown(run: RunFolder) -> tuple[list[dict[str, Any]], Mapping[tuple[str, str], LogPart], str]:
+        """Of one snapshot."""
+        parts: Mapping[tuple[str, str], LogPart] = {(r, log): part for r, log, part in layout.log_parts(run.prototype)}
+        return list(_instruments(run)), parts, device(run.prototype).displacement.symbol
+
+    return in_snapshot(root, shown)
+
+
+def load_instruments(root: Path) -> list[dict[str, Any]]:
+    """The errors of the instruments of a run's logs as records, null where they are not measured."""
+    return in_snapshot(root, lambda run: list(_instruments(run)))
 
 
 def load_datasheet(root: Path) -> dict[str, Any]:

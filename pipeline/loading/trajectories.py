@@ -57,7 +57,6 @@ def training(
         known_curves=None if beside.curves is None else _known_curves(beside.curves, len(plant.inputs)),
         siblings=beside.siblings,
         identify=prototype.identify,
-        compare=prototype.compare,
         log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
         on_progress=on_progress,
@@ -68,6 +67,11 @@ def _long_enough(parts: Sequence[Log]) -> list[Log]:
     """The parts of logs that hold more than their beginning, or else the longest of them."""
     long_enough = [part for part in parts if np.count_nonzero(part.valid) > _LEAST_PART]
     return long_enough or [max(parts, key=lambda part: len(part.t))]
+
+
+def fitted_parts(log: Log) -> list[Log]:
+    """The parts of a log as fits take them."""
+    return [part.to_fit() for part in _long_enough(log.parts())]
 
 
 def _known_curves(table: Table, inputs: int) -> KnownCurves:

@@ -1,7 +1,8 @@
-"""Contents of a model's file: the schema that a reader checks, and the unit and meaning of each entry.
+"""The file of a model, declared once: a class names its entries, with kind, shape, limits, unit and a line of help.
 
-A file is checked in this order: sizes, then shapes that fit each other, then ranges of finite numbers. Compiled code
-reads no array that was not checked here. HDF5 keeps unit and meaning as attributes of each array, number and text.
+The class reads, writes and checks the file. A file is checked in this order: sizes, then shapes that fit each other,
+then ranges of finite numbers. Compiled code reads no array that was not checked here. HDF5 keeps unit and meaning as
+attributes of each array, number and text.
 """
 
 from collections.abc import Mapping
@@ -37,6 +38,15 @@ Real = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 SHORTEST_LAG, LONGEST_LAG = 1e-4, 10.0
 Lag = Annotated[float, Field(ge=SHORTEST_LAG, le=LONGEST_LAG)]
 """Time constant [s] of a lag; the steps of a simulation must follow it."""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """Unit of the numbers of a field, as an annotation of it: {q}, {v} stand for those of displacement and inputs; {F},
+    {c}, {d}, {g} for those of force, stiffness, damping, gain; {m} for that of the mass.
+    """
+
+    symbol: str
 
 
 @dataclass(frozen=True)
@@ -132,11 +142,15 @@ Facts = Annotated[dict[str, Any], BeforeValidator(_facts)]
 
 
 class FilePart(BaseModel):
-    """Entries of a file; a subclass names them, and in `sizes` the least and largest length of each axis."""
+    """Entries of a file; a subclass names them, and in `sizes` the least and largest length of each axis.
+
+    The text below a field is its line of help; without one that of the class is.
+    """
 
     model_config = ConfigDict(
-        strict=True, frozen=True, extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False
-    )
+        strict=True, frozen=True, extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False,
+        use_attribute_docstrings=True,
+    )  # fmt: skip
     sizes: ClassVar[Sizes] = {}
 
     @model_validator(mode="after")
@@ -187,69 +201,18 @@ class ModelFile(FilePart):
 TEXT = "text"
 """Stands where a unit would, for texts and for decisions."""
 
-# {q}, {v}: SI units of displacement and inputs; {F}, {c}, {d}, {g}: of force, stiffness, damping, gain; {m}: of mass.
-_SPREAD = "factor S, a row for each entry of theta, of the covariance S Sᵀ of theta"
-_COLUMNS = (
-    ("settings_json", TEXT, "settings of the fit, as JSON"),
-    ("choice_json", TEXT, "how held-out training data chose, with intervals and the ablation, as JSON"),
-    ("headline", TEXT, "name of the model that the settings put first, or that held-out training data chose"),
-    ("units/?", TEXT, "SI unit of displacement q, inputs v, time t"),
-    ("hybrid/basis", "{q}", "first centre, distance of the centres and width σ of the Gaussians of the corrections"),
-    ("hybrid/centres", "1", "number of Gaussians of each correction"),
-    ("hybrid/largest_voltage_V", "V", "largest voltage of the training logs; held above twice that"),
-    ("hybrid/slope_ratio", "1", "slope of the beam at rest over q/l, from which the search for a rest starts"),
-    ("hybrid/similarity/origin", "m", "reading of the laser that corresponds to q = 0 of the parameter set"),
-    ("*/tube/factor", "1", "half width of the tubes over the spread of the draws"),
-    ("*/tube/floor", "{q}", "least spread: the error on the training data"),
-    ("*/tube/apart", "{q}", "distance from which on a draw is in another well"),
-    ("hybrid/similarity/*", "1", "size of the device over that of the parameter set"),
-    ("hybrid/constants", TEXT, "names of the constants of the equations, in order"),
-    ("hybrid/deviations", TEXT, "names of the first entries of theta: deviations from the set; weights follow"),
-    ("hybrid/prior_std", "SI", "standard deviations of the deviations' priors, in which theta counts"),
-    ("hybrid/theta", "1", "fitted parameters in widths of their priors"),
-    ("rbf/theta", "1", "fitted parameters in units of the scales"),
-    ("*/curve_spread", "1", f"{_SPREAD}, for the bands of the curves; with corrections that are left open"),
-    ("*/band_spread", "1", f"{_SPREAD}, as the training data show it"),
-    ("rbf-paper/spread", "{c}, {d}, {g}", "factor S of the covariance S Sᵀ of the weights, row by row of weights"),
-    ("*/spread", "1", f"{_SPREAD}, from which outcomes are drawn"),
-    ("rbf-paper/centres", "{q}", "centres ξ of the basis functions"),
-    ("rbf-paper/width", "{q}", "width σ of the basis functions"),
-    ("rbf-paper/smoothing", "1", "smoothing factor σ_n: the width over the distance of the centres"),
-    ("rbf-paper/weights", "{c}, {d}, {g}", "weights by row: stiffness c, damping d, gain g of each input"),
-    ("rbf-paper/basis", TEXT, "basis function"),
-    ("*/lag_s", "s", "time constant T_z of the friction state"),
-    ("*/mass_kg", "{m}", "moving mass or inertia; 1 if it is unknown, and curves are then per unit mass"),
-    ("*/inputs", TEXT, "whether inputs act squared or linear"),
-    ("rbf/parameters/scales/volts", "{v}", "largest input of the training logs"),
-    ("rbf/parameters/scales/stiffness", "1/s²", "RMS acceleration over half the range of q"),
-    ("rbf/parameters/scales/speed", "1/s", "RMS velocity over half the range of q"),
-    ("rbf/parameters/scales/*", "{q}", "middle and half of the range of q"),
-    ("rbf/parameters/signs", "1", "direction in which each input pushes; 0 if it may change"),
-    ("rbf/parameters/law", TEXT, "whether inputs act squared or linear"),
-    ("rbf/parameters/structure/rates", "1", "relaxation rates to start from, over the frequency scale"),
-    ("rbf/parameters/structure/basis_functions", "1", "Gaussians of each curve"),
-    ("rbf/parameters/structure/smoothing", "1", "smoothing factor σ_n: the width over the distance of the centres"),
-    ("rbf/parameters/structure/shape_elements", "1", "hidden shapes"),
-    ("rbf/parameters/structure/slips", "1", "states of Dahl friction"),
-    ("rbf/parameters/structure/*", TEXT, "an element of the structure, see pipeline.models.rbf.structure"),
-    ("sindy*/coefficients", "{q}/s, {q}/s²", "coefficients of the monomials of scaled variables: rows of q̇ and q̈"),
-    ("sindy*/lag_s", "s", "times of the lag states"),
-    ("sindy*/lag_source", "1", "column of the exponents whose variable each lag state follows"),
-    ("narx/coefficients", "{q}", "weights of the terms in the next increment of q"),
-    ("*/exponents", "1", "powers of the scaled variables, a row for each monomial"),
-    ("*/scales", "SI", "scale of each variable: displacement, velocities, inputs"),
-    ("*/bounds", "{q}", "smallest and largest displacement, beyond which a run counts as diverged"),
-    ("*/units", TEXT, "SI units of displacement and inputs"),
-    ("*/name", TEXT, "name of the model"),
-    ("narx/structure", "1", "degree, increments, lags of the inputs, number of inputs"),
-    ("*/interval_s", "s", "sample interval of the equation"),
-    ("*/tolerance", "1", "local error of the integrator, relative to the usual size of each state"),
-)
+_BESIDE = {
+    "settings_json": "settings of the fit, as JSON",
+    "choice_json": "how held-out training data chose, with intervals and the ablation, as JSON",
+    "headline": "name of the model that the settings put first, or that held-out training data chose",
+    "units": "SI unit of displacement q, inputs v, time t",
+}
+"""Entries beside the models."""
 _DIAGNOSTICS = {
     "ablation/*": ("1", "RMS error of free runs over the last quarter of each training log, over the range of q"),
     "acceleration_residual": ("1", "RMS of what the equation leaves of the acceleration, over its RMS"),
     "at_bound": (TEXT, "parameters that ended at a bound"),
-    "candidate_rms_m": ("{q}", "RMS error of each candidate on held-out training data"),
+    "candidate_rms_m": ("{q}", "RMS error of each candidate, on held-out data or coupled to the log"),
     "candidates": (TEXT, "structures that were tried"),
     "candidates_tried": ("1", "number of structures that were tried"),
     "chaotic": (TEXT, "whether neighbouring free runs part exponentially"),
@@ -296,7 +259,6 @@ _DIAGNOSTICS = {
     "rmse_windows_m": ("{q}", "RMS error over the windows of the calibration"),
     "samples": ("1", "training samples"),
     "search_complete": (TEXT, "whether the search over structures ended within the time limit"),
-    "search_status": (TEXT, "whether the search was completed"),
     "standard_errors": ("SI", "standard errors of the fitted parameters"),
     "terms_kept": ("1", "number of terms of the equation"),
     "threshold_of_rms_acceleration": ("1", "threshold of the sparse regression, over the RMS acceleration"),
@@ -307,7 +269,7 @@ _DIAGNOSTICS = {
 """Entries on the course of a fit, for every model."""
 
 
-def column_of(path: str, units: Mapping[str, str]) -> tuple[str, str]:
+def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[FilePart]]) -> tuple[str, str]:
     """Unit and meaning of one entry of a model file.
 
     Parameters
@@ -317,13 +279,28 @@ def column_of(path: str, units: Mapping[str, str]) -> tuple[str, str]:
     units : dict of str
         SI units: of the displacement (``q``), the inputs (``v``), the mass (``m``), a stiffness (``c``), and those of
         the curves (``F``, ``d``, ``g``; `pipeline.units.curve_units`).
+    files : mapping of str to type
+        The declaration of each group of the file.
     """
-    group, _, name = path.partition("/")[2].partition("/")
-    if group == "parameters" and name in QUANTITIES:
-        return QUANTITIES[name].unit, QUANTITIES[name].meaning
-    if group == "diagnostics":
-        matches = ((pattern, *column) for pattern, column in _DIAGNOSTICS.items() if fnmatchcase(name, pattern))
-    else:
-        matches = (column for column in _COLUMNS if fnmatchcase(path, column[0]))
-    _, unit, meaning = next(matches, ("", TEXT, name.replace("_", " ")))
-    return unit.format_map(units), meaning
+    group, *places = path.split("/")
+    if group in _BESIDE:
+        return TEXT, _BESIDE[group]
+    if places[0] == "diagnostics":
+        name = "/".join(places[1:])
+        columns = (column for pattern, column in _DIAGNOSTICS.items() if fnmatchcase(name, pattern))
+        unit, meaning = next(columns, (TEXT, name.replace("_", " ")))
+        return unit.format_map(units), meaning
+    part: Any = files[group]
+    for place in places:
+        if place in QUANTITIES:  # of a joint's parameters
+            return QUANTITIES[place].unit, QUANTITIES[place].meaning
+        field, help_of_part = part.model_fields[place], part.__doc__ or ""
+        part = field.annotation
+    stated = next((mark.symbol for mark in field.metadata if isinstance(mark, Unit)), None)
+    unit = stated or ("1" if part in (int, float, FloatArray, IntArray) else TEXT)
+    return unit.format_map(units), " ".join((field.description or help_of_part).split()).rstrip(".")
+
+
+def declaration(model: Any) -> type[FilePart]:
+    """The declaration of a model's file: its own class, or what it names as `file`."""
+    return type(model) if isinstance(model, ModelFile) else type(model).file

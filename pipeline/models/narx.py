@@ -24,7 +24,17 @@ from pipeline.errors import InputError
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.difference_equation import check_interval, sampled_run
 from pipeline.models.kind import Kind
-from pipeline.models.model_file import MOST_INPUTS, Exponents, ModelFile, Positive, PositiveRow, Sizes, Span, Table
+from pipeline.models.model_file import (
+    MOST_INPUTS,
+    Exponents,
+    ModelFile,
+    Positive,
+    PositiveRow,
+    Sizes,
+    Span,
+    Table,
+    Unit,
+)
 from pipeline.models.polynomial_dynamics import monomials
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
@@ -80,38 +90,28 @@ def _run(
 
 
 class NarxModel(ModelFile):
-    """A difference equation for q at a fixed sample interval; its file holds the same entries.
+    """A difference equation for q at a fixed sample interval, and its file.
 
-    Attributes
-    ----------
-    structure : IntArray, shape (4,)
-        Degree, increments L, lags M of each input, inputs K. Variables are ordered q, δ…, u1 by lag, u2 by lag.
-    exponents : IntArray, shape (P, 1 + L + K·M)
-        The terms kept.
-    coefficients : FloatArray, shape (P,)
-        Their weights [m] in δ_{n+1} − δ_n.
-    scales : FloatArray, shape (1 + L + K·M,)
-        Scales of the variables.
-    interval_s : float
-        Sample interval [s] of the equation.
-    inputs : {"squared", "linear"}
-        Whether u = v² or u = v.
-    bounds : FloatArray, shape (2,)
-        Displacement [m] outside of which a run counts as diverged.
-    diagnostics : dict
-        How it was chosen.
+    P terms of X = 1 + L + K·M variables: q, L increments δ of it, and M lags of each of the K inputs.
     """
 
     sizes: ClassVar[Sizes] = {"P": (1, 500), "X": (2, 1 + MOST_LAGS * (1 + MOST_INPUTS))}
     name: ClassVar[str] = "narx"
     fine_voltages: ClassVar[bool] = False
     structure: Annotated[IntArray, Table("4", 0, MOST_LAGS, whole=True)]
+    """Degree, increments L, lags M of the inputs, number K of inputs."""
     exponents: Exponents
-    coefficients: Annotated[FloatArray, Table("P")]
-    scales: PositiveRow
-    interval_s: Positive
+    """Powers of the scaled variables, a row for each monomial."""
+    coefficients: Annotated[FloatArray, Table("P"), Unit("{q}")]
+    """Weights of the terms in the next increment of q."""
+    scales: Annotated[PositiveRow, Unit("SI")]
+    """Scale of each variable: displacement, increments, inputs."""
+    interval_s: Annotated[Positive, Unit("s")]
+    """Sample interval of the equation."""
     inputs: Literal["squared", "linear"]
-    bounds: Span
+    """Whether inputs act squared or linear."""
+    bounds: Annotated[Span, Unit("{q}")]
+    """Smallest and largest displacement, beyond which a run counts as diverged."""
 
     @model_validator(mode="after")
     def _lags(self) -> Self:
@@ -229,9 +229,7 @@ class NarxModel(ModelFile):
         }
 
 
-def identify_narx(
-    trajectories: Sequence[Trajectory], *, inputs: Literal["squared", "linear"] = "squared", most: int | None = None
-) -> NarxModel:
+def identify_narx(trajectories: Sequence[Trajectory], *, inputs: Literal["squared", "linear"] = "squared") -> NarxModel:
     """Choose lags, degree and number of terms by free runs over held-out blocks of the training data.
 
     Parameters
@@ -240,8 +238,6 @@ def identify_narx(
         Gap-free stretches of the training logs, all of one sample interval; only q and v are used.
     inputs : {"squared", "linear"}
         Whether v² or v enters.
-    most : int, optional
-        Candidates (a structure with a number of terms) after which no further structure is tried; none if left out.
 
     Raises
     ------
@@ -256,8 +252,6 @@ def identify_narx(
     folds, fitted = sorted({fold for fold, _ in parts}), dict[Shape, dict[int, NarxModel]]()
     errors: dict[tuple[Shape, int], FloatArray] = {}
     for shape in itertools.product(DEGREES, INCREMENTS, INPUT_LAGS):
-        if most is not None and len(errors) >= most:
-            break
         library = _library(shape, trajectories, inputs)
         grams = [(fold, _gram(library, x)) for fold, x in parts if len(x.t) > 2 + max(shape[1:])]
         paths = {f: _pursuit(library, [g for fold, g in grams if fold != f or len(folds) == 1]) for f in folds}
@@ -273,7 +267,6 @@ def identify_narx(
         "inner_validation_nrmse": float(errors[chosen].mean()),
         "inner_validation_nrmse_of_folds": errors[chosen],
         "candidates_tried": len(errors),
-        "search_status": "completed" if len(fitted) == len(DEGREES) * len(INCREMENTS) * len(INPUT_LAGS) else "limit",
     }
     return fitted[shape][terms].model_copy(update={"diagnostics": diagnostics})
 
@@ -336,6 +329,6 @@ def _error(model: NarxModel, x: Trajectory, span: float) -> float:
 
 
 NARX = Kind(
-    lambda data: identify_narx(data.segments, inputs=data.inputs, most=data.compare.candidates),
+    lambda data: identify_narx(data.segments, inputs=data.inputs),
     partial(NarxModel.read, name="narx", command="compare"),
 )

@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from pipeline.models.base import DrawnModel
-from pipeline.models.model_file import FilePart
+from pipeline.models.model_file import FilePart, Unit
 from pipeline.scoring.tubes import TubeScale, tube_scale
 from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
 
@@ -19,8 +19,11 @@ class TubePart(FilePart):
     """`TubeScale` in a file; without one the model has no tubes."""
 
     factor: _NotNegative = 0.0
-    floor: _NotNegative = 0.0
-    apart: _NotNegative = 0.0
+    """Half width of the tubes over the spread of the draws."""
+    floor: Annotated[_NotNegative, Unit("{q}")] = 0.0
+    """Least spread: the error on the training data."""
+    apart: Annotated[_NotNegative, Unit("{q}")] = 0.0
+    """Distance from which on a draw is in another well."""
 
     def scale(self) -> TubeScale:
         """The scale."""

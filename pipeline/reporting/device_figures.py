@@ -17,6 +17,7 @@ from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.numerics.metrics import NORMAL_95
 from pipeline.reporting.datasheet_rows import NOT_USED
 from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
+from pipeline.reporting.instrument_table import instruments_figure
 from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
 from pipeline.reporting.recipe_figures import study_figure
@@ -43,6 +44,8 @@ def device_figures(data: RunData, sheet: Datasheet) -> dict[str, Figure]:
     figures |= {"phase-portrait": portrait} if portrait is not None else {}
     places = places_among(data.models.get(sheet.headline), data.siblings)
     figures |= {"siblings": siblings_figure(places)} if places else {}
+    instruments = instruments_figure(data.instruments)
+    figures |= {"instruments": instruments} if instruments is not None else {}
     figures |= residual_figures(data, sheet.wells)
     figures |= {f"study-{study.name}": _study(data, study) for study in data.studies}
     return figures

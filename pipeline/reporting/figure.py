@@ -216,14 +216,24 @@ def shown(figure: Figure) -> Figure:
 
 
 def window(figure: Figure, start: float, stop: float) -> Figure:
-    """The figure between two values of x."""
+    """The figure between two values of x, which are the ends of its axis."""
 
     def cut(line: Line) -> Line:
         """The line's samples in the window."""
         rows = (line.x >= start) & (line.x <= stop)
         return replace(line, x=line.x[rows], y=line.y[rows])
 
-    panels = tuple(replace(panel, lines=tuple(cut(line) for line in panel.lines)) for panel in figure.panels)
+    def cut_band(band: Band) -> Band:
+        """The band in the window."""
+        rows = (band.x >= start) & (band.x <= stop)
+        return replace(band, x=band.x[rows], low=band.low[rows], high=band.high[rows])
+
+    panels = tuple(
+        replace(
+            panel, lines=tuple(map(cut, panel.lines)), bands=tuple(map(cut_band, panel.bands)), x_limits=(start, stop)
+        )
+        for panel in figure.panels
+    )
     marks = {name: at[(at >= start) & (at <= stop)] for name, at in figure.marks.items()}
     gaps = tuple((max(a, start), min(b, stop)) for a, b in figure.gaps if a < stop and b > start)
     return replace(figure, panels=panels, marks=marks, gaps=gaps)

@@ -12,7 +12,7 @@ Kind = Literal[
     "mark", "snap", "cell0", "cell1", "cell2", "cell3", "band", "line", "wide", "trace", "dot", "ring", "cross"
 ]
 # Class on the page, colour on paper, dash pattern (on, off in points). Order: models as they come.
-MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A4FA3", "#8C6D31")
+MODEL_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#999933", "#882255", "#56B4E9", "#8C6D31")
 MODEL_DASHES: tuple[tuple[float, ...], ...] = (
     (),
     (6, 2),
@@ -24,7 +24,7 @@ MODEL_DASHES: tuple[tuple[float, ...], ...] = (
     (3, 4),
 )
 # Nearly black: matplotlib writes no colour for a black inside, which the page then could not replace.
-FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#56B4E9", "v2": "#E69F00", "reference": "#8C8C8C"}
+FIXED = {"measured": "#010101", "raw": "#8C8C8C", "v1": "#E69F00", "v2": "#7A4FA3", "reference": "#8C8C8C"}
 
 
 def slot(role: str, models: Sequence[str]) -> str:
@@ -41,9 +41,7 @@ def slot_colour(name: str) -> str:
 
 def slot_dashes(name: str) -> tuple[float, ...]:
     """Dash pattern of a slot; empty for a solid line."""
-    if name in FIXED:
-        return (5, 2) if name == "v2" else ()
-    return MODEL_DASHES[int(name[1:])]
+    return () if name in FIXED else MODEL_DASHES[int(name[1:])]
 
 
 def dashes(role: str, models: Sequence[str]) -> tuple[float, ...]:
@@ -122,12 +120,17 @@ _LINE = '<path class="{}" d="M0 6H30"/>'
 
 def swatches(figure: Figure, models: Sequence[str], *, marks: bool = False) -> list[tuple[str, Markup]]:
     """Label and sample of everything that is drawn, each label once, for the page: 30 by 12 units, with classes."""
-    samples = []
-    for entry in entries(figure, models, marks=marks):
-        style = entry.style
-        names = " ".join(
-            part for part in (style.kind, style.slot, "dash" if style.dash in ("dashed", "dotted") else "") if part
-        )
-        shape = _SHAPES.get(style.kind.rstrip("0123"), _LINE)
-        samples.append((entry.label, Markup(shape).format(names)))  # noqa: S704 - a literal above
-    return samples
+    return [_swatch(entry) for entry in entries(figure, models, marks=marks)]
+
+
+def event_swatches(figure: Figure) -> list[tuple[str, Markup]]:
+    """Label and sample of the upright lines of a figure."""
+    return [_swatch(LegendEntry(name, MARKS[name])) for name in figure.marks if name in MARKS]
+
+
+def _swatch(entry: LegendEntry) -> tuple[str, Markup]:
+    style = entry.style
+    dashed = "dash" if style.dash in ("dashed", "dotted") else ""
+    names = " ".join(part for part in (style.kind, style.slot, dashed) if part)
+    shape = _SHAPES.get(style.kind.rstrip("0123"), _LINE)
+    return entry.label, Markup(shape).format(names)  # noqa: S704 - a literal above

@@ -1,6 +1,6 @@
 """The figures of one log along its time: signals, derivatives, models, residuals (figs. 11–13, 15)."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +10,7 @@ from pipeline.device_facts.residual_analysis import Residual, headline_residual
 from pipeline.device_facts.run_data import LogData, RunData, judged_log
 from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
 from pipeline.numerics.metrics import fit_percent, rmse
-from pipeline.reporting.figure import Band, Figure, Line, Panel
+from pipeline.reporting.figure import MARGIN, Band, Figure, Line, Panel
 from pipeline.reporting.tables import HEADINGS
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from pipeline.si_prefix import grouped, moment, power, quantity, significant
@@ -166,25 +166,49 @@ def fit_note(measured: FloatArray, free: FloatArray) -> str:
 
 
 def overlay(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
-    """Q as measured and as the headline model runs freely, with the fit that MATLAB's ``compare`` states."""
+    """Q as measured and as the models run freely, with the fit of the main one that MATLAB's ``compare`` states."""
     headline, t, measured = data.model_names[0], log.kinematics["t"], log.kinematics["q"]
-    lines, below = [Line("measured", "measured", t, measured, wide=True)], [_inputs(data, log, low=True)]
+    others = tuple(Line(m, m, t, run["q"]) for m, run in log.predictions.items() if m != headline)
+    lines, below = [Line("measured", "measured", t, measured, wide=True), *others], [_inputs(data, log, low=True)]
     caption = f"Free run from the first sample under the measured {data.input_word}s; {FIT}."
     bands: tuple[Band, ...] = ()
+    limits = _limits([measured])
     if headline in log.predictions:
         predicted = log.predictions[headline]
         free = predicted["q"]
         lines.append(Line(f"{headline}: {fit_note(measured, free)}", headline, t, free))
         error = Line("model − measured", "raw", t, free - measured, parts=(free, measured))
         about: tuple[Band, ...] = ()
+        limits, off = _limits([measured, free]), _limits([free - measured])
         if "q_low" in predicted:
             bands = tuple(_tubes(predicted, headline))
             about = (Band(TUBE, headline, t, predicted["q_low"] - free, predicted["q_high"] - free),)
-            caption += " Nine in ten samples of another log are expected inside the tube."
-        below.insert(0, Panel("error", data.displacement, (error,), bands=about, low=True))
-    panels = [Panel("q", data.displacement, tuple(lines), bands=bands), *below]
+            caption += " Nine in ten samples of another log are expected inside the tube"
+            limits, clipped = _with_tubes(limits, bands)
+            off, _ = _with_tubes(off, about)
+            caption += ", which reaches beyond the axis." if clipped else "."
+        below.insert(0, Panel("error", data.displacement, (error,), bands=about, y_limits=off, low=True))
+    panels = [Panel("q", data.displacement, tuple(lines), bands=bands, y_limits=limits), *below]
     figure = _timeline(data, log, wells, "overlay", "Measured against the model", caption, panels)
-    return replace(figure, hidden=())
+    return replace(figure, hidden=tuple(line.label for line in others))
+
+
+def _limits(signals: Sequence[FloatArray]) -> tuple[float, float]:
+    """Least and largest of what is drawn as a line, with a margin at either end."""
+    finite = [part[np.isfinite(part)] for part in signals]
+    low = min((float(part.min()) for part in finite if part.size), default=-1.0)
+    high = max((float(part.max()) for part in finite if part.size), default=1.0)
+    margin = MARGIN * (high - low) or abs(low) * MARGIN or 1.0
+    return low - margin, high + margin
+
+
+def _with_tubes(limits: tuple[float, float], tubes: Sequence[Band]) -> tuple[tuple[float, float], bool]:
+    """Limits of an axis that shows tubes too, by half of its length at most; and whether they are clipped."""
+    low, high = limits
+    least, largest = _limits([edge for tube in tubes for edge in (tube.low, tube.high)])
+    most = 0.5 * (high - low)
+    shown = max(min(low, least), low - most), min(max(high, largest), high + most)
+    return shown, least < shown[0] or largest > shown[1]
 
 
 TUBE, OTHER_TUBE = "90 % tube", "90 % tube in the other well"
@@ -207,8 +231,10 @@ def _residuals(data: RunData, log: LogData, wells: Wells | NoWells) -> Figure:
             if name in table
         ]
         panels.append(Panel(f"error of {HEADINGS[name]}", unit[name], (*lines[1:], *lines[:1])))
-    caption = "Model minus measurement."
+    caption = "Errors are model minus measurement."
     caption += " A model in the wrong well is off by the distance of the wells." if isinstance(wells, Wells) else ""
+    motion = _models(data, log, wells).panels[0]
+    panels = [motion, *panels, _inputs(data, log, low=True)]
     return _timeline(data, log, wells, "residuals", "Residuals", caption, panels)
 
 
@@ -236,11 +262,8 @@ def _correlation(data: RunData, log: LogData, model: str, residual: Residual, *,
         panels.append(panel(f"correlation with v{k}{'²' if data.squared else ''}", values, float(half)))
     colour = "rings with the device" if rings else "fades as slowly as the device settles"
     caption = (
-        f"Residual of q of {model}, {log.title}, after the input by so much time; "
-        f"{100 * residual.outside:.0f} % of the "
-        "correlations with the inputs lie outside their bands, 1 % would by chance. "
-        f"The free run's residual {colour}, so that its autocorrelation leaves the band; correlation with an input is "
-        "what the model misses."
+        f"{log.title.capitalize()}: {100 * residual.outside:.0f} % of the correlations with inputs lie outside their "
+        f"bands, 1 % would by chance. The residual {colour}; what correlates with an input the model misses."
     )
     title = "Residual analysis: memory and inputs"
     return Figure("residual-correlation", title, caption, "lag", "s", tuple(panels), columns=len(panels))

@@ -141,7 +141,7 @@ def viewer_data(figures: Sequence[Figure], models: Sequence[str]) -> dict[str, A
 def _viewer_figure(figure: Figure, models: Sequence[str], store: Callable[[FloatArray], str]) -> dict[str, Any]:
     first = figure.panels[0].lines[0].x
     marks = [
-        {"at": [round(float(t), 6) for t in at], "colour": kind, "dash": _DASHES[kind]}
+        {"name": name, "at": [round(float(t), 6) for t in at], "colour": kind, "dash": _DASHES[kind]}
         for name, at in figure.marks.items()
         if (kind := MARKS[name].kind)
     ]
@@ -190,6 +190,7 @@ def _viewer_panel(
         "start": float(x[0]),
         "stop": float(x[-1]),
         "low": panel.low,
+        "limits": None if panel.y_limits is None else [end * factor for end in panel.y_limits],
         "series": lines,
         "bands": bands,
     }

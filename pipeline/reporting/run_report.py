@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from pipeline.checks.rows import CheckRow, beside, remarks
@@ -21,7 +22,7 @@ from pipeline.reporting.datasheet_rows import (
 )
 from pipeline.reporting.device_figures import device_figures
 from pipeline.reporting.figure import Figure
-from pipeline.reporting.legend import MARKS, swatches
+from pipeline.reporting.legend import event_swatches, swatches
 from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
 from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.short_tables import headline_table
@@ -30,7 +31,6 @@ from pipeline.scoring.wells import Wells
 from pipeline.si_prefix import short
 
 SECTION_TITLES = {
-    "signals": "Measured signals",
     "derivatives": "Derivatives",
     "models": "Measured against models",
     "residuals": "Residuals",
@@ -54,8 +54,11 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
     models = data.model_names
     judged = judged_log(data)
     first = figures[f"{judged.key}-overlay"]
-    interactive = [first, *(figures[f"{log.key}-{kind}"] for kind in LOG_FIGURES for log in data.logs)]
-    shown = {figure.name for figure in interactive}
+    views = {
+        f"{log.key}-{kind}": _without_q(figures[f"{log.key}-{kind}"]) for kind in SECTION_TITLES for log in data.logs
+    }
+    interactive = [first, *views.values()]
+    shown = {first.name, *(f"{log.key}-{kind}" for kind in LOG_FIGURES for log in data.logs)}
     charts: dict[str, list[dict[str, Any]]] = {kind: [] for kind in ("residual", "study", "control", "")}
     for name, figure in figures.items():
         if name not in shown:
@@ -79,7 +82,7 @@ def run_report(data: RunData, sheet: Datasheet, figures: Mapping[str, Figure]) -
         "overlay": _view(first, models, judged.key),
         "calibrated": calibrated_rows(data, sheet),
         "structure": structure_summary(data, sheet),
-        "timelines": [_timeline(data, figures, kind) for kind in LOG_FIGURES],
+        "timelines": [_timeline(data, views, kind) for kind in SECTION_TITLES],
         "charts": charts[""],
         "residuals": charts["residual"],
         "studies": charts["study"],
@@ -127,24 +130,14 @@ def _thresholds(sheet: Datasheet) -> dict[str, Threshold]:
     return {name: limit for name, limit in THRESHOLDS.items() if two or name in judged or name not in OF_WELLS}
 
 
-def _marks_explained(figure: Figure) -> str:
-    """A sentence on the upright lines of a figure; empty without any."""
-    kinds = [f"dashed: {name}" if MARKS[name].kind == "snap" else name for name in figure.marks]
-    return f"Upright lines: {'; '.join(kinds)}." if kinds else ""
-
-
 def _facts_caption(sheet: Datasheet) -> str:
     if sheet.model is None:
         return "Measured: mean ± standard deviation over the rests and ring-downs of all logs."
-    band = "it states no uncertainty"
+    band = "which states no uncertainty"
     if sheet.model in sheet.draws:
-        band = "± half of the central 90 % of what its training data leave open"
+        band = "± half of its central 90 %"
     name = f"{sheet.model}{NOT_USED}" if sheet.refused else sheet.model
-    return (
-        f"Model: {name}, {band}; ring-downs simulated with 2.5 % of the range of q. "
-        "Grey: measured without any model, mean ± standard deviation · number of rests or ring-downs in all logs, "
-        "and what the model's free runs show in the same events."
-    )
+    return f"By {name}, {band}. Grey: measured, mean ± standard deviation · how often, and in the model's free runs."
 
 
 def _scores(data: RunData, sheet: Datasheet) -> dict[str, Any]:
@@ -180,11 +173,16 @@ def _score_table(name: str, table: NrmseTable) -> dict[str, Any]:
 
 
 def _cell(cell: TableCell) -> dict[str, Any]:
-    bad = cell.text.startswith("diverged")
-    number, bracket, interval = (cell.text, "", "") if bad else cell.text.partition("[")
-    value = number.strip() if number.strip().replace(".", "", 1).isdigit() else ""
-    shown = number.strip() + (BEST if cell.best else TIED * cell.tied)
-    return {"number": shown, "interval": bracket + interval, "best": cell.best, "bad": bad, "value": value}
+    value = cell.number if cell.is_number else ""
+    shown = cell.number + (BEST if cell.best else TIED * cell.tied)
+    return {"number": shown, "interval": cell.interval, "best": cell.best, "bad": cell.diverged, "value": value}
+
+
+def _without_q(figure: Figure) -> Figure:
+    """The figure as the page has it: q is drawn at its top and with the residuals, and nowhere else."""
+    if figure.name.endswith("-residuals"):
+        return figure
+    return replace(figure, panels=tuple(panel for panel in figure.panels if panel.name != "q"))
 
 
 def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[str, Any]:
@@ -197,7 +195,7 @@ def _timeline(data: RunData, figures: Mapping[str, Figure], kind: str) -> dict[s
 
 
 def _view(figure: Figure, models: Sequence[str], axis: str) -> dict[str, Any]:
-    return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "marks": _marks_explained(figure)}
+    return {"figure": figure, "legend": swatches(figure, models), "axis": axis, "events": event_swatches(figure)}
 
 
 def _chart(figure: Figure, models: Sequence[str]) -> dict[str, Any]:

@@ -4,7 +4,7 @@ import csv
 import io
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from pipeline.names import log_title
@@ -70,17 +70,31 @@ class TableCell:
 
     Attributes
     ----------
-    text : str
-        As printed, e.g. ``2.31 [1.90, 2.84]``, ``undefined`` or ``diverged at t = 5.49 s``.
+    number : str
+        As printed, e.g. ``2.31``, ``undefined`` or ``diverged at t = 5.49 s``.
+    interval : str
+        Its interval as printed, e.g. ``[1.90, 2.84]``; empty for none.
+    is_number : bool
+        Whether `number` is one, by which a table can be sorted.
+    diverged : bool
+        Whether it states when the free run diverged.
     best : bool
         Lowest of its log and signal, significantly lower than all others.
     tied : bool
         Lowest, or not significantly above the lowest, with others.
     """
 
-    text: str
+    number: str
+    interval: str = ""
+    is_number: bool = False
+    diverged: bool = False
     best: bool = False
     tied: bool = False
+
+    @property
+    def text(self) -> str:
+        """Number and interval."""
+        return f"{self.number} {self.interval}".rstrip()
 
 
 @dataclass(frozen=True)
@@ -129,7 +143,7 @@ def nrmse_table(scores: Sequence[ScoreRow], times: Mapping[str, ScoreRow] | None
         for model, by_signal in models.items():
             of_q = {**by_signal["q"], **(times or {}).get(model, {})}
             errors = (_error(by_signal.get(s), model, front[s]) for s in signals)
-            rows.append(Row(role, log, model, (*errors, *(TableCell(shown(of_q, column)) for column in extras))))
+            rows.append(Row(role, log, model, (*errors, *(_cell(of_q, column) for column in extras))))
     return NrmseTable(signals, extras, tuple(rows))
 
 
@@ -137,9 +151,7 @@ def behaviour_table(scores: Sequence[ScoreRow]) -> NrmseTable:
     """Errors by horizon and times of the switches, each with its interval; `scores` as in `nrmse_table`."""
     of_q = [row for row in scores if row["signal"] == "q"]
     columns = _columns("behaviour", of_q)
-    rows = (
-        Row(r["role"], r["log"], r["model"], tuple(TableCell(shown(r, column)) for column in columns)) for r in of_q
-    )
+    rows = (Row(r["role"], r["log"], r["model"], tuple(_cell(r, column) for column in columns)) for r in of_q)
     return NrmseTable((), columns, tuple(rows))
 
 
@@ -163,30 +175,30 @@ def _error(record: ScoreRow | None, model: str, front: set[str]) -> TableCell:
     if record is None:
         return TableCell("–")
     if record["status"] == "diverged":
-        return TableCell(f"diverged at t = {moment(record['diverged_at_s'])}")
+        return TableCell(f"diverged at t = {moment(record['diverged_at_s'])}", diverged=True)
     if record["nrmse"] is None:
         return TableCell("undefined")
-    text = _number(record, "nrmse", 100.0, 2)
-    return TableCell(text, best=front == {model}, tied=len(front) > 1 and model in front)
+    number = _number(record, "nrmse", 100.0, 2)
+    return replace(number, best=front == {model}, tied=len(front) > 1 and model in front)
 
 
-def shown(record: ScoreRow, column: Column) -> str:
-    """A score as the tables print it, with its interval, such as ``2.31 [1.90, 2.84]``; a dash for none."""
+def _cell(record: ScoreRow, column: Column) -> TableCell:
+    """A score as the tables print it, with its interval; a dash for none."""
     if column.cell is None:
         raise ValueError(f"the column {column.key} is not for tables that people read")
     if column.cell.out_of and record.get(column.key) is not None:
-        return f"{record[column.key]} of {record[column.cell.out_of]}"
+        return TableCell(f"{record[column.key]} of {record[column.cell.out_of]}")
     return _number(record, column.key, column.cell.factor, column.cell.digits)
 
 
-def _number(record: ScoreRow, key: str, factor: float, digits: int | None) -> str:
+def _number(record: ScoreRow, key: str, factor: float, digits: int | None) -> TableCell:
     name, unit = (key.removesuffix("_s"), "_s") if key.endswith("_s") else (key, "")
     value, low, high = (record.get(k) for k in (key, f"{name}_low{unit}", f"{name}_high{unit}"))
     if value is None:
-        return "–"
+        return TableCell("–")
     form = ".3g" if digits is None else f".{digits}f"
-    band = f" [{factor * low:{form}}, {factor * high:{form}}]" if low is not None and high is not None else ""
-    return f"{factor * value:{form}}{band}"
+    band = f"[{factor * low:{form}}, {factor * high:{form}}]" if low is not None and high is not None else ""
+    return TableCell(f"{factor * value:{form}}", band, is_number=True)
 
 
 def render(table: NrmseTable, form: Form) -> str:

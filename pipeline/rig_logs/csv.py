@@ -45,6 +45,8 @@ _COUNT = re.compile(r"[+-]?\d{16,19}")
 """Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
 _WHOLE_SECONDS = re.compile(r":\d\d:\d\d\b(?![.,:]\d| \d{3}\b)")
 """In a time of day without parts of a second."""
+_FIRST_YEAR, _LAST_YEAR = "1678", "2261"
+"""Whose times a count of nanoseconds since 1970 holds."""
 _MARK = r"^[+-]?\d*[.,]\d+(?:[eE][+-]?\d+)?$"
 
 
@@ -88,12 +90,10 @@ class CsvSource(Source):
     def _noted(self, texts: dict[str, str]) -> list[str]:
         """How the file is read, and which columns are left out as `texts`."""
         dialect = self._dialect
-        prefixed = [repr(name) for name, each in zip(self._columns, dialect.columns, strict=False) if each.prefixed]
-        applied = [f"SI prefixes behind numbers are applied in {', '.join(prefixed)}"] if prefixed else []
         headed = dict(zip(self._columns, dialect.headings, strict=True))
         left = {name: text for name, text in texts.items() if self._firsts[name] or headed[name]}
         rates = (note_on_rate(*each) for each in dialect.rates)
-        return [dialect.describe(), *rates, *dialect.scales, *self.notes, *applied, *left_out(left)]
+        return [dialect.describe(), *rates, *dialect.scales, *self.notes, *left_out(left)]
 
     def _left_out(self) -> dict[str, str]:
         """What stands in the columns that are no numbers."""
@@ -197,12 +197,13 @@ class CsvSource(Source):
         self._words, self._remarks = {}, []
         dialect = self._dialect
         named = dialect.delimiter != " " and any(len(row) == width + 1 for row in dialect.above)  # a column of comments
-        plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." and not dialect.columns else None
+        plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." else None
         for number, line in self._lines():
             if plain and plain.fullmatch(line):  # as most lines do, and at a third of the cost
                 yield "\t".join(line.replace(dialect.delimiter, " ").split()) + "\n"
                 continue
             cells = dialect.split(line)
+            dialect.check_same_segment(cells, number)
             if dialect.is_remark(line, cells):
                 self._remarks.append(f"line {number}: {line.strip()[:40]!r}")
                 continue
@@ -227,6 +228,10 @@ class CsvSource(Source):
             return number
         is_time = is_stamp(cell)
         is_switch = {cell.lower(), self._firsts[column].lower()} <= SWITCH
+        if is_time and column in self._stamped and cell[:4].isdecimal() and not _FIRST_YEAR <= cell[:4] <= _LAST_YEAR:
+            raise UnreadableLogError(
+                f"row {line}: {cell!r} in column {column!r} is the time of a clock that was not set: delete that row"
+            )
         if cell.lower() in MISSING or (is_time and column in self._stamped) or is_switch:
             return cell
         if is_time or not is_word(cell):
@@ -339,7 +344,7 @@ class CsvSource(Source):
             self._origins[name] = seen[0].as_py()
             what = "time of " if name in self._stamped else ""
             self.notes.append(f"{what}{name!r} counts from {self._firsts[name]}")
-        since = doubles(pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64()))
+        since = doubles(pc.subtract(ticks, int(self._origins.get(name, 0))).cast(pa.float64(), safe=False))
         return since / 1e9 if name in self._stamped else since
 
     def _complete_rows(self) -> int:

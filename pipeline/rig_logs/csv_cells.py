@@ -8,27 +8,13 @@ _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}[.,]\d{3}")
 _GROUPED = re.compile(
     r"[-+]?\d{1,3}(?P<mark>[.,'’ \u00a0\u202f])\d{3}(?:(?P=mark)\d{3})*(?P<fraction>(?!(?P=mark))[.,]\d+)?"
 )
-_POWER = re.compile(r"(?<=[\d.])[dD](?=[+-]?\d)")
 _SIGN_APART = re.compile(r"(?<=^[-+])\s+(?=[\d.,])")
 _MINUS = re.compile(r"(?<![^\s;,|:=\"])[\u2212\u2013\ufe63\uff0d](?=\s*[\d.,])")
 """The minus of typesetting, a dash, and those of East Asian scripts, before a number."""
-_ACCOUNTED = re.compile(r"\(([\d.,]+)\)")
-"""A negative number in the format of accounts."""
-_BEGINS_AS_NUMBER = re.compile(r"[-+]?\s*(?!1[.]#)[.,]?\d")
+_BEGINS_AS_NUMBER = re.compile(r"[-+(]?\s*(?!1[.]#)[.,]?\d")
 COMMENT = re.compile(r"\s*(?:#|%|//)+\s*")
 _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _ROW_END = re.compile(r"\r\n|\r|\n")
-RULED = re.compile(r"(?=.*[+|])[|+]?(:?[-=]{2,}:?[|+]?)+")
-"""A line below a heading, or around a table, as databases draw it."""
-_BEHIND_LINE = re.compile(r"(?<=[^*\s])\*[0-9A-F]{2}$|(?<=[\d.])\s+#\s.*")
-"""A checksum of NMEA 0183, or a comment behind a number."""
-_PRINTED = re.compile(r"[\[(]([-+\d.,;\seE]*)[\])]$")
-"""A row as Python prints a list or a tuple."""
-_TERMINAL = re.compile(
-    r"^(?P<stamp>\S*:\d\d\S*(?= -?> )|\[[^\]]*\d:\d\d[^\]]*\](?= )"
-    r"|\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\S*(?= (?!\d{3}\D|[+-]\d{4}\D)[+-]?[\d.]))(?: -?>)? "
-)
-"""A time that a serial terminal sets before each line: Arduino's with an arrow, others in brackets or by itself."""
 _DIGITS = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 NUMBER = re.compile(rf"[+-]?{_DIGITS}$")
 MISSING = frozenset(
@@ -43,16 +29,14 @@ STAMP = re.compile(r"\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(\.\d{1,9})?(?P<zone>Z|[+-
 _DATE = r"(?:19|20)\d\d(?:0[1-9]|1[0-2])(?:0[1-9]|[12]\d|3[01])"
 CLOCKS = (
     r"^\[?(?:(?:[^:]*?(?:[T ,]|\d[_-]))|\d{3}:)??"
-    r"(?:(?P<before>[AaPp][.]? ?[Mm][.]?|上午|下午|午前|午後|오전|오후) ?)?"
     r"(?:(?P<h>\d{1,2}):(?P<m>\d{1,2}):(?P<s>\d{1,2}(?:[.,:]\d{1,9}| \d{3})?)"
     r"|(?P<mm>\d{1,3}):(?P<ss>\d{1,2}[.,]\d{1,9}))"
     r"(?:[ \x{a0}\x{202f}]?(?P<half>[AaPp][.]? ?[Mm][.]?))?"
     r"(?: ?[+-]\d\d:?\d\d| [A-Z]{1,5}|Z| \d{4}| \d{1,4}[./-]\d\d?[./-]\d{2,4})*\]?$",
     rf"^{_DATE}[T _-]?(?P<h>[01]\d|2[0-3])(?P<m>[0-5]\d)(?P<s>[0-5]\d(?:[.,]?\d{{1,9}})?)(?:Z|[+-]\d\d:?\d\d)?$",
-    r"^(?:[^:]*(?:[T ,_]|\d-))?(?P<h>\d\d)[.h-](?P<m>\d\d)[.m-](?P<s>\d\d[.,]\d{1,9})s?$",
 )
 """Time of day with colons, whatever date stands before it, or minutes and seconds with a fraction, zones and years
-behind it; date and time in one number; time of day with other marks and a fraction. As Arrow's expressions."""
+behind it; date and time in one number. As Arrow's expressions."""
 _DIGITS_OF_STAMP = 14
 """Fewest digits of date and time in one number."""
 _SAMPLED = 1 << 14
@@ -75,14 +59,14 @@ def is_stamp(cell: str) -> bool:
 
 
 def plain_number(cell: str, decimal: str) -> str:
-    """A number with a decimal point, without marks between thousands, e before its power; other cells as they are."""
-    cell = _SIGN_APART.sub("", _ACCOUNTED.sub(r"-\1", cell) if cell.startswith("(") else cell)
+    """A number with a decimal point, without marks between thousands; other cells as they are."""
+    cell = _SIGN_APART.sub("", cell)
     match = _GROUPED.fullmatch(cell)
     if match and match["mark"] != decimal and (match["mark"] not in ".," or match["fraction"]):
         cell = re.sub(r"[\s'’]|" + re.escape("," if decimal == "." else "."), "", cell)
     if decimal != ".":
         cell = cell.replace(".", "x").replace(decimal, ".")
-    return _POWER.sub("e", cell)
+    return cell
 
 
 @lru_cache(_SAMPLED)
@@ -118,11 +102,8 @@ def rows_of(text: str) -> list[str]:
 def split_row(line: str, delimiter: str) -> list[str]:
     """Cells of a line, with a plain minus before numbers; quotes around a cell protect delimiters in it."""
     line = line if line.isascii() else _MINUS.sub("-", line)
-    line = _BEHIND_LINE.sub("", line) if "*" in line or "#" in line else line
-    line = _PRINTED.sub(r"\1", line.strip()) if line[:1] in ("[", "(") else line
     if delimiter == " ":
         return _unquoted(" ".join(line.split()), " ") if '"' in line else line.split()
-    line = _TERMINAL.sub(rf"\g<stamp>{delimiter}", line) if ":" in line else line
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)]
     line = line.replace('="', '"')  # as of a spreadsheet that shall take numbers for text
@@ -135,11 +116,6 @@ def _unquoted(line: str, delimiter: str) -> list[str]:
         return next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
     except csv.Error:
         return line.split(delimiter)
-
-
-def is_of_terminal(line: str) -> bool:
-    """Whether a serial terminal has set a time before a line."""
-    return bool(_TERMINAL.match(line))
 
 
 def is_before_decimals(cell: str, decimal: str) -> bool:

@@ -54,10 +54,10 @@ class Clock:
             return doubles(pc.if_else(pc.equal(text, ""), "0", text).cast(pa.float64()))
 
         hours = part("h")
-        for name in {"half", "before"} & parts:
-            half = pc.struct_field(matched, name)
+        if "half" in parts:
+            half = pc.struct_field(matched, "half")
             of_twelve, after_noon = (
-                doubles(pc.match_substring_regex(half, form).cast(pa.float64())) for form in (".", "[Pp下後후]")
+                doubles(pc.match_substring_regex(half, form).cast(pa.float64())) for form in (".", "[Pp]")
             )
             hours = np.where(of_twelve > 0.0, hours % 12.0 + 12.0 * after_noon, hours)
         return self._onwards(3600.0 * hours + 60.0 * (part("m") + part("mm")) + part("s") + part("ss"))

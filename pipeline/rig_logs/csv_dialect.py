@@ -8,8 +8,6 @@ from pipeline.rig_logs.csv_cells import (
     COMMENT,
     MISSING,
     NUMBER,
-    RULED,
-    is_of_terminal,
     is_stamp,
     is_value,
     is_word,
@@ -18,7 +16,6 @@ from pipeline.rig_logs.csv_cells import (
     split_row,
 )
 from pipeline.rig_logs.csv_clock import labview_starts
-from pipeline.rig_logs.csv_columns import Writing, bare_cells
 from pipeline.rig_logs.csv_encoding import text_encoding
 from pipeline.rig_logs.csv_heading import (
     bare_line,
@@ -32,7 +29,6 @@ from pipeline.rig_logs.csv_heading import (
     rows_by_key,
     stated_rates,
     stated_scales,
-    with_row_names,
 )
 from pipeline.rig_logs.csv_table import SampleTable, find_table, sample_lines
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
@@ -70,22 +66,21 @@ class Dialect:
     """Of which columns it is open yet whether `decimal` stands before decimals or between thousands."""
     texts: tuple[str, ...]
     """What stands in the columns that are no numbers; "" for the others."""
-    columns: tuple[Writing, ...]
-    """How each column is written, where one is not as the rest."""
     rewritten: bool
     """Whether rows need more than to be split at the delimiter, as where some have a comment behind them."""
     starts: tuple[tuple[float, float], ...]
     """When each column begins, and its step [s], where these differ; see `labview_starts`."""
     above: frozenset[tuple[str, ...]]
     """The rows of names and units, which a logger may write once more where it begins anew."""
+    is_labview: bool
 
     def split(self, line: str) -> list[str]:
-        """The cells of a row of data, as numbers with the file's decimal mark."""
-        return bare_cells(split_row(line, self.delimiter), self.columns, self.decimal)
+        """The cells of a row of data."""
+        return split_row(line, self.delimiter)
 
     def is_remark(self, line: str, cells: Sequence[str]) -> bool:
         """Whether a line among rows of numbers is none of them: a comment, an event, a statistic, a row from above."""
-        if RULED.fullmatch(line.strip()) or (COMMENT.match(line) and cells[0].lower() not in MISSING):
+        if COMMENT.match(line) and cells[0].lower() not in MISSING:
             return True
         if tuple(cells) in self.above or (self.numeric[0] and _STATISTIC.fullmatch(cells[0])):
             return True
@@ -93,6 +88,14 @@ class Dialect:
         if len(cells) == len(self.headings):
             return words and any(map(_STATEMENT.search, cells))
         return words or (len(cells) == 1 and bool(_SENTENCE.search(line)))
+
+    def check_same_segment(self, cells: Sequence[str], line: int) -> None:
+        """Refuse a further segment of a LabVIEW measurement, which has a header and a start of its own."""
+        if self.is_labview and cells[0] == "Channels":
+            raise UnreadableLogError(
+                f"line {line} is the header of another segment (LabVIEW's Multi_Headings), whose time begins anew: cut "
+                "the file there, and put the header of the file above each segment"
+            )
 
     def begins_another(self, cells: Sequence[str]) -> bool:
         """Whether a row of words in place of numbers is the heading of another table."""
@@ -159,12 +162,12 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         tuple(stated_scales(lines[: table.first], table.delimiter)),
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
-        table.columns,
-        bool(table.delimiter == " " or table.columns or table.ragged or any(map(is_of_terminal, lines)))
+        bool(table.delimiter == " " or table.ragged)
         or (header_row is not None and len(above[header_row]) == width + 1),
         labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
         frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])
         - {("",) * width},
+        lines[0].startswith(_LABVIEW),
     )
 
 
@@ -209,15 +212,11 @@ def _headings(
     """Names and units of the columns, and the cells above them as they are written."""
     width = len(table.numeric)
     if header_row is None:
-        names, units = names_and_units([each.label for each in table.columns], (), width)
-        units = tuple(each.unit for each in table.columns) or units
+        names, units = names_and_units((), (), width)
         beside = names_beside(table.rows, table.numeric)
         return (*beside, names) if beside else (names, units, ("",) * width)
     padded = [*above[header_row], *[""] * width][:width]
     names, units = names_and_units(padded, () if units_row is None else above[units_row], width)
-    units = (
-        tuple(each.unit or unit for unit, each in zip(units, table.columns, strict=True)) if table.columns else units
-    )
     as_written = table.rows[header_row][:width]
     return names, units, tuple(as_written if len(as_written) == len(above[header_row][:width]) == width else padded)
 
@@ -243,22 +242,20 @@ def _above(table: SampleTable, lines: list[str]) -> tuple[list[Sequence[str]], l
     width, lines = len(table.numeric), lines[: table.first]
     rows: list[Sequence[str]] = []
     for line in lines:
-        cells = [] if RULED.fullmatch(line.strip()) else split_row(bare_line(line), table.delimiter)
+        cells = split_row(bare_line(line), table.delimiter)
         if len(cells) == width and _STATISTIC.fullmatch(cells[0]) and all(map(NUMBER.match, cells[1:])):
             cells = []
         while len(cells) > width and (not cells[-1] or "=" in cells[-1]):  # as of an oscilloscope, behind the names
             del cells[-1]
         wider = table.delimiter == " " or is_comment(line)
         rows.append(cells_above(line, cells, width) if wider else cells)
-    if rows:
-        rows[-1] = with_row_names(rows[-1], table.rows[table.first :], width)
     return rows, [is_comment(line) for line in lines]
 
 
 def _check_decimal_commas(table: SampleTable) -> None:
     """Commas that separate and are decimal marks too: more cells than names, at most twice as many."""
     width = len(table.numeric)
-    above = with_row_names(table.rows[table.first - 1], table.rows[table.first :], width) if table.first else []
+    above = table.rows[table.first - 1] if table.first else []
     names, cells = len(above), width - [*map(bool, _firsts(table))][::-1].index(True)
     marked = table.has_marks or table.delimiter != ","
     if not marked and 2 <= names < cells <= 2 * names and not any(map(NUMBER.match, above)):

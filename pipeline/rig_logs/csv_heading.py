@@ -222,13 +222,6 @@ def rows_by_key(above: list[Row]) -> tuple[int | None, int | None]:
     return names, units
 
 
-def with_row_names(row: Row, below: Sequence[Row], width: int) -> Row:
-    """The names above a table, with an empty one before them where its first column counts the rows, as R writes it."""
-    numbers = [cells[0] for cells in below if len(cells) == width]
-    counted = len(numbers) > 2 and numbers == [*map(str, range(1, len(numbers) + 1))]
-    return ["", *row] if counted and len(row) == width - 1 and not any(map(NUMBER.match, row)) else row
-
-
 def names_beside(rows: Sequence[Row], numeric: Sequence[bool]) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
     """Names and units of an old Tektronix file, which has keys and values in its first columns beside the data."""
     columns = [j for j, is_numeric in enumerate(numeric) if is_numeric]

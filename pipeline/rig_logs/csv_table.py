@@ -17,7 +17,6 @@ from pipeline.rig_logs.csv_cells import (
     rows_of,
     split_row,
 )
-from pipeline.rig_logs.csv_columns import Writing, bare_cells, writings
 from pipeline.rig_logs.csv_heading import with_whole_cells
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
 
@@ -42,7 +41,6 @@ class SampleTable:
     """Which columns have numbers in the sample."""
     has_marks: bool
     ragged: bool
-    columns: tuple[Writing, ...]
 
     @property
     def shows_mark(self) -> bool:
@@ -122,8 +120,6 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     rows = [split_row(line, delimiter) for line in lines]
     width = Counter(len(row) for row in rows if any(row)).most_common(1)[0][0] if any(map(any, rows)) else 0
     begin = 0 if header_row is None else header_row + 1
-    written = writings(rows[begin:], width, decimal)
-    rows = [bare_cells(row, written, decimal) for row in rows]
     named = header_row is not None and header_row < len(rows) and len(rows[header_row]) == width + 1
     fits = [_fits(row, width, decimal) or (named and len(row) == width + 1) for row in rows]
     fitting = [i for i in range(begin, len(rows)) if fits[i]]
@@ -155,7 +151,7 @@ def _table(lines: list[str], delimiter: str, decimal: str, header_row: int | Non
     marks = (cell for column, holds in zip(columns, numeric, strict=True) if holds for cell in column)
     has_marks = any(decimal in cell and not is_stamp(cell) for cell in marks)
     ragged = any(len(rows[i]) > width for i in fitting if i >= first)
-    return SampleTable(delimiter, decimal, rows, first, numeric, has_marks, ragged, written)
+    return SampleTable(delimiter, decimal, rows, first, numeric, has_marks, ragged)
 
 
 def _same_kinds(row: Sequence[str], below: Sequence[str]) -> bool:

@@ -41,8 +41,6 @@ from pipeline.rig_logs.source import (
 )
 from pipeline.units import SECONDS, time_unit
 
-_MOST_OBJECTS = 100_000
-_DEEPEST = 16
 _LARGEST_RATIO = 2000.0
 _SMALL_BYTES = 1 << 20
 
@@ -58,7 +56,13 @@ def open_hdf5(path: Path) -> Any:
     try:
         return h5py.File(path, "r")
     except OSError as error:
-        raise UnreadableLogError(f"HDF5 cannot open it: {_first_sentence(error)}") from error
+        reason = _first_sentence(error)
+        if "unable to lock" in reason or "already open" in reason:
+            raise UnreadableLogError(
+                "its recorder still writes it, or died while it did: end the recording, or after a crash run "
+                "`h5clear -s` on a copy"
+            ) from error
+        raise UnreadableLogError(f"HDF5 cannot open it: {reason}") from error
 
 
 def child_of(group: Any, name: str) -> Any:
@@ -104,12 +108,10 @@ def checked(item: Any) -> Any:
 def walk(group: Any) -> Iterator[tuple[str, Any]]:
     """Every dataset below a group with its path from there, each once, in the file's order."""
     seen: set[Any] = set()
-    yield from _walk(group, "", 0, seen)
+    yield from _walk(group, "", seen)
 
 
-def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple[str, Any]]:
-    if depth > _DEEPEST or len(seen) > _MOST_OBJECTS:
-        raise UnreadableLogError("groups are nested too deeply or hold too many objects")
+def _walk(group: Any, prefix: str, seen: set[Any]) -> Iterator[tuple[str, Any]]:
     for name in group:
         if isinstance(group.get(name, getlink=True), h5py.SoftLink):
             continue  # what it names is listed in its own place, if it is in this file
@@ -119,7 +121,7 @@ def _walk(group: Any, prefix: str, depth: int, seen: set[Any]) -> Iterator[tuple
             continue
         seen.add(address)
         if isinstance(item, h5py.Group):
-            yield from _walk(item, f"{prefix}{name}/", depth + 1, seen)
+            yield from _walk(item, f"{prefix}{name}/", seen)
         elif isinstance(item, h5py.Dataset):
             yield f"{prefix}{name}", item
 

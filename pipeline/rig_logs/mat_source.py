@@ -36,7 +36,6 @@ from pipeline.rig_logs.source import (
 )
 from pipeline.units import SECONDS, time_unit
 
-_DEEPEST = 8
 _MOST_ELEMENTS = 1000
 
 _WAYS_OUT = {
@@ -70,7 +69,7 @@ class MatSource(Source):
             elif isinstance(value, MatObject) and value.kind in TABLES:
                 self._add_table(path, name, value.kind)
             else:
-                self._add(self._plain(name, value, _DEEPEST))
+                self._add(self._plain(name, value))
         self.notes += [*left_out(self.texts), *not_listed(self._not_listed)]
 
     def entries(self) -> list[Entry]:
@@ -103,7 +102,7 @@ class MatSource(Source):
         self._add(channels)
         self.texts |= dict.fromkeys(texts, "text")
 
-    def _plain(self, name: str, value: MatValue, depth: int, second: float = 1.0) -> list[MatChannel]:
+    def _plain(self, name: str, value: MatValue, second: float = 1.0) -> list[MatChannel]:
         """Vectors by their name, signals of matrices, fields of structs as name.field or name(k).field."""
         if isinstance(value, MatObject):
             advice = _WAYS_OUT.get(value.kind, "save its vectors as variables of their own").replace("NAME", name)
@@ -118,12 +117,12 @@ class MatSource(Source):
                 return _signals_of(name, value)
             if value.size > 1:
                 self._not_listed[name] = value.dims
-        elif is_struct(value) and value.count <= _MOST_ELEMENTS and depth:
+        elif is_struct(value) and value.count <= _MOST_ELEMENTS:
             places = [name] if value.count == 1 else [f"{name}({i + 1})" for i in range(value.count)]
-            return [channel for i, place in enumerate(places) for channel in self._fields(place, value, i, depth - 1)]
+            return [channel for i, place in enumerate(places) for channel in self._fields(place, value, i)]
         return []
 
-    def _fields(self, place: str, value: MatStruct, index: int, depth: int) -> list[MatChannel]:
+    def _fields(self, place: str, value: MatStruct, index: int) -> list[MatChannel]:
         """The channels of one element of a struct, in the units that it states: for all of them, or by their names."""
         members = {field: value.get(index, field) for field in value.fields}
         units = next((members[field] for field in members if is_unit(field)), None)
@@ -138,7 +137,7 @@ class MatSource(Source):
                 units.get(0, field) if is_struct(units) else
                 members.get("TimeUnit") if several and is_called("time", field) else units
             )  # fmt: skip
-            for channel in self._plain(f"{place}.{field}", member, depth, second):
+            for channel in self._plain(f"{place}.{field}", member, second):
                 own = replace(channel.entry, unit=channel.entry.unit or unit.strip())
                 channels.append(replace(channel, entry=own))
         return channels

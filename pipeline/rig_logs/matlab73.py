@@ -18,9 +18,6 @@ from pipeline.rig_logs.mat_source import MatSource
 from pipeline.rig_logs.mat_values import MatArray, MatObject, MatValue
 from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
 
-_LONGEST_TEXT = 100_000
-_MOST_ELEMENTS = 100_000
-
 
 @dataclass(frozen=True)
 class _Struct:
@@ -62,8 +59,6 @@ def _value(item: Any) -> MatValue:
     if not isinstance(item, h5py.Dataset) or item.attrs.get("MATLAB_empty", 0):
         return "" if _class_of(item) == "char" else None
     if _class_of(item) == "char":
-        if item.size > _LONGEST_TEXT:
-            return None
         return np.asarray(item[()], dtype="<u2").tobytes(order="F").decode("utf-16-le", "replace") if item.size else ""
     if _class_of(item) == "cell" or _is_references(item):
         return MatObject("cell")
@@ -92,7 +87,7 @@ def _struct(group: Any) -> MatValue:
     if not arrays:
         return _Struct(group, fields, 1)
     sizes = {member.size for member in arrays}
-    if len(sizes) != 1 or max(sizes) > _MOST_ELEMENTS:
+    if len(sizes) != 1:
         raise UnreadableLogError(f"{group.name} is no proper struct array")
     return _Struct(group, fields, sizes.pop())
 

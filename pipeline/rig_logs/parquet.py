@@ -133,14 +133,11 @@ def _leaves(name: str, field: Any, path: tuple[str, ...]) -> Iterator[tuple[str,
     """The columns below a field: itself, or those of a struct, each with its path, unless two have one name."""
     kind = field.type
     names = [kind.field(i).name for i in range(kind.num_fields)] if pa.types.is_struct(kind) else []
-    if not names or len(path) == _DEEPEST or len(set(names)) < len(names):
+    if not names or len(set(names)) < len(names):
         yield name, path, field
         return
     for i, key in enumerate(names):
         yield from _leaves(name, kind.field(i), (*path, key))
-
-
-_DEEPEST = 8
 
 
 def _is_read(kind: Any) -> bool:

@@ -7,7 +7,6 @@ import numpy as np
 
 from pipeline.signals.signal_quality import SignalQuality
 
-_RAIL_SHARE = 1e-3
 _FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
 _SHOWS = 1e-4
 """Share of the range of a signal that a hum is worth a remark from."""
@@ -52,7 +51,7 @@ def remarks_on(quality: SignalQuality, context: Context = Context()) -> tuple[st
     if quality.idle:
         undriven = not context.driven or context.alike > _MUCH * quality.span
         remarks.append("nothing but noise: no excitation" if undriven else "white noise, or nothing but noise")
-    if not (context.driven and quality.stepped):
+    if not (context.driven and (quality.stepped or quality.ramped)):
         remarks += _stays(quality, clock)
     if quality.spikes:
         remarks.append(f"{counted(quality.spikes, 'single-sample spike')}{_first(quality.spikes_at, clock)}")
@@ -72,7 +71,7 @@ def _stays(quality: SignalQuality, clock: Clock) -> list[str]:
         ("upper", quality.high_rail, quality.usual[1]),
         ("lower", quality.low_rail, quality.usual[0]),
     ):
-        if share > _RAIL_SHARE:
+        if share > 0.0:
             remarks.append(f"{100 * share:.2g} % of the samples stay at the {rail} extreme {value:.6g}: saturated?")
     long = quality.longest_frozen > _FROZEN_SECONDS and quality.frozen_samples >= _FROZEN_SAMPLES
     if clock == "s" and long and not (quality.stepped or quality.rests):

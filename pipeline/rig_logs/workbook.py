@@ -1,47 +1,191 @@
-"""Workbooks of Excel and LibreOffice through calamine: the sheet of the most rows, read as the CSV that it would be."""
+"""Workbooks of Excel and LibreOffice through calamine: the visible sheet of the most rows, and those in which it goes
+on, read as the CSV that they would be.
+
+calamine rounds dates, times and durations to 1 ms. In XLSX they are days with 15 digits, which it gives where it finds
+no styles; so such a file is opened a second time with the name of its styles changed.
+"""
 
 import csv
+import io
+import math
+import re
+import zipfile
+from collections.abc import Sequence
 from dataclasses import replace
-from datetime import datetime, time, timedelta
+from datetime import date, datetime, time, timedelta
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
+
+from python_calamine import CalamineError, CalamineWorkbook
 
 from pipeline.rig_logs.csv import CsvSource
 from pipeline.rig_logs.source import CsvOptions, UnreadableLogError, View, temporary_path
 
+_STYLES, _NO_STYLES = b"xl/styles.xml", b"xl/unread.xml"
+_LOCAL_HEADER = 30
+"""Bytes before the name of a member in a ZIP file."""
+_DAY_0, _DAY_1 = datetime(1899, 12, 30), datetime(1899, 12, 31)
+"""From where Excel counts days; calamine takes the first ones of 1900 for what Excel shows."""
+_OPEN_FORMULA = re.compile(rb"(?:</f>|<f[^>]*/>)\s*(?:<v\s*/>|<v></v>)?\s*</c>")
+_START = 100
+"""Rows among which a heading stands."""
+_DAY_NS = 86_400 * 10**9
+Rows = list[list[Any]]
+
 
 class WorkbookSource(View):
-    """A sheet as a table of text in a temporary file, which lasts as long as this exists."""
+    """A table as text in a temporary file, which lasts as long as this exists."""
 
     def __init__(self, path: Path, options: CsvOptions, *_: object) -> None:
-        import python_calamine
-
+        content = path.read_bytes()
         try:
-            with path.open("rb") as file:  # by its content, whatever its name ends in
-                book = python_calamine.CalamineWorkbook.from_filelike(file)
+            book = CalamineWorkbook.from_filelike(io.BytesIO(content))  # by its content, whatever its name ends in
+            plain = _without_styles(content)
+            numbers = CalamineWorkbook.from_filelike(io.BytesIO(plain)) if plain else None
             visible = [each.name for each in book.sheets_metadata if f"{each.visible}".endswith(".Visible")]
-            sheets = [book.get_sheet_by_name(name) for name in visible or book.sheet_names]
-            sheet = max(sheets, key=lambda each: each.total_height)
-            rows = sheet.to_python(skip_empty_area=False)
-        except (python_calamine.CalamineError, ValueError, OSError) as error:
+            sheets = {name: book.get_sheet_by_name(name) for name in visible or book.sheet_names}
+            of_table = _one_table({name: each.to_python(False, _START) for name, each in sheets.items()}, sheets)
+            rows = {name: sheets[name].to_python(skip_empty_area=False) for name in of_table}
+            raw = rows
+            if numbers is not None:
+                raw = {name: numbers.get_sheet_by_name(name).to_python(skip_empty_area=False) for name in of_table}
+        except (CalamineError, ValueError, OSError) as error:
             raise UnreadableLogError(f"the workbook cannot be opened: {error}") from error
+        _check_order(of_table, rows, raw)
+        if plain and any(cell == "" for each in rows.values() for row in each for cell in row):
+            _check_formulas(content)
         written, mark = temporary_path(self), options.decimal or "."
+        kinds = _clocks(rows[of_table[0]])
         with written.open("w", newline="", encoding="utf-8") as file:
-            csv.writer(file, lineterminator="\n").writerows([_text(cell, mark) for cell in row] for row in rows)
+            writer = csv.writer(file, lineterminator="\n")
+            for k, name in enumerate(of_table):
+                first = _first_of_numbers(rows[name]) if k else 0
+                for row, numbers_of_row in zip(rows[name][first:], raw[name][first:], strict=True):
+                    cells = zip(row, numbers_of_row, kinds, strict=False)
+                    writer.writerow([_text(cell, number, mark, clock) for cell, number, clock in cells])
         super().__init__(CsvSource(written, replace(options, encoding="utf-8", delimiter=",", decimal=mark)))
         self.format = "workbook"
-        if len(book.sheet_names) > 1:
-            which = f"{len(book.sheet_names)} sheets; of those that are visible the one of the most rows is read"
-            self.notes.insert(0, f"{which}, {sheet.name!r}")
+        self._tell(book.sheet_names, of_table, rounded=numbers is None and any(kinds))
+
+    def _tell(self, sheets: Sequence[str], of_table: Sequence[str], *, rounded: bool) -> None:
+        """Note which sheets are read, and what their cells do not hold."""
+        named = ", ".join(map(repr, of_table))
+        if len(of_table) > 1:
+            self.notes.insert(0, f"the table goes on from sheet to sheet: {named}")
+        if len(sheets) > len(of_table):
+            others = ", ".join(repr(name) for name in sheets if name not in of_table)
+            self.notes.insert(0, f"{len(sheets)} sheets: {named} is read, {others} not")
+        if rounded:
+            self.notes.append("times of such a workbook are rounded to 1 ms; XLSX holds more digits")
 
 
-def _text(cell: Any, mark: str) -> str:
-    """A cell as CSV has it: numbers with all digits and this decimal mark, times by ISO 8601, durations in s."""
-    if isinstance(cell, float | timedelta):
-        return repr(cell if isinstance(cell, float) else cell.total_seconds()).replace(".", mark)
-    if isinstance(cell, datetime):
-        return cell.isoformat(sep=" ")
-    return cell.isoformat() if isinstance(cell, time) else f"{cell}"
+def _without_styles(content: bytes) -> bytes:
+    """The bytes of an XLSX file in which no styles are found, so that dates are numbers; b"" for other workbooks."""
+    if not content.startswith(b"PK"):
+        return b""
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        if _STYLES.decode() not in archive.namelist():
+            return b""
+        local = archive.getinfo(_STYLES.decode()).header_offset + _LOCAL_HEADER
+    changed = bytearray(content)
+    for place in (local, content.rindex(_STYLES)):
+        changed[place : place + len(_STYLES)] = _NO_STYLES
+    return bytes(changed)
+
+
+def _check_formulas(content: bytes) -> None:
+    """Refuse an XLSX file with formulas that no program has worked out: their cells would be empty."""
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        sheets = (archive.read(name) for name in archive.namelist() if name.startswith("xl/worksheets/"))
+        if any(_OPEN_FORMULA.search(sheet) for sheet in sheets):
+            raise UnreadableLogError(
+                "it has formulas without stored results: open it in a spreadsheet program and save it"
+            )
+
+
+def _is_time(cell: Any) -> bool:
+    """Whether a cell is a date, which one at midnight is too, a time of day or a duration."""
+    return isinstance(cell, date | time | timedelta)
+
+
+def _first_of_numbers(rows: Rows) -> int:
+    """The first row with two numbers or times; all rows are above it where there is none."""
+    wanted = (sum(isinstance(cell, float | int) or _is_time(cell) for cell in row) > 1 for row in rows)
+    return next((i for i, is_data in enumerate(wanted) if is_data), len(rows))
+
+
+def _one_table(starts: dict[str, Rows], sheets: dict[str, Any]) -> list[str]:
+    """The sheet of the most rows, and those beside it with the same heading, or with none, above as many columns."""
+    main = max(sheets, key=lambda name: sheets[name].total_height)
+    heads = {name: _heading(rows) for name, rows in starts.items()}
+    alike = [name for name in sheets if heads[name] is not None and sheets[name].width == sheets[main].width]
+    named = next((heads[name] for name in alike if heads[name]), [])
+    of_table = [name for name in alike if heads[name] in ([], named)]
+    return of_table if named and main in of_table else [main]
+
+
+def _heading(rows: Rows) -> Rows | None:
+    """The full rows above the first one of numbers; None where there are no numbers."""
+    first = _first_of_numbers(rows)
+    return [row for row in rows[:first] if all(cell != "" for cell in row)] if first < len(rows) else None
+
+
+def _check_order(names: Sequence[str], rows: dict[str, Rows], raw: dict[str, Rows]) -> None:
+    """Refuse tables that do not follow each other in their first column, as those of several recordings."""
+    if len(names) == 1:
+        return
+    ends = [(raw[name][_first_of_numbers(rows[name])][0], raw[name][-1][0]) for name in names]
+    for (_, last), (first, _) in pairwise(ends):
+        if not (isinstance(last, float | int) and isinstance(first, float | int) and first > last):
+            raise UnreadableLogError(
+                f"the sheets {', '.join(map(repr, names))} hold tables of one heading that do not follow each other: "
+                "save each as a file of its own"
+            )
+
+
+def _clocks(rows: Rows) -> list[str]:
+    """How the times of each column are written: "day" where they are times of day alone; "" where there are none."""
+    body = rows[min(_first_of_numbers(rows), len(rows) - 1) :] if rows else []
+    types = [{type(cell) for cell in column if _is_time(cell)} for column in zip(*body, strict=True)]
+    return ["" if each in (set(), {date}) else "day" if each == {time} else "stamp" for each in types]
+
+
+def _text(cell: Any, number: Any, mark: str, clock: str) -> str:
+    """A cell as CSV has it: numbers with all digits and this decimal mark, times by ISO 8601.
+
+    Parameters
+    ----------
+    cell : float, str, datetime, …
+        As calamine gives it.
+    number : float or the same
+        The days that a time is stored as, where they are known.
+    mark : str
+        Decimal mark.
+    clock : {"", "day", "stamp"}
+        Whether times are written as times of day, which may pass midnight, or with a date.
+    """
+    if clock and _is_time(cell):
+        day, of_day = _stamp(number if isinstance(number, float | int) else cell)
+        return of_day if clock == "day" else f"{day} {of_day}"
+    if isinstance(cell, float):
+        return repr(cell).replace(".", mark)
+    return f"{cell}"
+
+
+def _stamp(cell: date | time | timedelta | float) -> tuple[date, str]:
+    """The date and the time of day of a time, or of a number of days, which is exact to a nanosecond."""
+    if isinstance(cell, float | int):
+        days = math.floor(cell)
+        seconds, nanoseconds = divmod(round((cell - days) * _DAY_NS), 10**9)
+        stamp = _DAY_0 + timedelta(days=days, seconds=seconds)
+        return stamp.date(), f"{stamp:%H:%M:%S}.{nanoseconds:09d}"
+    if isinstance(cell, timedelta):
+        cell = _DAY_0 + cell
+    if isinstance(cell, time):
+        cell = datetime.combine(_DAY_1, cell)
+    stamp = cell if isinstance(cell, datetime) else datetime.combine(cell, time())
+    return stamp.date(), stamp.time().isoformat()
 
 
 open_log = WorkbookSource

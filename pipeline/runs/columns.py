@@ -210,6 +210,24 @@ TIME_COLUMNS = (
 )
 """Columns that the printed table and the CSV of the scores have beside those of the file."""
 
+INSTRUMENT_COLUMNS = (
+    _text("log", "name of the log"),
+    _text("role", "train or validation"),
+    _text("model", "model that measured: the main model, and rbf beside it"),
+    _text("quantity", "gain_v1, gain_v2, zero_q, gain_q, delay or clock"),
+    Column("estimate", "error", "SI", "error of the reading, relative to the training logs: reading over truth minus 1 "
+           "for gains and the clock, reading minus truth for the zero (unit of q), time [s] by which the voltages are "
+           "recorded later than they acted; null if not measured"),
+    Column("standard_error", "", "SI", "its standard error"),
+    Column("correction", "", "SI", "value for this log in [logs] that makes the readings true, together with what "
+           "stands there"),
+    Column("limit", "", "SI", "error below which it is of no practical interest"),
+    Column("beyond", "", "1", "whether the error exceeds both 4 standard errors and the limit", dtype="bool"),
+    Column("residual_ratio", "", "1", "what no instrument explains, over the same of the training logs"),
+    _text("exchanged", "what is exchanged in this log: none, inputs, sign (of q) or both"),
+    _text("status", "measured, not measured or another device"),
+)  # fmt: skip
+
 FLEET_COLUMNS = (
     _text("prototype", "name of the prototype"),
     Column("exit_code", "", "1", "exit code of its run; negative if a signal ended it", dtype="int64"),

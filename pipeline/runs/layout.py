@@ -12,6 +12,7 @@ from pipeline.settings_logs import ROLES, Log, LogPart, Role, log_label
 CHECK = "check.json"
 MODELS = "model.h5"
 SCORES = "scores.parquet"
+INSTRUMENTS = "instruments.parquet"
 CURVES = "curves.parquet"
 KNOWN_CURVES = "known-curves.parquet"
 SIBLINGS = "siblings.h5"
@@ -38,6 +39,14 @@ def raw_logs(prototype: Prototype, prototype_file: Path) -> list[tuple[str, Path
     return [
         (label, source(log, prototype_file), log.span if isinstance(log, LogPart) else (-math.inf, math.inf))
         for _, label, log in _logs(prototype)
+    ]
+
+
+def log_parts(prototype: Prototype) -> list[tuple[Role, str, LogPart]]:
+    """Every log of a prototype in the order of `logs`: role, name in the run, and what of it is taken and how."""
+    return [
+        (role, log_name(label), log if isinstance(log, LogPart) else LogPart(file=log))
+        for role, label, log in _logs(prototype)
     ]
 
 

@@ -3,15 +3,17 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
-from typing import Any, Literal, Self
+from types import GenericAlias
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs.columns import (
     FLEET_COLUMNS,
     FLEET_FACT_COLUMNS,
+    INSTRUMENT_COLUMNS,
     PHI_COLUMN,
     RATE_COLUMNS,
     RECORD_COLUMNS,
@@ -39,6 +41,7 @@ SIGNALS = Schema("signals", RECORD_COLUMNS)
 KINEMATICS = Schema("kinematics", (*RECORD_COLUMNS, *RATE_COLUMNS))
 PREDICTIONS = Schema("predictions", (*RECORD_COLUMNS[:2], *RATE_COLUMNS, *TUBE_COLUMNS, PHI_COLUMN))
 SCORES = Schema("scores", SCORE_COLUMNS)
+INSTRUMENTS = Schema("instruments", INSTRUMENT_COLUMNS)
 FLEET = Schema("fleet", FLEET_COLUMNS)
 FLEET_FACTS = Schema("fleet-facts", FLEET_FACT_COLUMNS)
 STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_COLUMNS.items()}
@@ -74,6 +77,7 @@ _OF_FILES = (
     ("*/*/kinematics.parquet", KINEMATICS),
     ("*/*/predictions/*.parquet", PREDICTIONS),
     ("scores.parquet", SCORES),
+    ("instruments.parquet", INSTRUMENTS),
     ("studies/folds/*.parquet", STUDIES["folds"]),
     *((f"studies/{study}.parquet", schema) for study, schema in STUDIES.items()),
 )
@@ -114,69 +118,37 @@ Number = float | None
 """JSON has no number that is not finite: null stands for it."""
 
 
-class _Shape(BaseModel):
-    """Values are not converted; what is not named may be there."""
-
-    model_config = ConfigDict(strict=True, extra="allow")
+_AS_WRITTEN = ConfigDict(strict=True, extra="allow", allow_inf_nan=False)
+"""Values are not converted; what is not named may be there, as in documents of other versions."""
 
 
-class _Interval(_Shape):
-    low: Number = None
-    high: Number = None
+def kind(**entries: Any) -> Any:
+    """The kind of a mapping with these entries; one that is a kind with a default may be missing."""
+    fields = {name: entry if isinstance(entry, tuple) else (entry, ...) for name, entry in entries.items()}
+    return create_model("Document", __config__=_AS_WRITTEN, **fields)  # type: ignore[call-overload]
 
 
-class _Horizon(_Shape):
-    horizon_s: float = 0.0
-    nrmse: Number = None
-    interval: _Interval | None = None
+def list_of(entry: Any) -> Any:
+    """The kind of a list whose entries are of one kind."""
+    return GenericAlias(list, entry)
 
 
-class _Outcomes(_Shape):
-    ambiguous: list[bool] = []
-
-
-class _Choice(_Shape):
-    chosen: str = ""
-    reason: str = ""
-    held_out_error: dict[str, Number] = {}
-    excess_of_the_other: _Interval | None = None
-
-
-class _Stretch(_Shape):
-    alpha: Number = None
-    noise_std: Number = None
-    converged: bool = True
-
-
-class _Notes(_Shape):
-    """Those of all stages; each artifact has some of them, and those of an older debist may lack what is new."""
-
-    warnings: list[str] = []
-    accepted: list[str] = []
-    gaps: int = 0
-    raw_rows: int = 0
-    raw_step: float = 0.0
-    method: str = ""
-    of: str = ""
-    order: int = 0
-    interval_s: float = 0.0
-    unit_si: float = 1.0
-    stretches: list[_Stretch] = []
-    identified: list[str] = Field(["one"], min_length=1)
-    choice: _Choice | None = None
-    status: Literal["ok", "diverged"] = "ok"
-    diverged_at_s: Number = None
-    basis_functions: int | None = None
-    outside_training: Number = None
-    processor_time: dict[str, Number] = {}
-    horizons: dict[str, _Horizon] = {}
-    outcomes: _Outcomes | None = None
-
-    @model_validator(mode="after")
-    def _says_when(self) -> Self:
-        if self.status == "diverged" and self.diverged_at_s is None:
-            raise ValueError("diverged, but diverged_at_s is null")
-        return self
+_INTERVAL = kind(low=(Number, None), high=(Number, None))
+_HORIZON = kind(horizon_s=(float, 0.0), nrmse=(Number, None), interval=(_INTERVAL | None, None))
+_CHOICE = kind(
+    chosen=(str, ""), reason=(str, ""), held_out_error=(dict[str, Number], {}),
+    excess_of_the_other=(_INTERVAL | None, None),
+)  # fmt: skip
+_STRETCH = kind(alpha=(Number, None), noise_std=(Number, None), converged=(bool, True))
+_NOTES: type[BaseModel] = kind(
+    warnings=(list[str], []), accepted=(list[str], []), gaps=(int, 0), raw_rows=(int, 0), raw_step=(float, 0.0),
+    method=(str, ""), of=(str, ""), order=(int, 0), interval_s=(float, 0.0), unit_si=(float, 1.0),
+    stretches=(list_of(_STRETCH), []), identified=(Annotated[list[str], Field(min_length=1)], ["one"]),
+    choice=(_CHOICE | None, None), status=(Literal["ok", "diverged"], "ok"), diverged_at_s=(Number, None),
+    basis_functions=(int | None, None), outside_training=(Number, None), processor_time=(dict[str, Number], {}),
+    horizons=(GenericAlias(dict, (str, _HORIZON)), {}), outcomes=(kind(ambiguous=(list[bool], [])) | None, None),
+)  # fmt: skip
+"""Notes of all stages; each artifact has some of them, and those of an older debist may lack what is new."""
 
 
 class Notes(dict[str, Any]):
@@ -206,9 +178,11 @@ def checked_notes(notes: Mapping[str, Any], where: str) -> Notes:
         One is not; the text names it.
     """
     try:
-        _Notes.model_validate(notes)
+        _NOTES.model_validate(notes)
     except ValidationError as error:
         raise CorruptArtifactError(f"{where}.{first_mistake(error)}") from None
+    if notes.get("status") == "diverged" and notes.get("diverged_at_s") is None:
+        raise CorruptArtifactError(f"{where}: diverged, but diverged_at_s is null; {ADVICE}")
     return Notes(notes, where)
 
 

@@ -7,6 +7,8 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import robust_std
 
+CHANCE = 1e-3
+"""Significance level of every test on a signal or a clock."""
 _SPACINGS = (1, 2)
 _ORDERS = (4, 6)
 _MOST_MOVING = 0.9

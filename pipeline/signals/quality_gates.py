@@ -220,34 +220,30 @@ def plausible_span(symbol: str, *, joint: bool = True) -> tuple[float, float] | 
     return (_PLAUSIBLE_SPANS if joint else _OTHER_SPANS).get(symbol)
 
 
-_SHARE = 0.005
-"""Share of the samples that stay at an end."""
 _ABOUT_ZERO = 0.02
 """Share of the largest magnitude of an input below which a level is a rest about zero."""
-_RAGGED = 0.5
-"""Share of the samples elsewhere that differ from the one before, where a probe has noise or the input moves."""
 
 
 def saturation(time: FloatArray, samples: FloatArray, step: float, unit: str) -> list[str]:
-    """Remarks on an input that stays at its largest or smallest value to the last digit, though it has noise.
+    """Remarks on an input that is cut off at its largest or smallest value, exactly or beneath noise.
 
     A command holds its levels exactly, everywhere; a probe does so nowhere but at its rail. An input that rests about
     zero is not at a rail there: its steps may hide the noise, and an amplifier that is off makes none.
     """
     quality = examine_signal(time, samples, step)
-    if quality.constant or quality.stepped or quality.levels:
+    if quality.constant or quality.stepped or quality.levels or quality.ramped:
         return []
     remarks = []
-    for share, rail in ((quality.low_rail, quality.usual[0]), (quality.high_rail, quality.usual[1])):
-        if share < _SHARE or abs(rail) <= _ABOUT_ZERO * max(abs(quality.smallest), abs(quality.largest)):
+    for low, high in quality.rails:
+        level = 0.5 * (low + high)
+        if abs(level) <= _ABOUT_ZERO * max(abs(quality.smallest), abs(quality.largest)):
             continue
-        elsewhere = samples[np.isfinite(samples) & (samples != rail)]
-        if np.mean(np.diff(elsewhere) != 0.0) < _RAGGED:
-            continue
-        first = time[np.argmax(samples == rail)]
+        there = (samples >= low) & (samples <= high)
+        first = time[np.argmax(there)]
+        cut = "but for its noise, " if high > low else ""
         remarks.append(
-            f"{100.0 * share:.2g} % of the samples stay at {rail:.6g} {unit}, the first at {first:.6g} s, elsewhere "
-            "no two are equal: a saturated probe? What was applied there is not known: widen the probe's range, unless "
-            "this is a command that is limited there"
+            f"{100.0 * np.mean(there):.2g} % of the samples stay at {level:.6g} {unit}, {cut}the first at "
+            f"{first:.6g} s, which they reach at a slope: a saturated probe? What was applied there is not known: "
+            "widen the probe's range, unless this is a command that is limited there"
         )
     return remarks

@@ -17,12 +17,11 @@ from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.si_prefix import quantity
 from pipeline.signals.columns import chunks, column, finite, select
+from pipeline.signals.noise import CHANCE
 from pipeline.signals.timebase import default_gap_limit, nominal_step
 
 _BLOCK = 256
 """Stamps over which the lattice is taken as constant."""
-_CHANCE = 1e-3
-"""Probability below which pauses, lost or doubled rows are not as evenly spread as the odd steps of a rounded clock."""
 _EXACT = 1e-6
 """Share of the resolution to which a line is found; the solver's own is 1e-7."""
 
@@ -109,7 +108,7 @@ def _resolutions(stamps: FloatArray, limit: float) -> dict[bool, tuple[FloatArra
         known = np.flatnonzero(step)
         count = int(odd.sum())
         # So likely are that many random places all as evenly spread as those of odd steps: count!/count**count.
-        if known.size and math.lgamma(count + 1) - count * math.log(max(count, 1)) < math.log(_CHANCE):
+        if known.size and math.lgamma(count + 1) - count * math.log(max(count, 1)) < math.log(CHANCE):
             finest = np.minimum.accumulate(step[known][::-1])[::-1]
             of_blocks = finest[np.minimum(np.searchsorted(known, np.arange(step.size)), known.size - 1)]
             behind = np.append(of_blocks[1:], of_blocks[-1])  # the lattice may widen within a block

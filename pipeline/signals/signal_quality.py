@@ -9,25 +9,16 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.metrics import NORMAL_MEDIAN
 from pipeline.signals.columns import chunks, column, finite, select
-from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, mostly_repeated, noise_level, resolution
+from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, noise_level, resolution
+from pipeline.signals.rails import rail
 from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
 
 _SPIKE_NOISES = 12.0
 BESIDE_SPIKE = 32
 """Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
-_BESIDE = 100
-"""Samples beside a run at an extreme that show whether the signal was clipped there."""
-_FINE = 1e-4
-"""Share of the range below which the steps of a signal are those of its digits."""
-_LEAVING, _LINEAR, _FEW = 6.0, 0.4, 4
-"""Steps of the converter by which a clipped signal is off there, and the least share of that at half the distance, if
-that is two samples or more: clipped at a turning point it has gone 0.42 by then, from a rest a quarter."""
-_CHANCE = 1e-3
-"""Probability below which noise does not make a run of equal samples."""
-_OVERSHOOT, _PASSED = 0.3, 3
-"""Share of the usual span by which a signal may overshoot a rest, and how many values there, in neighbouring samples as
-no spike is, tell that it does."""
+_FEW_STEPS = 6.0
+"""Steps of a sensor by which a rest is entered and left."""
 MOST_LEVELS = 8
 """Different values up to which they are listed one by one."""
 BOTH_SIGNS = 0.1
@@ -54,7 +45,9 @@ class SignalQuality:
         The same from second differences alone: in a fast signal with few samples a period it is the signal's own bend,
         and single samples are spikes only beyond that.
     low_rail, high_rail : float
-        Share of the samples that stay at the smallest, at the largest usual value for three samples or more.
+        Share of the samples that stay at the lower, at the upper end of the sensor's range.
+    rails : tuple of (float, float)
+        Between which values three samples in a row are at such an end.
     stepped : bool
         Whether it stands still between its steps, as a command does.
     levels : tuple of float
@@ -89,6 +82,7 @@ class SignalQuality:
     roughness: float
     low_rail: float
     high_rail: float
+    rails: tuple[tuple[float, float], ...]
     stepped: bool
     levels: tuple[float, ...]
     longest_frozen: float
@@ -109,6 +103,11 @@ class SignalQuality:
     def span(self) -> float:
         """Largest less smallest sample."""
         return self.largest - self.smallest
+
+    @property
+    def ramped(self) -> bool:
+        """Whether it comes to both ends of its range at a slope, beneath its noise, as a command with ramps does."""
+        return len(self.rails) == 2 and all(high > low for low, high in self.rails)
 
     @property
     def idle(self) -> bool:
@@ -145,13 +144,15 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     lost = missing + sum(int(np.count_nonzero(~np.isfinite(stamps[rows]))) for rows in chunks(stamps.size))
     if not values.size:
         nan = float("nan")
-        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, False, (), 0.0, 0, nan, False
+        numbers = nan, nan, nan, (nan, nan), nan, nan, 0.0, 0.0, (), False, (), 0.0, 0, nan, False
         return SignalQuality(samples.size, missing, lost, located, *numbers, 0, (), (), Bandwidth(nan, nan))
     (smallest, largest), roughness = span(values), noise_level(values)
     frozen, start = _longest_run(values)
     began, ended = stamps[[start, start + frozen - 1]].tolist()
     spikes, first_spikes = single_spikes(values, roughness)
-    usual, noise = usual_span(values), min(roughness, high_difference_level(values))
+    usual = usual_span(values)
+    noise = min(roughness, high_difference_level(values))
+    ends = rail(values, usual, 0, noise), rail(values, usual, 1, noise)
     return SignalQuality(
         n=samples.size,
         not_finite=missing,
@@ -163,8 +164,9 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         usual=usual,
         noise=noise,
         roughness=roughness,
-        low_rail=rail_share(values, usual, 0),
-        high_rail=rail_share(values, usual, 1),
+        low_rail=ends[0].share if ends[0] else 0.0,
+        high_rail=ends[1].share if ends[1] else 0.0,
+        rails=tuple((end.low, end.high) for end in ends if end),
         stepped=is_stepped(values),
         levels=_levels(values),
         longest_frozen=ended - began,
@@ -273,82 +275,11 @@ def _noise_around(part: FloatArray, at: IntArray) -> FloatArray:
     return noise
 
 
-def three_in_a_row(flags: BoolArray) -> BoolArray:
-    """Which rows, without the first and the last two, are one of three neighbours that are all set, shape (N − 4,)."""
-    middle = flags[:-2] & flags[1:-1] & flags[2:]
-    in_run: BoolArray = middle[:-2] | middle[1:-1] | middle[2:]
-    return in_run
-
-
-def rail_share(values: FloatArray, usual: tuple[float, float], end: int) -> float:
-    """Share of the samples in runs of at least three that equal the end of their usual span, 0 lower, 1 upper.
-
-    0 where they are a turning point, or a rest that the signal also passes by.
-    """
-    rail = usual[end]
-    if not _clipped(values, rail) or _passed(values, rail, usual[1 - end]):
-        return 0.0
-    inside, before = 0, np.zeros(2, dtype=np.bool_)
-    for rows in chunks(values.size):
-        own = rows.stop - rows.start
-        part = values[rows.start : rows.stop + 2]
-        at_rail: BoolArray = np.concatenate((before, part == rail, np.zeros(2, dtype=np.bool_)))
-        inside += int(np.count_nonzero(three_in_a_row(at_rail)[:own]))
-        before = at_rail[own : own + 2]
-    return inside / values.size
-
-
-def _passed(values: FloatArray, rail: float, other: float) -> bool:
-    """Whether the signal takes several values a little beyond `rail`, as one that overshoots a rest does."""
-    beyond: set[float] = set()
-    for rows in chunks(values.size if rail != other else 0, overlap=1):
-        over = (values[rows] - rail) / (rail - other)
-        near = (over > 0.0) & (over < _OVERSHOOT)
-        pairs = near[1:] & near[:-1]
-        beyond.update(np.unique((over[1:][pairs], over[:-1][pairs]))[:_PASSED].tolist())
-    return len(beyond) >= _PASSED
-
-
-def _clipped(values: FloatArray, rail: float) -> bool:
-    """Whether the signal leaves its longest run at `rail` at a slope, as a clipped one, and not as a turning point or a
-    rest.
-
-    A signal in steps of a converter stays at the value of a turning point for a few samples, and beside them is one or
-    two steps off. Without such steps, or with those of a text's last digit, a run longer than chance is a clipped one.
-    """
-    at = np.flatnonzero(values == rail)
-    if at.size < 3:
-        return False
-    edges = np.concatenate(([0], np.flatnonzero(np.diff(at) > 1) + 1, [at.size]))
-    k = int(np.argmax(np.diff(edges)))
-    first, last = int(at[edges[k]]), int(at[edges[k + 1] - 1])
-    begin = values[: 1 << 17]
-    others = begin[np.isfinite(begin) & (begin != rail)]
-    digit = resolution(others)
-    equal = float(np.mean(np.diff(others) == 0.0)) if others.size > 1 else 0.0
-    by_chance = at.size * equal ** (last - first) > _CHANCE
-    if by_chance and equal < 0.5:  # beyond, the steps hide the noise
-        return False
-    if digit is None or (digit < _FINE * float(np.ptp(others)) and not mostly_repeated(others) and not by_chance):
-        return True
-    reach = min(max((last - first + 1) // 2, 1), _BESIDE)
-    around = values[max(0, first - 4 * reach) : last + 4 * reach + 1]
-    steps = np.abs(np.diff(around))
-    if not np.any(steps > 0.0):
-        return True
-    step = float(steps[steps > 1e-9 * steps.max()].min())
-    ends = [values[[first - reach // 2, first - reach]]] if first >= reach else []
-    ends += [values[[last + reach // 2, last + reach]]] if last + reach < values.size else []
-    off = [np.abs(end - rail) for end in ends]
-    at_a_slope = any(near > _LINEAR * far or reach < _FEW for near, far in off)
-    return not off or (at_a_slope and all(far > _LEAVING * step for _, far in off))
-
-
 def _rests(values: FloatArray, begin: int, end: int) -> bool:
     """Whether a run of equal samples may be a rest that noise within the steps of a sensor does not show."""
     beside = values[[i for i in (begin - 1, end) if 0 <= i < values.size]]
     step = resolution(values)
-    return step is not None and bool(np.all(np.abs(beside - values[begin]) <= _LEAVING * step))
+    return step is not None and bool(np.all(np.abs(beside - values[begin]) <= _FEW_STEPS * step))
 
 
 def _longest_run(values: FloatArray) -> tuple[int, int]:

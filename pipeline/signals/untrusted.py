@@ -11,6 +11,7 @@ from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.columns import Signal, chunks, column, finite, select
 from pipeline.signals.dropouts import NONE, Dropouts, answer_inputs, dropouts
 from pipeline.signals.noise import noise_level
+from pipeline.signals.rails import in_a_row, runs_between
 from pipeline.signals.signal_quality import (
     BESIDE_SPIKE,
     SignalQuality,
@@ -18,7 +19,6 @@ from pipeline.signals.signal_quality import (
     examine_signal,
     single_spikes,
     spikes_in,
-    three_in_a_row,
 )
 
 _LOST_FOR = 0.05
@@ -102,7 +102,7 @@ def _bound(
     bound = _gap(samples, level, smallest, step, sign)
     if bound is None:
         return None
-    runs = _runs_beyond(samples, bound, sign)
+    runs = runs_between(samples, bound, np.inf) if sign > 0.0 else runs_between(samples, -np.inf, -bound)
     if np.diff(runs).sum() >= _MOST * samples.size:
         return None
     ends = np.unique(runs)
@@ -130,17 +130,6 @@ def _gap(samples: FloatArray, level: tuple[float, float], smallest: float, step:
     return float(0.5 * (bottom + top[0]))
 
 
-def _runs_beyond(samples: FloatArray, bound: float, sign: float) -> IntArray:
-    """First and end index of each run of `sign` times the samples above the bound, shape (n, 2)."""
-    edges, before = [np.empty(0, dtype=np.int64)], False
-    for rows in chunks(samples.size):
-        beyond = sign * samples[rows] > bound
-        edges.append(rows.start + np.flatnonzero(np.diff(beyond, prepend=before)))
-        before = bool(beyond[-1])
-    edges.append(np.full(int(before), samples.size))
-    return np.concatenate(edges).reshape(-1, 2)
-
-
 _NEAR = BESIDE_SPIKE
 
 
@@ -154,8 +143,8 @@ class Trusted:
         NaN where left out.
     left_out : (int, int, int)
         Samples left out at the rails, without a target, and as spikes.
-    rails : tuple of float
-        Values at which three samples in a row are a sensor at the end of its range.
+    rails : tuple of (float, float)
+        Between which values three samples in a row are a sensor at the end of its range.
     bounds : (float, float)
         Values beyond which the sensor has lost its target.
     quality : SignalQuality
@@ -166,7 +155,7 @@ class Trusted:
 
     samples: FloatArray
     left_out: tuple[int, int, int]
-    rails: tuple[float, ...]
+    rails: tuple[tuple[float, float], ...]
     bounds: tuple[float, float]
     quality: SignalQuality
     dropouts: Dropouts = NONE
@@ -196,10 +185,10 @@ def _in_spans(spans: IntArray, first: int, count: int) -> BoolArray:
     return inside
 
 
-def _at_rail(part: FloatArray, rails: Sequence[float]) -> BoolArray:
+def _at_rail(part: FloatArray, rails: Sequence[tuple[float, float]]) -> BoolArray:
     there = np.zeros(part.size, dtype=np.bool_)
-    for rail in rails:
-        there |= three_in_a_row(np.pad(part == rail, 2))
+    for low, high in rails:
+        there |= in_a_row((part >= low) & (part <= high))
     return there
 
 
@@ -246,8 +235,7 @@ def trusted(
         left = _without(_within(samples, bounds), spans)
         as_measured = {key: getattr(quality, key) for key in ("n", "not_finite", "lost", "not_finite_at")}
         quality = replace(examine_signal(q[0], left, step), **as_measured)
-    ends = zip(quality.usual, (quality.low_rail, quality.high_rail), strict=True)
-    at = tuple(end for end, share in ends if share > 0.0) if rails and not quality.constant else ()
+    at = quality.rails if rails else ()
     noise = quality.roughness if spikes and quality.spikes else None
     if not at and noise is None and bounds == UNBOUNDED and not spans.size:
         return Trusted(samples, (0, 0, 0), at, bounds, quality, fallen)

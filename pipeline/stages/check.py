@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from pipeline.checks.rows import CheckRow
     from pipeline.checks.weak_form import LogSignals
 
-ALGORITHM = "25"
+ALGORITHM = "26"
 
 
 def tasks(prototype: Prototype) -> list[Task]:
-    """One task for all logs: they are compared with each other too."""
+    """One task for all logs."""
     plant = device(prototype)
     return [
         Task(
@@ -70,10 +70,11 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
         A validation log holds a recording that a training log holds too.
     """
     from pipeline.checks.check import check_logs
-    from pipeline.checks.overlap import shared_recordings, shared_rows
+    from pipeline.checks.copies import shared_recordings, shared_rows
 
     logs, stated = signals(run, prototype)
-    shared, named = shared_recordings(logs, stated.sample_interval), layout.logs(prototype)
+    shared = shared_recordings(logs)
+    named = layout.logs(prototype)
     for i, k, span in shared:
         if named[i][0] != named[k][0]:
             raise InputError(
@@ -97,7 +98,8 @@ def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignal
     from pipeline.checks.weak_form import LogSignals
 
     q = np.where(table["segment"] < 0, np.nan, table["q"])
-    facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"), tuple(notes.get("hum", ())))
+    sketch = tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ()))
+    facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"), notes.get("held", 1), sketch)
     return LogSignals(name, table["t"], q, voltages(table), *facts)
 
 

@@ -12,12 +12,13 @@ from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.model_list import ENTRIES
 from pipeline.models.kind import kind
+from pipeline.models.model_file import declaration
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import FILM, Prototype
 
-ALGORITHM = "14"
+ALGORITHM = "15"
 
 
 def task(prototype: Prototype, parameters: JointParameters | None, name: str) -> Task:
@@ -26,7 +27,6 @@ def task(prototype: Prototype, parameters: JointParameters | None, name: str) ->
     unread = FILM | {"curves", "siblings"} | (set() if listed.takes_mass else {"mass"})
     settings = {
         "model": name,
-        "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         "plant": prototype.plant.model_dump(mode="json", exclude=unread),
         "parameters": parameter_values(parameters) if listed.needs_parameters else None,
     }
@@ -48,4 +48,5 @@ def _write_fit(
     model = kind(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, device(prototype).model_column)}
+    columns = device(prototype).model_columns({name: declaration(model)})
+    return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}

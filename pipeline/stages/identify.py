@@ -19,6 +19,7 @@ from pipeline.loading.run_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, StoredModel, Training, kind
+from pipeline.models.model_file import declaration
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
@@ -30,7 +31,7 @@ from pipeline.signals.quality_gates import Finding
 if TYPE_CHECKING:
     from pipeline.models.choose import Choice
 
-ALGORITHM = "58"
+ALGORITHM = "59"
 SEARCH_CUT = (
     "the search for the structure of {model} ended at its time limit, after {tried} structures; raise [identify] "
     "time_limit, or say what is known (friction, force, damping, gain, drive, effect, stops)"
@@ -80,7 +81,8 @@ def _identify(
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, plant.model_column)}
+    columns = plant.model_columns({name: declaration(model) for name, model in models.items()})
+    return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
 
 
 def identified(

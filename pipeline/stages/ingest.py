@@ -11,6 +11,7 @@ import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
 from pipeline.errors import DataRefusedError
+from pipeline.loading.corrections import corrected_log, corrections
 from pipeline.loading.device import device
 from pipeline.loading.si_log import SiLog, part_of_log, read_si
 from pipeline.names import log_title, true_name
@@ -21,6 +22,7 @@ from pipeline.runs.engine import Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.settings import Ingest, LogGate, Prototype
 from pipeline.settings_logs import Role
+from pipeline.signals.corrections import Corrections
 from pipeline.signals.trajectory import LONGEST_BRIDGE, UNKNOWN
 
 if TYPE_CHECKING:
@@ -42,12 +44,14 @@ _MUCH_DISCARDED = 0.03
 def tasks(prototype: Prototype, prototype_file: Path) -> list[Task]:
     """One task per log."""
     return [
-        _task(prototype, role, log, raw)
+        _task(prototype, role, log, raw, corrections(prototype)[role, log])
         for (role, log, _), raw in zip(layout.logs(prototype), layout.raw_logs(prototype, prototype_file), strict=True)
     ]
 
 
-def _task(prototype: Prototype, role: Role, log: str, raw: tuple[str, Path, tuple[float, float]]) -> Task:
+def _task(
+    prototype: Prototype, role: Role, log: str, raw: tuple[str, Path, tuple[float, float]], by: Corrections
+) -> Task:
     label, path, span = raw
     ends = {key: end for key, end in zip(("start_s", "stop_s"), span, strict=True) if math.isfinite(end)}
     return Task(
@@ -59,12 +63,13 @@ def _task(prototype: Prototype, role: Role, log: str, raw: tuple[str, Path, tupl
             "ingest": prototype.ingest.model_dump(mode="json"),
             "joint": prototype.may_be_a_joint,  # what its signals plausibly span
             **({"part": ends} if ends else {}),
+            **({"corrections": asdict(by)} if by.act else {}),
             **accepted_settings(prototype.quality, get_args(LogGate)),
         },
         inputs=(),
         sources={path.name: path},
         outputs=(layout.record(role, log), layout.signals(role, log)),
-        work=partial(_ingest, prototype=prototype, role=role, log=log, path=path, span=span),
+        work=partial(_ingest, prototype=prototype, role=role, log=log, path=path, span=span, by=by),
         reports=True,
     )
 
@@ -78,10 +83,12 @@ def _ingest(
     log: str,
     path: Path,
     span: tuple[float, float],
+    by: Corrections,
 ) -> Mapping[str, Written]:
     plant = device(prototype)
     written = {}
-    signals = part_of_log(read_si(path, prototype, plant, partial(on_progress, "reading")), span, path)
+    raw = part_of_log(read_si(path, prototype, plant, partial(on_progress, "reading")), span, path)
+    signals = corrected_log(raw, by) if by.act else raw
     on_progress("examining", 0.0)
     log_seen = examined(signals, prototype, str(path))
     tables = ((layout.record(role, log), schemas.RECORD), (layout.signals(role, log), schemas.SIGNALS))
@@ -220,11 +227,17 @@ def _refuse_other_clock(where: str, clock: "TimeQuality", quality: "SignalQualit
 
 
 def _sensor(signals: SiLog, quality: "SignalQuality") -> dict[str, Any]:
-    """What is known of the sensor of q: its noise and steps [m or rad], and the mains lines in it [Hz]."""
+    """What is known of the sensor of q: its noise and steps [m or rad], the mains lines in it [Hz], for how many
+    samples each value is held, and a sketch of the samples by which a copy is recognised.
+    """
+    from pipeline.checks.copies import sketch
+    from pipeline.checks.held_values import held_samples
     from pipeline.signals.noise import resolution
 
     lines = [line.frequency for line in quality.hum if line.stands_out]
-    return {"noise": quality.noise, "resolution": resolution(signals.q[1]), "hum": lines}
+    step = resolution(signals.q[1])
+    held = held_samples(signals.q[1], step)
+    return {"noise": quality.noise, "resolution": step, "hum": lines, "held": held, "sketch": sketch(*signals.q)}
 
 
 def _cut_off(usable: "Survey", clock: "TimeQuality") -> float:

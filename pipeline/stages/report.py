@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pipeline.reporting.canvas import Format
     from pipeline.reporting.figure import Figure
 
-ALGORITHM = "34"
+ALGORITHM = "35"
 
 FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
 
@@ -93,6 +93,7 @@ def _inputs(
         layout.CHECK,
         layout.MODELS,
         layout.SCORES,
+        layout.INSTRUMENTS,
         *((layout.CURVES,) if prototype.compare.curves is not None else ()),
         *((layout.KNOWN_CURVES,) if prototype.plant.curves is not None else ()),
         *((layout.SIBLINGS,) if prototype.plant.siblings is not None else ()),

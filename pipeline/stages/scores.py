@@ -1,7 +1,7 @@
 """Scores: every free run against its log, one row per log, model and signal."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,22 +14,19 @@ from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.run_models import identified_models
 from pipeline.names import with_true_names
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import signal_range
 from pipeline.runs import layout, schemas
-from pipeline.runs.columns import NOTED_COLUMNS
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written, in_snapshot
 from pipeline.runs.tables import Table
-from pipeline.scoring.intervals import SEED, Interval, excess_over_lowest
 from pipeline.scoring.wells import NoWells, Wells, wells_of
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Role
 from pipeline.signals.log import Log, log_of
-from pipeline.units import SIGNALS, signal_units
+from pipeline.steps.score import ComparedRun, rows_of_log
+from pipeline.units import SIGNALS
 
 if TYPE_CHECKING:
     from pipeline.reporting.tables import Format, NrmseTable
-    from pipeline.scoring.scores import Score
 
 ALGORITHM = "11"
 
@@ -81,13 +78,8 @@ def _score(
         for model in models:
             name = layout.predictions(role, log, model)
             runs[model] = ComparedRun(_pairs(measured, run.read_table(name), rotation), run.record(name).notes)
-        interval = measured.interval
-        above = {signal: _above_lowest(runs, signal, interval, joint=plant.joint) for signal in SIGNALS}
-        for model, compared in runs.items():
-            for row in score_rows(plant, measured, compared, wells):
-                of_model = _band("above_lowest", above[row["signal"]].get(model))
-                head = {"log": log, "role": role, "model": model, "headline": model == models[0]}
-                rows.append(head | row | of_model)
+        for row in rows_of_log(plant, measured, runs, wells):
+            rows.append({"log": log, "role": role, "headline": row["model"] == models[0]} | row)
     columns = {column.key: [row.get(column.key) for row in rows] for column in schemas.SCORES.columns}
     return {layout.SCORES: run.write_table(layout.SCORES, schemas.SCORES, columns, {"wells": asdict(wells)})}
 
@@ -103,14 +95,6 @@ def _wells(
     return believed_wells(wells_of(logs, joint=plant.joint), judge, rests[judge], joint=plant.joint)
 
 
-@dataclass(frozen=True)
-class ComparedRun:
-    """A free run: measured and calculated by signal, and its notes (``status`` and ``diverged_at_s`` at least)."""
-
-    pairs: Mapping[str, tuple[FloatArray, FloatArray]]
-    notes: Mapping[str, Any]
-
-
 def _pairs(
     measured: Log, calculated: Table, rotation: RotationMap | None
 ) -> Mapping[str, tuple[FloatArray, FloatArray]]:
@@ -118,64 +102,6 @@ def _pairs(
     if rotation is not None:
         pairs["phi"] = (np.asarray(rotation(measured.q)), calculated["phi"])
     return {name: pairs[name] for name in SIGNALS if name in pairs}
-
-
-def _above_lowest(
-    runs: Mapping[str, ComparedRun], signal: str, interval: float, *, joint: bool
-) -> dict[str, Interval | None]:
-    """How far the error of each model lies above the lowest, in NRMSE; diverged runs are no part of the field."""
-    pairs = {m: r.pairs[signal] for m, r in runs.items() if signal in r.pairs and r.notes["status"] == "ok"}
-    errors = {
-        model: (calculated - measured) / span
-        for model, (measured, calculated) in pairs.items()
-        if (span := signal_range(measured))
-    }
-    return excess_over_lowest(errors, interval, SEED, joint=joint)
-
-
-def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells | NoWells) -> list[dict[str, Any]]:
-    """The scores of a free run over kinematics, one row per signal, by the columns of ``scores.parquet``.
-
-    Errors by horizon, outcomes and what else a stage noted of the run are columns where its notes hold them.
-    """
-    from pipeline.scoring.scores import score_run
-    from pipeline.scoring.step_responses import response_errors
-
-    units = signal_units(plant.displacement.symbol)
-    v, interval = measured.v, measured.interval
-    rng = np.random.default_rng(SEED)
-    status, diverged_at = compared.notes["status"], compared.notes["diverged_at_s"]
-    scores = score_run(
-        compared.pairs, v, interval, status=status, diverged_at_s=diverged_at, wells=wells, joint=plant.joint, rng=rng
-    )
-    more: dict[str, Any] = {c.key: compared.notes[c.key] for c in NOTED_COLUMNS if c.key in compared.notes}
-    outcomes = compared.notes.get("outcomes")
-    if outcomes:
-        more |= {"outcomes": len(outcomes["ambiguous"]), "ambiguous_outcomes": sum(outcomes["ambiguous"])}
-    for name, error in compared.notes.get("horizons", {}).items():
-        band = error["interval"] or {"low": None, "high": None}
-        more |= {f"nrmse_{name}": error["nrmse"]} | {f"nrmse_{name}_{end}": band[end] for end in ("low", "high")}
-    if isinstance(wells, Wells):
-        switches = response_errors(*compared.pairs["q"], v, interval, wells, rng, joint=plant.joint)
-        more |= {"rise_error_s": switches.rise_s, "settling_error_s": switches.settling_s}
-        more |= _band("rise_error", switches.rise_interval, "_s")
-        more |= _band("settling_error", switches.settling_interval, "_s")
-    return [
-        _score_row(score) | {"unit": units[score.signal]} | (more if score.signal == "q" else {}) for score in scores
-    ]
-
-
-def _score_row(score: "Score") -> dict[str, Any]:
-    """A score by the columns of ``scores.parquet``, its intervals as their two ends."""
-    row: dict[str, Any] = {}
-    for name, value in vars(score).items():
-        row |= _band(name.removesuffix("_interval"), value) if name.endswith("_interval") else {name: value}
-    return row
-
-
-def _band(of: str, band: Interval | None, unit: str = "") -> dict[str, float | None]:
-    """The columns of an interval."""
-    return {f"{of}_low{unit}": band.low if band else None, f"{of}_high{unit}": band.high if band else None}
 
 
 def score_text(root: Path, form: "Format") -> str:

@@ -13,7 +13,18 @@ from pipeline.runs import layout
 from pipeline.runs.engine import After, Task
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import Prototype
-from pipeline.stages import check, compare, differentiate, identify, ingest, report, scores, side_files, validate
+from pipeline.stages import (
+    check,
+    compare,
+    differentiate,
+    identify,
+    ingest,
+    instruments,
+    report,
+    scores,
+    side_files,
+    validate,
+)
 
 
 @dataclass(frozen=True)
@@ -91,13 +102,18 @@ STAGES = (
     Stage("identify", lambda p: identify.tasks(p.prototype, p.parameters)),
     Stage("compare", _compare, with_it=("scores",)),
     Stage(
+        "instruments",
+        lambda p: [instruments.task(p.prototype, identified_models(p.run, p.prototype))],
+        known_after=layout.MODELS,
+    ),
+    Stage(
         "validate",
         lambda p: validate.tasks(p.prototype, p.parameters, identified_models(p.run, p.prototype)),
         known_after=layout.MODELS,
         with_it=("scores",),
     ),
     Stage("scores", lambda p: [scores.task(p.prototype, p.parameters, p.scored)], known_after=layout.MODELS),
-    Stage("report", _report, known_after=layout.MODELS),
+    Stage("report", _report, known_after=layout.MODELS, with_it=("instruments",)),
 )
 STAGE_NAMES = tuple(stage.name for stage in STAGES)
 

@@ -30,7 +30,7 @@ from pipeline.settings import Prototype
 from pipeline.signals.log import Log
 from pipeline.units import HORIZONS
 
-ALGORITHM = "28"
+ALGORITHM = "29"
 
 _RESTARTS = 60
 

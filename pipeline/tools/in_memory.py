@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pipeline.checks.check import check_logs
-from pipeline.checks.overlap import shared_recordings, shared_rows
+from pipeline.checks.copies import shared_recordings, shared_rows
 from pipeline.checks.rows import findings, remarks
 from pipeline.checks.weak_form import LogSignals
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
@@ -34,10 +34,10 @@ from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import scale_suspicion
 from pipeline.signals.trajectory import UNKNOWN
 from pipeline.stages.check import declared, log_signals
-from pipeline.stages.differentiate import kinematics
 from pipeline.stages.identify import identified
 from pipeline.stages.ingest import examined, record_columns, resamplings
-from pipeline.stages.scores import ComparedRun, score_rows
+from pipeline.steps.differentiate import kinematics
+from pipeline.steps.score import ComparedRun, score_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -220,7 +220,7 @@ def identify_signals(
     parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
     measured = [part.motion for part in parts]
     records, stated = [part.signals for part in parts], declared(prototype)
-    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records, stated.sample_interval))]
+    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records))]
     unaccepted = [finding for finding in findings(rows) if finding.gate not in prototype.quality.accept]
     contradictions = [f"{finding.text}: {finding.advice}" for finding in unaccepted]
     if units := [text for finding, text in zip(unaccepted, contradictions, strict=True) if finding.gate == "scale"]:

@@ -14,7 +14,7 @@ from pipeline.former_settings import translated
 from pipeline.loading.device import device
 from pipeline.loading.run_models import subject_on
 from pipeline.models.kind import StoredModel, model_from_tree
-from pipeline.models.model_file import ModelFile, Sizes, Span, Table
+from pipeline.models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, declaration
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.hashing import tree_hash
 from pipeline.runs.outputs import new_outputs, rebased
@@ -25,28 +25,28 @@ from pipeline.tools.export import MODELS, write_model
 
 _CHECK = "check"
 """Group of the file with what travels along beside the model."""
-_COLUMNS = {
-    "name": ("text", "name of the model, and of its group"),
-    "settings_json": ("text", "settings, as JSON"),
-    "t": ("s", "times of the log that an export is checked on"),
-    "v": ("SI", "its inputs"),
-    "start": ("SI", "displacement and velocity at its beginning"),
-    "q": ("SI", "least and largest displacement of the training logs"),
-    "qdot": ("SI", "least and largest velocity"),
-    "inputs": ("SI", "least and largest value of each input"),
-}
 
 
 class _File(ModelFile):
+    """What travels along beside the model."""
+
     sizes: ClassVar[Sizes] = {"N": (2, 10_000_000), "K": (1, 2)}
     name: str
+    """Name of the model, and of its group."""
     settings_json: str
-    t: Annotated[FloatArray, Table("N")]
-    v: Annotated[FloatArray, Table("N K")]
-    start: Annotated[FloatArray, Table("2")]
-    q: Span
-    qdot: Span
-    inputs: Annotated[FloatArray, Table("K 2")]
+    """Settings, as JSON."""
+    t: Annotated[FloatArray, Table("N"), Unit("s")]
+    """Times of the log that an export is checked on."""
+    v: Annotated[FloatArray, Table("N K"), Unit("SI")]
+    """Its inputs."""
+    start: Annotated[FloatArray, Table("2"), Unit("SI")]
+    """Displacement and velocity at its beginning."""
+    q: Annotated[Span, Unit("SI")]
+    """Least and largest displacement of the training logs."""
+    qdot: Annotated[Span, Unit("SI")]
+    """Least and largest velocity."""
+    inputs: Annotated[FloatArray, Table("K 2"), Unit("SI")]
+    """Least and largest value of each input."""
 
 
 def subject_of(model: StoredModel, prototype: Prototype, logs: Sequence[Log]) -> Subject:
@@ -71,12 +71,8 @@ def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
         "qdot": np.array(bounds.qdot), "inputs": np.array(bounds.v),
     }  # fmt: skip
 
-    def column(place: str) -> tuple[str, str]:
-        """Unit and meaning of an entry."""
-        group, _, name = place.partition("/")
-        return _COLUMNS[name] if group == _CHECK else plant.model_column(place)
-
-    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, column)
+    files: dict[str, type[FilePart]] = {_CHECK: _File, subject.name: declaration(subject.model)}
+    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, plant.model_columns(files))
 
 
 def load_saved(path: Path) -> tuple[Subject, Prototype]:

@@ -30,7 +30,7 @@ from pipeline.settings import Prototype
 from pipeline.settings_logs import Role
 from pipeline.signals.differentiate import alpha_study, differentiate
 from pipeline.signals.log import Log, operating_range
-from pipeline.stages.differentiate import differentiator
+from pipeline.steps.differentiate import differentiator
 from pipeline.units import ALPHA_UNIT
 
 ALGORITHM = "2"

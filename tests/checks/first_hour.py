@@ -1,4 +1,4 @@
-"""Fifteen mistakes of a first hour: how each is made, and what debist must say to it."""
+"""Mistakes of a first hour: how each is made, and what debist must say to it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 
-from tests.double_well import DoubleWell
 from tests.prototypes import QUICK, motion, settings, write_csv
 
 TOML = settings('[plant]\nmass = { value = 41, unit = "g" }\n' + QUICK, train="train.csv", validation="validation.csv")
@@ -39,13 +38,9 @@ class Mistake:
 
 
 def write_logs(folder: Path) -> None:
-    """Two logs of 20 s of a double well, one of another, and the settings."""
-    for name, seed, device in (
-        ("train", 1, DoubleWell()),
-        ("validation", 3, DoubleWell()),
-        ("other", 3, DoubleWell(left_well=9.5e-3)),
-    ):
-        write_csv(folder / f"{name}.csv", *motion(20.0, 500.0, seed, device=device, noise=3e-6))
+    """Two logs of 20 s of a double well, and the settings."""
+    for name, seed in (("train", 1), ("validation", 3)):
+        write_csv(folder / f"{name}.csv", *motion(20.0, 500.0, seed, noise=3e-6))
     (folder / "P.toml").write_text(TOML)
 
 
@@ -68,11 +63,6 @@ def _logs(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[Path], None]:
             np.savetxt(path, table, fmt="%.6f", delimiter=",", header="time,q,v1,v2", comments="")
 
     return make
-
-
-def _late(table: np.ndarray) -> np.ndarray:
-    """The recorder of q was started 60 ms after that of the voltages."""
-    return np.column_stack([table[30:, 0], table[:-30, 1], table[30:, 2:]])
 
 
 def _damage(folder: Path) -> None:
@@ -98,10 +88,6 @@ MISTAKES = (
         "correct the unit of time in [channels] (ms is not s) or the sample_rate (in Hz)",
         _logs(lambda table: table * [1e3, 1.0, 1.0, 1.0]),
     ),
-    Mistake(
-        "the validation log of another joint", "this is a log of another device", _edit(("validation.csv", "other.csv"))
-    ),
-    Mistake("60 ms between two recorders", "bring the recorders to one clock", _logs(_late)),
     Mistake("kV read as V", "the coupling of the joint as drawn: check the unit", _edit(('unit = "kV"', 'unit = "V"'))),
     Mistake("mm read as m", "check the unit of q in [channels]", _edit(('unit = "mm"', 'unit = "m"'))),
     Mistake(

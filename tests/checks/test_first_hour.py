@@ -37,4 +37,4 @@ def test_it_is_told(mistake: Mistake, before: Path, tmp_path: Path, monkeypatch:
     result = RUNNER.invoke(app, mistake.arguments)
     assert result.exit_code == mistake.code, result.output
     assert mistake.said in result.output
-    assert not list(folder.glob("new/**/kinematics.parquet"))
+    assert not list(folder.glob("new/**/model.h5"))

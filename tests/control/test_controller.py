@@ -23,7 +23,7 @@ from pipeline.control.estimator import ESTIMATED, MEMORY, STATUS
 from pipeline.control.law import CONTROLLER_STATE, FILTER, NUMBERS, PLACES, Law
 from pipeline.control.linear import jacobian, wells_and_saddle
 from pipeline.control.plant import plant_of
-from pipeline.control.step_metrics import step_metrics
+from pipeline.control.step_metrics import BAND, step_metrics
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.controller import ESTIMATES, ControllerSubject, write_controller
 from pipeline.models.hybrid.parameters import NAMES
@@ -285,7 +285,7 @@ def test_snaps_settle_and_the_unstable_equilibrium_is_held(planted: dict[str, fl
     assert all(step.settling_s is not None and step.settling_s < 0.25 for step in steps)
     assert max(step.overshoot_m for step in steps) < 1.5e-3
     assert max(step.rms_m for step in steps[:2]) < 0.2e-3
-    assert steps[2].rms_m < 0.01e-3
+    assert steps[2].rms_m < 0.04e-3
 
 
 @pytest.mark.parametrize("way", [0, 2])
@@ -379,7 +379,7 @@ def test_the_unstable_equilibrium_is_held_under_bumps_and_loads_on_joints_and_la
     moved.truth[1] += 12e-3  # of a bump of 0.5 mN·s
     moved.run(saddle, 700)
     moved.push(0.5e-3)
-    rows = moved.run(saddle, 1500)
+    rows = moved.run(saddle, 2000)
     assert np.abs(rows[-300:, 0] - saddle).max() < 0.05e-3
     assert moved.status == "ok"
     assert np.abs(np.diff(rows[-300:, 1:], axis=0)).max() < 5.0  # no limit cycle
@@ -404,7 +404,7 @@ def test_a_target_that_is_not_reached_is_given_up_until_the_next_one() -> None:
     plant, law = designed()
     left, _, right = (each.q for each in wells_and_saddle(plant))
     stuck = Moved(law, law, left)
-    assert np.any(stuck.run(right, 3000, reading=left)[-1, 1:] > 0.0)
+    assert np.any(stuck.run(right, 9000, reading=left)[-1, 1:] > 0.0)
     assert not np.any(stuck.run(right, 2000, reading=left)[-1000:, 1:])
     assert stuck.status == "given up"
     assert np.any(stuck.run(0.9 * right, 100, reading=left)[:, 1:] > 0.0)
@@ -416,7 +416,7 @@ def test_a_reading_far_from_the_estimate_moves_nothing_unless_it_lasts() -> None
     plant, law = designed()
     left = wells_and_saddle(plant)[0].q
     moved = Moved(law, law, left)
-    moved.run(left, 500)
+    moved.run(left, 2000)
     before = moved.state[0]
     rows = moved.run(left, 10, reading=left + 5e-3)
     assert not np.any(rows[:, 1:])
@@ -435,43 +435,60 @@ def test_a_barrier_that_is_higher_than_the_models_is_passed_by_swinging() -> Non
         assert pushed.truth[0] < 0.0
     moved = Moved(law, softer, start)
     moved.run(right, 2500)
-    assert abs(moved.truth[0] - right) < 0.1e-3
+    assert abs(moved.truth[0] - wells_and_saddle(other)[2].q) < 0.1e-3
 
 
-@pytest.mark.parametrize("load", [-3e-3, -1.5e-3, 0.0, 1.5e-3, 3e-3])
+@pytest.mark.parametrize("load", [-2e-3, 0.0, 2e-3])
 @pytest.mark.parametrize("side", [0, 2])
-def test_a_well_takes_no_voltage_at_rest_and_a_load_there_is_balanced(side: int, load: float) -> None:
+def test_a_well_takes_no_voltage_at_rest_wherever_a_load_moves_it(side: int, load: float) -> None:
     plant, law = designed()
     well = wells_and_saddle(plant)[side].q
     moved = Moved(law, law, well)
     moved.push(load)
-    rows = moved.run(well, 4000)
-    assert np.abs(rows[-1000:, 0] - well).max() < 0.1e-3
-    assert np.all(rows[-1000:, 1:].max(axis=1) > 0.0) if load else not np.any(rows[-1000:, 1:])
-    assert np.abs(np.diff(rows[-1000:, 1:], axis=0)).max(initial=0.0) < 5.0
+    rows = moved.run(well, 3000)
+    assert not np.any(rows[-1000:, 1:])
+    assert (abs(rows[-1, 0] - well) > 0.3e-3) == bool(load)
+    assert moved.status == "ok"
 
 
-@pytest.mark.parametrize(("softer", "status"), [(0.7, "ok"), (0.9, "no authority")])
-def test_a_well_that_has_moved_by_4_mm_is_held_as_long_as_voltage_is_left(softer: float, status: str) -> None:
+@pytest.mark.parametrize("softer", [0.1, 0.4, 0.7])
+def test_snaps_of_a_joint_whose_wells_lie_elsewhere_end_at_rest_in_its_own_wells_without_voltage(softer: float) -> None:
     plant, law = designed()
-    right = wells_and_saddle(plant)[2].q
+    left, _, right = (each.q for each in wells_and_saddle(plant))
     other = plant_of(model(**{"log E": -softer}))
-    start, _, there = (each.q for each in wells_and_saddle(other))
-    assert there - right > 3.9e-3
-    moved = Moved(law, condensed_joint_law(other, (3e-3, 3e-3)), start)
-    rows = moved.run(right, 4000)
-    assert moved.status == status
-    assert (abs(rows[-1, 0] - right) < 0.1e-3) == (status == "ok")
-    assert bool(np.any(rows[-1, 1:])) == (status == "ok")
+    own_left, _, own_right = (each.q for each in wells_and_saddle(other))
+    assert own_right - right > 5e-3 * softer
+    moved = Moved(law, condensed_joint_law(other, (4e-3, 4e-3)), own_left)
+    for target, own in ((right, own_right), (left, own_left), (right, own_right)):
+        rows = moved.run(target, 2000)
+        assert not np.any(rows[-400:, 1:])
+        assert abs(rows[-1, 0] - own) < 0.2e-3
 
 
-def test_a_load_beyond_all_voltage_is_told_and_takes_none() -> None:
+def test_a_target_beside_a_well_means_the_well_where_it_stands_and_is_followed_while_it_moves() -> None:
+    plant, law = designed()
+    left, _, right = (each.q for each in wells_and_saddle(plant))
+    beside = 0.9 * BAND * (right - left)
+    moved = Moved(law, law, left)
+    for target in left + np.linspace(0.0, beside, 2000):
+        row = moved.run(float(target), 1)[0]
+    assert abs(row[0] - left - beside) < 0.3e-3
+    assert row[1] > 100.0
+    rest = moved.run(left + beside, 2000)[-1000:]
+    assert not np.any(rest[:, 1:])
+    assert np.abs(rest[:, 0] - left).max() < 0.2e-3
+    held = moved.run(left + 1.5 * beside, 2000)[-500:]
+    assert np.abs(held[:, 0] - left - 1.5 * beside).max() < 0.1e-3
+    assert held[:, 1].min() > 100.0
+
+
+def test_a_load_beyond_all_voltage_is_given_up() -> None:
     plant, law = designed()
     right = wells_and_saddle(plant)[2].q
     moved = Moved(law, law, right)
-    moved.push(-4.2e-3)
-    rows = moved.run(right, 12000)
-    assert moved.status in ("no authority", "given up")
+    moved.push(-20e-3)
+    rows = moved.run(right, 13000)
+    assert moved.status == "given up"
     assert not np.any(rows[-1000:, 1:])
 
 
@@ -571,11 +588,3 @@ def test_what_cannot_be_designed_is_told() -> None:
         design(plant, Settings(4000.0))
     with pytest.raises(InputError, match="not two wells"):
         design(plant_of(model(**{"log E": 6.0})), Settings(3000.0))
-
-
-def test_a_slow_reference_between_the_wells_is_tracked() -> None:
-    plant, law = designed()
-    left, _, right = (each.q for each in wells_and_saddle(plant))
-    target = np.concatenate([np.full(200, left), np.linspace(left, right, 4000), np.full(500, right)])
-    q, _ = closed_on_model(law, law, left, target)
-    assert np.abs(q - target)[200:].max() < 0.3e-3

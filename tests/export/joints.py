@@ -173,7 +173,7 @@ def sindy() -> SindyModel:
     scales = np.array([0.022, 0.3, 0.03, 1.0, 1.0, 9e6, 9e6])
     lags = (Lag(QDOT, 0.02), Lag(FIRST_INPUT + 1, 0.05))
     dynamics = PolynomialDynamics(np.array(rows), coefficients, scales, lags, True, -0.1, 0.1)
-    return SindyModel(dynamics)
+    return SindyModel.of(dynamics)
 
 
 def pulses(seconds: float, inputs: int = 2, peak: float = 3000.0) -> tuple[FloatArray, FloatArray]:

@@ -56,7 +56,7 @@ MODELS: dict[str, Callable[[], Any]] = {
     "rbf-paper": joints.paper,
     "sindy": joints.sindy,
     "narx": narx,
-    "analytical": lambda: AnalyticalModel(NOMINAL),
+    "analytical": lambda: AnalyticalModel(parameters=NOMINAL),
 }
 EXPORTED = {"rbf", "turning arm", "held", "rbf-paper", "sindy"}
 

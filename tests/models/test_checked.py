@@ -45,7 +45,7 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("model", [paper(), AnalyticalModel(NOMINAL)], ids=["kernel", "solver"])
+@pytest.mark.parametrize("model", [paper(), AnalyticalModel(parameters=NOMINAL)], ids=["kernel", "solver"])
 @pytest.mark.parametrize("case", REFUSED)
 def test_signals_that_do_not_fit_are_refused_in_one_line(model, case):
     t, v, q0, qdot0, text = REFUSED[case]

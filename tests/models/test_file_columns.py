@@ -23,18 +23,19 @@ def test_units_and_meanings_stand_beside_the_numbers_and_do_not_count_in_the_has
         diagnostics={"rank": 20},
     )
     tree = {"rbf-paper": model.to_tree(), "units": {"q": "m"}}
-    assert write_tree(tmp_path / "a.h5", tree, columns) == write_tree(tmp_path / "b.h5", tree)
+    assert write_tree(tmp_path / "a.h5", tree, columns(model)) == write_tree(tmp_path / "b.h5", tree)
     with h5py.File(tmp_path / "a.h5") as file:
         told = {name: tuple(file[name].attrs[key] for key in ("unit", "meaning")) for name, _ in flatten(tree)}
     assert told["rbf-paper/weights"][0] == "N/m, N·s/m, N/V²"
-    assert told["rbf-paper/width"] == ("m", "width σ of the basis functions")
+    assert told["rbf-paper/width"] == ("m", "Width σ of the basis functions")
     assert told["rbf-paper/lag_s"][0] == "s"
     assert read_tree(tmp_path / "a.h5")["rbf-paper"]["width"] == pytest.approx(model.width)
 
 
 def test_a_joints_parameters_have_the_units_of_the_parameter_set() -> None:
-    tree = {"analytical": AnalyticalModel(NOMINAL).to_tree()}
-    told = {path: columns(path) for path, _ in flatten(tree)}
+    model = AnalyticalModel(parameters=NOMINAL)
+    tree = {"analytical": model.to_tree()}
+    told = {path: columns(model)(path) for path, _ in flatten(tree)}
     assert told["analytical/parameters/left.Y"][0] == "Pa"
     assert told["analytical/parameters/kappa0"][0] == "1/m"
     assert all(meaning for _, meaning in told.values())

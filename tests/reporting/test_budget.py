@@ -50,8 +50,8 @@ def _models() -> dict[str, Any]:
         "sindy": sindy(),
         "sindy-default": sindy(),
         "narx": narx,
-        "analytical": AnalyticalModel(NOMINAL),
-        "analytical-calibrated": AnalyticalModel(NOMINAL, "analytical-calibrated"),
+        "analytical": AnalyticalModel(parameters=NOMINAL),
+        "analytical-calibrated": AnalyticalModel(parameters=NOMINAL, name="analytical-calibrated"),
     }
 
 
@@ -109,6 +109,8 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
             written[artifact] = folder.write_tree(artifact, {name: models[name].to_tree()}, models[name].describe())
     scores = {column.key: [row[column.key] for row in rows] for column in schemas.SCORES.columns}
     written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})
+    nothing = {column.key: [] for column in schemas.INSTRUMENTS.columns}
+    written[layout.INSTRUMENTS] = folder.write_table(layout.INSTRUMENTS, schemas.INSTRUMENTS, nothing, {})
     # Free runs belong to the kinematics that they were made from.
     made_from = {name: made.content_hash for name, made in written.items() if name.endswith("kinematics.parquet")}
     folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64, **made_from}), written)

@@ -23,10 +23,10 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.datasheet_rows import described, sheet_rows, structure_summary
 from pipeline.reporting.device_figures import _curves
-from pipeline.reporting.figure import Figure, Line, Panel, extreme_places, thinned, window
+from pipeline.reporting.figure import Figure, Line, Panel, extreme_places, thinned, window, x_range
 from pipeline.reporting.fleet_report import LISTED, fleet_report, outliers
 from pipeline.reporting.fleet_table import FleetColumn, distribution, failed, summary
-from pipeline.reporting.log_figures import differentiation, fit_note
+from pipeline.reporting.log_figures import differentiation, fit_note, overlay
 from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, viewer_data
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import headline_table
@@ -393,6 +393,8 @@ def test_a_window_cuts_lines_marks_and_gaps() -> None:
     cut = window(figure, 20.0, 40.0)
     assert cut.panels[0].lines[0].x[[0, -1]].tolist() == [20.0, 40.0]
     assert cut.marks["a"].size == 21
+    assert x_range(window(figure, -5.0, 200.5), cut.panels[0]) == (20.0, 40.0)
+    assert window(figure, -5.0, 200.5).panels[0].x_limits == (-5.0, 200.5)
     assert cut.gaps == ((20.0, 30.0),)
 
 
@@ -434,6 +436,8 @@ def test_residuals_are_stored_as_differences_and_hold() -> None:
     stored = viewer_data([figure], data.model_names)
     for panel, drawn in zip(figure.panels, stored["figures"][figure.name]["panels"], strict=True):
         for line, series in zip(panel.lines, drawn["series"], strict=True):
+            if line.parts is None:
+                continue
             parts = [stored["packed"][series[key]] for key in ("data", "minus")]
             difference = unpacked(parts[0]) - unpacked(parts[1])
             np.testing.assert_allclose(difference, line.y, rtol=0.0, atol=sum(p["step"] for p in parts))
@@ -608,10 +612,44 @@ def test_the_first_screen_is_verdict_overlay_and_headline_table() -> None:
     ]
     assert places == sorted(places)
     overlay = run_figures()["validation-other-overlay"]
-    measured, free = (line.y for line in overlay.panels[0].lines)
+    lines = {line.role: line for line in overlay.panels[0].lines}
+    measured, free = lines["measured"].y, lines["rbf"].y
     seen = np.isfinite(measured)
     error = np.linalg.norm((free - measured)[seen]) / np.linalg.norm(measured[seen] - measured[seen].mean())
-    assert overlay.panels[0].lines[1].label == f"{run_data().model_names[0]}: fit {100 * (1 - error):.1f} %"
+    assert overlay.hidden == ("sindy",)
+    assert lines["rbf"].label == f"{run_data().model_names[0]}: fit {100 * (1 - error):.1f} %"
+
+
+def test_q_is_drawn_at_the_top_and_with_the_residuals_and_captions_are_short() -> None:
+    data = run_data()
+    page = report_page()
+    document = json.loads(re.search(r'id="debist-data">(.*?)</script>', page, re.S)[1])
+    panels = {
+        name: [panel["label"].split(" in ")[0] for panel in f["panels"]] for name, f in document["figures"].items()
+    }
+    assert {name.partition("-other-")[2] for name, shown in panels.items() if "q" in shown and "-other-" in name} == {
+        "overlay", "residuals",
+    }  # fmt: skip
+    assert 'data-mark="device snaps over"' in page and "Upright lines" not in page
+    assert max(len(figure.caption) for figure in run_figures().values()) < 200  # two lines
+    assert f"<summary>{sum(c.grade == 'good' and c.about == 'data' for c in run_sheet().checks)} good</summary>" in page
+    assert set(data.model_names) <= {line.role for line in run_figures()["validation-other-overlay"].panels[0].lines}
+
+
+@pytest.mark.parametrize(("wide", "clipped"), [(1e-3, False), (1.0, True)])
+def test_the_first_axis_follows_measurement_and_run_and_tubes_are_clipped(wide: float, clipped: bool) -> None:
+    data = run_data()
+    log = data.role("validation")[0]
+    run = log.predictions["rbf"]
+    nothing = np.full_like(run["q"], np.nan)
+    tubes = {"q_low": run["q"] - wide, "q_high": run["q"] + wide, "q_other_low": nothing, "q_other_high": nothing}
+    figure = overlay(data, replace(log, predictions={"rbf": {**run, **tubes}}), run_sheet().wells)
+    low, high = figure.panels[0].y_limits
+    span = np.ptp(log.kinematics["q"][np.isfinite(log.kinematics["q"])])
+    assert low <= np.nanmin(log.kinematics["q"]) and high >= np.nanmax(log.kinematics["q"])
+    assert high - low < 2.2 * span
+    assert ("beyond the axis" in figure.caption) == clipped
+    assert (high >= np.nanmax(tubes["q_high"])) != clipped
 
 
 def test_logs_and_angles_are_called_what_they_are() -> None:

@@ -69,6 +69,8 @@ def unreported(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
     written[layout.MODELS] = folder.write_tree(layout.MODELS, tree, {"rbf-paper": {"rank": 40}})
     scores = {column.key: [row[column.key] for row in rows] for column in schemas.SCORES.columns}
     written[layout.SCORES] = folder.write_table(layout.SCORES, schemas.SCORES, scores, {})
+    nothing = {column.key: [] for column in schemas.INSTRUMENTS.columns}
+    written[layout.INSTRUMENTS] = folder.write_table(layout.INSTRUMENTS, schemas.INSTRUMENTS, nothing, {})
     folder.commit(Recipe("test", "1", {}, {"a.csv": "f" * 64}), written)
     bring_up_to_date(folder, check.tasks(prototype), Silent())
     return folder

@@ -142,34 +142,48 @@ def save_plain_mat(path: Path, *, compressed: bool = True) -> None:
 
 
 def _sheet(rows):
-    """The rows of a sheet as spreadsheets write them, its texts inline."""
-    cells = (
-        "".join(
-            f'<c t="inlineStr"><is><t>{cell}</t></is></c>' if isinstance(cell, str) else f"<c><v>{cell!r}</v></c>"
-            for cell in row
-        )
-        for row in rows
-    )
-    return "".join(f"<row>{row}</row>" for row in cells)
+    """The rows of a sheet as spreadsheets write them, its texts inline, and numbers of the first column formatted."""
+    return "".join(f"<row>{''.join(_cell(j, cell) for j, cell in enumerate(row))}</row>" for row in rows)
 
 
-def workbook(path, rows, hidden=()):
-    """A sheet, and a hidden one behind it."""
+def _cell(column, cell):
+    if isinstance(cell, str):
+        formula = f"<c><f>{cell[1:]}</f></c>"
+        return formula if cell.startswith("=") else f'<c t="inlineStr"><is><t>{cell}</t></is></c>'
+    return f'<c s="{int(column == 0)}"><v>{cell!r}</v></c>'
+
+
+def workbook(path, sheets, hidden=(), form="General"):
+    """Sheets by their names (rows alone are those of Log), and a hidden one; the format of the first column."""
+    sheets = sheets if isinstance(sheets, dict) else {"Log": sheets}
     main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
     office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
     package = "http://schemas.openxmlformats.org/package/2006"
+    every = [
+        *((name, rows, "visible") for name, rows in sheets.items()),
+        *([("Old", hidden, "hidden")] if hidden else []),
+    ]
+    entries = "".join(
+        f'<sheet name="{name}" sheetId="{k}" state="{state}" r:id="s{k}"/>'
+        for k, (name, _, state) in enumerate(every, 1)
+    )
+    links = "".join(
+        f'<Relationship Id="s{k}" Target="worksheets/sheet{k}.xml" Type="{office}/worksheet"/>'
+        for k in range(1, len(every) + 1)
+    )
     files = {
         "[Content_Types].xml": f'<Types xmlns="{package}/content-types"></Types>',
         "_rels/.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="a" Target="xl/workbook.xml" '
         f'Type="{office}/officeDocument"/></Relationships>',
-        "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{office}"><sheets><sheet name="Log" sheetId="1" '
-        'r:id="b"/><sheet name="Old" sheetId="2" state="hidden" r:id="c"/></sheets></workbook>',
-        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="b" '
-        f'Target="worksheets/sheet1.xml" Type="{office}/worksheet"/><Relationship Id="c" '
-        f'Target="worksheets/sheet2.xml" Type="{office}/worksheet"/></Relationships>',
-        "xl/worksheets/sheet1.xml": f'<worksheet xmlns="{main}"><sheetData>{_sheet(rows)}</sheetData></worksheet>',
-        "xl/worksheets/sheet2.xml": f'<worksheet xmlns="{main}"><sheetData>{_sheet(hidden)}</sheetData></worksheet>',
+        "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{office}"><sheets>{entries}</sheets></workbook>',
+        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="st" '
+        f'Target="styles.xml" Type="{office}/styles"/>{links}</Relationships>',
+        "xl/styles.xml": f'<styleSheet xmlns="{main}"><numFmts count="1"><numFmt numFmtId="170" formatCode="{form}"/>'
+        '</numFmts><cellXfs><xf numFmtId="0"/><xf numFmtId="170" applyNumberFormat="1"/></cellXfs></styleSheet>',
     }
+    for k, (_, rows, _) in enumerate(every, 1):
+        sheet = f'<worksheet xmlns="{main}"><sheetData>{_sheet(rows)}</sheetData></worksheet>'
+        files[f"xl/worksheets/sheet{k}.xml"] = sheet
     with zipfile.ZipFile(path, "w") as archive:
         for name, text in files.items():
             archive.writestr(name, text)

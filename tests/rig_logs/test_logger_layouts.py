@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from pipeline.errors import InputError
 from pipeline.loading.device import device
 from pipeline.loading.si_log import read_si
-from pipeline.rig_logs.channel_roles import suggested_unit
 from pipeline.rig_logs.source import UnreadableLogError
 from pipeline.settings import parse_prototype
 from tests.rig_logs.small_logs import load, open_here
@@ -76,24 +75,13 @@ def test_zeros_behind_the_text_are_left_out_with_a_note(tmp_path, zeros):
     assert any(f"{zeros} zero bytes at the end are left out" in note for note in source.notes)
 
 
-@pytest.mark.parametrize(
-    "stamp", ["[2026-11-27 10:11:{:06.3f}] ", "10:11:{:06.3f} > ", "10:11:{:06.3f} -> ", "2026-11-27 10:11:{:06.3f} "]
-)
-def test_the_time_of_a_serial_terminal_is_a_column(tmp_path, stamp):
-    text = "".join(stamp.format(12 + t) + f"{q:.4f},{v:.2f}\n" for t, q, v in zip(TIME, Q, V, strict=True))
-    read, _ = _values(text, folder=tmp_path)
-    assert read["column 1"][0] == "s"
-    np.testing.assert_allclose(read["column 1"][1], TIME, atol=1e-9)
-    np.testing.assert_allclose(read["column 2"][1], Q, atol=1e-9)
-
-
 def test_a_zone_behind_a_time_is_no_column(tmp_path):
     text = "".join(f"2026-11-27 10:11:{12 + t:06.3f} +0100,{q:.4f}\n" for t, q in zip(TIME, Q, strict=True))
     read, _ = _values("t,q\n" + text, folder=tmp_path)
     np.testing.assert_allclose(read["q"][1], Q, atol=1e-9)
 
 
-@pytest.mark.parametrize("first", ["23h59m59.{}s", "20261127-235959.{}", "23.59.59.{}", "23:59:59.{} 27.11.2026"])
+@pytest.mark.parametrize("first", ["20261127-235959.{}", "23:59:59.{} 27.11.2026"])
 def test_midnight_passes_however_a_clock_is_written(tmp_path, first):
     stamps = [*(first.format(f"{k:03d}") for k in range(900, 1000)), *(
         first.replace("23", "00", 1).replace("59", "00").replace("202611272", "202611280").format(f"{k:03d}")
@@ -102,11 +90,6 @@ def test_midnight_passes_however_a_clock_is_written(tmp_path, first):
     text = "t,q\n" + "".join(f"{stamp},{q:.4f}\n" for stamp, q in zip(stamps, Q, strict=True))
     read, _ = _values(text, folder=tmp_path)
     np.testing.assert_allclose(np.diff(read["t"][1]), 0.001, atol=1e-6)
-
-
-def test_a_checksum_behind_each_line_is_no_sample(tmp_path):
-    read, _ = _values("".join(f"$LOG,{line.strip()}*5A\n" for line in LINES), folder=tmp_path)
-    np.testing.assert_allclose(read["column 4"][1], V, atol=1e-9)
 
 
 def test_a_time_of_day_and_its_milliseconds_are_one_clock(tmp_path):
@@ -200,15 +183,3 @@ def test_a_unit_in_the_name_of_a_channel_is_compared_with_the_settings(tmp_path,
             read_si(tmp_path / "log.parquet", prototype, device(prototype))
     else:
         assert read_si(tmp_path / "log.parquet", prototype, device(prototype)).q[1].size == N
-
-
-@pytest.mark.parametrize(("name", "unit"), [("t [ms]", "ms"), ("q [mm]", "mm"), ("v1 (kV)", "kV"), ("x_deg", "deg")])
-def test_the_unit_in_a_name_is_suggested(name, unit):
-    assert suggested_unit(name, "") == unit
-
-
-@pytest.mark.parametrize("form", ["({})\n", "[{}]\n", "{} # by hand\n"])
-def test_rows_as_python_prints_them_and_comments_behind_them(tmp_path, form):
-    read, _ = _values("t,q,v\n" + "".join(form.format(line.strip()) for line in LINES), folder=tmp_path)
-    for name, (_, samples) in COLUMNS.items():
-        np.testing.assert_allclose(read[name][1], samples, atol=1e-9)

@@ -6,6 +6,7 @@ import lzma
 import warnings
 import zipfile
 
+import h5py
 import numpy as np
 import pandas as pd
 import pytest
@@ -13,7 +14,7 @@ import pytest
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.source import CsvOptions, Limits, UnreadableLogError
-from tests.rig_logs.small_logs import TIME, Q, V, load, open_here, workbook
+from tests.rig_logs.small_logs import TIME, Q, V, load, open_here, read_here, workbook
 
 
 def _csv():
@@ -187,9 +188,127 @@ def test_what_tdms_states_beside_the_numbers_is_noted_or_the_channel_left_out(tm
         (b"\x80\x04", "pickle"),
         (b"7z\xbc\xaf", "unpack it"),
         (b"RIFF", "WAVE"),
+        (np.array([0, 50, 1, 0, 2], "<i4").tobytes() + b"q\0", "version 4; load it in MATLAB .* `save NAME.mat -v7`"),
+        (np.array([1000, 1, 50, 0, 2], ">i4").tobytes() + b"q\0", "version 4; load it in MATLAB"),
     ],
 )
 def test_a_format_that_is_not_read_is_named(tmp_path, start, word):
     (tmp_path / "log").write_bytes(start + bytes(range(256)))
     with pytest.raises(UnreadableLogError, match=word):
         open_here(tmp_path / "log")
+
+
+WAVEFORM = {"wf_increment": 0.001, "wf_start_time": np.datetime64("2024-05-12T10:00:00")}
+LATER = {"wf_start_time": np.datetime64("2024-05-12T10:00:40")}
+GOES_ON = {"wf_start_time": np.datetime64("2024-05-12T10:00:00.2")}
+
+
+def _tdms(path, *segments, time=False):
+    """Segments of 200 samples of q, each with properties of its own; where wanted, with a channel of times."""
+    import nptdms
+
+    with nptdms.TdmsWriter(path) as writer:
+        for k, own in enumerate(segments):
+            rows = slice(200 * k, 200 * (k + 1))
+            channels = [nptdms.ChannelObject("rig", "q", Q[rows], own)]
+            channels += [nptdms.ChannelObject("rig", "time", TIME[rows], {})] if time else []
+            writer.write_segment(channels)
+
+
+@pytest.mark.parametrize(
+    ("second", "begins"), [(WAVEFORM, 0.2), (WAVEFORM | LATER, 40.0), (WAVEFORM | GOES_ON, 0.2), ({}, 0.2)]
+)
+def test_what_was_appended_to_tdms_begins_when_it_was_recorded(tmp_path, second, begins):
+    _tdms(tmp_path / "log.tdms", WAVEFORM, second)
+    recording = read_recording(tmp_path / "log.tdms")
+    expected = np.concatenate([TIME[:200], begins + TIME[:200]])
+    np.testing.assert_allclose(recording.channel("q").time, expected, atol=1e-9)
+    assert ("'q' begins anew at 40 s" in " ".join(recording.notes)) == (begins == 40.0)
+
+
+def test_a_step_of_tdms_that_changes_is_refused(tmp_path):
+    _tdms(tmp_path / "log.tdms", WAVEFORM, WAVEFORM | LATER | {"wf_increment": 0.002})
+    with pytest.raises(UnreadableLogError, match=r"wf_increment of 'q' changes from 0\.001 to 0\.002"):
+        open_here(tmp_path / "log.tdms")
+
+
+def test_the_default_step_of_labview_is_no_clock_beside_a_channel_of_times(tmp_path):
+    _tdms(tmp_path / "log.tdms", {"wf_increment": 1.0}, {}, time=True)
+    source = open_here(tmp_path / "log.tdms")
+    assert {entry.name: entry.time for entry in source.entries()} == {"q": None, "time": None}
+    assert "wf_increment = 1 of 'q' is LabVIEW's default beside 'time'" in source.notes[0]
+
+
+@pytest.mark.parametrize("left", [1, 20, 60])
+def test_a_tdms_file_cut_within_the_head_of_a_segment_is_truncated(tmp_path, left):
+    _tdms(tmp_path / "one.tdms", WAVEFORM)
+    _tdms(path := tmp_path / "log.tdms", WAVEFORM, WAVEFORM | LATER)
+    path.write_bytes(path.read_bytes()[: (tmp_path / "one.tdms").stat().st_size + left])
+    with pytest.raises(UnreadableLogError, match="truncated"):
+        open_here(path)
+
+
+def test_an_index_beside_a_tdms_file_is_not_read(tmp_path):
+    _tdms(tmp_path / "log.tdms", WAVEFORM)
+    (tmp_path / "log.tdms_index").write_bytes(b"TDSh" + bytes(100))
+    np.testing.assert_array_equal(read_here(tmp_path / "log.tdms")["q"], Q[:200])
+
+
+HEADING = ["t", "q"]
+DAYS = 46_000.99999 + TIME / 86_400.0
+
+
+def _sheets(path, times=TIME, form="0.0", cut=150, second=(HEADING,)):
+    rows = np.stack([times, Q], axis=1).tolist()
+    sheets = {"Data": [HEADING, *rows[:cut]]} | ({"Data (2)": [*second, *rows[cut:]]} if cut < len(rows) else {})
+    workbook(path, sheets, form=form)
+
+
+@pytest.mark.parametrize("cut", [10, 150, 390])
+@pytest.mark.parametrize(("times", "form"), [(TIME, "0.0"), (DAYS, "dd.mm.yyyy hh:mm:ss.000")])
+@pytest.mark.parametrize("second", [(), (HEADING,)])
+def test_a_table_goes_on_in_the_next_sheet(tmp_path, cut, times, form, second):
+    _sheets(tmp_path / "log.xlsx", times, form, cut, second)
+    source = open_here(tmp_path / "log.xlsx")
+    np.testing.assert_array_equal(load(source, "q"), Q)
+    np.testing.assert_allclose(load(source, "t"), TIME, atol=1e-6)
+    assert "goes on from sheet to sheet: 'Data', 'Data (2)'" in source.notes[0]
+
+
+def test_recordings_in_two_sheets_are_refused(tmp_path):
+    _sheets(tmp_path / "log.xlsx", TIME % 0.2, cut=200)
+    with pytest.raises(UnreadableLogError, match=r"the sheets .Data., .Data \(2\). hold tables of one heading"):
+        open_here(tmp_path / "log.xlsx")
+
+
+@pytest.mark.parametrize(
+    ("form", "begin"),
+    [("dd.mm.yyyy hh:mm:ss.000", 46_000.999999), ("hh:mm:ss.000", 0.999999), ("[h]:mm:ss.000", 0.0), ("mm:ss.0", 0.9)],
+)
+def test_times_of_a_workbook_keep_all_their_digits_also_past_midnight(tmp_path, form, begin):
+    times = np.arange(400) / 30_000.0
+    for days in (begin + times / 86_400.0, (begin + times / 86_400.0) % 1.0):
+        _sheets(tmp_path / "log.xlsx", days, form, cut=400)
+        source = open_here(tmp_path / "log.xlsx")
+        assert source.entries()[0].unit == "s"
+        np.testing.assert_allclose(load(source, "t"), times, atol=1e-6)
+        if begin > 1.0:
+            break
+
+
+def test_formulas_without_results_are_no_samples(tmp_path):
+    rows = [["t", "q", "v"], *([t, q, "=2*A2"] for t, q in zip(TIME.tolist(), Q.tolist(), strict=True))]
+    workbook(tmp_path / "log.xlsx", {"Data": rows})
+    with pytest.raises(UnreadableLogError, match="formulas without stored results: open it in a spreadsheet program"):
+        open_here(tmp_path / "log.xlsx")
+
+
+@pytest.mark.parametrize("swmr", [False, True])
+def test_an_hdf5_file_that_its_recorder_holds_is_refused(tmp_path, swmr):
+    with h5py.File(tmp_path / "log.h5", "w", libver="latest") as file:
+        file.create_dataset("q", data=Q, chunks=True)
+        if swmr:
+            file.swmr_mode = True
+        file.flush()
+        with pytest.raises(InputError, match="its recorder still writes it, or died while it did"):
+            read_recording(tmp_path / "log.h5")

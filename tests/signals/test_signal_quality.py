@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pipeline.signals.noise import is_idle, noise_level, resolution
-from pipeline.signals.quality_gates import scale_suspicion
+from pipeline.signals.quality_gates import saturation, scale_suspicion
 from pipeline.signals.signal_quality import examine_signal, usual_span
 from pipeline.signals.spectrum import hum
 from tests.prototypes import motion
@@ -137,7 +137,7 @@ def test_a_rest_that_a_drive_overshoots_is_no_rail():
     q = np.round(1000.0 * np.where(t % 8.0 < 4.0, step, 1.0 - step))  # counts of an encoder
     found = examine_signal(t, q, 0.02)
     assert found.low_rail == found.high_rail == 0.0
-    clipped = examine_signal(t, np.clip(q, 0.0, 1000.0), 0.02)
+    clipped = examine_signal(t, np.clip(q, 50.0, 950.0), 0.02)
     assert min(clipped.low_rail, clipped.high_rail) > 0.1
 
 
@@ -193,3 +193,52 @@ def test_a_clipped_signal_is_found_whatever_the_digits_of_its_numbers():
         quality = examine_signal(t, np.round(clipped, decimals), 1e-3)
         assert quality.high_rail == pytest.approx(np.mean(np.round(clipped, decimals) == 5.0), abs=0.1)
         assert quality.high_rail > 0.05
+
+
+def _swings(rate=2000.0, seconds=20.0):
+    """Swings of changing height up to 22 mm, as of a joint that is driven by a slow chirp."""
+    t = np.arange(int(rate * seconds)) / rate
+    return t, 22.0 * np.sin(0.3 * t) * np.sin(2 * np.pi * (2.0 + 0.3 * t) * t)
+
+
+@pytest.mark.parametrize("rate", [1000.0, 2000.0, 10_000.0])
+@pytest.mark.parametrize("noise", [0.003, 0.01, 0.03])
+def test_a_laser_that_is_cut_off_beneath_its_noise(rate, noise):
+    t, q = _swings(rate)
+    added = noise * np.random.default_rng(1).normal(size=t.size)
+    quality = examine_signal(t, np.clip(q, -18.0, 18.0) + added, 1.0 / rate)
+    (low, high), (least, most) = quality.rails
+    assert low < -18.0 < high and least < 18.0 < most and most - least < 12.0 * noise
+    assert quality.high_rail == pytest.approx(np.mean(q > 18.0), abs=0.02)
+    assert examine_signal(t, q + added, 1.0 / rate).rails == ()
+
+
+def _pulses(lag, heights, rate=10_000.0):
+    """Pulses behind a converter's lag [s]."""
+    t = np.arange(int(rate * 8.0)) / rate
+    command = np.where(t % 0.4 < 0.2, np.take(heights, (t / 0.4).astype(int) % len(heights)), 0.0)
+    v, share = np.empty(t.size), 1.0 - np.exp(-1.0 / (rate * lag))
+    level = 0.0
+    for i, target in enumerate(command):
+        level += share * (target - level)
+        v[i] = level
+    return t, v
+
+
+def test_a_probe_that_saturates_beneath_its_noise():
+    t, v = _pulses(3e-3, [3000.0, 2700.0, 1800.0, 2900.0])
+    added = np.random.default_rng(2).normal(size=t.size)
+    assert len(saturation(t, np.minimum(v, 2500.0) + added, 1e-4, "V")) == 1
+    assert saturation(t, v + added, 1e-4, "V") == []
+
+
+def test_pulses_of_one_height_are_no_rail():
+    added = np.random.default_rng(3).normal(size=80_000)
+    t, lagging = _pulses(3e-3, [2500.0])
+    assert saturation(t, lagging + added, 1e-4, "V") == []
+    square = np.where(t % 0.4 < 0.2, 2500.0, 0.0)
+    assert saturation(t, square + added, 1e-4, "V") == []
+    ramped = np.interp(t % 0.4, [0.0, 0.02, 0.2, 0.22], [0.0, 2500.0, 2500.0, 0.0])
+    assert saturation(t, ramped + added, 1e-4, "V") == []
+    triangle = np.interp(t % 0.4, [0.0, 0.2, 0.4], [0.0, 2500.0, 0.0])
+    assert saturation(t, triangle + added, 1e-4, "V") == []

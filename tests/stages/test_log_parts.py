@@ -73,7 +73,7 @@ def test_parts_of_one_recording_train_and_validate(folder: Path) -> None:
         ('{ file = "long.csv", start = "60 s" }', "", "no sample from 60 to inf s: its time runs from 0 to 26.995 s"),
         ('{ file = "long.csv", start = "9 s", stop = "9 s" }', "", "logs.train.0: stop = '9 s' is not after start"),
         ('{ file = "long.csv", start = "9" }', "", "logs.train.0: start: '9' has no unit; write for example '9 s'"),
-        ('{ file = "long.csv", begin = "9 s" }', "", "unknown key 'logs.train.0.begin'; known here: file, start, stop"),
+        ('{ file = "long.csv", begin = "9 s" }', "", "unknown key 'logs.train.0.begin'; did you mean 'gain'?"),
         ('{ start = "9 s" }', "", "'logs.train.0.file' is missing"),
     ],
 )

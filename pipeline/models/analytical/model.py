@@ -1,11 +1,11 @@
 """The analytical model (§ 3) behind the interface of all models: `analytical` and `analytical-calibrated`."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Annotated, Any, Literal
+from functools import partial
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import BeforeValidator, Field, TypeAdapter
 
 from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.errors import InputError
@@ -20,33 +20,29 @@ from pipeline.signals.trajectory import Trajectory
 from pipeline.solvers.stiff import STATES
 
 
-class _File(ModelFile):
-    name: Literal["analytical", "analytical-calibrated"]
-    tolerance: Annotated[float, Field(ge=1e-8, le=0.1)]
-    parameters: JointValues
+def _set_of(values: Any) -> Any:
+    """The parameter set of its values by name."""
+    if isinstance(values, JointParameters):
+        return values
+    try:
+        return NOMINAL.with_values(_VALUES.validate_python(values, strict=True))
+    except InputError as error:
+        raise ValueError(str(error)) from error
 
 
-@dataclass(frozen=True)
-class AnalyticalModel:
-    """The full-order joint with one set of parameters.
+_VALUES: TypeAdapter[dict[str, float]] = TypeAdapter(JointValues)
 
-    Attributes
-    ----------
-    parameters : JointParameters
-        The set: the designer's for `analytical`, the fitted one for `analytical-calibrated`.
-    name : str
-        The name under which predictions and scores are filed.
-    diagnostics : dict
-        How the parameters came about, e.g. uncertainties of a calibration; part of `describe`.
-    tolerance : float
-        Local error tolerance of the integrator (`pipeline.models.analytical.full_order.simulate`).
-    """
 
-    parameters: JointParameters
-    name: str = "analytical"
-    fine_voltages = True
-    diagnostics: dict[str, Any] = field(default_factory=dict)
-    tolerance: float = 1e-4
+class AnalyticalModel(ModelFile):
+    """The full-order joint with one set of parameters, and its file."""
+
+    fine_voltages: ClassVar[bool] = True
+    name: Literal["analytical", "analytical-calibrated"] = "analytical"
+    """Name of the model."""
+    tolerance: Annotated[float, Field(ge=1e-8, le=0.1)] = 1e-4
+    """Local error of the integrator, relative to the usual size of each state."""
+    parameters: Annotated[JointParameters, BeforeValidator(_set_of)]
+    """The designer's set for `analytical`, the fitted one for `analytical-calibrated`."""
 
     @property
     def input_count(self) -> int:
@@ -105,24 +101,7 @@ class AnalyticalModel:
 
     def to_tree(self) -> dict[str, Any]:
         """The model as a dictionary: parameters in SI by name, and how they came about."""
-        return {
-            "name": self.name,
-            "tolerance": self.tolerance,
-            "parameters": {name: self.parameters.value(name) for name in VECTOR_NAMES},
-            "diagnostics": dict(self.diagnostics),
-        }
-
-    @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "AnalyticalModel":
-        """The model back from `to_tree`.
-
-        Raises
-        ------
-        CorruptArtifactError
-            An entry is missing, of another kind or shape, or beyond its range.
-        """
-        file = _File.read(tree, "analytical", "compare")
-        return cls(NOMINAL.with_values(file.parameters), file.name, file.diagnostics, file.tolerance)
+        return super().to_tree() | {"parameters": {name: self.parameters.value(name) for name in VECTOR_NAMES}}
 
 
 def calibrate_analytical(data: Sequence[Trajectory], start: JointParameters) -> AnalyticalModel:
@@ -149,7 +128,7 @@ def calibrate_analytical(data: Sequence[Trajectory], start: JointParameters) -> 
         "converged": fit.converged,
         "evaluations": fit.evaluations,
     }
-    return AnalyticalModel(fit.parameters, "analytical-calibrated", diagnostics)
+    return AnalyticalModel(parameters=fit.parameters, name="analytical-calibrated", diagnostics=diagnostics)
 
 
 def _parameters(training: Training) -> JointParameters:
@@ -158,8 +137,8 @@ def _parameters(training: Training) -> JointParameters:
     return training.parameters
 
 
-ANALYTICAL = Kind(lambda training: AnalyticalModel(_parameters(training)), AnalyticalModel.from_tree)
+_read = partial(AnalyticalModel.read, name="analytical", command="compare")
+ANALYTICAL = Kind(lambda training: AnalyticalModel(parameters=_parameters(training)), _read)
 ANALYTICAL_CALIBRATED = Kind(
-    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)),
-    AnalyticalModel.from_tree,
+    lambda training: calibrate_analytical(training.fitted_segments, _parameters(training)), _read
 )

@@ -3,7 +3,7 @@
 Equations: `pipeline.equations.condensed_joint`. Estimation: `pipeline.models.hybrid.identify`.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property, lru_cache
 from typing import Annotated, Any, ClassVar, Self
@@ -20,15 +20,19 @@ from pipeline.models.base import FreeRun, checked
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.driving_voltages import DrivingVoltages
 from pipeline.models.hybrid.kernels import CURVES
-from pipeline.models.hybrid.problem import CondensedJoint, age_at, simulate
+from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem, age_at, simulate
 from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, continued_runs, follow_path
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.statics import static_curves, substeps
-from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table
+from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table, Unit
 from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.signals.decimation_kernel import filtered_samples
+from pipeline.signals.log import Log
+
+COUPLING_POLE = 30.0
+"""Observer pole [1/s] of a joint of the set's size at which each sample stands nearly alone: above its 18 1/s."""
 
 SEED = 20252  # of the posterior draws: the same model gives the same draws
 
@@ -44,29 +48,46 @@ _Size = Annotated[float, Field(ge=1e-3, le=1e3)]
 
 
 class _Similarity(FilePart):
+    """Size of the device over that of the parameter set."""
+
     length: _Size
     time: _Size
     voltage: _Size
     mass: _Size
-    origin: Real
+    origin: Annotated[Real, Unit("m")]
+    """Reading of the laser that corresponds to q = 0 of the parameter set."""
 
 
 class _File(ModelFile):
+    """The file of the model."""
+
     sizes: ClassVar[Sizes] = {"P": (1, 5000), "R": (1, 5000), "B": (1, 5000), "C": (1, 10_000), "S": (1, 5000)}
     parameters: JointValues
-    basis: Annotated[FloatArray, Table("3", -1e3, 1e3)]
+    basis: Annotated[FloatArray, Table("3", -1e3, 1e3), Unit("{q}")]
+    """First centre, distance of the centres and width σ of the Gaussians of the corrections."""
     centres: Annotated[int, Field(ge=0, le=200)]
-    largest_voltage_V: Positive
+    """Number of Gaussians of each correction."""
+    largest_voltage_V: Annotated[Positive, Unit("V")]
+    """Largest voltage of the training logs; held above twice that."""
     slope_ratio: Real
+    """Slope of the beam at rest over q/l, from which the search for a rest starts."""
     similarity: _Similarity
     tube: TubePart
     constants: str
+    """Names of the constants of the equations, in order."""
     deviations: str
-    prior_std: Annotated[FloatArray, Table("D")]
+    """Names of the first entries of theta: deviations from the set; weights follow."""
+    prior_std: Annotated[FloatArray, Table("D"), Unit("SI")]
+    """Standard deviations of the deviations' priors, in which theta counts."""
     theta: Annotated[FloatArray, Table("P", -_FARTHEST, _FARTHEST)]
+    """Fitted parameters in widths of their priors."""
     spread: Annotated[FloatArray, Table("P R")]
+    """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, from which outcomes are drawn."""
     band_spread: Annotated[FloatArray, Table("P B")]
+    """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, as the training data show it."""
     curve_spread: Annotated[FloatArray, Table("C S")]
+    """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, for the bands of the curves; with
+    corrections that are left open."""
 
     @model_validator(mode="after")
     def _corrections(self) -> Self:
@@ -102,6 +123,7 @@ class HybridModel:
         The same fitted to the first three quarters of each training log; it is not filed.
     """
 
+    file: ClassVar[type[ModelFile]] = _File
     joint: CondensedJoint
     theta: FloatArray
     spread: FloatArray
@@ -205,6 +227,15 @@ class HybridModel:
         more = len(self._curve_spread) - len(self.theta)
         joint = replace(self.joint, centres=self.joint.centres + more // CURVES)
         return replace(self, joint=joint, theta=np.append(self.theta, np.zeros(more)))
+
+    @property
+    def coupling(self) -> float:
+        """Observer pole [1/s] at which each sample stands nearly alone."""
+        return COUPLING_POLE / self.joint.similarity.time
+
+    def observed(self, parts: Sequence[Log]) -> CondensedProblem:
+        """The joint coupled to the parts of a log."""
+        return CondensedProblem(self.joint, parts, from_start=True)
 
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors that the data allow, shape (count, P); always the same for the same model.

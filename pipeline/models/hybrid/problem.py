@@ -197,6 +197,8 @@ class CondensedProblem:
         Training logs.
     fitted : callable
         How many of a log's samples are compared; the rest is held out.
+    from_start : bool
+        Compare a log that begins in motion from its first sample on, too, where an observer holds the run anyway.
     """
 
     def __init__(
@@ -204,10 +206,12 @@ class CondensedProblem:
         joint: CondensedJoint,
         records: Sequence[Record],
         fitted: Callable[[int], int] = lambda samples: samples,
+        *,
+        from_start: bool = False,
     ) -> None:
         self.joint = joint
         self._steps = 1
-        self.logs = [_Log(record, fitted(len(record.t))) for record in records]
+        self.logs = [_Log(record, fitted(len(record.t)), 0 if from_start else _settling(record)) for record in records]
 
     def hold_lost(self, theta: FloatArray, gain: float) -> None:
         """Find where runs with θ lose their logs, and hold them to these there from now on, and nowhere else.
@@ -273,10 +277,10 @@ class CondensedProblem:
 class _Log:
     """One record, with its voltages and a spline of the displacement that the observer follows."""
 
-    def __init__(self, record: Record, stop: int) -> None:
+    def __init__(self, record: Record, stop: int, settling: int) -> None:
         self.dt, self.t = record.interval, record.t - record.t[0]
         behind = np.arange(len(self.t)) >= stop
-        self.settling = np.arange(len(self.t)) < _settling(record)
+        self.settling = np.arange(len(self.t)) < settling
         self.fitted, self.held_out = record.valid & ~behind & ~self.settling, record.valid & behind
         self.v = DrivingVoltages(record.drive, self.dt)
         self.q = np.interp(self.t, self.t[record.valid], record.q[record.valid])
@@ -303,7 +307,7 @@ class _Log:
 
     def compared(self, gain: float) -> BoolArray:
         """Samples at which an observer with this pole has made up for what happened while the laser saw nothing."""
-        return self.fitted & (gain * self._seen_for >= SETTLED) if gain > 0.0 else self.fitted
+        return self.fitted & (gain * self._seen_for >= SETTLED * (1.0 - 1e-9)) if gain > 0.0 else self.fitted
 
     def errors(self, joint: CondensedJoint, thetas: FloatArray, gain: float, steps: int) -> FloatArray:
         """Simulated minus measured q [mm] of several θ, shape (B, N)."""

@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from pipeline.device_parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.fitting.population import (
     Information,
@@ -21,7 +21,7 @@ from pipeline.models.hybrid.identify import NOISE_INFLATION
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS, NAMES, PRIOR_STD
 from pipeline.models.hybrid.start import prior_root
-from pipeline.models.model_file import JointValues, ModelFile, Sizes, Table
+from pipeline.models.model_file import JointValues, ModelFile, Sizes, Table, Unit, column_of
 from pipeline.numerics.arrays import FloatArray
 
 FEWEST = 5
@@ -30,22 +30,6 @@ FEWEST = 5
 SUREST = 1e6
 """Largest precision that a log is trusted with, in units of the prior's: no population is as narrow as its root says,
 and sums with larger numbers lose what other directions say."""
-
-_COLUMNS = {
-    "mean": ("1", "mean of the deviations, in prior standard deviations"),
-    "covariance": ("1", "covariance of the deviations of one more joint, in prior standard deviations"),
-    "prior_std": ("SI", "prior standard deviations of the deviations or of their logarithms"),
-    "deviations": ("text", "names of the deviations"),
-}
-
-
-def column(path: str) -> tuple[str, str]:
-    """Unit and meaning of an entry of the file."""
-    group, _, name = path.rpartition("/")
-    if group == "parameters":
-        return QUANTITIES[name].unit, QUANTITIES[name].meaning
-    return _COLUMNS.get(name, ("text", name.replace("_", " ")))
-
 
 _WORDS = {
     "C0": "capacitance", "Y": "modulus", "Y_MW": "relaxing modulus", "E": "beam modulus", "eta": "beam loss",
@@ -61,13 +45,24 @@ _SUSPECTS = ("length", "voltage", "E", "Y", "C0", "Y_MW", "weight", "laser offse
 instruments that a workshop or a rig gets wrong. The others compensate each other and would only hide these."""
 
 
-class _File(ModelFile):
+class SiblingsFile(ModelFile):
+    """The file of what siblings teach."""
+
     sizes: ClassVar[Sizes] = {"P": (1, 5000)}
     parameters: JointValues
     deviations: str
-    prior_std: Annotated[FloatArray, Table("P")]
+    """Names of the deviations."""
+    prior_std: Annotated[FloatArray, Table("P"), Unit("SI")]
+    """Prior standard deviations of the deviations or of their logarithms."""
     mean: Annotated[FloatArray, Table("P", -300.0, 300.0)]
+    """Mean of the deviations, in prior standard deviations."""
     covariance: Annotated[FloatArray, Table("P P", -1e6, 1e6)]
+    """Covariance of the deviations of one more joint, in prior standard deviations."""
+
+
+def column(path: str) -> tuple[str, str]:
+    """Unit and meaning of an entry of the file."""
+    return column_of(f"siblings/{path}", {}, {"siblings": SiblingsFile})
 
 
 @dataclass(frozen=True)
@@ -223,7 +218,7 @@ def from_tree(tree: Mapping[str, Any]) -> tuple[JointParameters, NormalPopulatio
     CorruptArtifactError
         An entry is missing, of another kind or shape or beyond its range, or of another version of the program.
     """
-    file = _File.read(tree, "siblings", "fleet learn")
+    file = SiblingsFile.read(tree, "siblings", "fleet learn")
     current = file.deviations == " | ".join(NAMES) and np.array_equal(file.prior_std, PRIOR_STD)
     symmetric = np.allclose(file.covariance, file.covariance.T)
     if not current or not symmetric or np.linalg.eigvalsh(file.covariance).min() <= 0.0:

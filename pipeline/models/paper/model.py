@@ -30,7 +30,7 @@ from pipeline.fitting.regression import (
 from pipeline.model_list import CENTRES, LAG_START, SMOOTHING
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind, Training
-from pipeline.models.model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table
+from pipeline.models.model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
 from pipeline.models.paper.lag_search import LagSearch, LagStretch, search_lag
 from pipeline.models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
@@ -46,45 +46,31 @@ SEED = 20251  # of the draws of weights: the same model gives the same bands
 
 
 class RbfPaperModel(ModelFile):
-    """The identified model of §4.2; its file holds the same entries.
-
-    Attributes
-    ----------
-    centres : FloatArray, shape (M,)
-        ξ_i [m].
-    smoothing : float
-        σ_n; the bells have the width σ_n Δξ.
-    width : float
-        σ [m] of the bells.
-    weights : FloatArray, shape (2 + K, M)
-        θ_c [N/m], θ_d [N s/m], θ_g1 … θ_gK [N/V²]; per unit mass where `mass_kg` is 1 because it is unknown.
-    lag_s : float
-        T_z [s].
-    mass_kg : float
-        m_q [kg].
-    inputs : {"squared", "linear"}
-        Whether u = v² or u = v.
-    basis : {"gaussian"}
-        Form of the bells.
-    spread : FloatArray, shape ((2 + K)·M, rank)
-        Factor S of the weights' covariance S Sᵀ, in their units; empty if it is not known.
-    diagnostics : dict
-        rank, parameters, condition, residual_rms, samples, lag_iterations, lag_converged, lag_search
-        (T_z, cost, rank and condition number of each accepted step), visits per centre.
-    """
+    """The identified model of §4.2, and its file. K inputs, M basis functions."""
 
     sizes: ClassVar[Sizes] = {"R": (3, 2 + MOST_INPUTS), "M": (2, 200), "S": (0, 1000)}
     name: ClassVar[str] = "rbf-paper"
     fine_voltages: ClassVar[bool] = False
-    centres: Rising
+    centres: Annotated[Rising, Unit("{q}")]
+    """Centres ξ of the basis functions."""
     smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
-    width: Positive = Field(default_factory=lambda data: basis_width(data["centres"], data["smoothing"]))
-    weights: Annotated[FloatArray, Table("R M", -_LARGEST, _LARGEST)]
-    lag_s: Lag
-    mass_kg: Positive = 1.0
+    """Smoothing factor σ_n: the width over the distance of the centres."""
+    width: Annotated[Positive, Unit("{q}")] = Field(
+        default_factory=lambda data: basis_width(data["centres"], data["smoothing"])
+    )
+    """Width σ of the basis functions."""
+    weights: Annotated[FloatArray, Table("R M", -_LARGEST, _LARGEST), Unit("{c}, {d}, {g}")]
+    """Weights by row: stiffness c, damping d, gain g of each input."""
+    lag_s: Annotated[Lag, Unit("s")]
+    """Time constant T_z of the friction state."""
+    mass_kg: Annotated[Positive, Unit("{m}")] = 1.0
+    """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
     inputs: InputLaw = "squared"
+    """Whether inputs act squared or linear."""
     basis: Literal["gaussian"] = "gaussian"
-    spread: Annotated[FloatArray, Table("W S", -_LARGEST, _LARGEST)] = np.empty((0, 0))
+    """Basis function."""
+    spread: Annotated[FloatArray, Table("W S", -_LARGEST, _LARGEST), Unit("{c}, {d}, {g}")] = np.empty((0, 0))
+    """Factor S of the covariance S Sᵀ of the weights, row by row of weights; empty if it is not known."""
 
     @model_validator(mode="after")
     def _named(self) -> Self:

@@ -168,12 +168,12 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
 def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
     """First candidate of the search: the user's settings, and the usual ones for the rest.
 
-    A `pair` of inputs pulls at the two sides of a bistable joint, whose tip moves on an arc unless q is an angle. All
-    else is an actuated arm or slider, whose weight turns with it where q is an angle, and which starts as simple as
-    it can be. With `fine` the inputs are known between the samples.
+    It has as few elements as can be. A `pair` of inputs pulls at the two sides of a bistable joint, whose tip moves on
+    an arc unless q is an angle. All else is an actuated arm or slider, whose weight turns with it where q is an angle.
+    With `fine` the inputs are known between the samples.
     """
     usual: dict[str, Any] = {
-        **FRICTION["lags+slip" if pair else "viscous"],
+        **FRICTION["viscous"],
         "basis_functions": 12 if pair else 8,
         "smoothing": 1.0,
         "arc": pair and not angle,
@@ -201,7 +201,7 @@ class _Change:
 
         def offered(best: Candidate) -> list[Candidate]:
             free = [change for change in fields if not any(decided.get(k, v) != v for k, v in change.items())]
-            others = [candidate(replace(best.structure, **change)) for change in free]
+            others = [candidate(replace(best.structure, **change), best.symmetry) for change in free]
             return [other for other in others if other.structure != best.structure]
 
         return offered
@@ -209,6 +209,41 @@ class _Change:
     def each(self, name: str, values: Sequence[Any]) -> Offer:
         """One field with each of these values."""
         return self.to(*({name: value} for value in values))
+
+
+def joint_offers(choice: RbfChoice, *, mirrored: bool, knows: Callable[[JointStructure], bool]) -> list[Offer]:
+    """Offers to a bistable joint in turn: friction or relaxation, hidden shapes, both, and sides that are alike.
+
+    Elements are offered with any sides: sides that are taken for too much alike would ask for elements.
+
+    Parameters
+    ----------
+    choice : RbfChoice
+        What is decided and not offered.
+    mirrored : bool
+        Whether q = 0 is within its range and so may be its mirror plane.
+    knows : callable
+        Whether simulated joints teach a prior of a structure.
+    """
+    change = _Change(choice)
+    shapes = change.to(FRICTION["lags+slip"])
+
+    def taught(best: Candidate) -> list[Candidate]:
+        """Hidden shapes, or what is decided, as simulated joints have them."""
+        structures = [one.structure for one in (best, *shapes(best))]
+        return [population_candidate(structure) for structure in structures if mirrored and knows(structure)]
+
+    def untaught(best: Candidate) -> list[Candidate]:
+        """Hidden shapes of any other joint."""
+        return [candidate(best.structure, SYMMETRIES[1])] if best.population else list(shapes(best))
+
+    def alike(best: Candidate) -> list[Candidate]:
+        """Sides that are alike."""
+        free = mirrored and not best.population
+        return [candidate(best.structure, symmetry) for symmetry in SYMMETRIES if free]
+
+    elements = change.to(FRICTION["coulomb"], FRICTION["lag"])
+    return [elements, taught, untaught, change.to(FRICTION["lag+slip"]), alike]
 
 
 def offers(

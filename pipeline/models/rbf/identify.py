@@ -1,8 +1,7 @@
 """Identification of the data-driven joint: convex start and observer homotopy.
 
-Inner validation chooses the structure of a device. That of a bistable joint stands fixed but for what is believed of it
-beforehand: a few passages between its wells decide all errors on held-out data, and structures that were
-chosen by them were worse on other logs.
+Inner validation chooses the structure of a device; that of a bistable joint, whose held-out errors a few passages
+between its wells decide, is chosen by its marginal likelihood (`evidence_search`).
 """
 
 from collections.abc import Sequence
@@ -20,35 +19,24 @@ from pipeline.fitting.regression import InputLaw
 from pipeline.model_list import RBF_TIME_LIMIT
 from pipeline.models.kind import Kind, KnownCurves, Training
 from pipeline.models.rbf.candidates import (
-    SYMMETRIES,
     Candidate,
     RbfChoice,
-    candidate,
     first_candidate,
+    joint_offers,
     offers,
-    population_candidate,
 )
+from pipeline.models.rbf.evidence_search import LAST_ITERATIONS, TOLERANCE, search_by_evidence
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.prior import population
 from pipeline.models.rbf.problem import Effort, JointProblem
 from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
-from pipeline.models.rbf.structure import JointStructure
-from pipeline.models.rbf.structure_search import Fit, Setting, cut, excerpts, search
+from pipeline.models.rbf.structure_search import Begun, Setting, cut, excerpts, search
 from pipeline.models.tube_scales import scale_on
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90, rms
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record, operating_range
-
-UNLIKE = 0.8
-"""Share of the residual below which sides count as less alike: simulated joints leave 0.83 to 1.1 of it when their
-sides may differ by 10 % and not 3, with a laser that bends its readings by 15 % 0.25 to 0.9."""
-
-UNLIKE_POPULATION, FREED_STEPS = 0.6, 15
-"""Share of the residual below which a joint is unlike simulated ones, once it need not be like others for so many steps
-and its sides may differ by 10 %. Twenty simulated joints and the example logs leave 0.73 to 0.94 of it. Behind a laser
-that bends its readings by 10 to 20 % or reads 2 or 3 mm too much, 13 of 16 leave 0.25 to 0.54, others 0.75 to 0.91."""
 
 NEGLIGIBLE_INPUT = 0.01
 """Share of the largest input below which one does nothing."""
@@ -65,8 +53,8 @@ TUBE_MARGIN, TUBE_LEAST = 1.5, NORMAL_90
 the spread of the draws, which holds nine tenths of a normal distribution: a short log is followed to the noise. Chosen
 on fifteen simulated joints of three physics and eleven other devices, three of them measured."""
 
-ITERATIONS, LAST_ITERATIONS = 15, 300
-"""Steps per observer level of the final fit, and at the last one: most fits converge within 60."""
+ITERATIONS = 15
+"""Steps per observer level before the last one; most fits converge within ten."""
 
 
 def identify_rbf(
@@ -126,16 +114,14 @@ def identify_rbf(
     complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
     if pair and not candidates:
-        fitted, tried = _choose_prior(
-            records, setting, first.structure, from_population=wanted.population and not measured
-        )
+        fitted, tried = _fit_joint(records, setting, wanted, first)
     else:
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
         offered = ([lambda _: candidates[1:]], []) if candidates else usual
         result = search(records, setting, first, *offered)
         tried, complete = result.held_out, result.complete
-        fitted = _fit_to_all(records, setting, result.chosen, result.fit)
+        fitted = _fit_to_all(records, setting, result.chosen, setting.begin(records, result.chosen, result.fit))
     if not fitted.fit.levels:
         raise DataRefusedError("no simulation follows the training logs even when held near them; check q and units")
     model = RbfModel(
@@ -182,67 +168,37 @@ class _Fitted:
         return self.parameters.scales.half * rms(self.errors) if self.errors.size else np.inf
 
 
-def _choose_prior(
-    records: Sequence[Record], setting: Setting, structure: JointStructure, *, from_population: bool
+def _fit_joint(
+    records: Sequence[Record], setting: Setting, choice: RbfChoice, first: Candidate
 ) -> tuple[_Fitted, dict[str, float]]:
-    """A bistable joint that is like simulated ones, or else with sides as alike as its logs allow; and the residual of
-    each that was tried.
+    """A bistable joint of the elements and the prior that its logs show; and the residual of each that was tried.
 
     The mirror plane is q = 0; a joint that never crosses it has none.
     """
     low, high = operating_range(records)
-    alike = [candidate(structure, symmetry) for symmetry in (SYMMETRIES if low < 0.0 < high else SYMMETRIES[-1:])]
-    fits: dict[str, _Fitted] = {}
-    tried: dict[str, float] = {}
-
-    def fitted(symmetry: Candidate) -> _Fitted:
-        """The fit of all logs under a symmetry, made once."""
-        if symmetry.label not in fits:
-            fits[symmetry.label] = _fit_to_all(records, setting, symmetry, None)
-            tried[symmetry.label] = fits[symmetry.label].rms
-        return fits[symmetry.label]
-
-    def may_be_surpassed(symmetry: Candidate) -> bool:
-        """Nothing is better any more once the effort is spent."""
-        return fitted(symmetry).fit.reached_last and not setting.effort.exhausted()
-
-    chosen = alike[0]
-    if from_population and len(alike) > 1 and population().knows(structure):
-        chosen = population_candidate(structure)
-        if may_be_surpassed(chosen):
-            tried[alike[1].label] = freed = _freed_rms(records, setting, fitted(chosen), alike[1])
-            if freed < UNLIKE_POPULATION * fitted(chosen).rms:
-                chosen = alike[0]
-    if not chosen.population:
-        for looser in alike[1:]:
-            if not (may_be_surpassed(chosen) and fitted(looser).rms < UNLIKE * fitted(chosen).rms):
-                break
-            chosen = looser
-    return fitted(chosen), tried
+    mirrored = low < 0.0 < high
+    taught = choice.population and not setting.measured
+    offered = joint_offers(choice, mirrored=mirrored, knows=lambda structure: taught and population().knows(structure))
+    best, trials = search_by_evidence(records, setting, first, offered)
+    gains = GAINS[1:] if best.fit.levels else GAINS
+    fitted = _fit_to_all(records, setting, best.option, best.begun, gains, TOLERANCE)
+    return fitted, {label: trial.rms for label, trial in trials.items()}
 
 
-def _freed_rms(records: Sequence[Record], setting: Setting, fitted: _Fitted, option: Candidate) -> float:
-    """Error [unit of q] that a fit leaves after some steps with the prior of another candidate of its structure."""
-    _, _, prior = setting.begin(records, option)
-    last = fitted.fit.levels[-1].gain
-    schedule = Schedule([last], last_iterations=FREED_STEPS, noise_inflation=option.noise_inflation)
-    freed = fit_homotopy(fitted.problem, fitted.fit.theta, prior, schedule)
-    if not freed.levels:
-        return np.inf
-    return fitted.parameters.scales.half * rms(freed.residual[fitted.problem.of_displacement])
-
-
-def _fit_to_all(records: Sequence[Record], setting: Setting, option: Candidate, like: Fit | None) -> _Fitted:
+def _fit_to_all(
+    records: Sequence[Record], setting: Setting, option: Candidate, begun: Begun, levels: Sequence[float] = GAINS,
+    tolerance: float = Schedule.tolerance,
+) -> _Fitted:  # fmt: skip
     """A candidate on all data: long logs by their excerpts first, then as much of them as the effort allows."""
-    p, start, prior = setting.begin(records, option, like)
+    p, start, prior = begun
     report = setting.progress(option.label, p.scales.half)
-    gains = [gain for gain in GAINS if gain >= setting.coupled]
+    gains = [gain for gain in levels if gain >= setting.coupled]
 
     def descend(problem: JointProblem, theta: FloatArray, gains: Sequence[float], share: float) -> HomotopyFit:
         """θ after a homotopy over the observer gains [frequency scale], within a share of the effort."""
         return fit_homotopy(
             problem, theta, prior,
-            Schedule(gains, ITERATIONS, LAST_ITERATIONS, noise_inflation=option.noise_inflation),
+            Schedule(gains, ITERATIONS, LAST_ITERATIONS, tolerance, option.noise_inflation),
             callbacks=Callbacks(
                 enough=lambda: setting.effort.exhausted(share), on_progress=report, is_chaotic=problem.is_chaotic
             ),

@@ -1,6 +1,6 @@
 """The data-driven joint as a model: RBF curves, hidden relaxing elements, friction, identified from logs alone."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Annotated, Any, ClassVar, Self
 
@@ -14,16 +14,17 @@ from pipeline.fitting.posterior import first_order_curves, posterior_draws
 from pipeline.fitting.regression import InputLaw
 from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
 from pipeline.models.base import FreeRun, checked
-from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table
+from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table, Unit
 from pipeline.models.rbf.coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
 from pipeline.models.rbf.dynamics import free_rates
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.problem import steps_per_sample
+from pipeline.models.rbf.problem import JointProblem, steps_per_sample
 from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointStructure
 from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
+from pipeline.signals.log import Log
 from pipeline.solvers.fixed_step import run_status
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
@@ -36,12 +37,19 @@ _USUAL = JointStructure()
 
 
 class _Structure(FilePart):
+    """An element of the structure, see `pipeline.models.rbf.structure`."""
+
     sizes: ClassVar[Sizes] = {"L": (0, _MOST_ELEMENTS)}
     basis_functions: Annotated[int, Field(ge=2, le=200)]
+    """Gaussians of each curve."""
     smoothing: Annotated[float, Field(ge=1e-3, le=1e3)]
+    """Smoothing factor σ_n: the width over the distance of the centres."""
     rates: Annotated[FloatArray, Table("L", 0.0)]
+    """Relaxation rates to start from, over the frequency scale."""
     shape_elements: Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
+    """Hidden shapes."""
     slips: Annotated[int, Field(ge=0, le=_MOST_ELEMENTS)]
+    """States of Dahl friction."""
     force: ForceShape = _USUAL.force
     hold: Hold = _USUAL.hold
     arc: bool = _USUAL.arc
@@ -66,19 +74,30 @@ class _Structure(FilePart):
 
 
 class _Scales(FilePart):
-    middle: Real
-    half: Positive
-    volts: Positive
-    stiffness: Positive
-    speed: Annotated[Real, Field(ge=0.0)] = 0.0
+    """Scales of the variables."""
+
+    middle: Annotated[Real, Unit("{q}")]
+    """Middle of the range of q."""
+    half: Annotated[Positive, Unit("{q}")]
+    """Half of the range of q."""
+    volts: Annotated[Positive, Unit("{v}")]
+    """Largest input of the training logs."""
+    stiffness: Annotated[Positive, Unit("1/s²")]
+    """RMS acceleration over half the range of q."""
+    speed: Annotated[Real, Field(ge=0.0), Unit("1/s")] = 0.0
+    """RMS velocity over half the range of q."""
 
 
 class _Layout(FilePart):
+    """Structure, scales and signs."""
+
     sizes: ClassVar[Sizes] = {"K": (1, MOST_INPUTS)}
     structure: _Structure
     scales: _Scales
     law: InputLaw
+    """Whether inputs act squared or linear."""
     signs: Annotated[IntArray, Table("K", -1, 1, whole=True)]
+    """Direction in which each input pushes; 0 if it may change."""
 
     def layout(self) -> ParameterLayout:
         structure = JointStructure(**dict(self.structure) | {"rates": tuple(self.structure.rates.tolist())})
@@ -86,12 +105,18 @@ class _Layout(FilePart):
 
 
 class _File(ModelFile):
+    """The file of the model."""
+
     sizes: ClassVar[Sizes] = {"P": (1, 20_000), "R": (1, 20_000), "B": (1, 20_000)}
     parameters: _Layout
     theta: Annotated[FloatArray, Table("P")]
+    """Fitted parameters in units of the scales."""
     spread: Annotated[FloatArray, Table("P R")]
+    """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, from which outcomes are drawn."""
     band_spread: Annotated[FloatArray, Table("P B")]
-    mass_kg: Positive
+    """Factor S, a row for each entry of theta, of the covariance S Sᵀ of theta, as the training data show it."""
+    mass_kg: Annotated[Positive, Unit("{m}")]
+    """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
     tube: TubePart = TubePart()
 
 
@@ -117,6 +142,7 @@ class RbfModel:
         Scale of the tubes about free runs.
     """
 
+    file: ClassVar[type[ModelFile]] = _File
     parameters: ParameterLayout
     theta: FloatArray
     spread: FloatArray
@@ -223,6 +249,15 @@ class RbfModel:
     def draws(self, count: int) -> FloatArray:
         """Parameter vectors from the posterior, shape (count, P); always the same for the same model."""
         return posterior_draws(self.theta, self.spread, count, SEED)
+
+    @property
+    def coupling(self) -> float:
+        """Observer gain [frequency scale] at which each sample stands nearly alone."""
+        return PATH_OBSERVER_GAIN
+
+    def observed(self, parts: Sequence[Log]) -> JointProblem:
+        """The joint coupled to the parts of a log."""
+        return JointProblem(self.parameters, parts)
 
     def describe(self) -> dict[str, Any]:
         """Structure, hyperparameters and diagnostics."""

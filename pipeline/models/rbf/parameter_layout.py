@@ -57,7 +57,7 @@ class ParameterLayout:
     scales: JointScales
     law: InputLaw
     signs: tuple[int, ...]
-    centres: FloatArray = field(init=False)
+    centres: FloatArray = field(init=False, compare=False)
 
     def __post_init__(self) -> None:
         ends = 1.0 + OVERHANG
@@ -207,6 +207,11 @@ class ParameterLayout:
         """Whether what acts jumps at the samples and is constant between them."""
         return self.structure.hold == "zero" and not self.structure.input_lag
 
+    @property
+    def squares_first(self) -> bool:
+        """Whether the squares of the inputs act before any lag, so that the record's means are those of squares."""
+        return self.law == "squared" and (self.structure.effect_lags or not self.structure.input_lag)
+
     def delay(self, theta: FloatArray) -> float:
         """Delay of the inputs [s]."""
         return float(np.exp(theta[self.slices["input_delay"]][0])) if self.structure.input_delay else 0.0
@@ -218,7 +223,8 @@ class ParameterLayout:
         propeller's speed, the electrodes' charge) that lags and its square that pulls. Where the effect lags, as heat
         does, they are bent and squared first.
         """
-        volts = drive_at_nodes(v, interval, steps, self.structure.hold, self.delay(theta)) / self.scales.volts
+        hold, delay = self.structure.hold, self.delay(theta)
+        volts = drive_at_nodes(v, interval, steps, hold, delay, squared=self.squares_first) / self.scales.volts
         return self.acting(volts, interval / steps / 2.0, theta)
 
     def acting(self, volts: FloatArray, half: float, theta: FloatArray) -> tuple[FloatArray, FloatArray]:

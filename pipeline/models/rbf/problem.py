@@ -170,7 +170,7 @@ class _Log:
         hold, rows = p.structure.hold, self.past + len(self.measured)
         spline = self.spline if hold == "cubic" else None
         if self.every == 1:
-            drive = drive_at_nodes(self.inputs, self.spacing, steps, hold, delay, spline)
+            drive = drive_at_nodes(self.inputs, self.spacing, steps, hold, delay, spline, squared=p.squares_first)
         else:
             drive = drive_at_nodes(self.inputs, self.spacing, 1, hold, delay, spline)
             drive = _averaged(drive, self.every)[: 2 * rows - 1]

@@ -1,17 +1,27 @@
 """SINDy behind the model interface: a sparse polynomial equation, printed with units, simulated by our integrator."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Annotated, Any, ClassVar, Literal
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property, partial
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-from pydantic import BeforeValidator
+from pydantic import BeforeValidator, model_validator
 
-from pipeline.errors import CorruptArtifactError
 from pipeline.fitting.regression import InputLaw
 from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind
-from pipeline.models.model_file import MOST_INPUTS, Exponents, ModelFile, Positive, PositiveRow, Sizes, Span, Table
+from pipeline.models.model_file import (
+    MOST_INPUTS,
+    Exponents,
+    ModelFile,
+    Positive,
+    PositiveRow,
+    Sizes,
+    Span,
+    Table,
+    Unit,
+)
 from pipeline.models.polynomial_dynamics import (
     FIRST_INPUT,
     FRICTION,
@@ -42,47 +52,95 @@ def _units(values: Any) -> Units:
 MOST_LAGS = 9
 
 
-class _File(ModelFile):
+class SindyModel(ModelFile):
+    """A sparse polynomial equation of motion, and its file."""
+
     sizes: ClassVar[Sizes] = {
         "P": (1, 500),
         "X": (FIRST_INPUT + 1, FIRST_INPUT + MOST_INPUTS + MOST_LAGS),
         "L": (0, MOST_LAGS),
     }
-    name: Literal["sindy", "sindy-default"]
+    name: Literal["sindy", "sindy-default"] = "sindy"
+    """Name of the model: at its best, or pysindy as it comes."""
     exponents: Exponents
-    coefficients: Annotated[FloatArray, Table("2 P")]
-    scales: PositiveRow
-    lag_s: Annotated[FloatArray, Table("L", 1e-9, 1e9)]
+    """Powers of the scaled variables, a row for each monomial."""
+    coefficients: Annotated[FloatArray, Table("2 P"), Unit("{q}/s, {q}/s²")]
+    """Coefficients of the monomials of scaled variables: rows of q̇ and q̈."""
+    scales: Annotated[PositiveRow, Unit("SI")]
+    """Scale of each variable: displacement, velocities, inputs."""
+    lag_s: Annotated[FloatArray, Table("L", 1e-9, 1e9), Unit("s")]
+    """Times of the lag states."""
     lag_source: Annotated[IntArray, Table("L", QDOT, FIRST_INPUT + MOST_INPUTS, whole=True)]
-    mass_kg: Positive
+    """Column of the exponents whose variable each lag state follows."""
+    mass_kg: Annotated[Positive, Unit("{m}")] = 1.0
+    """Moving mass or inertia; 1 if it is unknown, and curves are then per unit mass."""
     inputs: Literal["squared", "linear"]
-    bounds: Span
+    """Whether inputs act squared or linear."""
+    bounds: Annotated[Span, Unit("{q}")]
+    """Smallest and largest displacement, beyond which a run counts as diverged."""
     units: Annotated[Units, BeforeValidator(_units)] = ("m", "V")
+    """SI units of displacement and inputs."""
 
+    @model_validator(mode="after")
+    def _lags(self) -> Self:
+        scales = len(self.scales) - len(self.lag_s)
+        if scales <= FIRST_INPUT or not {QDOT, *range(FIRST_INPUT, scales)}.issuperset(self.lag_source.tolist()):
+            raise ValueError("lag_source does not fit")
+        return self
 
-@dataclass(frozen=True)
-class SindyModel:
-    """A sparse polynomial equation of motion.
+    @classmethod
+    def of(
+        cls,
+        dynamics: PolynomialDynamics,
+        name: Literal["sindy", "sindy-default"] = "sindy",
+        mass: float = 1.0,
+        diagnostics: Mapping[str, Any] | None = None,
+        units: Units = ("m", "V"),
+    ) -> Self:
+        """The model of a right-hand side.
 
-    Attributes
-    ----------
-    dynamics : PolynomialDynamics
-        The right-hand side.
-    name : str
-        ``sindy`` (best fair treatment) or ``sindy-default`` (pysindy as it comes).
-    mass : float
-        Moving mass [kg], which only scales `curves`; 1 if unknown.
-    diagnostics : dict
-        How the treatment was chosen.
-    units : (str, str)
-        SI units of q and of the inputs, in which equations are printed.
-    """
+        Parameters
+        ----------
+        dynamics : PolynomialDynamics
+            The right-hand side.
+        name : {"sindy", "sindy-default"}
+            Name of the model.
+        mass : float
+            Moving mass [kg], which only scales `curves`; 1 if unknown.
+        diagnostics : mapping, optional
+            How the treatment was chosen.
+        units : (str, str)
+            SI units of q and of the inputs, in which equations are printed.
+        """
+        d = dynamics
+        return cls(
+            name=name,
+            exponents=d.exponents,
+            coefficients=d.coefficients,
+            scales=d.scales[[*range(d.scales.size), *(lag.source for lag in d.lags)]],
+            lag_s=np.array([lag.time for lag in d.lags], dtype=np.float64),
+            lag_source=np.array([lag.source for lag in d.lags], dtype=np.int64),
+            mass_kg=mass,
+            inputs="squared" if d.squared else "linear",
+            bounds=np.array([d.low, d.high]),
+            diagnostics=dict(diagnostics or {}),
+            units=units,
+        )
 
-    dynamics: PolynomialDynamics
-    name: str = "sindy"
-    mass: float = 1.0
-    diagnostics: dict[str, Any] = field(default_factory=dict)
-    units: Units = ("m", "V")
+    @cached_property
+    def dynamics(self) -> PolynomialDynamics:
+        """The right-hand side."""
+        times, sources = self.lag_s.tolist(), self.lag_source.tolist()
+        return PolynomialDynamics(
+            self.exponents, self.coefficients, self.scales[: self.scales.size - len(times)],
+            tuple(Lag(source, time) for source, time in zip(sources, times, strict=True)),
+            self.inputs == "squared", *self.bounds.tolist(),
+        )  # fmt: skip
+
+    @property
+    def mass(self) -> float:
+        """Moving mass [kg]; 1 if it is unknown."""
+        return self.mass_kg
 
     @property
     def input_count(self) -> int:
@@ -193,44 +251,6 @@ class SindyModel:
         """Structure, equations and how they were chosen."""
         return {"structure": "sparse polynomial", "equations": self.equations(), **self.diagnostics}
 
-    def to_tree(self) -> dict[str, Any]:
-        """The model as a dictionary of arrays, numbers and texts."""
-        d = self.dynamics
-        return {
-            "name": self.name,
-            "exponents": d.exponents,
-            "coefficients": d.coefficients,
-            "scales": d.scales[[*range(d.scales.size), *(lag.source for lag in d.lags)]],
-            "lag_s": np.array([lag.time for lag in d.lags], dtype=np.float64),
-            "lag_source": np.array([lag.source for lag in d.lags], dtype=np.int64),
-            "mass_kg": self.mass,
-            "inputs": "squared" if d.squared else "linear",
-            "bounds": np.array([d.low, d.high]),
-            "diagnostics": dict(self.diagnostics),
-            "units": list(self.units),
-        }
-
-    @classmethod
-    def from_tree(cls, tree: dict[str, Any]) -> "SindyModel":
-        """The model back from `to_tree`.
-
-        Raises
-        ------
-        CorruptArtifactError
-            An entry is missing, of another kind or shape, or beyond its range.
-        """
-        file = _File.read(tree, "sindy", "compare")
-        times, sources = file.lag_s.tolist(), file.lag_source.tolist()
-        scales = file.scales[: file.scales.size - len(times)]
-        if scales.size <= FIRST_INPUT or not {QDOT, *range(FIRST_INPUT, scales.size)}.issuperset(sources):
-            raise CorruptArtifactError("lag_source of the model sindy does not fit; run `debist compare` again")
-        dynamics = PolynomialDynamics(
-            file.exponents, file.coefficients, scales,
-            tuple(Lag(source, time) for source, time in zip(sources, times, strict=True)),
-            file.inputs == "squared", *file.bounds.tolist(),
-        )  # fmt: skip
-        return cls(dynamics, file.name, file.mass_kg, file.diagnostics, file.units)
-
 
 def _at_samples(v: FloatArray) -> FloatArray:
     return v if v.ndim == 2 else v[:, 0]
@@ -252,7 +272,6 @@ def identify_sindy(
     inputs: InputLaw = "squared",
     mass: float = 1.0,
     units: Units = ("m", "V"),
-    most: int | None = None,
 ) -> SindyModel:
     """SINDy at its best: see `pipeline.models.sindy.fit.fit_sindy`.
 
@@ -266,8 +285,6 @@ def identify_sindy(
         Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
     units : (str, str)
         SI units of q and of the inputs, for printing; where q is an angle [rad], sin q and cos q are candidates too.
-    most : int, optional
-        Candidates that the search tries, see `fit_sindy`.
 
     Raises
     ------
@@ -276,10 +293,10 @@ def identify_sindy(
     """
     from pipeline.models.sindy.fit import fit_sindy
 
-    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", most=most)
+    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad")
     errors = fit.errors[fit.candidate]
     mean, band = mean_over_folds(errors)
-    return SindyModel(
+    return SindyModel.of(
         fit.dynamics,
         "sindy",
         mass,
@@ -294,7 +311,6 @@ def identify_sindy(
             "inner_validation_nrmse_interval": np.array([mean, mean] if band is None else [band.low, band.high]),
             "inner_validation_nrmse_of_folds": errors,
             "candidates_tried": len(fit.errors),
-            "search_status": fit.search_status,
             "rank": fit.rank,
             "condition": fit.condition_number,
             "acceleration_residual": fit.acceleration_residual,
@@ -319,7 +335,7 @@ def identify_default_sindy(
 
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
     notes = {"library": "poly2(q, q̇, u), pysindy's default, in the units of the log", "terms_kept": _terms(dynamics)}
-    return SindyModel(dynamics, "sindy-default", mass, notes, units)
+    return SindyModel.of(dynamics, "sindy-default", mass, notes, units)
 
 
 def _terms(dynamics: PolynomialDynamics) -> int:
@@ -328,16 +344,14 @@ def _terms(dynamics: PolynomialDynamics) -> int:
 
 
 SINDY = Kind(
-    lambda data: identify_sindy(
-        data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
-    ),
-    SindyModel.from_tree,
+    lambda data: identify_sindy(data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units),
+    partial(SindyModel.read, name="sindy", command="compare"),
     "pipeline.export.lagged:realise_polynomial",
 )
 SINDY_DEFAULT = Kind(
     lambda data: identify_default_sindy(
         data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
     ),
-    SindyModel.from_tree,
+    partial(SindyModel.read, name="sindy", command="compare"),
     "pipeline.export.lagged:realise_polynomial",
 )

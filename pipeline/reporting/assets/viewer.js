@@ -27,7 +27,7 @@ const minus = (text) => text.replace("-", "−");
 
 class Viewer {
   constructor(element, figure, axis) {
-    Object.assign(this, { element, figure, axis, touches: new Map(), due: false });
+    Object.assign(this, { element, figure, axis, touches: new Map(), due: false, events_shown: new Set() });
     this.plots = element.querySelector(".plots");
     this.output = element.querySelector("output");
     this.events = figure.marks.flatMap((mark) => mark.at).sort((a, b) => a - b);
@@ -44,7 +44,7 @@ class Viewer {
     box.className = "panel";
     const ink = () => css("ink"), grid = { stroke: () => css("grid"), width: 1 }, font = "12px system-ui, sans-serif";
     const lines = panel.series.map((line) => ({
-      label: line.label, stroke: () => css(line.slot), width: line.wide ? 3 : 1.4, points: { show: false },
+      label: line.label, stroke: () => css(line.slot), width: line.wide ? 3 : 1.4, dash: line.dash.map((x) => 1.4 * x), points: { show: false },
       show: !this.hidden(line.label),
     }));
     const ends = panel.bands.flatMap((band) => [band.high, band.low].map(() => ({ stroke: "transparent", points: { show: false }, show: !this.hidden(band.label) })));
@@ -52,7 +52,7 @@ class Viewer {
     const plot = new uPlot({
       width: this.width(), height: (panel.low ? 0.55 : 1) * PANEL + (last ? AXIS : 6), ms: 1, legend: { show: false },
       padding: [6, 10, 0, 0],
-      scales: { x: { time: false, range: () => [axis.from, axis.to] }, y: { range: Viewer.range } },
+      scales: { x: { time: false, range: () => [axis.from, axis.to] }, y: { range: panel.limits ? () => panel.limits : Viewer.range } },
       axes: [
         { stroke: ink, grid, ticks: { show: false }, font, size: last ? 22 : 0, label: last ? figure.axis : undefined,
           labelFont: font, labelSize: 16, values: (_, values) => values.map((v) => last ? minus(String(+v.toFixed(9))) : "") },
@@ -93,7 +93,8 @@ class Viewer {
     ctx.clip();
     ctx.fillStyle = css("gap");
     for (const [from, to] of this.figure.gaps) ctx.fillRect(x(from), top, Math.max(1, x(to) - x(from)), height);
-    for (const { at, colour, dash } of this.figure.marks) {
+    for (const { name, at, colour, dash } of this.figure.marks) {
+      if (!this.events_shown.has(name)) continue;
       ctx.strokeStyle = css(colour);
       ctx.setLineDash(dash);
       ctx.beginPath();
@@ -136,6 +137,14 @@ class Viewer {
           const labels = [...panel.series, ...panel.bands.flatMap((band) => [band, band])].map((each) => each.label);
           labels.forEach((label, i) => { if (label === button.dataset.series) plot.setSeries(i + 1, { show }); });
         }
+      });
+    }
+    for (const button of this.element.querySelectorAll("button[data-mark]")) {
+      button.addEventListener("click", () => {
+        const show = button.getAttribute("aria-pressed") !== "true";
+        button.setAttribute("aria-pressed", String(show));
+        this.events_shown[show ? "add" : "delete"](button.dataset.mark);
+        this.request();
       });
     }
     this.plots.addEventListener("keydown", (event) => {
@@ -212,12 +221,7 @@ class Viewer {
     this.late = this.plots.clientWidth === 0;  // folded away: drawn when it is opened
     this.state();
     if (this.late) return;
-    for (const { plot, panel } of this.panels) {
-      // Dashes only while samples are apart: through thousands of them they would be noise.
-      const dense = panel.x.length * (this.axis.to - this.axis.from) / (this.axis.stop - this.axis.start) > 4 * plot.width;
-      panel.series.forEach((line, i) => { plot.series[i + 1].dash = dense ? [] : line.dash.map((x) => x * devicePixelRatio); });
-      plot.redraw();  // its time scale is the shared one, by `range`
-    }
+    for (const { plot } of this.panels) plot.redraw();  // its time scale is the shared one, by `range`
   }
 
   state() {

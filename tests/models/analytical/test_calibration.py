@@ -8,7 +8,7 @@ from pipeline.errors import InputError
 from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES, calibrate
 from pipeline.models.analytical.calibration_problem import PRIORS, prior_of
 from pipeline.models.analytical.full_order import rest_state, simulate
-from pipeline.models.analytical.model import AnalyticalModel, calibrate_analytical
+from pipeline.models.analytical.model import ANALYTICAL, calibrate_analytical
 from pipeline.models.analytical.reduced_order import pulse_sequence
 from pipeline.models.analytical.statics import equilibria
 from pipeline.models.analytical.windows import cut_windows, error_derivatives, simulate_windows
@@ -88,7 +88,7 @@ def test_the_calibrated_model_is_a_model() -> None:
     model = calibrate_analytical([motion], NOMINAL)
     run = model.simulate(motion.t, motion.v, float(motion.q[0]), 0.0)
     assert np.sqrt(np.mean((run.q - motion.q) ** 2)) / np.ptp(motion.q) < 0.02
-    again = AnalyticalModel.from_tree(model.to_tree())
+    again = ANALYTICAL.read(model.to_tree())
     assert (again.name, again.parameters) == ("analytical-calibrated", model.parameters)
     assert len(again.describe()["standard_errors"]) == len(ASYMMETRIC_NAMES) + len(FRICTION_NAMES)
 

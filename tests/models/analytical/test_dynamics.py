@@ -18,7 +18,7 @@ from pipeline.models.analytical.full_order import (
     simulate,
     state_scale,
 )
-from pipeline.models.analytical.model import AnalyticalModel
+from pipeline.models.analytical.model import ANALYTICAL, AnalyticalModel
 from pipeline.models.analytical.reduced_order import (
     accelerate,
     beam_modes,
@@ -168,10 +168,10 @@ def test_modes_rebuild_the_motion() -> None:
 
 def test_the_model_interface_starts_where_it_is_told() -> None:
     t, v = pulse_sequence(count=1, dt=0.01)
-    model = AnalyticalModel(UNEQUAL)
+    model = AnalyticalModel(parameters=UNEQUAL)
     run = model.simulate(t, v, -0.009, 0.05)
     assert (run.status, run.q[0], run.qdot[0]) == ("ok", pytest.approx(-0.009), pytest.approx(0.05))
-    again = AnalyticalModel.from_tree(model.to_tree())
+    again = ANALYTICAL.read(model.to_tree())
     assert again.parameters == model.parameters
     assert "E [Pa]" in model.describe()["parameters"]
     assert np.isfinite(model.accelerate(t, v, run.q, run.qdot)).all()
@@ -190,7 +190,7 @@ def test_reduced_mass_contains_the_tip_mass() -> None:
 
 def test_the_models_curves_are_those_of_the_held_joint() -> None:
     q = np.linspace(-0.02, 0.02, 41)
-    curves, held = AnalyticalModel(NOMINAL).curves(q), static_path(NOMINAL, q, np.zeros(2))
+    curves, held = AnalyticalModel(parameters=NOMINAL).curves(q), static_path(NOMINAL, q, np.zeros(2))
     np.testing.assert_allclose(curves["F"], held.force, atol=1e-5 * np.abs(held.force).max())
     for side in range(2):
         slope = held.capacitance_slope[:, side]

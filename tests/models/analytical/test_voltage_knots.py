@@ -39,7 +39,7 @@ def test_voltages_at_the_samples_are_taken_as_they_are():
 
 
 def test_a_snap_begins_where_the_pulse_does():
-    model, v = AnalyticalModel(NOMINAL), pulse(0.2034)
+    model, v = AnalyticalModel(parameters=NOMINAL), pulse(0.2034)
     start = max(at.q for at in equilibria(NOMINAL, np.zeros(2)))
     exact = model.simulate(FINE, v.reshape(-1, 2), start, 0.0).q[::PARTS]
     span = np.ptp(exact)

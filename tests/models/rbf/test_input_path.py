@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
+from scipy.integrate import simpson, solve_ivp
 
 from pipeline.generated.terms import BENT
 from pipeline.models.rbf.model import RbfModel
@@ -27,11 +27,18 @@ def test_every_hold_passes_through_the_samples_and_a_spline_between_them_is_near
     assert errors["cubic"] < 0.1 * errors["linear"] < 0.1 * errors["zero"]
 
 
-def test_the_finer_record_is_followed_between_the_samples():
-    fine = INTERVAL / 5 * np.arange(200)
-    v = wave(fine).reshape(40, 5, 2)
-    drive = drive_at_nodes(v, INTERVAL, 5, "record")
-    assert drive[::2] == pytest.approx(wave(fine)[:196])
+@pytest.mark.parametrize("squared", [False, True])
+@pytest.mark.parametrize("steps", [1, 3])
+def test_steps_lose_nothing_of_the_finer_record_wherever_a_pulse_begins(steps, squared):
+    """By Simpson's rule, as Runge-Kutta integrates, the inputs or their squares have the area that the record has."""
+    fine, power = 0.7 * np.arange(200) / 5.0, 2 if squared else 1
+    for edge in range(50, 60):
+        v = np.where((np.arange(200) >= edge) & (np.arange(200) < 100), 3.0, 0.0)
+        drive = drive_at_nodes(v.reshape(40, 5, 1), 0.7, steps, "record", squared=squared)[:, 0]
+        area = simpson(drive**power, dx=0.7 / (2 * steps))
+        assert area == pytest.approx(np.trapezoid(v**power, fine))
+    ramp = drive_at_nodes(fine.reshape(40, 5, 1), 0.7, steps, "record")[:, 0]
+    assert ramp[2:-2] == pytest.approx(0.7 / (2 * steps) * np.arange(len(ramp))[2:-2])
 
 
 def test_a_delay_shifts_the_drive_and_holds_its_first_value_before():

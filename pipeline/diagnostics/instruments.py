@@ -1,0 +1,318 @@
+"""Instruments of a log, measured by a fitted model: Rao's score test, then Gauss–Newton steps.
+
+A fitted model, coupled to a log by an observer, leaves a residual r that is small and nearly linear in everything. With
+δ, corrections of this log's readings, c, corrections that all logs need alike, and η, deviations of the fitted
+parameters in units of their posterior, the logs i that the model was fitted to and the log itself leave
+
+    rᵢ + Jᵢ c + Aᵢ η = eᵢ,    r + J (δ + c) + A η = e,
+
+and least squares with the prior η ~ N(0, 1) give δ. J are derivatives of the residual by corrections, and A = (∂r/∂θ) S
+those by parameters with the posterior covariance S Sᵀ. So δ is the difference of two readings: a model that errs alike
+on all logs gives them no different instruments. The derivatives at δ = 0 give the score test (Rao 1948,
+doi:10.1017/S0305004100023987; as a monitor of systems Benveniste, Basseville and Moustakides 1987,
+doi:10.1109/TAC.1987.1104683); steps are repeated until nothing moves, because far from zero a single one falls short.
+
+Errors e are serially correlated and partly the model's own, so the covariance of δ is estimated from groups of them in
+a row (jackknife, `pipeline.fitting.posterior.robust_spread`). What is discrete, exchanged inputs and a mirrored q, is
+tried.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, Protocol, runtime_checkable
+
+import numpy as np
+import scipy.linalg
+from scipy.special import fdtri, ndtr
+
+from pipeline.fitting.descent import ObservedProblem, Prior
+from pipeline.fitting.posterior import GROUPS, robust_spread, whiteness
+from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.metrics import rms
+from pipeline.signals.corrections import Corrections, corrected, exchanged, mirrored
+from pipeline.signals.log import Log, within
+from pipeline.signals.noise import noise_std
+from pipeline.signals.trajectory import MOST_SAMPLES
+
+SIGNIFICANCE = 4.0
+"""Standard errors beyond which an error counts: one false alarm in 16,000 quantities of normal errors."""
+
+LIMITS = {"gain": 5e-3, "zero_q": 5e-4, "gain_q": 5e-3, "delay": 0.05, "clock": 3e-3}
+"""Errors below these are of no practical interest, and central differences take them as steps. High-voltage probes and
+lasers are calibrated to 0.5 %; a good laser is linear to 0.05 % of its range (here: the range of q); a twentieth of the
+sample interval is less than the filter before the sampler leaves uncertain; a clock that is 0.3 % off is defective."""
+
+FARTHEST = 150.0
+"""Limits beyond which no correction goes: inputs off by 75 %, a delay of eight sample intervals."""
+
+STEPS, STILL = 5, 0.1
+"""Gauss–Newton steps at most, and the standard errors below which a step is the last."""
+
+EXPLAINED = 1.0 / 3.0
+"""Share of the residual below which exchanged inputs or a mirrored q explain it."""
+
+UNLIKE = float(np.sqrt(fdtri(GROUPS - 1, GROUPS - 1, ndtr(SIGNIFICANCE))))
+"""Times the residual of the training logs, noise taken off, from which on a log is of another device: F test of the
+mean squares of as many groups as are taken to err on their own, at the same level (4.0)."""
+
+Exchange = Literal["none", "inputs", "sign", "both"]
+Status = Literal["measured", "not measured", "another device"]
+
+
+@runtime_checkable
+class ObservedModel(Protocol):
+    """A fitted model that an observer couples to logs."""
+
+    @property
+    def theta(self) -> FloatArray:
+        """Parameters, shape (P,)."""
+
+    @property
+    def spread(self) -> FloatArray:
+        """Factor S of their posterior covariance S Sᵀ, shape (P, R)."""
+
+    @property
+    def coupling(self) -> float:
+        """Observer gain at which a sample stands nearly alone, in the unit that the problem takes."""
+
+    def observed(self, parts: Sequence[Log]) -> ObservedProblem:
+        """The model coupled to the parts of a log."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """An instrument's error: its name, and the limit of practical interest [1, m, rad or s]."""
+
+    name: str
+    limit: float
+
+
+@dataclass(frozen=True)
+class Linearised:
+    """A log near its present corrections: r of shape (N,), J of shape (N, K) per limit, and A of shape (N, R)."""
+
+    residual: FloatArray
+    by_corrections: FloatArray
+    by_parameters: FloatArray
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Instruments of one log.
+
+    Attributes
+    ----------
+    status : {"measured", "not measured", "another device"}
+    exchange : {"none", "inputs", "sign", "both"}
+        What had to be exchanged first.
+    corrections : Corrections
+        What makes the readings true.
+    estimate, standard_error : FloatArray, shape (K,)
+        Errors of the readings, in the order of `quantities`: reading over truth minus 1 for gains and the clock,
+        reading minus truth for the zero; a positive delay is that of the recorded inputs. NaN where not measured.
+    residual_ratio : float
+        What no instrument explains over the same of the training logs, noise taken off.
+    """
+
+    status: Status
+    exchange: Exchange
+    corrections: Corrections
+    estimate: FloatArray
+    standard_error: FloatArray
+    residual_ratio: float
+
+
+def quantities(parts: Sequence[Log]) -> tuple[Quantity, ...]:
+    """The errors that are measured of a log, with limits for its range of q and its sample interval."""
+    span = float(np.ptp(np.concatenate([part.known_q for part in parts])))
+    scales = {"zero_q": span, "delay": parts[0].interval}
+    inputs = [Quantity(f"gain_v{k}", LIMITS["gain"]) for k in range(1, parts[0].v.shape[1] + 1)]
+    rest = [name for name in LIMITS if name != "gain"]
+    return (*inputs, *(Quantity(name, LIMITS[name] * scales.get(name, 1.0)) for name in rest))
+
+
+class Instruments:
+    """Instruments of logs by one model.
+
+    Parameters
+    ----------
+    model : ObservedModel
+        The fitted model.
+    training : sequence of sequence of Log
+        The parts of each training log.
+
+    Notes
+    -----
+    Cost of a log with K quantities: one Jacobian and 2 K runs for each step; two steps are usual.
+    """
+
+    def __init__(self, model: ObservedModel, training: Sequence[Sequence[Log]]) -> None:
+        self._model = model
+        self._logs = [within(parts, MOST_SAMPLES) for parts in training]
+        self.quantities = quantities([part for parts in training for part in parts])
+        self._limits = np.array([quantity.limit for quantity in self.quantities])
+        self._training = [self._linearised(parts, np.zeros(len(self._limits))) for parts in self._logs]
+
+    def of_training(self, number: int) -> Reading:
+        """Errors of one of several training logs, compared with the others."""
+        return self._reading(self._logs[number], self._training[:number] + self._training[number + 1 :])
+
+    def of(self, parts: Sequence[Log]) -> Reading:
+        """Errors of the parts of another log, compared with the training logs."""
+        return self._reading(within(parts, MOST_SAMPLES), self._training)
+
+    def _reading(self, parts: Sequence[Log], others: Sequence[Linearised | None]) -> Reading:
+        exchange, parts = self._as_trained(parts)
+        reference, delta = [each for each in others if each is not None], np.zeros(len(self._limits))
+        log = self._linearised(parts, delta)
+        for _ in range(STEPS):
+            if log is None or not reference:
+                return self._not_measured(exchange)
+            fit = _fitted(reference, log)
+            delta = np.clip(delta + fit.step, -FARTHEST, FARTHEST)
+            if np.all(np.abs(fit.step) < STILL * fit.error):
+                break
+            log = self._linearised(parts, delta)
+        errors = np.sqrt(np.sum(fit.spread() ** 2, axis=1))
+        ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
+        status: Status = "another device" if fit.residual_ratio > UNLIKE else "measured"
+        corrections = _corrections(delta * self._limits)
+        estimate, standard_error = self._errors(delta), 0.5 * np.abs(ahead - behind)
+        return Reading(status, exchange, corrections, estimate, standard_error, fit.residual_ratio)
+
+    def _not_measured(self, exchange: Exchange) -> Reading:
+        nothing = np.full(len(self._limits), np.nan)
+        return Reading("not measured", exchange, _corrections(0.0 * self._limits), nothing, nothing, np.nan)
+
+    def _errors(self, delta: FloatArray) -> FloatArray:
+        by = _corrections(delta * self._limits)
+        gains = [1.0 / gain - 1.0 for gain in by.gains]
+        return np.array([*gains, -by.zero / by.gain_q, 1.0 / by.gain_q - 1.0, -by.delay, 1.0 / by.clock - 1.0])
+
+    def _as_trained(self, parts: Sequence[Log]) -> tuple[Exchange, Sequence[Log]]:
+        """What must be exchanged for the log to be like the training logs, and the log with that exchanged."""
+        trials: dict[Exchange, Sequence[Log]] = {"none": parts, "sign": [mirrored(each) for each in parts]}
+        if parts[0].v.shape[1] > 1:
+            trials["inputs"] = [exchanged(each) for each in parts]
+            trials["both"] = [exchanged(each) for each in trials["sign"]]
+        left = {name: self._left(trial) for name, trial in trials.items()}
+        best = min(left, key=lambda name: left[name])
+        chosen = best if left[best] < EXPLAINED * left["none"] else "none"
+        return chosen, trials[chosen]
+
+    def _left(self, parts: Sequence[Log]) -> float:
+        residual = self._residual(parts, np.zeros(len(self._limits)))
+        return np.inf if residual is None else rms(residual)
+
+    def _linearised(self, parts: Sequence[Log], delta: FloatArray) -> Linearised | None:
+        """A log near δ [limits]; None where a run fails."""
+        units = np.eye(len(delta))
+        ahead, behind = ([self._residual(parts, delta + side * unit) for unit in units] for side in (1.0, -1.0))
+        if any(run is None for run in (*ahead, *behind)):
+            return None
+        problem, gain = self._problem(parts, delta)
+        residual, by_theta = problem.jacobian(self._model.theta, gain)
+        by_parameters = by_theta @ self._model.spread
+        if not (np.isfinite(residual).all() and np.isfinite(by_parameters).all()):
+            return None
+        return Linearised(residual, 0.5 * (np.array(ahead) - np.array(behind)).T, by_parameters)
+
+    def _residual(self, parts: Sequence[Log], delta: FloatArray) -> FloatArray | None:
+        problem, gain = self._problem(parts, delta)
+        return problem.residual(self._model.theta, gain)
+
+    def _problem(self, parts: Sequence[Log], delta: FloatArray) -> tuple[ObservedProblem, float]:
+        """The corrected log with the model, and the observer gain: by the log's own clock, as samples are compared from
+        some of its time constants after a gap on.
+        """
+        by = _corrections(delta * self._limits)
+        return self._model.observed([corrected(part, by) for part in parts]), self._model.coupling / by.clock
+
+
+def _corrections(delta: FloatArray) -> Corrections:
+    *gains, zero, gain_q, delay, clock = delta.tolist()
+    return Corrections(tuple(1.0 + gain for gain in gains), zero, 1.0 + gain_q, delay, 1.0 + clock)
+
+
+@dataclass(frozen=True)
+class _Fitted:
+    """Least squares of a log and its reference.
+
+    Attributes
+    ----------
+    step, error : FloatArray, shape (K,)
+        Change of δ [limits], and its standard error if errors were noise.
+    residual_ratio : float
+        See `Reading`.
+    residual, design : FloatArray, shapes (N,) and (N, P)
+        Of all logs in a row, over their noise.
+    prior : Prior
+    groups : list of IntArray
+        Rows that may err together.
+    """
+
+    step: FloatArray
+    error: FloatArray
+    residual_ratio: float
+    residual: FloatArray
+    design: FloatArray
+    prior: Prior
+    groups: list[IntArray]
+
+    def spread(self) -> FloatArray:
+        """Factor of the covariance of δ as groups of errors show it, shape (K, …)."""
+        return robust_spread(self.residual, self.design, 1.0, self.prior, self.groups)[: len(self.step)]
+
+
+def _fitted(reference: Sequence[Linearised], log: Linearised) -> _Fitted:
+    """δ, c and η of the module's equations; the noise of each log is first that of r, then that of e.
+
+    Errors that last for τ samples count as noise of √τ times their RMS.
+    """
+    logs, count = [*reference, log], log.by_corrections.shape[1]
+    designs = [
+        np.hstack([np.zeros_like(each.by_corrections), each.by_corrections, each.by_parameters]) for each in logs
+    ]
+    designs[-1][:, :count] = log.by_corrections
+    widths = np.ones(designs[-1].shape[1])
+    widths[: 2 * count] = FARTHEST
+    errors = [each.residual for each in logs]
+    noise = [rms(error) for error in errors]
+    for _ in range(2):
+        precision = np.diag(widths**-2.0)
+        slope = np.zeros(len(widths))
+        for each, design, std in zip(logs, designs, noise, strict=True):
+            precision += design.T @ design / std**2
+            slope += design.T @ each.residual / std**2
+        factor = scipy.linalg.cho_factor(precision)
+        solution = -scipy.linalg.cho_solve(factor, slope)
+        errors = [each.residual + design @ solution for each, design in zip(logs, designs, strict=True)]
+        noise = [rms(error) * np.sqrt(whiteness(error).integrated_correlation_time) for error in errors]
+    covariance = scipy.linalg.cho_solve(factor, np.eye(len(widths))[:, :count])
+    starts = np.cumsum([0, *(len(error) for error in errors[:-1])])
+    return _Fitted(
+        solution[:count],
+        np.sqrt(np.diag(covariance[:count])),
+        _residual_ratio(errors),
+        np.concatenate([error / std for error, std in zip(errors, noise, strict=True)]),
+        np.concatenate([design / std for design, std in zip(designs, noise, strict=True)]),
+        Prior(np.diag(1.0 / widths), np.zeros(len(widths))),
+        [
+            start + rows
+            for start, error in zip(starts, errors, strict=True)
+            for rows in np.array_split(np.arange(len(error)), GROUPS)
+        ],
+    )
+
+
+def _residual_ratio(errors: Sequence[FloatArray]) -> float:
+    """The last of these errors over the others, the white noise of each taken off.
+
+    What is left of white noise of N samples is uncertain by √(2/N) of its square: less than `SIGNIFICANCE` times that
+    is not seen.
+    """
+    left = []
+    for error in errors:
+        noise = noise_std(error) ** 2
+        left.append(max(rms(error) ** 2 - noise, SIGNIFICANCE * np.sqrt(2.0 / len(error)) * noise))
+    return float(np.sqrt(left[-1] / np.mean(left[:-1])))

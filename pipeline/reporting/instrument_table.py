@@ -1,0 +1,147 @@
+"""What the instruments of the logs read, for people: a table of what is beyond its limit, and a figure of all."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pipeline.diagnostics.instruments import SIGNIFICANCE
+from pipeline.diagnostics.sentences import correction_text
+from pipeline.names import log_title
+from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
+from pipeline.settings_logs import LogPart
+from pipeline.si_prefix import quantity
+
+Row = Mapping[str, Any]
+Parts = Mapping[tuple[str, str], LogPart]
+
+NAMES = {"gain_v1": "gain of v1", "gain_v2": "gain of v2", "zero_q": "zero of q", "gain_q": "gain of q"}
+"""Names of quantities for people, where they differ from those in files."""
+RELATIVE = "Errors are relative to the training logs: where one of those is wrong, correct it instead."
+
+
+@dataclass(frozen=True)
+class InstrumentTable:
+    """Lines of what is beyond its limit, none where all is quiet, and the sentence below them."""
+
+    rows: tuple[tuple[str, ...], ...]
+    explanation: str
+
+    heading = ("log", "instrument", "reads too much by", "limit", "in [logs]")
+
+
+def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> InstrumentTable:
+    """The table of a run.
+
+    Parameters
+    ----------
+    rows : sequence of records
+        Rows of ``instruments.parquet``; shown are those of the model that comes first.
+    parts : mapping of (role, name) to LogPart
+        What the settings state of each log.
+    displacement : str
+        SI unit of q.
+    """
+    rows = main_rows(rows)
+    logs = list(dict.fromkeys((row["role"], row["log"]) for row in rows))
+    lines = list[tuple[str, ...]]()
+    for log in logs:
+        own = [row for row in rows if (row["role"], row["log"]) == log]
+        lines += _log_lines(own, log_title(*log), entry(parts[log], own, displacement), displacement)
+    if not logs:
+        return InstrumentTable((), "Instruments: there is no second log to compare with a training log.")
+    if not lines:
+        limits = ", ".join(f"{_name(r)} {_shown(r, 'limit', displacement)}" for r in rows[: _count(rows)])
+        return InstrumentTable((), f"Instruments: no reading is off by more than its limit ({limits}).")
+    return InstrumentTable(tuple(lines), RELATIVE)
+
+
+def _name(row: Row) -> str:
+    quantity_name = str(row["quantity"])
+    return NAMES.get(quantity_name, quantity_name)
+
+
+def _count(rows: Sequence[Row]) -> int:
+    return len({row["quantity"] for row in rows})
+
+
+def main_rows(rows: Sequence[Row]) -> list[Row]:
+    """The rows of the model that comes first."""
+    return [row for row in rows if row["model"] == rows[0]["model"]]
+
+
+def _log_lines(rows: Sequence[Row], title: str, line: str, displacement: str) -> list[tuple[str, ...]]:
+    """Lines of one log; the first one holds what to write."""
+    first = rows[0]
+    if first["status"] == "another device":
+        left = f"{first['residual_ratio']:.2g} times what the training logs leave"
+        return [(title, "another device", left, "", "")]
+    if first["status"] == "not measured":
+        return [(title, "not measured", "no run follows the log", "", "")]
+    lines = list[tuple[str, ...]]()
+    if first["exchanged"] != "none":
+        words = {"inputs": "v1 and v2 exchanged", "sign": "q mirrored", "both": "v1 and v2 exchanged, q mirrored"}
+        lines.append((title, words[first["exchanged"]], "", "", ""))
+    for row in rows:
+        if row["beyond"]:
+            name = _name(row)
+            reads = _shown(row, "estimate", displacement, row["standard_error"])
+            lines.append((title, name, reads, _shown(row, "limit", displacement), line))
+            title, line = "", ""
+    return lines
+
+
+def _shown(row: Row, key: str, displacement: str, error: float | None = None) -> str:
+    unit = {"zero_q": displacement, "delay": "s"}.get(row["quantity"])
+    factor = 100.0 if unit is None else 1.0
+    return quantity(factor * row[key], unit or "%", None if error is None else factor * error)
+
+
+def entry(part: LogPart, rows: Sequence[Row], displacement: str) -> str:
+    """What to write in place of the log in [logs]: what stands there, with the corrections of what is beyond."""
+    texts = {
+        row["quantity"]: correction_text(row["quantity"], row["correction"], displacement)
+        for row in rows
+        if row["beyond"]
+    }
+    gains = {name: f"{gain:g}" for name, gain in part.gain if gain != 1.0}
+    gains |= {name.removeprefix("gain_"): text for name, text in texts.items() if name.startswith("gain_")}
+    usual = LogPart(file=part.file)
+    stated = {key: f'"{getattr(part, key)}"' for key in ("start", "stop") if getattr(part, key) is not None}
+    if gains:
+        stated["gain"] = f"{{ {', '.join(f'{name} = {gain}' for name, gain in sorted(gains.items()))} }}"
+    for key, name in (("zero", "zero_q"), ("delay", "delay")):
+        if name in texts or getattr(part, key) != getattr(usual, key):
+            stated[key] = f'"{texts.get(name, getattr(part, key))}"'
+    if "clock" in texts or part.clock != 1.0:
+        stated["clock"] = texts.get("clock", f"{part.clock:g}")
+    return f'{{ file = "{part.file}", {", ".join(f"{key} = {text}" for key, text in stated.items())} }}'
+
+
+def instruments_figure(rows: Sequence[Row]) -> Figure | None:
+    """Errors of all logs in units of their limits, a line for each quantity; None where nothing was measured."""
+    measured = [row for row in main_rows(rows) if row["status"] == "measured"] if rows else []
+    if not measured:
+        return None
+    names = list(dict.fromkeys(_name(row) for row in reversed(measured)))
+    logs = list(dict.fromkeys((row["role"], row["log"]) for row in reversed(measured)))
+    of_log = dict(zip(logs, np.linspace(-0.5, 0.5, len(logs) + 2)[1:-1].tolist(), strict=True))
+    y = np.array([names.index(_name(row)) + of_log[row["role"], row["log"]] for row in measured])
+    limits = np.array([row["limit"] for row in measured])
+    beyond = np.array([row["beyond"] for row in measured])
+    at = np.array([row["estimate"] for row in measured]) / limits
+    half = SIGNIFICANCE * np.array([row["standard_error"] for row in measured]) / limits
+    ends = np.column_stack([at - half, at + half, np.full(len(at), np.nan)]).ravel()
+    bars = Line(f"± {SIGNIFICANCE:g} standard errors", "measured", ends, np.repeat(y, 3), dash="solid")
+    band = Band("limit", "reference", np.array([-1.0, 1.0]), np.full(2, -0.5), np.full(2, len(names) - 0.5))
+    points = [Points("a log", "measured", at[~beyond], y[~beyond])]
+    points += [Points("a log that is off", "measured", at[beyond], y[beyond], "cross")] if beyond.any() else []
+    panel = Panel(
+        "", "1", (bars,), (band,), tuple(points), y_limits=(-0.6, len(names) - 0.4), names=tuple(names)
+    )  # fmt: skip
+    caption = f"Each line has a mark for every log, in the order of the settings from the top. {RELATIVE}"
+    return Figure(
+        "instruments", "Instruments of the logs", caption, "error of the reading over its limit", "1", (panel,),
+        half=True,
+    )  # fmt: skip

@@ -1,0 +1,135 @@
+"""Instruments by the score test: planted errors come back, honest logs are silent, corrections undo errors."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pipeline.device_parameters import NOMINAL
+from pipeline.diagnostics.instruments import SIGNIFICANCE, Instruments, Reading
+from pipeline.models.hybrid.model import HybridModel
+from pipeline.models.hybrid.parameters import NAMES as DEVIATIONS
+from pipeline.models.hybrid.parameters import static_slope_ratio
+from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
+from pipeline.rig.excitation import command, random_excitation
+from pipeline.signals.corrections import Corrections, corrected, exchanged, mirrored
+from pipeline.signals.log import Log
+
+DURATION, INTERVAL, FINE, NOISE = 8.0, 0.01, 10, 2e-6
+
+
+def _log(model: HybridModel, seed: int) -> Log:
+    """Pulses of both voltages, and q of the model with the noise of a laser."""
+    rng = np.random.default_rng(seed)
+    t = INTERVAL * np.arange(round(DURATION / INTERVAL))
+    fine = INTERVAL / FINE * np.arange(FINE * len(t))
+    v = command(random_excitation(rng, duration=DURATION, excitation="pulses"), fine).reshape(len(t), FINE, 2)
+    run = model.simulate(t, v, 0.0112, 0.0)
+    return Log(t, run.q + NOISE * rng.standard_normal(len(t)), run.qdot, run.qddot, v[:, 0], fine=v)
+
+
+JOINT = CondensedJoint(NOMINAL, np.array([-0.025, 0.01, 0.008]), 0, 3000.0, static_slope_ratio(NOMINAL))
+
+
+def _joint(**deviations: float) -> HybridModel:
+    """A joint whose left membrane is stronger than the right one, and that deviates from that as given."""
+    theta = JOINT.start()
+    for name, value in {"left.log C0": 0.5, **deviations}.items():
+        theta[DEVIATIONS.index(name)] = value
+    return HybridModel(JOINT, theta, np.zeros((len(theta), 0)), np.zeros((len(theta), 0)))
+
+
+@pytest.fixture(scope="module")
+def logs() -> list[Log]:
+    return [_log(_joint(), seed) for seed in (1, 2, 3)]
+
+
+@pytest.fixture(scope="module")
+def model(logs: list[Log]) -> HybridModel:
+    """The joint, and what a fit to the first log would leave open of it."""
+    joint = _joint()
+    _, by_theta = CondensedProblem(JOINT, [logs[0]]).jacobian(joint.theta, 2.0)
+    _, singular, turned = np.linalg.svd(by_theta / (1e3 * NOISE), full_matrices=False)
+    return replace(joint, spread=turned.T / np.sqrt(1.0 + singular**2))
+
+
+@pytest.fixture(scope="module")
+def instruments(model: HybridModel, logs: list[Log]) -> Instruments:
+    return Instruments(model, [[logs[0]]])
+
+
+def _beyond(reading: Reading, instruments: Instruments) -> dict[str, float]:
+    rows = zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True)
+    return {q.name: x for q, x, error in rows if abs(x) > max(SIGNIFICANCE * error, q.limit)}
+
+
+PLANTED = {
+    "nothing": (Corrections((1.0, 1.0)), {}),
+    "gains": (Corrections((1.03, 0.98)), {"gain_v1": 0.03, "gain_v2": -0.02}),
+    "laser": (Corrections((1.0, 1.0), 1e-4, 1.02), {"zero_q": 1e-4, "gain_q": 0.02}),
+    "recorder": (Corrections((1.0, 1.0), delay=2.5e-3, clock=1.01), {"delay": 2.5e-3, "clock": 0.01}),
+    "far": (Corrections((1.1, 1.0), delay=0.03), {"gain_v1": 0.1, "delay": 0.03}),
+}
+
+
+@pytest.mark.parametrize("name", PLANTED)
+def test_planted_errors_come_back(name: str, instruments: Instruments, logs: list[Log]) -> None:
+    errors, wanted = PLANTED[name]
+    reading = instruments.of([corrected(logs[1], errors)])
+    found = _beyond(reading, instruments)
+    assert found.keys() == wanted.keys()
+    assert found == pytest.approx(wanted, rel=0.1)
+    assert reading.status == "measured"
+
+
+def test_corrections_undo_the_errors(instruments: Instruments, logs: list[Log]) -> None:
+    wrong = corrected(logs[1], Corrections((1.05, 1.0), 3e-4, 0.99, 4e-3, 1.005))
+    by = instruments.of([wrong]).corrections
+    assert _beyond(instruments.of([corrected(wrong, by)]), instruments) == {}
+
+
+def test_exchanged_inputs_and_a_mirrored_q_are_named(instruments: Instruments, logs: list[Log]) -> None:
+    assert instruments.of([exchanged(logs[1])]).exchange == "inputs"
+    assert instruments.of([mirrored(logs[1])]).exchange == "sign"
+    assert instruments.of([logs[1]]).exchange == "none"
+
+
+def test_of_two_training_logs_each_is_the_reference_of_the_other(model: HybridModel, logs: list[Log]) -> None:
+    wrong = corrected(logs[1], Corrections((0.97, 1.0)))
+    instruments = Instruments(model, [[logs[0]], [wrong]])
+    first, second = (instruments.of_training(number).estimate[0] for number in (0, 1))
+    assert second == pytest.approx(-0.03, rel=0.1)
+    assert first == pytest.approx(0.03, rel=0.1)
+
+
+def test_a_log_of_another_device_is_recognised(instruments: Instruments) -> None:
+    other = _joint(**{"log E": 0.5, "left.log Y": -0.5})
+    assert instruments.of([_log(other, 2)]).status == "another device"
+
+
+def test_a_model_that_no_run_follows_measures_nothing(model: HybridModel, logs: list[Log]) -> None:
+    far = replace(model, theta=np.full(len(model.theta), 7.0))
+    reading = Instruments(far, [[logs[0]]]).of([logs[1]])
+    assert reading.status == "not measured"
+    assert np.isnan(reading.estimate).all()
+
+
+def test_derivatives_by_corrections_do_not_depend_on_their_step(instruments: Instruments, logs: list[Log]) -> None:
+    whole = instruments._linearised([logs[1]], np.zeros(6))
+    assert whole is not None
+    for k in range(6):
+        ahead, behind = (instruments._residual([logs[1]], side * 0.1 * np.eye(6)[k]) for side in (1.0, -1.0))
+        assert ahead is not None
+        assert behind is not None
+        by = (ahead - behind) / 0.2
+        assert np.linalg.norm(whole.by_corrections[:, k] - by) < 0.02 * np.linalg.norm(by)
+
+
+def test_corrections_one_after_the_other_are_those_of_both(logs: list[Log]) -> None:
+    first = Corrections((1.02, 0.9), 1e-4, 1.01, 0.0, 0.99)
+    second = Corrections((0.99, 1.1), -2e-4, 0.98, 2e-3, 1.02)
+    one, both = corrected(corrected(logs[0], first), second), corrected(logs[0], first.then(second))
+    np.testing.assert_allclose(one.q, both.q, rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(one.t, both.t, rtol=1e-12)
+    np.testing.assert_allclose(one.drive, both.drive, atol=1e-6)
+    assert first.then(second).act

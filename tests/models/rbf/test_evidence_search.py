@@ -1,0 +1,77 @@
+"""A bistable joint gets the elements that its log shows, and curves that are right where it has none."""
+
+import numpy as np
+import pytest
+from scipy.stats import multivariate_normal
+
+from pipeline.fitting.descent import Prior
+from pipeline.fitting.homotopy import HomotopyFit
+from pipeline.fitting.posterior import log_evidence
+from pipeline.models.rbf.candidates import FRICTION
+from pipeline.models.rbf.identify import identify_rbf
+from pipeline.models.rbf.model import RbfModel
+from pipeline.models.rbf.parameter_layout import ParameterLayout
+from pipeline.models.rbf.structure import JointScales, JointStructure
+from tests.models.rbf.test_rbf import log
+
+DAMPING = 4.0
+
+
+def double_well(law, *, slip=0.0, stiffness=0.0, rate=3.0):
+    """Wells at ±12 mm, damping of 4 1/s everywhere; friction and a relaxing spring [1/s²] in half ranges, if any."""
+    structure = JointStructure(6, arc=False, **FRICTION[law])
+    p = ParameterLayout(structure, JointScales(0.0, 0.022, 3000.0, 50.0), "squared", (1, -1))
+    theta, at = np.zeros(p.count), p.slices
+    theta[at["force"]][:4] = 0.0, 70.0, 0.0, np.log(230.0)
+    flat = np.exp(-p.bend * (np.linspace(-1.0, 1.0, 41)[:, None] - p.centres) ** 2)
+    even = np.linalg.lstsq(flat, np.ones(41), rcond=None)[0]
+    theta[at["damping"]] = np.log(DAMPING * even)
+    theta[at["input0"]] = theta[at["input1"]] = np.log(30.0 * even)
+    theta[at["slip_force"]], theta[at["slip_length"]] = np.log(slip) if slip else (), np.log(0.01) if slip else ()
+    if stiffness:
+        theta[at["coupling0"]], theta[at["rate"]] = np.sqrt(stiffness) * even, np.log(rate)
+    return RbfModel(p, theta, *np.zeros((2, p.count, 1)))
+
+
+@pytest.mark.parametrize(
+    ("law", "elements"),
+    [("viscous", {}), ("coulomb", {"slip": 1.0}), ("lag", {"stiffness": 8.0})],
+    ids=["plain", "friction", "relaxation"],
+)
+def test_the_elements_that_a_log_shows_are_found_and_no_others(law, elements):
+    truth = double_well(law, **elements)
+    found = identify_rbf([log(truth, 3, n=900)])
+    structure = found.parameters.structure
+    assert {name: getattr(structure, name) for name in FRICTION[law]} == FRICTION[law], found.diagnostics["chosen"]
+    q = np.linspace(-0.016, 0.016, 9)
+    curves, planted = found.curves(q), truth.curves(q)
+    assert curves["d"] == pytest.approx(planted["d"], rel=0.2)
+    assert curves["F"] == pytest.approx(planted["F"], abs=0.02 * np.abs(planted["F"]).max())
+
+
+def test_the_evidence_is_the_marginal_likelihood_of_a_linear_model_of_known_noise():
+    """Differences between two models over the same data, which share the constant of the noise."""
+    rng = np.random.default_rng(4)
+    count, noise, found, exact = 4000, 0.3, [], []
+    columns = rng.standard_normal((count, 5))
+    data = columns @ rng.standard_normal(5) + noise * rng.standard_normal(count)
+    for used, spread in ((5, 1.0), (4, 1.0)):
+        rows, prior = columns[:, :used], Prior(np.eye(used) / spread, np.zeros(used))
+        theta = np.linalg.solve(rows.T @ rows / noise**2 + prior.matrix.T @ prior.matrix, rows.T @ data / noise**2)
+        residual = data - rows @ theta
+        fit = HomotopyFit(theta, residual, rows.T @ rows, noise, (), True)
+        found.append(log_evidence(fit, prior, 1.0))
+        s2 = np.mean(residual**2)
+        head = slice(0, 300)  # the exact density of all samples at once would take minutes: by the matrix identity
+        gram = np.eye(used) / spread**2 + rows.T @ rows / s2
+        quadratic = data @ data / s2 - (rows.T @ data / s2) @ np.linalg.solve(gram, rows.T @ data / s2)
+        determinant = count * np.log(s2) + np.linalg.slogdet(gram)[1] + used * np.log(spread**2)
+        exact.append(-0.5 * (quadratic + determinant))
+        few = rows[head] @ rows[head].T * spread**2 + s2 * np.eye(300)
+        direct = multivariate_normal(cov=few).logpdf(data[head])
+        small = np.eye(used) / spread**2 + rows[head].T @ rows[head] / s2
+        moved = rows[head].T @ data[head] / s2
+        identity = data[head] @ data[head] / s2 - moved @ np.linalg.solve(small, moved)
+        identity += 300 * np.log(2 * np.pi * s2) + np.linalg.slogdet(small)[1] + used * np.log(spread**2)
+        assert direct == pytest.approx(-0.5 * identity)
+    assert found[0] - found[1] == pytest.approx(exact[0] - exact[1], rel=1e-3)
