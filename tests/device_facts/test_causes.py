@@ -101,5 +101,5 @@ def test_every_code_has_sentences_and_the_worst_counts() -> None:
     for exchanged in ("inputs", "sign", "both"):
         statement, advice = sentences(Finding("exchanged", "poor", LOG, exchanged))
         assert LOG in statement and advice
-    assert {"instrument", "another_device", "generalisation", "one_passage", "outside", "exchanged"} == CODES.keys()
+    assert {"instrument", "another_device", "generalisation", "one_passage", "outside", "exchanged"} <= CODES.keys()
     assert worst([]) == "good" and worst([Finding("a", "fair"), Finding("b", "poor")]) == "poor"
