@@ -167,7 +167,9 @@ def test_a_crate_holds_the_parameter_set_that_the_run_was_made_with_and_no_other
     (written,) = json.loads(_invoke("export", str(tmp_path / "run"), "--to", "crate", "--json"))["written"]
     with zipfile.ZipFile(written) as archive:
         archive.extractall(tmp_path / "crate")
-    assert not [path for path in (tmp_path / "crate").rglob("*") if path.is_file() and b"hush-hush" in path.read_bytes()]
+    assert not [
+        path for path in (tmp_path / "crate").rglob("*") if path.is_file() and b"hush-hush" in path.read_bytes()
+    ]
     named = load_prototype(tmp_path / "crate/a.toml").plant.parameters
     assert joint_parameters(str(named), folder=tmp_path / "crate").E == 1.8e9
 
