@@ -199,6 +199,14 @@ def test_a_second_segment_of_labview_is_refused(tmp_path):
         load(open_here(tmp_path / "log.lvm"), "q")
 
 
+@pytest.mark.parametrize("cell", ["1.7e18", "1.5", "99999999999999999999"])
+def test_a_count_that_is_no_whole_number_is_named(tmp_path, cell):
+    rows = "".join(f"{1_700_000_000_000_000_000 + i},{i}\n" for i in range(50))
+    (tmp_path / "log.csv").write_text(f"t,q\n{rows}{cell},50\n")
+    with pytest.raises(UnreadableLogError, match=rf"row 52: '{cell}' in column 't' is no whole number"):
+        load(open_here(tmp_path / "log.csv"), "t")
+
+
 @pytest.mark.parametrize(
     ("stamp", "refused"), [("1970-01-01T00:00:05", ""), ("0001-01-01 00:00:00", "not set: delete")]
 )
