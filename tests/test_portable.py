@@ -83,7 +83,7 @@ def test_what_is_taken_away_is_gone_for_debist_alone(surroundings):
         "import os, signal, resource; os.fork, signal.SIGKILL\n"
         "import pipeline.isolation as ours; assert ours.resource is None\n"
         "assert not hasattr(ours.os, 'fork') and not hasattr(ours.signal, 'SIGKILL')\n"
-        "assert ours._context().get_start_method() == 'spawn'\n"
+        "assert ours.process_context().get_start_method() == 'spawn'\n"
     )
     command = [sys.executable, "-P", "-c", program]
     ended = subprocess.run(command, env=surroundings, capture_output=True, text=True, check=False)

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
-from pipeline.device_facts.model_quality import not_converged
 from pipeline.device_parameters import JointParameters
+from pipeline.diagnostics.sentences import not_converged
 from pipeline.errors import DataRefusedError
 from pipeline.loading.device import device
 from pipeline.loading.parameter_sets import parameter_values

@@ -183,7 +183,7 @@ def test_the_new_baseline_has_all_that_a_model_has(tree: Path) -> None:
     program = """if True:
     from pipeline.models.base import DynamicModel
     from pipeline.models.rest import RestModel
-    model = RestModel(2)
+    model = RestModel(input_count=2)
     print([name for name in vars(DynamicModel) if not name.startswith("_") and not hasattr(model, name)])
     """
     assert _python(tree, "-c", program) == "[]\n"

@@ -199,6 +199,14 @@ def test_a_second_segment_of_labview_is_refused(tmp_path):
         load(open_here(tmp_path / "log.lvm"), "q")
 
 
+@pytest.mark.parametrize("cell", ["1.7e18", "1.5", "99999999999999999999"])
+def test_a_count_that_is_no_whole_number_is_named(tmp_path, cell):
+    rows = "".join(f"{1_700_000_000_000_000_000 + i},{i}\n" for i in range(50))
+    (tmp_path / "log.csv").write_text(f"t,q\n{rows}{cell},50\n")
+    with pytest.raises(UnreadableLogError, match=rf"row 52: '{cell}' in column 't' is no whole number"):
+        load(open_here(tmp_path / "log.csv"), "t")
+
+
 @pytest.mark.parametrize(
     ("stamp", "refused"), [("1970-01-01T00:00:05", ""), ("0001-01-01 00:00:00", "not set: delete")]
 )
@@ -252,11 +260,6 @@ def test_a_comment_of_labview_may_be_a_number(tmp_path, comment, row):
     rows[row] += f"\t{comment}"
     (tmp_path / "log.lvm").write_text(LVM + "\n".join(rows) + "\n")
     np.testing.assert_array_equal(load(open_here(tmp_path / "log.lvm"), "q"), Q)
-
-
-def test_words_behind_each_row_are_no_decimals(tmp_path):
-    (tmp_path / "log.csv").write_text("t,q,v\n" + _plain(end=",ok"))
-    np.testing.assert_array_equal(load(open_here(tmp_path / "log.csv"), "q"), Q)
 
 
 def test_a_long_preamble(tmp_path):

@@ -129,35 +129,6 @@ def test_what_a_log_excites_is_told_where_the_channels_are_clear(noisy_log, tmp_
 
 
 @pytest.mark.parametrize(
-    ("unit", "size", "shown"), [("V", 0.4, "q [mV]"), ("deg", 40.0, "q [°]"), ("um", 300.0, "q [µm]")]
-)
-def test_q_is_shown_in_a_unit_of_its_size_whatever_it_measures(tmp_path, unit, size, shown):
-    from typer.testing import CliRunner
-
-    from cli import app
-
-    t = np.arange(2000) / 200.0
-    rows = np.column_stack([t, size * np.sin(3.0 * t), np.sign(np.sin(t))])
-    np.savetxt(tmp_path / "log.csv", rows, delimiter=",", header="t,q,u", comments="")
-    units = {"time": ("t", "s"), "q": ("q", unit), "v1": ("u", "V")}
-    channels = "\n".join(f'{role} = {{ channel = "{name}", unit = "{u}" }}' for role, (name, u) in units.items())
-    (tmp_path / "P.toml").write_text(f'name = "P"\n[logs]\ntrain = ["log.csv"]\n[channels]\n{channels}\n')
-    seen = CliRunner().invoke(app, ["inspect", str(tmp_path / "log.csv"), "--settings", str(tmp_path / "P.toml")])
-    assert seen.exit_code == 0, seen.output
-    assert shown in seen.stdout
-
-
-def test_unclear_channels_are_no_error(logs):
-    from typer.testing import CliRunner
-
-    from cli import app
-
-    shown = CliRunner().invoke(app, ["inspect", str(logs["mat73"])])
-    assert shown.exit_code == 0
-    assert "--settings P.toml" in shown.stdout
-
-
-@pytest.mark.parametrize(
     ("given", "validation"),
     [
         (["train.mat", "validation.mat"], ["validation.mat"]),

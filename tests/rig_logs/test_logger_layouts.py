@@ -1,7 +1,5 @@
 """What loggers add to a table: statistics, restarts, checksums, stamps, zeros. Samples are those that were written."""
 
-import json
-
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
@@ -142,20 +140,6 @@ def test_any_of_them_together(
     for name, (unit, samples) in COLUMNS.items():
         assert read[name][0] == unit
         np.testing.assert_allclose(read[name][1], samples, atol=1e-9)
-
-
-def test_units_of_columns_in_documents_within_the_metadata_of_parquet(tmp_path):
-    columns = {name: {"unit": unit} for name, (unit, _) in COLUMNS.items()} | {"q": {"unit": "mm", "scale": 0.001}}
-    listed = [{"name": name, **each} for name, each in columns.items()]
-    table = pa.table({name: samples for name, (_, samples) in COLUMNS.items()})
-    for metadata in (
-        {name: json.dumps(each) for name, each in columns.items()}, {"daq": json.dumps({"columns": columns})},
-        {"PANDAS_ATTRS": json.dumps(columns)}, {"schema": json.dumps({"fields": listed})},
-    ):  # fmt: skip
-        pq.write_table(table.replace_schema_metadata(metadata), tmp_path / "log.parquet")
-        source = open_here(tmp_path / "log.parquet")
-        assert {entry.name: entry.unit for entry in source.entries()} == {k: unit for k, (unit, _) in COLUMNS.items()}
-        assert "scale = 0.001, not applied here to 'q'" in "; ".join(source.notes)
 
 
 def test_the_configuration_of_a_comtrade_record_is_named(tmp_path):
