@@ -12,7 +12,6 @@ GATES = ("delay", "time-base", "device")
 _DEFAULTS: dict[str, dict[str, Any]] = {
     "differentiate": {"reweighted": True, "rate": "record"},
     "identify": {"basis": "gaussian", "rbf_basis_functions": "auto", "rbf_smoothing": "auto", "rbf_prior": "auto"},
-    "compare": {"candidates": None},
 }
 """Keys that are gone, and the value that the program has now in any case."""
 
@@ -24,7 +23,6 @@ _GONE = {
     "identify.rbf_basis_functions": "leave it out: inner validation chooses the number",
     "identify.rbf_smoothing": "leave it out: inner validation chooses the width",
     "identify.rbf_prior": "leave it out: inner validation chooses the prior",
-    "compare.candidates": "leave it out: the searches end by themselves",
 }
 
 

@@ -198,6 +198,9 @@ class Compare(SettingsTable):
     """Baselines to fit and score: SINDy at its best, pysindy's defaults, a polynomial NARX, the analytical model with
     the parameters of the set and calibrated; all that apply if left out (the analytical ones need plant.parameters).
     Names: sindy, sindy-default, narx, analytical, analytical-calibrated."""
+    candidates: Whole | None = Field(default=None, ge=1, le=1_000_000)
+    """Candidates after which the search of SINDy or NARX ends with the best so far; it ends by itself if left out. They
+    are counted and not timed, so that results do not depend on the machine."""
     curves: str | None = None
     """CSV file of measured characteristic curves, drawn beside those of the models: columns "q [mm]" and any of
     "F [N]", "d [N s/m]", "dC1_dq [nF/m]", "dC2_dq [nF/m]", in the units that the heading names; needs plant.mass."""

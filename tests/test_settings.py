@@ -202,14 +202,12 @@ def test_stored_settings_of_an_earlier_release_are_translated() -> None:
     stored = GOOD | {
         "identify": {"friction": "lag", "rbf_prior": "smooth", "basis": "gaussian"},
         "differentiate": {"method": "rts", "rate": "signals", "reweighted": True},
-        "compare": {"candidates": None},
     }
     prototype = parse_prototype(translated(stored), "P1.toml")
     assert prototype.identify.structure.friction == "lag"
     assert prototype.differentiate.method == "tvregdiff"
     assert translated(prototype.model_dump(mode="json")) == prototype.model_dump(mode="json")
     # What an artifact was made with, and cannot be made with any more, stays a difference.
-    used = translated({name: stored[name] for name in ("identify", "differentiate", "compare")}, used=True)
+    used = translated({name: stored[name] for name in ("identify", "differentiate")}, used=True)
     assert used["identify"] == {"structure": {"friction": "lag"}, "rbf_prior": "smooth"}
     assert used["differentiate"] == {"method": "rts", "rate": "signals"}
-    assert used["compare"] == {}

@@ -57,6 +57,7 @@ def training(
         known_curves=None if beside.curves is None else _known_curves(beside.curves, len(plant.inputs)),
         siblings=beside.siblings,
         identify=prototype.identify,
+        compare=prototype.compare,
         log_units=(plant.displacement.factor, plant.inputs[0].factor),
         inputs_before=prototype.plant.inputs_before,
         on_progress=on_progress,

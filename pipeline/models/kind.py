@@ -2,7 +2,7 @@
 
 import importlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
@@ -15,7 +15,7 @@ from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs.trees import read_tree
-from pipeline.settings import Identify
+from pipeline.settings import Compare, Identify
 from pipeline.signals.log import Log
 
 if TYPE_CHECKING:
@@ -112,8 +112,8 @@ class Training:
         Parameter set of the analytical joint, if one is given.
     known_curves : KnownCurves or None
         Measured characteristic curves that a fit keeps.
-    identify : Identify
-        Its settings.
+    identify, compare : Identify, Compare
+        The settings.
     log_units : (float, float)
         Units of the log for q and the inputs, in SI.
     inputs_before : {"auto", "first", "zero"}
@@ -132,6 +132,7 @@ class Training:
     parameters: "JointParameters | None"
     known_curves: KnownCurves | None
     identify: Identify
+    compare: Compare = field(default_factory=Compare)
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     siblings: NormalPopulation | None = None

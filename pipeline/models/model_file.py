@@ -259,6 +259,7 @@ _DIAGNOSTICS = {
     "rmse_windows_m": ("{q}", "RMS error over the windows of the calibration"),
     "samples": ("1", "training samples"),
     "search_complete": (TEXT, "whether the search over structures ended within the time limit"),
+    "search_status": (TEXT, "whether the search was completed"),
     "standard_errors": ("SI", "standard errors of the fitted parameters"),
     "terms_kept": ("1", "number of terms of the equation"),
     "threshold_of_rms_acceleration": ("1", "threshold of the sparse regression, over the RMS acceleration"),

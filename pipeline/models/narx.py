@@ -229,7 +229,9 @@ class NarxModel(ModelFile):
         }
 
 
-def identify_narx(trajectories: Sequence[Trajectory], *, inputs: Literal["squared", "linear"] = "squared") -> NarxModel:
+def identify_narx(
+    trajectories: Sequence[Trajectory], *, inputs: Literal["squared", "linear"] = "squared", most: int | None = None
+) -> NarxModel:
     """Choose lags, degree and number of terms by free runs over held-out blocks of the training data.
 
     Parameters
@@ -238,6 +240,8 @@ def identify_narx(trajectories: Sequence[Trajectory], *, inputs: Literal["square
         Gap-free stretches of the training logs, all of one sample interval; only q and v are used.
     inputs : {"squared", "linear"}
         Whether v² or v enters.
+    most : int, optional
+        Candidates (a structure with a number of terms) after which no further structure is tried; none if left out.
 
     Raises
     ------
@@ -252,6 +256,8 @@ def identify_narx(trajectories: Sequence[Trajectory], *, inputs: Literal["square
     folds, fitted = sorted({fold for fold, _ in parts}), dict[Shape, dict[int, NarxModel]]()
     errors: dict[tuple[Shape, int], FloatArray] = {}
     for shape in itertools.product(DEGREES, INCREMENTS, INPUT_LAGS):
+        if most is not None and len(errors) >= most:
+            break
         library = _library(shape, trajectories, inputs)
         grams = [(fold, _gram(library, x)) for fold, x in parts if len(x.t) > 2 + max(shape[1:])]
         paths = {f: _pursuit(library, [g for fold, g in grams if fold != f or len(folds) == 1]) for f in folds}
@@ -267,6 +273,7 @@ def identify_narx(trajectories: Sequence[Trajectory], *, inputs: Literal["square
         "inner_validation_nrmse": float(errors[chosen].mean()),
         "inner_validation_nrmse_of_folds": errors[chosen],
         "candidates_tried": len(errors),
+        "search_status": "completed" if len(fitted) == len(DEGREES) * len(INCREMENTS) * len(INPUT_LAGS) else "limit",
     }
     return fitted[shape][terms].model_copy(update={"diagnostics": diagnostics})
 
@@ -329,6 +336,6 @@ def _error(model: NarxModel, x: Trajectory, span: float) -> float:
 
 
 NARX = Kind(
-    lambda data: identify_narx(data.segments, inputs=data.inputs),
+    lambda data: identify_narx(data.segments, inputs=data.inputs, most=data.compare.candidates),
     partial(NarxModel.read, name="narx", command="compare"),
 )

@@ -27,6 +27,7 @@ def task(prototype: Prototype, parameters: JointParameters | None, name: str) ->
     unread = FILM | {"curves", "siblings"} | (set() if listed.takes_mass else {"mass"})
     settings = {
         "model": name,
+        "compare": prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
         "plant": prototype.plant.model_dump(mode="json", exclude=unread),
         "parameters": parameter_values(parameters) if listed.needs_parameters else None,
     }

@@ -124,7 +124,10 @@ def _task(prototype: Prototype, parameters: JointParameters | None, split: Folds
         "folds": vars(split),
         "model": model,
         "identify": {"algorithm": identify.ALGORITHM, **prototype.identify.model_dump(mode="json", exclude={"models"})},
-        "compare": {"algorithm": compare.ALGORITHM},
+        "compare": {
+            "algorithm": compare.ALGORITHM,
+            **prototype.compare.model_dump(mode="json", exclude={"models", "curves"}),
+        },
         "plant": prototype.plant.model_dump(mode="json", exclude=FILM),
         "parameters": parameter_values(parameters),
     }

@@ -100,6 +100,13 @@ def test_stretches_too_short_for_any_lag_are_refused() -> None:
         identify_narx(tiny)
 
 
+def test_a_search_that_may_try_one_structure_keeps_what_it_has_and_says_so() -> None:
+    hurried = identify_narx([motion(1)], most=1)
+    assert hurried.diagnostics["search_status"] == "limit"
+    assert hurried.diagnostics["candidates_tried"] < 20
+    assert np.isfinite(hurried.diagnostics["inner_validation_nrmse"])
+
+
 def test_a_prediction_goes_on_from_the_measured_past() -> None:
     moving = motion(3)
     seen, starts = moving.q.copy(), np.array([129, 180])

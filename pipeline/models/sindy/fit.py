@@ -6,6 +6,7 @@ Weak form and sparse regression are pysindy's estimators.
 import importlib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
 from pipeline.signals.trajectory import Trajectory, operating_range
 from pipeline.solvers.fixed_step import escape_bounds
+
+SearchStatus = Literal["completed", "limit"]
 
 MOST_INPUT_LAGS = 2
 """Most lags of a set with lagged inputs: a log of this length does not determine more terms."""
@@ -58,6 +61,8 @@ class SindyFit:
     errors : dict of Treatment to FloatArray, shape (folds,)
         Free-run NRMSE of q on the held-out blocks of every candidate, the mean over their parts; 1 stands for a run
         that diverged or missed everything.
+    search_status : {"completed", "limit"}
+        What ended the search.
     library_terms, rank : int
         Columns and numerical rank of the scaled library on all training data.
     condition_number : float
@@ -70,13 +75,20 @@ class SindyFit:
     candidate: Treatment
     half_width: float
     errors: dict[Treatment, FloatArray]
+    search_status: SearchStatus
     library_terms: int
     rank: int
     condition_number: float
     acceleration_residual: float
 
 
-def fit_sindy(trajectories: Sequence[Trajectory], *, squared: bool = True, angle: bool = False) -> SindyFit:
+class _LimitReachedError(Exception):
+    """The search has reached its limit of candidates."""
+
+
+def fit_sindy(
+    trajectories: Sequence[Trajectory], *, squared: bool = True, angle: bool = False, most: int | None = None
+) -> SindyFit:
     """Fit the acceleration by pysindy's weak form, treated as held-out parts of the training data decide.
 
     A coordinate search: lags, then the library, then the threshold. Each candidate is fitted on all blocks but
@@ -91,6 +103,9 @@ def fit_sindy(trajectories: Sequence[Trajectory], *, squared: bool = True, angle
         Inputs v² (electrostatic) or v.
     angle : bool
         Whether q is an angle [rad]: libraries of sin q and cos q are tried too.
+    most : int, optional
+        Candidates after which the search ends with what it has tried; it ends by itself if left out. Counted, so that
+        no machine decides.
 
     Raises
     ------
@@ -104,14 +119,20 @@ def fit_sindy(trajectories: Sequence[Trajectory], *, squared: bool = True, angle
     def error(candidate: Treatment) -> float:
         """Mean error over the folds, computed once for each candidate."""
         if candidate not in errors:
+            if most is not None and len(errors) >= most:
+                raise _LimitReachedError
             errors[candidate], terms[candidate] = _cross_validate(problem, candidate)
         return float(errors[candidate].mean())
 
-    _search(error, angle, problem)
+    status: SearchStatus = "completed"
+    try:
+        _search(error, angle, problem)
+    except _LimitReachedError:
+        status = "limit"
     means = {candidate: float(values.mean()) for candidate, values in errors.items()}
     limit = max(min(means.values()), NEGLIGIBLE)
     chosen = min((c for c in means if means[c] <= limit), key=lambda c: (terms[c], means[c]))
-    return _refit(problem, chosen, errors)
+    return _refit(problem, chosen, errors, status)
 
 
 def _search(error: Callable[[Treatment], float], angle: bool, problem: Problem) -> None:
@@ -198,7 +219,7 @@ def _error(problem: Problem, dynamics: PolynomialDynamics, block: HeldOutBlock, 
     return free_run_error(x.q, path[:, 0], problem.span)
 
 
-def _refit(problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray]) -> SindyFit:
+def _refit(problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArray], status: SearchStatus) -> SindyFit:
     rows, target = problem.without(None)
     theta, scaled, _, _ = _scaled(rows[:, problem.columns(chosen.library)], target)
     dynamics = _fitted(problem, chosen, None)
@@ -206,7 +227,7 @@ def _refit(problem: Problem, chosen: Treatment, errors: dict[Treatment, FloatArr
     rank = int(np.sum(singular > singular[0] * max(theta.shape) * np.finfo(np.float64).eps))
     residual = theta @ np.linalg.lstsq(theta, scaled, rcond=None)[0] - scaled
     return SindyFit(
-        dynamics, chosen, problem.half_width, errors, theta.shape[1], rank,
+        dynamics, chosen, problem.half_width, errors, status, theta.shape[1], rank,
         float(singular[0] / singular[rank - 1]), float(np.linalg.norm(residual)),
     )  # fmt: skip
 

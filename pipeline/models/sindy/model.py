@@ -272,6 +272,7 @@ def identify_sindy(
     inputs: InputLaw = "squared",
     mass: float = 1.0,
     units: Units = ("m", "V"),
+    most: int | None = None,
 ) -> SindyModel:
     """SINDy at its best: see `pipeline.models.sindy.fit.fit_sindy`.
 
@@ -285,6 +286,8 @@ def identify_sindy(
         Moving mass [kg]; 1 if unknown. It scales the characteristic curves only.
     units : (str, str)
         SI units of q and of the inputs, for printing; where q is an angle [rad], sin q and cos q are candidates too.
+    most : int, optional
+        Candidates that the search tries, see `fit_sindy`.
 
     Raises
     ------
@@ -293,7 +296,7 @@ def identify_sindy(
     """
     from pipeline.models.sindy.fit import fit_sindy
 
-    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad")
+    fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", most=most)
     errors = fit.errors[fit.candidate]
     mean, band = mean_over_folds(errors)
     return SindyModel.of(
@@ -311,6 +314,7 @@ def identify_sindy(
             "inner_validation_nrmse_interval": np.array([mean, mean] if band is None else [band.low, band.high]),
             "inner_validation_nrmse_of_folds": errors,
             "candidates_tried": len(fit.errors),
+            "search_status": fit.search_status,
             "rank": fit.rank,
             "condition": fit.condition_number,
             "acceleration_residual": fit.acceleration_residual,
@@ -344,7 +348,9 @@ def _terms(dynamics: PolynomialDynamics) -> int:
 
 
 SINDY = Kind(
-    lambda data: identify_sindy(data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units),
+    lambda data: identify_sindy(
+        data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
+    ),
     partial(SindyModel.read, name="sindy", command="compare"),
     "pipeline.export.lagged:realise_polynomial",
 )

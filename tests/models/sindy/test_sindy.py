@@ -151,6 +151,13 @@ def test_the_default_finds_a_linear_oscillator_and_no_well() -> None:
     assert run.status == "diverged" or (error is not None and error > 0.1)
 
 
+def test_a_search_that_may_try_three_treatments_keeps_what_it_has_and_says_so() -> None:
+    hurried = identify_sindy([motion()], most=3)
+    assert hurried.diagnostics["search_status"] == "limit"
+    assert hurried.diagnostics["candidates_tried"] == 3
+    assert np.isfinite(hurried.diagnostics["inner_validation_nrmse"])
+
+
 def test_a_pendulum_is_found_in_sines() -> None:
     """θ̈ = −20 sin θ − 0.8 θ̇ + 25 u²: the quarter drone's own equation, up to 80°."""
     pendulum = PolynomialDynamics(
