@@ -92,7 +92,7 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
 def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
     """A study in SI units, but for the regularisation parameter, which is in the unit that the settings take."""
     columns = run.read_table(layout.study(name))
-    units = {column.key: column.unit for column in plant.schema(schemas.STUDIES[name]).columns}
+    units = {column.key: column.unit for column in schemas.schema_of(schemas.STUDIES[name], plant).columns}
     if name == "alpha":
         symbol, factor = ALPHA_UNIT[plant.displacement.symbol]
         order = run.record(layout.study(name)).notes["order"]

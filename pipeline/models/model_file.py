@@ -270,6 +270,22 @@ _DIAGNOSTICS = {
 """Entries on the course of a fit, for every model."""
 
 
+def columns_of(device: Device, files: Mapping[str, type[FilePart]]) -> Columns:
+    """Unit and meaning of each entry of a file of models by its path there.
+
+    Parameters
+    ----------
+    device : Device
+        Its units.
+    files : mapping of str to type
+        The declaration of each group of the file.
+    """
+    mass = MASS[device.displacement.symbol] if device.known_mass is not None else "1"
+    stiffness = {"N": "N/m", "N·m": "N·m/rad"}.get(device.curve_units["F"], "1/s²")
+    units = {"q": device.displacement.symbol, "v": device.inputs[0].symbol, "m": mass, "c": stiffness}
+    return partial(column_of, units=units | device.curve_units, files=files)
+
+
 def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[FilePart]]) -> tuple[str, str]:
     """Unit and meaning of one entry of a model file.
 

@@ -48,6 +48,15 @@ STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_
 """The tables of the studies."""
 
 
+def schema_of(schema: Schema, device: Device, *, phi: bool = False, tubes: bool = False) -> Schema:
+    """The schema with a device's units and inputs, see `resolve`."""
+    inputs = tuple(unit.symbol for unit in device.inputs)
+    velocity = device.velocity is not None
+    return resolve(
+        schema, displacement=device.displacement.symbol, inputs=inputs, phi=phi, velocity=velocity, tubes=tubes
+    )
+
+
 def resolve(
     schema: Schema, *, displacement: str, inputs: tuple[str, ...], phi: bool = False, velocity: bool = False,
     tubes: bool = False,

@@ -49,5 +49,5 @@ def _write_fit(
     model = kind(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    columns = device(prototype).model_columns({name: declaration(model)})
+    columns = columns_of(device(prototype), {name: declaration(model)})
     return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}

@@ -81,7 +81,7 @@ def _identify(
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    columns = plant.model_columns({name: declaration(model) for name, model in models.items()})
+    columns = columns_of(plant, {name: declaration(model) for name, model in models.items()})
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
 
 

@@ -95,7 +95,7 @@ def _ingest(
     for (name, schema), resampling in zip(tables, resamplings(log_seen, prototype.ingest), strict=True):
         notes = asdict(resampling.report) | log_seen.notes
         written[name] = run.write_pieces(
-            name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), on_progress), notes
+            name, schemas.schema_of(schema, plant), _pieces(resampling, tuple(signals.beside), on_progress), notes
         )
     return written
 

@@ -213,7 +213,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         if (logs := data.role(role))
     }
     study = schemas.STUDIES["basis"], (settings.basis_functions, settings.smoothing)
-    units = {column.key: column.unit for column in device(prototype).schema(study[0]).columns}
+    units = {column.key: column.unit for column in schemas.schema_of(study[0], device(prototype)).columns}
     begin = float(training.kinematics["t"][0])
     shown = {name: data.models[name] for name in DRAWN if name in data.models}
     figures = {

@@ -72,7 +72,7 @@ def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
     }  # fmt: skip
 
     files: dict[str, type[FilePart]] = {_CHECK: _File, subject.name: declaration(subject.model)}
-    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, plant.model_columns(files))
+    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, columns_of(plant, files))
 
 
 def load_saved(path: Path) -> tuple[Subject, Prototype]:

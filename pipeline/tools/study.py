@@ -118,7 +118,7 @@ def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mappi
         run, prototype, plant, jobs
     )
     return {
-        layout.study(name): run.write_table(layout.study(name), plant.schema(schemas.STUDIES[name]), columns, notes)
+        layout.study(name): run.write_table(layout.study(name), schemas.schema_of(schemas.STUDIES[name], plant), columns, notes)
     }
 
 
