@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device.device import Device, device
 from pipeline.device_facts.run_data import WHY, LogData, RunData, Study
 from pipeline.errors import DebistError
-from pipeline.loading.device import Device, device
 from pipeline.loading.documents import read_document
 from pipeline.loading.prior_knowledge import shown_siblings
 from pipeline.loading.run_models import CHOICE, identified_models

@@ -8,6 +8,7 @@ attributes of each array, number and text.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
+from functools import partial
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
@@ -23,9 +24,12 @@ from pydantic import (
     model_validator,
 )
 
-from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
+from pipeline.device.device import Device
+from pipeline.device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
 from pipeline.errors import CorruptArtifactError
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.runs.trees import Columns
+from pipeline.units import MASS
 
 LARGEST = 1e30
 """Largest magnitude of any number; products of a few of them are still finite."""

@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from pipeline.device_parameters import JointParameters
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import parameter_values
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import parameter_values
+from pipeline.device.parameters import JointParameters
 from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.model_list import ENTRIES
 from pipeline.models.kind import kind
-from pipeline.models.model_file import declaration
+from pipeline.models.model_file import columns_of, declaration
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 
-from pipeline.loading.device import device
+from pipeline.device.device import device
 from pipeline.names import log_title, true_name
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
+from pipeline.device.device import device
 from pipeline.errors import DataRefusedError
 from pipeline.loading.corrections import corrected_log, corrections
-from pipeline.loading.device import device
 from pipeline.loading.si_log import SiLog, part_of_log, read_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray

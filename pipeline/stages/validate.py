@@ -11,13 +11,13 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device.device import Device, device
+from pipeline.device.parameter_sets import parameter_values
+from pipeline.device.parameters import JointParameters
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
-from pipeline.device_parameters import JointParameters
-from pipeline.loading.device import Device, device
-from pipeline.models.analytical.statics import RotationMap, rotation_map
 from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
-from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import load_motion, sources
+from pipeline.models.analytical.statics import RotationMap, rotation_map
 from pipeline.models.base import DynamicModel, FreeRun, HasTubes, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray

@@ -8,13 +8,13 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
+from pipeline.device.device import device
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.subject import Exported, Subject, Validity
 from pipeline.former_settings import translated
-from pipeline.loading.device import device
 from pipeline.loading.run_models import subject_on
 from pipeline.models.kind import StoredModel, model_from_tree
-from pipeline.models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, declaration
+from pipeline.models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, columns_of, declaration
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.hashing import tree_hash
 from pipeline.runs.outputs import new_outputs, rebased

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from joints import hybrid, paper, pulses
 
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import parameter_set
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import parameter_set
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder

@@ -15,8 +15,8 @@ import debist
 from cli import app
 from pipeline.control.ensemble import ensemble_of
 from pipeline.control.switching_map import lowest_voltage
+from pipeline.device.device import device
 from pipeline.errors import InputError
-from pipeline.loading.device import device
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder

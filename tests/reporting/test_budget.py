@@ -8,8 +8,8 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.device_parameters import NOMINAL
-from pipeline.loading.device import Device, device
+from pipeline.device.device import Device, device
+from pipeline.device.parameters import NOMINAL
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import FreeRun
 from pipeline.models.hybrid.model import HybridModel

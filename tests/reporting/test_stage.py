@@ -10,8 +10,8 @@ import pytest
 
 from pipeline.batch.fleet import write_fleet
 from pipeline.batch.worker import Outcome
+from pipeline.device.device import device
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.loading.device import device
 from pipeline.loading.report_data import load_datasheet
 from pipeline.reporting.datasheet_rows import show_datasheet
 from pipeline.reporting.log_figures import LOG_FIGURES

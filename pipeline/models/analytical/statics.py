@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.compiled import compiled, inner
-from pipeline.device_parameters import NOMINAL, VECTOR_NAMES, JointParameters
+from pipeline.device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
 from pipeline.numerics.arrays import BoolArray, FloatArray

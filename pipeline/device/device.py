@@ -10,6 +10,7 @@ from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
 from pipeline.settings_logs import LogColumn
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
 
+
 @dataclass(frozen=True)
 class Device:
     """Units and inputs of a prototype, in SI.
