@@ -10,6 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from pipeline import settings, settings_logs
 from pipeline.errors import InputError, SeveralMistakesError
+from pipeline.former_settings import translated
 from pipeline.runs import layout
 from pipeline.settings import Prototype, load_prototype, parse_prototype
 
@@ -195,3 +196,18 @@ def test_every_setting_says_what_it_is() -> None:
     models = [m for m in classes if isinstance(m, type) and issubclass(m, BaseModel)]
     missing = [name for model in models for name in undocumented(model)]
     assert [m for m in missing if m.split(".")[0] != Prototype.__name__] == []
+
+
+def test_stored_settings_of_an_earlier_release_are_translated() -> None:
+    stored = GOOD | {
+        "identify": {"friction": "lag", "rbf_prior": "smooth", "basis": "gaussian"},
+        "differentiate": {"method": "rts", "rate": "signals", "reweighted": True},
+    }
+    prototype = parse_prototype(translated(stored), "P1.toml")
+    assert prototype.identify.structure.friction == "lag"
+    assert prototype.differentiate.method == "tvregdiff"
+    assert translated(prototype.model_dump(mode="json")) == prototype.model_dump(mode="json")
+    # What an artifact was made with, and cannot be made with any more, stays a difference.
+    used = translated({name: stored[name] for name in ("identify", "differentiate")}, used=True)
+    assert used["identify"] == {"structure": {"friction": "lag"}, "rbf_prior": "smooth"}
+    assert used["differentiate"] == {"method": "rts", "rate": "signals"}

@@ -3,7 +3,7 @@
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.spectrum import EXCERPT
+from pipeline.signals.columns import CHUNK
 
 _FEWEST = 100
 """Changes that show how far apart they are."""
@@ -21,7 +21,7 @@ def held_samples(samples: FloatArray, resolution: float | None) -> int:
     resolution : float or None
         Step of the converter [signal], where there is one.
     """
-    values = samples[:EXCERPT]
+    values = samples[: 16 * CHUNK]
     values = values[np.isfinite(values)]
     changes = np.flatnonzero(np.abs(np.diff(values)) > 1.5 * (resolution or 0.0))
     if changes.size < _FEWEST:

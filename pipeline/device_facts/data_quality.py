@@ -4,38 +4,19 @@ import re
 
 import numpy as np
 
-from pipeline.device_facts.grades import Check, graded
+from pipeline.device_facts.grades import Check, graded, of_finding
 from pipeline.device_facts.run_data import LogData, RunData
+from pipeline.diagnostics.findings import Finding, Number
+from pipeline.diagnostics.sentences import MASKS
 from pipeline.fitting.coverage import coverage
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.scoring.wells import NoWells, Wells, snaps
-from pipeline.si_prefix import percent, quantity, significant
 from pipeline.signals.noise import below_resolution, noise_std, rounding
 from pipeline.signals.signal_quality import examine_signal
 from pipeline.signals.trajectory import voltages
 
 NOT_DECIMATED = 0.9
 """Least sample interval of a log over that of its kinematics at which both have the same noise."""
-
-RAILS_ADVICE = 'widen the sensor\'s range, or where the device does rest there set [ingest] rails = "keep"'
-
-MASKS = (
-    (
-        "masked_without_target", "sample without a target", "samples without a target",
-        'keep the target within the sensor\'s sight, or where the device does rest there set [ingest] lost = "keep"',
-    ),
-    (
-        "masked_at_rails", "sample at the ends of q's range", "samples at the ends of q's range",
-        RAILS_ADVICE,
-    ),
-    ("masked_spikes", "spike", "spikes", ""),  # single samples: no row is lost to them alone
-    (
-        "gaps_in_time", "gap in the recording", "gaps in the recording",
-        "repair the recorder, or record again what the gaps cut",
-    ),
-)  # fmt: skip
-"""Causes of rows without a measurement: ingest's note with the number, its noun and plural, and what to do."""
-
 
 DEALT_WITH = re.compile(
     r"masked|split there|start anew|not finite|single-sample|extreme .*saturated|kept|interpolated$|accepted"
@@ -52,24 +33,17 @@ def data_checks(data: RunData, wells: Wells | NoWells) -> list[Check]:
     checks.append(_masked_check(data))
     span, noise, rails = _signal_numbers(data)
     checks.append(_noise_check(data, span, noise))
-    share = percent(rails) if rails > 0.0 else "none"
-    text = f"{share} of the samples of q stay at its largest or smallest value"
     if data.rails_kept and rails > 0.0:  # the user has said what they are
-        checks.append(Check("data", "rails", "good", f'{text}, where it rests ([ingest] rails = "keep")', ""))
+        checks.append(of_finding("data", Finding("rails", "good", subject="kept", numbers={"value": Number(rails)})))
     else:
-        checks.append(graded("data", "rails", rails, text, RAILS_ADVICE))
+        checks.append(graded("data", "rails", rails))
     train = data.role("train")
     if isinstance(wells, NoWells):
         if data.joint:  # another device need not have two
-            advice = "if the device is bistable, pulse both sides with rests of 1 s between"
-            checks.append(Check("data", "switches", "fair", f"no two wells in the data: {wells.reason}", advice))
+            checks.append(of_finding("data", Finding("no_wells", "fair", subject=wells.reason)))
     else:
         count = sum(len(snaps(log.kinematics["q"], wells)) for log in train)
-        text = f"the training logs switch wells {count} times"
-        advice = "record more pulses that snap it both ways" + (
-            "; `debist rig excite` designs a sequence" if data.joint else ""
-        )
-        checks.append(graded("data", "switches", count, text, advice))
+        checks.append(graded("data", "switches", count, subject="joint" if data.joint else ""))
     checks += _coverage_checks(data)
     return checks + _extrapolation_checks(data)
 
@@ -102,18 +76,9 @@ def _masked_check(data: RunData) -> Check:
     cut = sum(float(log.record_notes.get("cut_off_s", 0.0)) / log.interval for log in data.logs)
     rows = sum(len(log.kinematics["t"]) for log in data.logs) + cut
     masked = (sum(int(np.count_nonzero(log.kinematics["segment"] < 0)) for log in data.logs) + cut) / rows
-    counts = [
-        (sum(int(log.record_notes.get(key, 0)) for log in data.logs), single, several, advice)
-        for key, single, several, advice in MASKS
-    ]
-    named = [f"{count} {single if count == 1 else several}" for count, single, several, _ in counts if count]
-    what = " and ".join(named)
-    if masked:
-        text = f"{percent(masked)} of the rows are masked, by {what or 'samples that are not finite'}"
-    else:
-        text = f"{what} left out, and no row masked" if what else "no gaps"
-    advice = "; ".join(advice for count, _, _, advice in counts if count and advice) or "repair the recorder"
-    return graded("data", "masked", masked, text, advice)
+    counts = {cause: sum(int(log.record_notes.get(cause, 0)) for log in data.logs) for cause in MASKS}
+    numbers = {cause: Number(count) for cause, count in counts.items() if count}
+    return graded("data", "masked", masked, numbers=numbers)
 
 
 def _extrapolation_checks(data: RunData) -> list[Check]:
@@ -121,10 +86,7 @@ def _extrapolation_checks(data: RunData) -> list[Check]:
     outside = _outside(data)
     if outside is None:
         return []
-    share = percent(outside) if outside > 0.0 else "none"
-    text = f"{share} of the validation samples lie outside the range of the training data"
-    advice = f"train on a log with the larger strokes and {data.input_word}s"
-    return [graded("data", "extrapolation", outside, text, advice)]
+    return [graded("data", "extrapolation", outside)]
 
 
 def _coverage_checks(data: RunData) -> list[Check]:
@@ -132,26 +94,18 @@ def _coverage_checks(data: RunData) -> list[Check]:
     inner = centre_visits(data)[1][1:-1]
     if inner.size == 0:
         return []
-    samples = f"{int(inner.min())} training sample{'s' if inner.min() != 1.0 else ''}"
-    text = f"the least visited of {inner.size} basis centres inside the range has {samples} around it"
-    fills = ", `debist rig excite` fills them" if data.joint else ""
-    advice = f"excite the thin places (`debist inspect` names them{fills}); or fewer centres"
-    return [graded("data", "coverage", float(inner.min()), text, advice)]
+    subject = "joint" if data.joint else ""
+    numbers = {"centres": Number(inner.size)}
+    return [graded("data", "coverage", float(inner.min()), subject=subject, numbers=numbers)]
 
 
 def _noise_check(data: RunData, span: float, noise: float) -> Check:
     """Noise over the range of q [both m or rad], or where the sensor's steps hide it, what these round off."""
     steps = max(log.record_notes.get("resolution") or 0.0 for log in data.logs)
     if below_resolution(noise, steps):
-        share = significant(100.0 * steps / span, 2)
-        text = (
-            f"q comes in steps of {quantity(steps, data.displacement)}, {share} % of its range; its noise is below that"
-        )
-        return graded("data", "noise", rounding(steps) / span, text, "use the sensor's finer range")
-    text = (
-        f"noise of q is {quantity(noise, data.displacement)} RMS, {significant(100.0 * noise / span, 2)} % of its range"
-    )
-    return graded("data", "noise", noise / span, text, "average or shield the sensor, or raise alpha")
+        sizes = {"steps": Number(steps, data.displacement), "share": Number(steps / span)}
+        return graded("data", "noise", rounding(steps) / span, subject="steps", numbers=sizes)
+    return graded("data", "noise", noise / span, numbers={"noise": Number(noise, data.displacement)})
 
 
 def centre_visits(data: RunData) -> tuple[FloatArray, FloatArray]:

@@ -18,15 +18,15 @@ from pipeline.device_facts.characteristics import (
 )
 from pipeline.device_facts.data_quality import data_checks
 from pipeline.device_facts.events import RestFacts, rest_facts, ring_down
-from pipeline.device_facts.grades import THRESHOLDS, Check, Grade, overall
+from pipeline.device_facts.grades import THRESHOLDS, Check, Grade, graded, of_finding, overall
 from pipeline.device_facts.model_quality import model_checks
 from pipeline.device_facts.run_data import RunData, wells_of_run
+from pipeline.diagnostics.findings import Finding, Number
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
 from pipeline.runs.columns import FACT_COLUMNS, STABLE
 from pipeline.scoring.wells import NoWells, Wells
-from pipeline.si_prefix import quantity
 from pipeline.signals.trajectory import voltages
 
 FORMAT = "debist-datasheet/1"
@@ -102,32 +102,26 @@ def fact_checks(facts: Iterable[DatasheetFact]) -> list[Check]:
     if not distances:
         return []
     limit = THRESHOLDS["measured_facts"]
-    checks = [
-        Check(
-            "model",
-            "measured_facts",
-            limit.grade(apart),
-            f"{fact.title} is {_modelled(fact)}, but was measured as "
-            f"{_shown(fact, fact.measured, fact.measured_spread)} ({fact.events} times)",
-            "train on longer rests without voltage, and trust the measured value until then",
-        )
+    off = [
+        graded("model", "measured_facts", apart, subject=fact.title, numbers=_compared(fact))
         for fact, apart in distances
         if limit.grade(apart) != "good"
     ]
-    if checks:
-        return checks
+    if off:
+        return off
     largest = max(0.1, np.ceil(10.0 * max(apart for _, apart in distances)) / 10.0)  # "within" is rounded up
-    which = f"the {len(distances)} modelled facts that were measured too lie"
-    if len(distances) == 1:
-        which = "the one modelled fact that was measured too lies"
-    text = f"{which} within {largest:.1f} standard deviations"
-    return [Check("model", "measured_facts", "good", text, "")]
+    numbers = {"value": Number(float(largest)), "count": Number(len(distances))}
+    return [of_finding("model", Finding("measured_facts", "good", numbers=numbers))]
 
 
-def _modelled(fact: DatasheetFact) -> str:
+def _compared(fact: DatasheetFact) -> dict[str, Number]:
+    """What is compared of a fact."""
+    assert fact.measured is not None  # noqa: S101 - as it has a distance
+    numbers = {"measured": Number(fact.measured, fact.unit, fact.measured_spread), "events": Number(fact.events)}
     if fact.free_run is not None:
-        return f"{_shown(fact, fact.free_run, None)} in the model's free runs"
-    return f"{_shown(fact, fact.value, fact.half_width)} by the model"
+        return numbers | {"free_run": Number(fact.free_run, fact.unit)}
+    assert fact.value is not None  # noqa: S101
+    return numbers | {"model": Number(fact.value, fact.unit, fact.half_width)}
 
 
 def distance(fact: DatasheetFact) -> float | None:
@@ -143,10 +137,6 @@ def distance(fact: DatasheetFact) -> float | None:
     if fact.value is None:
         return None
     return abs(fact.value - fact.measured) / float(np.hypot(spread, (fact.half_width or 0.0) / NORMAL_90))
-
-
-def _shown(fact: DatasheetFact, value: float | None, spread: float | None) -> str:
-    return quantity(value, fact.unit, spread, abs(fact.measured or 0.0))
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Literal
 
 from pipeline.diagnostics.findings import SEVERITIES, Finding, Number, Severity
@@ -87,6 +88,29 @@ def overall(checks: Iterable[Check]) -> Grade:
     return max((check.grade for check in checks), key=GRADES.index, default="good")
 
 
-def graded(about: Literal["data", "model"], name: str, value: float, statement: str, advice: str) -> Check:
-    """A check whose grade a number decides, by the threshold of its name."""
-    return Check(about, name, THRESHOLDS[name].grade(value), statement, advice)
+def graded(
+    about: Literal["data", "model"],
+    code: str,
+    value: float,
+    *,
+    log: str = "",
+    subject: str = "",
+    numbers: Mapping[str, Number] = MappingProxyType({}),
+) -> Check:
+    """A row whose grade a number decides, by the threshold of its code; that number is its ``value``.
+
+    Parameters
+    ----------
+    about : {"data", "model"}
+        What is judged.
+    code : str
+        Of the threshold and of the finding.
+    value : float
+        A share, a ratio or a count.
+    log, subject : str
+        As in `Finding`.
+    numbers : mapping of str to Number
+        Others that its sentences name.
+    """
+    severity = THRESHOLDS[code].grade(value)
+    return of_finding(about, Finding(code, severity, log, subject, {"value": Number(value), **numbers}))

@@ -12,7 +12,6 @@ from pipeline.device_facts.run_data import RunData
 from pipeline.diagnostics.findings import Finding, Number
 from pipeline.names import ROLE_WORDS, log_title
 from pipeline.scoring.wells import NoWells, Wells
-from pipeline.si_prefix import moment, percent
 from pipeline.units import HORIZONS
 
 RIVAL_SURELY = 2e-3
@@ -36,17 +35,12 @@ def model_checks(
     checks += _ended_early(model, data.descriptions.get(model, {}), judged)
     errors = [s["nrmse"] for s in judged if s["nrmse"] is not None]
     if errors:
-        text = f"free-run NRMSE of q of {model} is {percent(max(errors))} on the worst {ROLE_WORDS[where]} log"
-        places = f"at one switch (friction, {data.input_word} delay) or throughout (alpha, centres)"
-        checks.append(graded("model", "nrmse", max(errors), text, f"look where residuals grow: {places}"))
+        checks.append(graded("model", "nrmse", max(errors), log=f"worst {ROLE_WORDS[where]} log", subject=model))
     if isinstance(wells, NoWells):  # what the scores say of wells is of rests that are none
         judged = [{**s, "switch_accuracy": None, "outcomes": None} for s in judged]
     right = [s["switch_accuracy"] for s in judged if s["switch_accuracy"] is not None]
     if right:
-        share = percent(min(right)) if min(right) < 1.0 else "all"
-        text = f"{share} of the pulses end in the well that was measured"
-        advice = "near the switching voltage the outcome is sensitive: train on pulses of that size"
-        checks.append(graded("model", "switch_accuracy", min(right), text, advice))
+        checks.append(graded("model", "switch_accuracy", min(right)))
     checks += [*_constant_checks(data, judged), *_rival_checks(data, judged)]
     checks += [of_finding("data", finding) for finding in instrument_findings(data, model)]
     checks += _trust_checks(judged)
@@ -58,15 +52,12 @@ def model_checks(
         checks += [of_finding("model", finding) for finding in found]
     if rest_errors is not None and isinstance(wells, Wells):
         off = max(abs(error) for error in rest_errors) / (wells.right - wells.left)
-        text = f"modelled and measured rests differ by up to {percent(off)} of the distance of the wells"
-        checks.append(graded("model", "wells", off, text, "longer rests at zero voltage in both wells, for training"))
+        checks.append(graded("model", "wells", off))
     return checks
 
 
 def _no_validation(data: RunData) -> Check:
-    new = f"an error on the training data does not hold for new {data.input_word}s"
-    text, advice = "no validation log: errors are those of training", f"add a log under [logs] validation: {new}"
-    return Check("model", "validation", "fair", text, advice)
+    return of_finding("model", Finding("validation", "fair", subject=f"{data.input_word}s"))
 
 
 def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
@@ -79,15 +70,9 @@ def _constant_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list
     if not checks:
         return []
     _, spread, own = max(checks, key=lambda check: check[0])
-    text = (
-        f"a constant, its mean, predicts the {log_title(own['role'], own['log'])} better than {own['model']}: "
-        f"{percent(spread)} for {percent(own['nrmse'])}"
-    )
-    advice = (
-        "do not use this model; see whether the inputs act linearly or by their squares ([plant] inputs), and whether "
-        "a controller held the device where it is unstable: free runs of such a log part from it whatever the model"
-    )
-    return [Check("model", "constant", "poor", text, advice)]
+    numbers = {"constant": Number(spread), "own": Number(own["nrmse"])}
+    finding = Finding("constant", "poor", log_title(own["role"], own["log"]), own["model"], numbers)
+    return [of_finding("model", finding)]
 
 
 def _spread(data: RunData, score: Mapping[str, Any]) -> float:
@@ -113,16 +98,11 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
     if not checks:
         return _rivals_from_a_state(data, judged)
     ratio, best, error, own = max(checks, key=lambda check: check[0])
-    name, log = own["model"], log_title(own["role"], own["log"])
-    if own["nrmse"] is None:
-        text = f"{best} predicts the {log} with {percent(error)}, where {name} diverged"
-    else:
-        text = f"{best} predicts the {log} surely better than {name}: {percent(error)} for {percent(own['nrmse'])}"
-    advice = (
-        f"take {best} for predictions (`--model {best}`), or help {name}: more and longer logs, or decide what is "
-        "known of the device in [identify] (force, damping, drag, gain, friction, drive)"
-    )
-    return [graded("model", "rival", ratio, text, advice)]
+    numbers = {"error": Number(error)}
+    if own["nrmse"] is not None:
+        numbers["own"] = Number(own["nrmse"])
+    log = log_title(own["role"], own["log"])
+    return [graded("model", "rival", ratio, log=log, subject=f"{best}, {own['model']}", numbers=numbers)]
 
 
 def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
@@ -130,42 +110,33 @@ def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> 
     checks = []
     for own in (score for score in judged if score["nrmse"] is None or score["nrmse"] > WORST):
         others = [s for s in data.scores if all(s[key] == own[key] for key in ("role", "log", "signal"))]
-        for name, (seconds, words) in HORIZONS.items():
+        for name, (seconds, _) in HORIZONS.items():
             at = f"nrmse_{name}"
             better = [s for s in others if _number(s.get(f"{at}_high")) < _number(own.get(f"{at}_low"), lacking=0.0)]
             if seconds and better:
                 best = min(better, key=lambda score: score[at])
-                checks.append((own[at] / best[at], words, best[at], own[at], best))
+                checks.append((own[at] / best[at], seconds, best[at], own[at], best))
     if not checks:
         return []
-    ratio, words, error, own_error, best = max(checks, key=lambda check: check[0])
-    text = (
-        f"{best['model']} predicts the {log_title(best['role'], best['log'])} surely better than {judged[0]['model']} "
-        f"{words} after a measured state: {percent(error)} for {percent(own_error)}"
-    )
-    return [graded("model", "rival", ratio, text, f"take {best['model']} for predictions (`--model {best['model']}`)")]
+    ratio, seconds, error, own_error, best = max(checks, key=lambda check: check[0])
+    log, models = log_title(best["role"], best["log"]), f"{best['model']}, {judged[0]['model']}"
+    numbers = {"error": Number(error), "own": Number(own_error), "horizon": Number(seconds, "s")}
+    return [graded("model", "rival", ratio, log=log, subject=models, numbers=numbers)]
 
 
 def _number(value: float | None, *, lacking: float = np.inf) -> float:
     return lacking if value is None else float(value)
 
 
-def not_converged(model: str) -> tuple[str, str]:
-    """The finding on such a fit, and what to do."""
-    advice = "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
-    return f"the fit of {model} had not converged when it ended, so its error may be chance", advice
-
-
 def _ended_early(model: str, description: Mapping[str, Any], judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     """A fit that had not converged, and free runs that diverged."""
     checks = []
     if description.get("converged") is False:
-        checks.append(Check("model", "converged", "fair", *not_converged(model)))
+        checks.append(of_finding("model", Finding("converged", "fair", subject=model)))
     diverged = [s for s in judged if s["status"] != "ok"]
     if diverged:
-        at = ", ".join(f"{s['log']} at t = {moment(s['diverged_at_s'])}" for s in diverged)
-        advice = "see its last second under “Measured against models”; train on data that reach as far"
-        checks.append(Check("model", "divergence", "poor", f"the free run of {model} diverged: {at}", advice))
+        times = {str(s["log"]): Number(float(s["diverged_at_s"]), "s") for s in diverged}
+        checks.append(of_finding("model", Finding("divergence", "poor", subject=model, numbers=times)))
     return checks
 
 
@@ -175,18 +146,13 @@ def _trust_checks(judged: Sequence[Mapping[str, Any]]) -> list[Check]:
     outcomes = sum(s.get("outcomes") or 0 for s in judged)
     if outcomes:
         open_ones = sum(s.get("ambiguous_outcomes") or 0 for s in judged)
-        text = f"{open_ones or 'none'} of {outcomes} outcomes after pulses are too close for the model to call"
-        advice = "do not trust the well after these pulses; train on pulses of that size and length"
-        checks.append(graded("model", "ambiguous", open_ones / outcomes, text, advice))
+        counts = {"open": Number(open_ones), "outcomes": Number(outcomes)}
+        checks.append(graded("model", "ambiguous", open_ones / outcomes, numbers=counts))
     outside = [s for s in judged if s.get("outside_training") is not None]
     if outside:
         most = max(outside, key=lambda score: score["outside_training"])
-        share = float(most["outside_training"])
-        finding = Finding(
-            "outside", THRESHOLDS["outside"].grade(share), log_title(most["role"], most["log"]),
-            numbers={"share": Number(share)},
-        )  # fmt: skip
-        outside_check = of_finding("model", finding)
+        title = log_title(most["role"], most["log"])
+        outside_check = graded("model", "outside", float(most["outside_training"]), log=title)
         errors = [s["nrmse"] for s in judged]
         right = all(error is not None and THRESHOLDS["nrmse"].grade(error) == "good" for error in errors)
         checks.append(

@@ -7,7 +7,20 @@ from pipeline.si_prefix import moment, percent, quantity, significant
 
 ADVICE_BY_MODEL = {"rbf-paper": "fewer basis functions ([identify] basis_functions), or richer training logs"}
 """Where basis functions do act in number, fewer of them are a remedy."""
+RAILS = 'widen the sensor\'s range, or where the device does rest there set [ingest] rails = "keep"'
 RICHER = "richer training logs: longer, with pulses of more heights and lengths"
+MASKS = {
+    "masked_without_target": (
+        "sample without a target", "samples without a target",
+        'keep the target within the sensor\'s sight, or where the device does rest there set [ingest] lost = "keep"',
+    ),
+    "masked_at_rails": ("sample at the ends of q's range", "samples at the ends of q's range", RAILS),
+    "masked_spikes": ("spike", "spikes", ""),  # single samples: no row is lost to them alone
+    "gaps_in_time": (
+        "gap in the recording", "gaps in the recording", "repair the recorder, or record again what the gaps cut",
+    ),
+}  # fmt: skip
+"""Causes of rows without a measurement, as ingest counts them: one, several, and what to do."""
 KEYS = {
     "gain_v1": "gain = {{ v1 = {} }}", "gain_v2": "gain = {{ v2 = {} }}", "gain_q": "gain = {{ q = {} }}",
     "zero_q": 'zero = "{}"', "delay": 'delay = "{}"', "clock": "clock = {}",
@@ -76,6 +89,21 @@ def _instrument(finding: Finding) -> tuple[str, str]:
     return text, f"{advice}, unless the training logs are the wrong ones"
 
 
+def _disagreement(finding: Finding) -> tuple[str, str]:
+    number = finding.numbers["estimate"]
+    size = _shown(Number(number.value, number.unit, number.error))
+    name = {"zero_q": "the zero of q", "delay": "the delay of the inputs", "clock": "the clock"}.get(
+        finding.subject, f"the reading of {finding.subject.removeprefix('gain_')}"
+    )
+    text = f"{name} differs by {size} between the {finding.log}"
+    return text, "find out which of both logs is right, and correct the other one in [logs]"
+
+
+def _unlike_training(finding: Finding) -> tuple[str, str]:
+    text = f"the {finding.log} and the {finding.subject} are not of one device with equal channels"
+    return text, "see to channels and wiring of both logs, and whether the device was changed in between"
+
+
 def correction_text(name: str, value: float, displacement: str) -> str:
     """A correction as [logs] takes it: a factor, or a number with its unit, which is that of q for its zero."""
     unit = {"zero_q": displacement, "delay": "s"}.get(name)
@@ -83,8 +111,8 @@ def correction_text(name: str, value: float, displacement: str) -> str:
 
 
 def _extrapolation(finding: Finding) -> tuple[str, str]:
-    share = percent(_value(finding, "share"))
-    text = f"{share} of the {finding.log} lie in states (q, q̇) that no training sample was near"
+    share = _share(_value(finding, "value"))
+    text = f"{share} of the samples of the {finding.log} lie in states (q, q̇) that no training sample was near"
     return text, "train on motions as large and as fast"
 
 
@@ -94,12 +122,180 @@ def _one_passage(finding: Finding) -> tuple[str, str]:
     return text, "there a small error decides the well: judge the rest of the log by itself, or train on such passages"
 
 
+def _share(value: float) -> str:
+    return percent(value) if value > 0.0 else "none"
+
+
+def _nrmse(finding: Finding) -> tuple[str, str]:
+    text = f"free-run NRMSE of q of {finding.subject} is {percent(_value(finding, 'value'))} on the {finding.log}"
+    return text, "look where residuals grow: at one switch (friction, delay) or throughout (alpha, centres)"
+
+
+def _switch_accuracy(finding: Finding) -> tuple[str, str]:
+    share = _value(finding, "value")
+    text = f"{percent(share) if share < 1.0 else 'all'} of the pulses end in the well that was measured"
+    return text, "near the switching voltage the outcome is sensitive: train on pulses of that size"
+
+
+def _wells(finding: Finding) -> tuple[str, str]:
+    share = percent(_value(finding, "value"))
+    text = f"modelled and measured rests differ by up to {share} of the distance of the wells"
+    return text, "longer rests at zero voltage in both wells, for training"
+
+
+def _validation(finding: Finding) -> tuple[str, str]:
+    advice = f"add a log under [logs] validation: an error on the training data does not hold for new {finding.subject}"
+    return "no validation log: errors are those of training", advice
+
+
+def _constant(finding: Finding) -> tuple[str, str]:
+    text = f"a constant, its mean, predicts the {finding.log} better than {finding.subject}: "
+    text += f"{percent(_value(finding, 'constant'))} for {percent(_value(finding, 'own'))}"
+    advice = (
+        "do not use this model; see whether the inputs act linearly or by their squares ([plant] inputs), and whether "
+        "a controller held the device where it is unstable: free runs of such a log part from it whatever the model"
+    )
+    return text, advice
+
+
+def _rival(finding: Finding) -> tuple[str, str]:
+    best, _, own = finding.subject.partition(", ")
+    error = percent(_value(finding, "error"))
+    take = f"take {best} for predictions (`--model {best}`)"
+    if "horizon" in finding.numbers:
+        after = f"{_value(finding, 'horizon'):g} s after a measured state"
+        text = f"{best} predicts the {finding.log} surely better than {own} {after}: "
+        return f"{text}{error} for {percent(_value(finding, 'own'))}", take
+    advice = (
+        f"{take}, or help {own}: more and longer logs, or decide what is known of the device in [identify.structure] "
+        "(force, damping, drag, gain, friction, drive)"
+    )
+    if "own" not in finding.numbers:
+        return f"{best} predicts the {finding.log} with {error}, where {own} diverged", advice
+    own_error = percent(_value(finding, "own"))
+    return f"{best} predicts the {finding.log} surely better than {own}: {error} for {own_error}", advice
+
+
+def _divergence(finding: Finding) -> tuple[str, str]:
+    places = ", ".join(f"{log} at t = {moment(number.value)}" for log, number in finding.numbers.items())
+    advice = "see its last second under “Measured against models”; train on data that reach as far"
+    return f"the free run of {finding.subject} diverged: {places}", advice
+
+
+def not_converged(model: str) -> tuple[str, str]:
+    """The sentences on a fit that did not converge."""
+    return _converged(Finding("converged", "fair", subject=model))
+
+
+def _converged(finding: Finding) -> tuple[str, str]:
+    text = f"the fit of {finding.subject} had not converged when it ended, so its error may be chance"
+    return text, "raise [identify] time_limit, or simplify the model (force, damping, gain, friction)"
+
+
+def _ambiguous(finding: Finding) -> tuple[str, str]:
+    count = f"{_value(finding, 'open'):.0f}" if _value(finding, "open") else "none"
+    text = f"{count} of {_value(finding, 'outcomes'):.0f} outcomes after pulses are too close for the model to call"
+    return text, "do not trust the well after these pulses; train on pulses of that size and length"
+
+
+def _rails(finding: Finding) -> tuple[str, str]:
+    text = f"{_share(_value(finding, 'value'))} of the samples of q stay at its largest or smallest value"
+    if finding.subject == "kept":
+        return f'{text}, where it rests ([ingest] rails = "keep")', ""
+    return text, RAILS
+
+
+def _no_wells(finding: Finding) -> tuple[str, str]:
+    advice = "if the device is bistable, pulse both sides with rests of 1 s between"
+    return f"no two wells in the data: {finding.subject}", advice
+
+
+def _switches(finding: Finding) -> tuple[str, str]:
+    design = "; `debist rig excite` designs a sequence" if finding.subject == "joint" else ""
+    text = f"the training logs switch wells {_value(finding, 'value'):.0f} times"
+    return text, f"record more pulses that snap it both ways{design}"
+
+
+def _outside_range(finding: Finding) -> tuple[str, str]:
+    share = _share(_value(finding, "value"))
+    text = f"{share} of the validation samples lie outside the range of the training data"
+    return text, "train on a log with the larger strokes and inputs"
+
+
+def _coverage(finding: Finding) -> tuple[str, str]:
+    visits = int(_value(finding, "value"))
+    samples = f"{visits} training sample{'s' if visits != 1 else ''}"
+    centres = f"{_value(finding, 'centres'):.0f} basis centres inside the range"
+    fills = ", `debist rig excite` fills them" if finding.subject == "joint" else ""
+    advice = f"excite the thin places (`debist inspect` names them{fills}); or fewer centres"
+    return f"the least visited of {centres} has {samples} around it", advice
+
+
+def _noise(finding: Finding) -> tuple[str, str]:
+    if finding.subject == "steps":
+        share = significant(100.0 * _value(finding, "share"), 2)
+        text = (
+            f"q comes in steps of {_shown(finding.numbers['steps'])}, {share} % of its range; its noise is below that"
+        )
+        return text, "use the sensor's finer range"
+    share = significant(100.0 * _value(finding, "value"), 2)
+    text = f"noise of q is {_shown(finding.numbers['noise'])} RMS, {share} % of its range"
+    return text, "average or shield the sensor, or raise alpha"
+
+
+def _masked(finding: Finding) -> tuple[str, str]:
+    causes = [(MASKS[cause], int(number.value)) for cause, number in finding.numbers.items() if cause in MASKS]
+    named = " and ".join(f"{count} {several if count > 1 else one}" for (one, several, _), count in causes)
+    advice = "; ".join(what for (_, _, what), _ in causes if what) or "repair the recorder"
+    share = _value(finding, "value")
+    if share:
+        return f"{percent(share)} of the rows are masked, by {named or 'samples that are not finite'}", advice
+    return f"{named} left out, and no row masked" if named else "no gaps", advice
+
+
+def _measured_facts(finding: Finding) -> tuple[str, str]:
+    if finding.severity == "good":
+        count = int(_value(finding, "count"))
+        which = f"the {count} modelled facts that were measured too lie"
+        if count == 1:
+            which = "the one modelled fact that was measured too lies"
+        return f"{which} within {_value(finding, 'value'):.1f} standard deviations", ""
+    measured = finding.numbers["measured"]
+    source = "free_run" if "free_run" in finding.numbers else "model"
+    modelled = finding.numbers[source]
+    like = abs(measured.value)
+    own = quantity(modelled.value, modelled.unit, modelled.error, like)
+    where = "in the model's free runs" if source == "free_run" else "by the model"
+    seen = quantity(measured.value, measured.unit, measured.error, like)
+    text = f"{finding.subject} is {own} {where}, but was measured as {seen} ({_value(finding, 'events'):.0f} times)"
+    return text, "train on longer rests without voltage, and trust the measured value until then"
+
+
 CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
     "generalisation": _generalisation,
     "another_device": _another_device,
     "exchanged": _exchanged,
     "instrument": _instrument,
+    "disagreement": _disagreement,
+    "unlike_training": _unlike_training,
     "outside": _extrapolation,
     "one_passage": _one_passage,
+    "nrmse": _nrmse,
+    "switch_accuracy": _switch_accuracy,
+    "wells": _wells,
+    "validation": _validation,
+    "constant": _constant,
+    "rival": _rival,
+    "divergence": _divergence,
+    "converged": _converged,
+    "ambiguous": _ambiguous,
+    "rails": _rails,
+    "no_wells": _no_wells,
+    "switches": _switches,
+    "extrapolation": _outside_range,
+    "coverage": _coverage,
+    "noise": _noise,
+    "masked": _masked,
+    "measured_facts": _measured_facts,
 }
 """By code."""

@@ -2,7 +2,7 @@
 
 import importlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
@@ -19,7 +19,7 @@ from pipeline.settings import Compare, Identify
 from pipeline.signals.log import Log
 
 if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
+    from pipeline.device.parameters import JointParameters
     from pipeline.fitting.regression import InputLaw
 
 
@@ -132,7 +132,7 @@ class Training:
     parameters: "JointParameters | None"
     known_curves: KnownCurves | None
     identify: Identify
-    compare: Compare
+    compare: Compare = field(default_factory=Compare)
     log_units: tuple[float, float] = (1e-3, 1e3)
     inputs_before: Literal["auto", "first", "zero"] = "auto"
     siblings: NormalPopulation | None = None

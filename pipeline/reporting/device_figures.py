@@ -281,8 +281,8 @@ def _excitation(data: RunData) -> Figure:
     half = float(places[1] - places[0]) / 2.0
     x: FloatArray = np.repeat(np.concatenate(([places[0] - half], places + half)), 2)[1:-1]
     heights = np.repeat(np.maximum(counts, LEAST_DRAWN), 2)
-    line = Line("training samples", "v1", x, heights)
-    bars = Band("training samples", "v1", x, np.full(x.size, LEAST_DRAWN), heights)
+    line = Line("training samples", "reference", x, heights)
+    bars = Band("training samples", "reference", x, np.full(x.size, LEAST_DRAWN), heights)
     panel = Panel("samples per centre", "1", (line,), (bars,), log=True)
     caption = (
         f"Training samples nearest to each of {data.centres} basis centres; thin places are where curves are uncertain."

@@ -43,6 +43,8 @@ _BLOCK_BYTES = 1 << 20
 _LARGEST_HEAD, _FEWEST_LINES, _MOST_NAMED = 1 << 24, 20, 3
 _COUNT = re.compile(r"[+-]?\d{16,19}")
 """Whole numbers beyond what float64 holds exactly, such as nanoseconds since 1970."""
+_WHOLE = re.compile(r"[+-]?\d{1,18}|[+-]?[1-8]\d{18}")
+"""A whole number that a count of 64 bits holds."""
 _WHOLE_SECONDS = re.compile(r":\d\d:\d\d\b(?![.,:]\d| \d{3}\b)")
 """In a time of day without parts of a second."""
 _FIRST_YEAR, _LAST_YEAR = "1678", "2261"
@@ -197,7 +199,8 @@ class CsvSource(Source):
         self._words, self._remarks = {}, []
         dialect = self._dialect
         named = dialect.delimiter != " " and any(len(row) == width + 1 for row in dialect.above)  # a column of comments
-        plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." else None
+        counts = any(map(_COUNT.fullmatch, self._firsts.values()))
+        plain = plain_row(dialect.delimiter, width) if dialect.decimal == "." and not counts else None
         for number, line in self._lines():
             if plain and plain.fullmatch(line):  # as most lines do, and at a third of the cost
                 yield "\t".join(line.replace(dialect.delimiter, " ").split()) + "\n"
@@ -225,6 +228,11 @@ class CsvSource(Source):
     def _plain_cell(self, cell: str, column: str, line: int) -> str:
         """A cell as Arrow reads it."""
         if NUMBER.match(number := plain_number(cell, self._dialect.decimal)):
+            if _COUNT.fullmatch(self._firsts[column]) and not _WHOLE.fullmatch(number):
+                raise UnreadableLogError(
+                    f"a row does not fit the table: row {line}: {cell!r} in column {column!r} is no whole number, as "
+                    "those above are: repair or delete that row"
+                )
             return number
         is_time = is_stamp(cell)
         is_switch = {cell.lower(), self._firsts[column].lower()} <= SWITCH

@@ -60,7 +60,7 @@ class ParquetSource(Source):
         of_table |= _mapping(of_table.get("PANDAS_ATTRS"))
         self._units = {k: f"{v}" for key in filter(is_unit, of_table) for k, v in _mapping(of_table[key]).items()}
         for name, field in self._fields.items():
-            own = _texts(field.metadata) | _of_column(name, of_table)
+            own = _texts(field.metadata)
             self._units.setdefault(name, unit_among(own))
             self.notes += scales_among(own, name)
             self.descriptions |= {name: text} if (text := description_among(own)) else {}
@@ -155,30 +155,12 @@ def _is_number(kind: Any) -> bool:
     return any(holds(kind) for holds in kinds)
 
 
-def _of_column(name: str, of_table: Any) -> dict[str, Any]:
-    """What the metadata of a table hold on a column, in mappings by its name or lists of columns, at any depth."""
-    read = _document(of_table)
-    if isinstance(read, list):
-        read = {f"{each['name']}": each for each in read if isinstance(each, dict) and "name" in each}
-    if not isinstance(read, dict):
-        return {}
-    own = _document(read.get(name))
-    if isinstance(own, dict):
-        return own
-    return next(filter(None, (_of_column(name, each) for each in read.values())), {})
-
-
-def _document(value: Any) -> Any:
-    """What a text of JSON holds; anything else as it is."""
-    try:
-        return json.loads(value) if isinstance(value, str) else value
-    except (ValueError, RecursionError):
-        return value
-
-
 def _mapping(value: Any) -> dict[str, Any]:
-    """A mapping, which may be written as JSON; empty for anything else."""
-    read = _document(value)
+    """A mapping that is written as JSON; empty for anything else."""
+    try:
+        read = json.loads(value) if isinstance(value, str) else value
+    except (ValueError, RecursionError):
+        return {}
     return read if isinstance(read, dict) else {}
 
 

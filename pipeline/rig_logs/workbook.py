@@ -66,9 +66,9 @@ class WorkbookSource(View):
                     writer.writerow([_text(cell, number, mark, clock) for cell, number, clock in cells])
         super().__init__(CsvSource(written, replace(options, encoding="utf-8", delimiter=",", decimal=mark)))
         self.format = "workbook"
-        self._tell(book.sheet_names, of_table, rounded=numbers is None and any(kinds))
+        self._note_sheets(book.sheet_names, of_table, rounded=numbers is None and any(kinds))
 
-    def _tell(self, sheets: Sequence[str], of_table: Sequence[str], *, rounded: bool) -> None:
+    def _note_sheets(self, sheets: Sequence[str], of_table: Sequence[str], *, rounded: bool) -> None:
         """Note which sheets are read, and what their cells do not hold."""
         named = ", ".join(map(repr, of_table))
         if len(of_table) > 1:
@@ -126,18 +126,29 @@ def _one_table(starts: dict[str, Rows], sheets: dict[str, Any]) -> list[str]:
 
 
 def _heading(rows: Rows) -> Rows | None:
-    """The full rows above the first one of numbers; None where there are no numbers."""
+    """The cells above the first row of numbers, of rows that are as full as that; None where there are no numbers."""
     first = _first_of_numbers(rows)
-    return [row for row in rows[:first] if all(cell != "" for cell in row)] if first < len(rows) else None
+    if first == len(rows):
+        return None
+    columns = [j for j, cell in enumerate(rows[first]) if cell != ""]
+    above = [[row[j] for j in columns] for row in rows[:first]]
+    return [cells for cells in above if all(cell != "" for cell in cells)]
 
 
 def _check_order(names: Sequence[str], rows: dict[str, Rows], raw: dict[str, Rows]) -> None:
     """Refuse tables that do not follow each other in their first column, as those of several recordings."""
     if len(names) == 1:
         return
-    ends = [(raw[name][_first_of_numbers(rows[name])][0], raw[name][-1][0]) for name in names]
-    for (_, last), (first, _) in pairwise(ends):
-        if not (isinstance(last, float | int) and isinstance(first, float | int) and first > last):
+    clocks: list[list[Any]] = []
+    for name in names:
+        body = rows[name][_first_of_numbers(rows[name]) :]
+        column = next(j for j, cell in enumerate(body[0]) if cell != "")
+        cells = [row[column] for row in raw[name][-len(body) :]]
+        kind = datetime if isinstance(cells[0], datetime) else float | int
+        clocks.append([cell for cell in cells if isinstance(cell, kind)])
+    for before, behind in pairwise(clocks):
+        alike = before and behind and isinstance(before[-1], datetime) == isinstance(behind[0], datetime)
+        if not alike or behind[0] <= before[-1]:
             raise UnreadableLogError(
                 f"the sheets {', '.join(map(repr, names))} hold tables of one heading that do not follow each other: "
                 "save each as a file of its own"

@@ -11,10 +11,10 @@ from pipeline.numerics.arrays import BoolArray, FloatArray
 
 CHUNK = 1 << 17
 """Rows at a time."""
+BLOCKS, BLOCK = 64, 4096
+"""Blocks spread over a long column, and rows of each, from which a median is taken."""
 _LONG = 1 << 22
 """Bytes from which on a column is not held in memory."""
-_EVENLY, _MOSTLY = 0.5, 0.9
-"""Share by which the blanks between the samples of a slow channel may differ, and how many of them do not by more."""
 
 Entry = TypeVar("Entry", bound=np.generic)
 Signal = tuple[FloatArray, FloatArray]
@@ -44,6 +44,14 @@ def column(size: int, parts: Iterable[NDArray[Entry]], dtype: type[Entry]) -> ND
         for part in parts:
             file.write(np.ascontiguousarray(part).data)  # a mapped page that finds no room would end the process
         return np.asarray(np.memmap(file, dtype, "r", shape=(size,)))
+
+
+def differences(samples: FloatArray, order: int = 1) -> FloatArray:
+    """Differences of some order, of the whole or of blocks spread over a long column, so that their cost is bounded."""
+    if samples.size <= BLOCKS * BLOCK:
+        return np.diff(samples, order)
+    starts = np.linspace(0, samples.size - BLOCK, BLOCKS).astype(np.int64).tolist()
+    return np.concatenate([np.diff(samples[i : i + BLOCK], order) for i in starts])
 
 
 def scaled(samples: FloatArray, factor: float, offset: float) -> FloatArray:
@@ -97,7 +105,7 @@ def sparse(signal: Signal) -> tuple[Signal, int]:
         return signal, 1
     spacing = np.diff(np.flatnonzero(taken))
     usual = int(np.median(spacing)) if spacing.size else 1
-    if usual < 2 or np.mean(np.abs(spacing - usual) <= _EVENLY * usual) < _MOSTLY:
+    if usual < 2 or np.mean(spacing == usual) < 0.5:
         return signal, 1
     return (select(signal[0], taken), select(signal[1], taken)), usual
 

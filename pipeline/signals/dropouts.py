@@ -9,14 +9,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import Signal, chunks
-from pipeline.signals.signal_quality import SignalQuality, span
+from pipeline.signals.columns import BLOCK, Signal, chunks
+from pipeline.signals.noise import CHANCE, REACH, SELDOM
+from pipeline.signals.rails import IN_A_ROW
+from pipeline.signals.signal_quality import OF_BESIDE, SignalQuality, span
+from pipeline.signals.timebase import ONE_LOST
 
 _OF_INPUT, _ANSWER = 0.05, 0.03
 """Share of the range of an input that its change exceeds, and time [s] that a device which jumps takes to answer."""
-_TOGETHER, _BY_CHANCE, _PLACES = 0.75, 0.01, 2000
-"""Share of the jumps that answer an input where the device makes them, the probability below which that is no chance,
-and at how many places it is seen how often an input changes."""
+_TOGETHER, _BY_CHANCE = 0.75, 0.01
+"""Share of the jumps that answer an input where the device makes them, and the probability below which that is no
+chance: a single jump may show it."""
 
 
 def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArray, step: float) -> bool:
@@ -35,7 +38,7 @@ def answer_inputs(times: FloatArray, inputs: Sequence[Signal], stamps: FloatArra
     """
     from scipy.special import bdtrc
 
-    anywhere = stamps[:: max(1, stamps.size // _PLACES)]
+    anywhere = stamps[:: max(1, stamps.size // BLOCK)]
     answers, chance = np.zeros(times.size, dtype=np.bool_), np.zeros(anywhere.size, dtype=np.bool_)
     for signal in inputs:
         answers |= _changed(signal, times, step)
@@ -56,24 +59,10 @@ def _changed(signal: Signal, times: FloatArray, step: float) -> BoolArray:
     return changed
 
 
-_NOISES, _LEAST = 12.0, 0.01
-"""Standard deviations of the noise, and share of the usual range, that a jump exceeds."""
-_LOST = 0.03
-"""Share of the usual range that a jump exceeds where rows are missing: encoders and potentiometers slip by 1 to 2 %."""
-_USUAL_STEP = 1.5
-"""Sampling steps between two stamps beyond which the stamps themselves show that rows are missing."""
-_OF_BESIDE = 4.0
-"""Times the steps before and after it that a jump is at least; a motion of eight samples a period has up to 2."""
+_LEAST, _LOST = 0.01, 0.03
+"""Share of the usual range that a jump exceeds, and where rows are missing: encoders and potentiometers slip by 2 %."""
 _LONGEST = 0.25
 """Duration [s] of the longest burst; what is longer and far outside is a lost target, what is not may be a place."""
-_FLAT = 6.0
-"""Standard deviations of the noise within which a burst stays at its level."""
-_BACK = 0.5
-"""Share of a jump by which the sample behind a burst may differ from the sample before."""
-_HELD, _BEFORE = 3, 64
-"""Times the longest run of one value among so many samples before, from which one before a jump was held."""
-_MOST_JUMPS = 10_000
-"""Jumps beyond which a signal is one that jumps, as a command does."""
 
 
 @dataclass(frozen=True)
@@ -131,14 +120,14 @@ def dropouts(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, step: 
     if quality.constant or quality.stepped or quality.idle:
         return NONE
     usual = quality.usual[1] - quality.usual[0]
-    jumps = _jumps(samples, max(_NOISES * quality.roughness, _LEAST * usual))
-    jumps = jumps[stamps[jumps + 1] - stamps[jumps] < _USUAL_STEP * step]
-    if not 0 < jumps.size <= _MOST_JUMPS:
+    jumps = _jumps(samples, max(2.0 * REACH * quality.roughness, _LEAST * usual))
+    jumps = jumps[stamps[jumps + 1] - stamps[jumps] < ONE_LOST * step]
+    if not 0 < jumps.size <= SELDOM * samples.size:
         return NONE
     times = stamps[jumps + 1]
     if answer_inputs(times[np.isfinite(times)], inputs, stamps, step):
         return NONE
-    bursts, levels = _bursts(samples, jumps, round(_LONGEST / step) + 1, _FLAT * quality.roughness)
+    bursts, levels = _bursts(samples, jumps, round(_LONGEST / step) + 1, REACH * quality.roughness)
     left = jumps[~np.isin(jumps, bursts.ravel() - 1)]
     bursts = _with_code(samples, bursts, levels)
     left = left[~np.isin(left, bursts.ravel() - 1)]
@@ -159,7 +148,7 @@ def _jumps(samples: FloatArray, least: float) -> IntArray:
         steps = np.abs(np.diff(samples[begin : rows.stop + 2]))
         if steps.size < 3:
             continue
-        beside = _OF_BESIDE * np.maximum(steps[:-2], steps[2:])
+        beside = OF_BESIDE * np.maximum(steps[:-2], steps[2:])
         rows_before.append(begin + 1 + np.flatnonzero((steps[1:-1] > least) & (steps[1:-1] >= beside)))
     return np.concatenate([np.empty(0, dtype=np.int64), *rows_before])
 
@@ -171,9 +160,9 @@ def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> 
         if before <= last or not 2 <= end - before <= longest:
             continue
         part = samples[before + 1 : end + 1]
-        there, back = samples[before + 1] - samples[before], samples[end + 1] - samples[end]
-        near = abs(samples[end + 1] - samples[before]) <= _BACK * min(abs(there), abs(back))
-        if there * back < 0.0 and near and np.ptp(part) <= flat:
+        there = samples[before + 1] - samples[before]
+        back = samples[end + 1] - samples[end]
+        if there * back < 0.0 and np.ptp(part) <= flat:
             bursts.append((before + 1, end + 1))
             levels.append(float(np.median(part)))
             last = end
@@ -183,14 +172,16 @@ def _bursts(samples: FloatArray, jumps: IntArray, longest: int, flat: float) -> 
 def _with_code(samples: FloatArray, bursts: IntArray, levels: FloatArray) -> IntArray:
     """The bursts, and all other runs of three samples and more at a level that three bursts have to the last digit."""
     values, counts = np.unique(levels, return_counts=True)
-    codes = values[counts >= _HELD]
+    codes = values[counts >= IN_A_ROW]
     if not codes.size:
         return bursts
     spans, previous = [bursts], np.zeros(0, dtype=np.int64)
     for rows in chunks(samples.size):
         previous = np.concatenate((previous, rows.start + np.flatnonzero(np.isin(samples[rows], codes))))
     runs = np.split(previous, np.flatnonzero(np.diff(previous) > 1) + 1)
-    spans.append(np.array([(run[0], run[-1] + 1) for run in runs if run.size >= _HELD], dtype=np.int64).reshape(-1, 2))
+    spans.append(
+        np.array([(run[0], run[-1] + 1) for run in runs if run.size >= IN_A_ROW], dtype=np.int64).reshape(-1, 2)
+    )
     every = np.unique(np.concatenate(spans), axis=0)
     keep = np.concatenate(([True], every[1:, 0] >= np.maximum.accumulate(every[:-1, 1])))
     return every[keep]
@@ -203,8 +194,9 @@ def _held(samples: FloatArray, jumps: IntArray, longest: int) -> IntArray:
         before = samples[max(0, end - longest) : end]
         other = np.flatnonzero(before != samples[end])
         count = before.size - (int(other[-1]) + 1 if other.size else 0)
-        usual = _longest_run(before[max(0, before.size - count - _BEFORE) : before.size - count])
-        if count + 1 >= _HELD * usual:
+        free = before[: before.size - count]
+        equal = float(np.mean(np.diff(free) == 0.0)) if free.size > 1 else 0.0
+        if count + 1 >= IN_A_ROW and samples.size * equal**count < CHANCE:
             spans.append((end - count + 1, end + 1))
     return np.array(spans, dtype=np.int64).reshape(-1, 2)
 
@@ -232,12 +224,6 @@ def _several(spans: IntArray, singular: str, plural: str = "") -> str:
     """How many spans and samples."""
     noun = singular if len(spans) == 1 else plural or f"{singular}s"
     return f"{len(spans)} {noun} of {int(np.diff(spans).sum())} samples"
-
-
-def _longest_run(values: FloatArray) -> int:
-    """Samples in the longest run of one value, one at least."""
-    edges = np.flatnonzero(np.diff(values, prepend=np.nan, append=np.nan) != 0.0)
-    return int(np.diff(edges).max(initial=1))
 
 
 def _ranked(levels: FloatArray) -> tuple[float, ...]:

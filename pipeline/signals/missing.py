@@ -78,10 +78,10 @@ def _extent(name: str, signal: Signal) -> tuple[float, float, int, float]:
     return low, high, count, bad
 
 
-_NINES = (-999.0, -999.25, -9999.0, -99999.0, -999999.0, 9999.0, 99999.0, 999999.0)
-_ENDS = (-32768.0, 32767.0, 65535.0, -2147483648.0, 2147483647.0, 4294967295.0)
-_CODES = np.array([*_NINES, *_ENDS])
-"""Codes that recorders write, and the ends of whole numbers of 16 and 32 bits."""
+_NINES = [10.0**digits - 1.0 for digits in range(3, 7)]
+_WHOLE = [2.0**bits for bits in (15, 16, 31, 32)]
+_CODES = np.array([*_NINES[1:], *(-code for code in (*_NINES, *_WHOLE)), *(end - 1.0 for end in _WHOLE)])
+"""Codes that recorders write: nines, positive ones from 9999 on, and the ends of whole numbers of 16 and 32 bits."""
 _HUGE = 0.999e20
 """No measurement is that large: 9.9E37 of instruments, 9.97E36 of netCDF, 1.8E308."""
 _CLOSE = 1e-6

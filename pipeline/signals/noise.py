@@ -6,23 +6,22 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import robust_std
+from pipeline.signals.columns import CHUNK, differences
 
 CHANCE = 1e-3
 """Significance level of every test on a signal or a clock."""
+REACH = 6.0
+"""Standard deviations that none of 10⁶ normal samples exceeds, at that level."""
+SELDOM = 0.01
+"""Largest share of a signal that single faults are; what is more frequent is the signal."""
 _SPACINGS = (1, 2)
 _ORDERS = (4, 6)
 _MOST_MOVING = 0.9
-_NOISE_BLOCKS, _NOISE_BLOCK = 64, 4096
-_EXCERPT = 1 << 17
-_IDLE = 12.0
+"""Share of the steps that are not zero, beyond which a quantiser does not show."""
 _BALANCED = 0.25
 """Least share of the time that a signal of two values spends at either, so that it switches and does not flicker."""
 _RESOLUTION = 1e-12
-"""Floor of the estimate over the range of the record: differences of doubles say nothing below it."""
-_OF_GRID, _OFF_GRID = 100, 0.02
-"""Fewest different values that show a grid, and the share of a step by which they may be off it."""
-_ROUNDED = 1e-9
-"""Share of the largest difference, or of the range, below which a difference is only rounding."""
+"""Share of the range of a record, or of its largest difference, below which a difference is only rounding."""
 
 
 def noise_std(samples: FloatArray) -> float:
@@ -67,17 +66,17 @@ def _difference_std(samples: FloatArray, spacing: int, order: int) -> float:
     difference = samples
     for _ in range(order):
         difference = difference[spacing:] - difference[:-spacing]
-    return noise_of_differences(difference, order)
+    return noise_ofdifferences(difference, order)
 
 
-def noise_of_differences(difference: FloatArray, order: int) -> float:
+def noise_ofdifferences(difference: FloatArray, order: int) -> float:
     """Standard deviation of white noise from its k-th differences, whose variance is C(2k, k) times its own."""
     return robust_std(difference) / math.sqrt(math.comb(2 * order, order))
 
 
 def is_idle(span: float, noise: float) -> bool:
     """Whether a signal shows only its noise: its span is that of 10⁶ normal samples, or smaller."""
-    return span <= _IDLE * noise
+    return span <= 2.0 * REACH * noise
 
 
 def rounding(resolution: float | None) -> float:
@@ -111,8 +110,8 @@ def resolution(samples: FloatArray) -> float | None:
         return least
     step = float((values[-1] - values[0]) / np.sum(np.round(apart / least)))  # a log rounds the steps of its sensor
     steps = apart / step
-    on_grid = values.size >= _OF_GRID and bool(np.all(np.abs(steps - np.round(steps)) < _OFF_GRID))
-    return step if on_grid else None
+    off = 2.0 * float(np.max(np.abs(steps - np.round(steps))))  # at random it is uniform from 0 to 1
+    return step if off**steps.size < CHANCE else None
 
 
 def is_stepped(samples: FloatArray) -> bool:
@@ -124,7 +123,7 @@ def is_stepped(samples: FloatArray) -> bool:
     values = _excerpt(samples)
     if values.size < 2:
         return False
-    equal = _ROUNDED * float(np.ptp(values))  # interpolation rounds
+    equal = _RESOLUTION * float(np.ptp(values))  # interpolation rounds
     runs = np.diff(np.flatnonzero(~(np.abs(np.diff(values, prepend=np.nan, append=np.nan)) <= equal)))
     if runs.size < 2 or np.quantile(runs, 0.25) >= 2.0:
         return runs.size > 1
@@ -135,7 +134,7 @@ def is_stepped(samples: FloatArray) -> bool:
 
 def _excerpt(samples: FloatArray) -> FloatArray:
     """The finite ones of the first 2¹⁷ samples."""
-    first = samples[:_EXCERPT]
+    first = samples[:CHUNK]
     finite: FloatArray = first[np.isfinite(first)]
     return finite
 
@@ -149,9 +148,9 @@ def noise_level(samples: FloatArray) -> float:
     """
     if samples.size < 3:
         return 0.0
-    second = _differences(samples, 2)
-    level = noise_of_differences(second, 2)
-    if level <= _ROUNDED * float(np.max(np.abs(second), initial=0.0)):
+    second = differences(samples, 2)
+    level = noise_ofdifferences(second, 2)
+    if level <= _RESOLUTION * float(np.ptp(samples)):
         magnitude = np.abs(second)
         usual = magnitude[magnitude <= np.quantile(magnitude, 0.9)]
         level = float(np.sqrt(np.mean(usual**2) / 6.0))
@@ -163,17 +162,9 @@ def _would_be_idle(samples: FloatArray, level: float) -> bool:
     return level > 0.0 and values.size > 0 and is_idle(float(np.ptp(values)), level)
 
 
-def _differences(samples: FloatArray, order: int) -> FloatArray:
-    """Differences of some order, of the whole or of blocks spread over a long signal."""
-    if samples.size <= _NOISE_BLOCKS * _NOISE_BLOCK:
-        return np.diff(samples, order)
-    starts = np.linspace(0, samples.size - _NOISE_BLOCK, _NOISE_BLOCKS).astype(np.int64).tolist()
-    return np.concatenate([np.diff(samples[i : i + _NOISE_BLOCK], order) for i in starts])
-
-
 def high_difference_level(samples: FloatArray) -> float:
     """As `noise_level` from the median of sixth differences, which suppress a fast signal more; else infinite."""
     order = 6
     if samples.size <= 2 * order:
         return np.inf
-    return noise_of_differences(_differences(samples, order), order) or np.inf
+    return noise_ofdifferences(differences(samples, order), order) or np.inf

@@ -11,16 +11,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import chunks
+from pipeline.signals.columns import BLOCKS, chunks
 from pipeline.signals.noise import CHANCE, below_resolution, resolution
 
 _APPROACH = 15.0
 """Widths of the level over which an approach is looked at."""
 _LINEAR = 0.37
 """Share of it that is left at half time, between 0.26 of an exponential and 0.53 of a line."""
-_VISITS = 32
-"""Longest stays that are looked at."""
-_IN_A_ROW = 3
+IN_A_ROW = 3
 """Samples that make a stay."""
 
 
@@ -90,7 +88,7 @@ def rail(values: FloatArray, usual: tuple[float, float], end: int, noise: float)
 
 def _rail(values: FloatArray, runs: IntArray, level: float, width: float) -> Rail:
     lengths = np.diff(runs, axis=1)
-    return Rail(level - width, level + width, float(lengths[lengths >= _IN_A_ROW].sum()) / values.size)
+    return Rail(level - width, level + width, float(lengths[lengths >= IN_A_ROW].sum()) / values.size)
 
 
 def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
@@ -108,7 +106,7 @@ def runs_between(values: FloatArray, low: float, high: float) -> IntArray:
 def in_a_row(inside: BoolArray) -> BoolArray:
     """Which of the samples that are inside lie in a run of three or more of them."""
     edges = np.flatnonzero(np.diff(inside.astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
-    long = edges[edges[:, 1] - edges[:, 0] >= _IN_A_ROW]
+    long = edges[edges[:, 1] - edges[:, 0] >= IN_A_ROW]
     steps = np.zeros(inside.size + 1, dtype=np.int8)
     steps[long[:, 0]] += 1
     steps[long[:, 1]] -= 1
@@ -121,7 +119,7 @@ def _is_exact(
 ) -> bool:
     """Whether the equal samples at a level are more than chance, and where steps hide the noise, cut off."""
     longest = int(np.diff(runs, axis=1).max(initial=0))
-    if longest < _IN_A_ROW:
+    if longest < IN_A_ROW:
         return False
     equal = float(np.mean(np.diff(others) == 0.0)) if others.size > 1 else 0.0
     if below_resolution(noise, digit) or equal > 0.5:
@@ -136,8 +134,8 @@ def _cut_off(values: FloatArray, runs: IntArray, level: float, width: float, *, 
     Beneath noise both sides of a single turning point may look straight, so more than those must be seen.
     """
     lengths = np.diff(runs, axis=1).ravel()
-    longest = np.argsort(-lengths, kind="stable")[:_VISITS]
-    stays = runs[longest[lengths[longest] >= _IN_A_ROW]].tolist()
+    longest = np.argsort(-lengths, kind="stable")[:BLOCKS]
+    stays = runs[longest[lengths[longest] >= IN_A_ROW]].tolist()
     reach = int(_APPROACH)
     coming = [values[max(0, first - reach * (end - first)) : first + 1][::-1] for first, end in stays]
     leaving = [values[end - 1 : end + reach * (end - first)] for first, end in stays]
@@ -153,7 +151,7 @@ def _cut_off(values: FloatArray, runs: IntArray, level: float, width: float, *, 
             if left < _LINEAR or stay < 2.0:
                 return False
         seen += len(approaches)
-    return seen >= (_IN_A_ROW if noisy else 1)
+    return seen >= (IN_A_ROW if noisy else 1)
 
 
 def _approach(off: FloatArray, stay: int, width: float, *, noisy: bool) -> tuple[float, float] | None:
@@ -190,4 +188,4 @@ def _passed(values: FloatArray, usual: tuple[float, float], end: int, beyond: fl
     for rows in chunks(values.size, overlap=1):
         over = sign * (values[rows] - usual[end]) > beyond
         count += int(np.count_nonzero(over[1:] & over[:-1]))
-    return count >= _IN_A_ROW
+    return count >= IN_A_ROW

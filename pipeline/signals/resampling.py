@@ -14,21 +14,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, IntArray, runs_of
-from pipeline.signals.columns import chunks, column
-from pipeline.signals.decimation_kernel import kernel, slope_window
+from pipeline.signals.columns import CHUNK, chunks, column
+from pipeline.signals.decimation_kernel import REACH, kernel, slope_window
 
 LEAST_RATIO = 1.5
 """Fewest raw samples per output interval for decimation; fewer are interpolated."""
 
-_SHIFTS = (-1, 0, 1, 2)
 _BLOCK = 1 << 15
-_MOMENT_TOLERANCE = 1e-6
-_GRID_TOLERANCE = 1e-6
+ROUNDING = 1e-6
+"""Share of an interval that is left to rounding: of a place on the grid, and of a first moment."""
 
 
 def uniform_grid(start: float, stop: float, interval: float) -> FloatArray:
     """Points ``start + j·interval`` [s] up to `stop` and a millionth of an interval beyond, shape (M,)."""
-    size = int(np.floor((stop - start) / interval + _GRID_TOLERANCE)) + 1
+    size = int(np.floor((stop - start) / interval + ROUNDING)) + 1
     parts = (start + interval * np.arange(rows.start, rows.stop, dtype=np.float64) for rows in chunks(size))
     return column(size, parts, np.float64)
 
@@ -72,7 +71,7 @@ def decimated(
     for first, moments, sums in _moments(time, columns, t_out, interval, kernel, (2, 1)):
         values: FloatArray = sums[0] / moments[0]
         shift = moments[1] / moments[0]
-        uneven = np.abs(shift) > _MOMENT_TOLERANCE
+        uneven = np.abs(shift) > ROUNDING
         for run in _joined(runs_of(uneven), apart):
             slope = slopes.at(first + run.start, first + run.stop, ends=run.stop < shift.size)
             values[:, run] -= np.where(uneven[run], shift[run], 0.0) * slope
@@ -175,7 +174,7 @@ def _add_block(
     position = (bins.stamps - origin) / interval - np.repeat(np.arange(bins.first - 2, bins.last - 2), sizes)
     share = bins.shares / interval
     samples = [column[bins.low : bins.low + position.size] for column in columns]
-    for shift in _SHIFTS:
+    for shift in range(1 - int(REACH), 1 + int(REACH)):
         x = position - shift
         w = weight(x)
         w *= share
@@ -252,14 +251,13 @@ def _shares(around: FloatArray, before: int, count: int, at_end: bool) -> FloatA
     return np.diff(bounds)[:count]
 
 
-_PIECE = 1 << 15
 _STEEPEST = 1.5
 
 
 def interpolated(time: FloatArray, samples: FloatArray, t_out: FloatArray, *, smooth: bool) -> Iterator[FloatArray]:
     """The same as `interpolate` of columns of any length, piece after piece."""
-    for first in range(0, t_out.size, _PIECE):
-        points = t_out[first : first + _PIECE]
+    for first in range(0, t_out.size, CHUNK):
+        points = t_out[first : first + CHUNK]
         low, high = np.searchsorted(time, points[[0, -1]])
         rows = slice(max(low - 3, 0), high + 3)
         yield interpolate(time[rows], samples[rows], points, smooth=smooth)

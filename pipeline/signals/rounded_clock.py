@@ -18,7 +18,7 @@ from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.si_prefix import quantity
 from pipeline.signals.columns import chunks, column, finite, select
 from pipeline.signals.noise import CHANCE
-from pipeline.signals.timebase import default_gap_limit, nominal_step
+from pipeline.signals.timebase import ONE_LOST, default_gap_limit, nominal_step
 
 _BLOCK = 256
 """Stamps over which the lattice is taken as constant."""
@@ -100,7 +100,7 @@ def _resolutions(stamps: FloatArray, limit: float) -> dict[bool, tuple[FloatArra
         near = np.where((steps >= 0.0) & (steps <= limit), steps, np.nan)
         single = np.where(near > 0.0, near, np.nan)
         middle = np.nanmedian(np.where(np.isnan(single).all(axis=1, keepdims=True), 0.0, single), axis=1, keepdims=True)
-        for lossy, own in ((False, near), (True, np.where(single <= 1.5 * middle + rounding, single, np.nan))):
+        for lossy, own in ((False, near), (True, np.where(single <= ONE_LOST * middle + rounding, single, np.nan))):
             seen[lossy].append(_lattice(own, rounding))
     found = {}
     for lossy, parts in seen.items():
@@ -146,7 +146,7 @@ def _counts(stamps: FloatArray, usable: BoolArray, limit: float) -> IntArray:
     count = 0
     usual = nominal_step(stamps)
     for steps in _blocks(stamps):
-        single = steps[(steps > 0.0) & (steps <= 1.5 * usual)]
+        single = steps[(steps > 0.0) & (steps <= ONE_LOST * usual)]
         total += float(single.sum())
         count += single.size
     step = total / max(count, 1)

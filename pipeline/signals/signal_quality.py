@@ -9,16 +9,15 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.numerics.metrics import NORMAL_MEDIAN
 from pipeline.signals.columns import chunks, column, finite, select
-from pipeline.signals.noise import high_difference_level, is_idle, is_stepped, noise_level, resolution
+from pipeline.signals.noise import REACH, high_difference_level, is_idle, is_stepped, noise_level, resolution
 from pipeline.signals.rails import rail
-from pipeline.signals.spectrum import EXCERPT, MAINS, Bandwidth, Hum, bandwidth, hum
+from pipeline.signals.spectrum import MAINS, Bandwidth, Hum, bandwidth, hum
 from pipeline.signals.timebase import LOCATED
 
-_SPIKE_NOISES = 12.0
+OF_BESIDE = 4.0
+"""Times what is beside it that a jump or a spike is at least; a motion of eight samples a period has up to 2."""
 BESIDE_SPIKE = 32
 """Samples on either side whose noise a spike is compared with: an amplifier may be noisier while it is on."""
-_FEW_STEPS = 6.0
-"""Steps of a sensor by which a rest is entered and left."""
 MOST_LEVELS = 8
 """Different values up to which they are listed one by one."""
 BOTH_SIGNS = 0.1
@@ -135,7 +134,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
     Notes
     -----
     Cost: some five passes over the samples in chunks; the hum's spectrum is taken of at most
-    2²¹ samples.
+    64 windows.
     """
     usable = finite(samples)
     values = select(samples, usable)
@@ -175,7 +174,7 @@ def examine_signal(time: FloatArray, samples: FloatArray, step: float) -> Signal
         rests=_rests(values, start, start + frozen),
         spikes=spikes,
         spikes_at=tuple(stamps[first_spikes].tolist()),
-        hum=tuple(line for f in MAINS if (line := hum(values[:EXCERPT], step, f)) is not None),
+        hum=tuple(line for f in MAINS if (line := hum(values, step, f)) is not None),
         band=bandwidth(bridged(values, roughness) if spikes else values, step, noise),
     )
 
@@ -259,9 +258,9 @@ def spikes_in(part: FloatArray, noise: float) -> BoolArray:
         apart = np.abs(part[2:] - part[:-2])
         bend = np.zeros_like(off)
         bend[1:-1] = 0.5 * np.abs(part[:-4] + part[4:] - part[1:-3] - part[3:-1])
-    spikes: BoolArray = (off > _SPIKE_NOISES * noise) & (off > 4.0 * np.maximum(apart, bend)) & (noise > 0.0)
+    spikes: BoolArray = (off > 2.0 * REACH * noise) & (off > OF_BESIDE * np.maximum(apart, bend)) & (noise > 0.0)
     at = np.flatnonzero(spikes)
-    spikes[at] = off[at] > _SPIKE_NOISES * _noise_around(part, at + 1)
+    spikes[at] = off[at] > 2.0 * REACH * _noise_around(part, at + 1)
     return spikes
 
 
@@ -279,7 +278,7 @@ def _rests(values: FloatArray, begin: int, end: int) -> bool:
     """Whether a run of equal samples may be a rest that noise within the steps of a sensor does not show."""
     beside = values[[i for i in (begin - 1, end) if 0 <= i < values.size]]
     step = resolution(values)
-    return step is not None and bool(np.all(np.abs(beside - values[begin]) <= _FEW_STEPS * step))
+    return step is not None and bool(np.all(np.abs(beside - values[begin]) <= 2.0 * step))
 
 
 def _longest_run(values: FloatArray) -> tuple[int, int]:

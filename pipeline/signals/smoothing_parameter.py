@@ -50,8 +50,6 @@ _LONGEST_SECANT = 4.0
 _BACK = 0.5
 _SEARCH_TOLERANCE = 1e-6
 _SEARCH_TOLERANCE_REWEIGHTED = 1e-3
-_LONG, _EXCERPTS, _EXCERPT = 1 << 19, 8, 1 << 14
-"""Samples of a long record, whose search starts at the scale of excerpts; their number and length."""
 _NOTHING = 0.5
 """Effective parameters below which the record is a polynomial and noise."""
 
@@ -101,15 +99,14 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
     Returns
     -------
     SmoothingParameter
-        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-6 (1e-3 with reweighting),
-        fewer of a record of `_LONG` samples and more (six in place of nine of an hour at 1 kHz).
+        Deterministic.  The cost is that of four to ten minimisations at a tolerance of 1e-6 (1e-3 with reweighting).
     """
     sigma = noise_std(samples)
     increments = samples.size - order - 1
     shape = SHAPE_REWEIGHTED if reweighted else SHAPE
     tolerance = _SEARCH_TOLERANCE_REWEIGHTED if reweighted else _SEARCH_TOLERANCE
     weights = np.ones(samples.size)
-    log_scale, before = _first_scale(samples, dt, order, sigma, reweighted=reweighted), None
+    log_scale, before = float(np.log(sigma)), None
     settled, t = False, None
     for _ in range(_ROUNDS):
         scale = float(np.exp(log_scale))  # of the differences in steps [signal]
@@ -144,21 +141,6 @@ def smoothing_parameter(samples: FloatArray, dt: float, order: int, *, reweighte
         settled=settled,
         weights=weights if reweighted else None,
     )
-
-
-def _first_scale(samples: FloatArray, dt: float, order: int, sigma: float, *, reweighted: bool) -> float:
-    """Logarithm of the scale of the differences [signal] at which the search starts: the noise, or what excerpts of a
-    long record have, in the median.
-    """
-    if samples.size < _LONG:
-        return float(np.log(sigma))
-    starts = np.linspace(0, samples.size - _EXCERPT, _EXCERPTS).astype(int)
-    parts = [samples[start : start + _EXCERPT] for start in starts]
-    moving = [smoothing_parameter(part, dt, order, reweighted=reweighted) for part in parts if np.ptp(part) > 0.0]
-    scales = [
-        np.sqrt(parameter.epsilon) * dt**order for parameter in moving if parameter.effective_parameters >= _NOTHING
-    ]
-    return float(np.log(np.median(scales) if scales else sigma))
 
 
 def _stretch(log_scale: float, change: float, before: tuple[float, float] | None) -> float:

@@ -6,6 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.numerics.arrays import FloatArray
+from pipeline.signals.columns import BLOCKS, CHUNK
+from pipeline.signals.noise import REACH, noise_level
 
 LEAST_PER_PERIOD = 5.0
 """Samples in a period of what moves, below which a record hardly shows it."""
@@ -14,7 +16,7 @@ ADVISED_PER_PERIOD = 8.0
 LOST_PER_PERIOD = 10.0 / 3.0
 """The same, below which decimation takes most of it: the kernel lets a third of its power pass."""
 _NEARLY_ALL = 0.99
-_WINDOW, _WINDOWS, _FEWEST = 1 << 14, 64, 32
+_WINDOW = 1 << 14
 
 
 class Bandwidth(NamedTuple):
@@ -44,10 +46,8 @@ def bandwidth(samples: FloatArray, step: float, noise: float) -> Bandwidth:
     Cost: the spectra of at most 64 windows of 2¹⁴ samples, spread over the signal: 6 ms of 10⁶ samples.
     """
     size = min(samples.size, _WINDOW)
-    if size < _FEWEST:
-        return Bandwidth(np.nan, np.nan)
     window, power = np.hanning(size), np.zeros(size // 2 + 1)
-    windows = min(_WINDOWS, 2 * samples.size // size - 1)
+    windows = min(BLOCKS, 2 * samples.size // size - 1)
     starts = np.linspace(0, samples.size - size, windows).astype(np.int64).tolist()
     for start in starts:
         part = samples[start : start + size]
@@ -71,8 +71,6 @@ _HUM_WINDOW = 4.0
 _HUM_BAND = 8.0
 _STANDS_OUT = 10.0
 """Decibels over the spectrum beside it above which a line is reported."""
-EXCERPT = 1 << 21
-"""Most samples of a spectrum."""
 
 
 @dataclass(frozen=True)
@@ -120,7 +118,7 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     size = round(_HUM_WINDOW / step)
     if frequency + _HUM_BAND > 0.5 / step or samples.size < 2 * size:
         return None
-    power = _spectrum(samples[:EXCERPT], size)
+    power = _spectrum(samples, size)
     bin_width = 1.0 / (size * step)
     offset = np.abs(np.fft.rfftfreq(size, step) - frequency)
     line = offset <= 0.2 + 2.0 * bin_width
@@ -133,6 +131,25 @@ def hum(samples: FloatArray, step: float, frequency: float) -> Hum | None:
     return Hum(frequency, 10.0 * float(np.log10(total / floor)), float(np.sqrt(2.0 * max(total - floor, 0.0))))
 
 
+def mains_at_another_rate(samples: FloatArray, step: float) -> tuple[Hum, float] | None:
+    """A line where mains hum is if the clock is wrong by a factor of two, and the factor that puts its rate right.
+
+    None where hum is in its place, or there is none. A line at 100 or 120 Hz may also be that of a rectifier. Steps of
+    the signal, which have power at all frequencies, are left out: what counts are the differences that noise reaches.
+    """
+    steps = np.diff(samples[: BLOCKS * CHUNK])
+    quiet = np.where(np.abs(steps) <= 2.0 * REACH * noise_level(samples), steps, 0.0)
+    lines = [hum(quiet, step, frequency) for frequency in MAINS]
+    if any(line is not None and line.stands_out for line in lines):
+        return None
+    for factor in (2.0, 0.5):
+        for frequency in MAINS:
+            line = hum(quiet, step, frequency / factor)
+            if line is not None and line.stands_out:
+                return line, factor
+    return None
+
+
 def aliased(frequency: float, step: float) -> float:
     """Where a line [Hz] appears in samples that are a step [s] apart."""
     turns = frequency * step
@@ -142,11 +159,12 @@ def aliased(frequency: float, step: float) -> float:
 def _spectrum(samples: FloatArray, size: int) -> FloatArray:
     """Mean power of each frequency bin, one-sided, scaled so that the bins of a line sum to its mean square.
 
-    Welch's average, as `scipy.signal.welch` makes it: to load that takes longer than to look at a log.
+    Welch's average of at most 64 windows that are spread over the signal.
     """
     window = np.hanning(size + 1)[:-1]
     power = np.zeros(size // 2 + 1)
-    starts = range(0, samples.size - size + 1, size // 2)
+    windows = min(BLOCKS, 2 * samples.size // size - 1)
+    starts = np.linspace(0, samples.size - size, windows).astype(np.int64).tolist()
     for i in starts:
         part = samples[i : i + size]
         power += np.abs(np.fft.rfft((part - part.mean()) * window)) ** 2

@@ -11,8 +11,8 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import chunks, column, select
-from pipeline.signals.resampling import decimated, interpolated
+from pipeline.signals.columns import CHUNK, chunks, column, select
+from pipeline.signals.resampling import ROUNDING, decimated, interpolated
 from pipeline.signals.timebase import advancing, default_gap_limit, nominal_step, segments
 
 TimeReversal = Literal["refuse", "split", "unwrap"]
@@ -189,11 +189,6 @@ def _cut(bounds: IntArray, stamps: FloatArray, ends: FloatArray) -> IntArray:
     return np.stack((edges[:-1], edges[1:]), axis=1)
 
 
-_PIECE = 1 << 15
-_EDGE = 1e-6
-"""Share of an interval by which a grid point may lie outside a stretch and still belong to it: rounding."""
-
-
 class Stream:
     """The values of a group of columns at all points of a grid, in ascending order, any number at a time.
 
@@ -241,8 +236,8 @@ def _resampled(group: Stretches, grid: FloatArray, interval: float, decimate: bo
 
 def _shares_of_grid(group: Stretches, grid: FloatArray, interval: float) -> Iterator[tuple[IntArray, IntArray]]:
     """Rows of each stretch that holds grid points; its first and end point, and the end of those it gives values to."""
-    first = np.searchsorted(grid, group.edges[:, 0] - _EDGE * interval)
-    last = np.searchsorted(grid, group.edges[:, 1] + _EDGE * interval, side="right")
+    first = np.searchsorted(grid, group.edges[:, 0] - ROUNDING * interval)
+    last = np.searchsorted(grid, group.edges[:, 1] + ROUNDING * interval, side="right")
     holds = np.flatnonzero(first < last)
     first, last = first[holds], last[holds]
     # Where two stretches nearly touch, a point at the edge of both is the later one's.
@@ -268,8 +263,8 @@ def _stretch(
 
 def _bridged(group: Stretches, gap: FloatArray) -> Iterator[FloatArray]:
     """Straight lines from sample to sample at the points between two stretches."""
-    for first in range(0, gap.size, _PIECE):
-        points = gap[first : first + _PIECE]
+    for first in range(0, gap.size, CHUNK):
+        points = gap[first : first + CHUNK]
         low, high = np.searchsorted(group.time, points[[0, -1]])
         rows = slice(max(low - 1, 0), high + 1)
         yield np.stack([np.interp(points, group.time[rows], samples[rows]) for samples in group.columns])

@@ -7,15 +7,16 @@ import numpy as np
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import chunks, column, finite, select
+from pipeline.signals.columns import chunks, column, differences, finite, select
 
 GAP_STEPS = 5.0
 """A hole of more nominal steps than this is a gap …"""
 GAP_FLOOR = 1e-3
 """… unless it is shorter than this [s]: 10 mm at 9 Hz bend by less than 5 µm from the chord in 1 ms."""
+ONE_LOST = 1.5
+"""Nominal steps from which on a step shows a lost sample."""
 LOCATED = 20
 """Most gaps, repetitions or reversals that are located; all are counted."""
-_BLOCKS, _BLOCK = 64, 2048
 _UNIFORM = 1e-3
 
 
@@ -92,18 +93,14 @@ class TimeQuality:
 def nominal_step(time: FloatArray) -> float:
     """The median positive step of a time base.
 
-    Beyond 2¹⁷ stamps the median is taken over 64 evenly spread blocks, so that its cost does not grow.
+    That of many stamps is taken over blocks of them, so that its cost does not grow.
 
     Raises
     ------
     DataRefusedError
         Fewer than two different finite stamps.
     """
-    if time.size <= _BLOCKS * _BLOCK:
-        steps = np.diff(time)
-    else:
-        starts = np.linspace(0, time.size - _BLOCK, _BLOCKS).astype(np.int64).tolist()
-        steps = np.concatenate([np.diff(time[i : i + _BLOCK]) for i in starts])
+    steps = differences(time)
     positive = steps[(steps > 0.0) & np.isfinite(steps)]
     if positive.size == 0:
         backwards = (
@@ -154,12 +151,12 @@ def examine(time: FloatArray) -> TimeQuality:
         repeated_at += part[same[:LOCATED]].tolist()
         backward_at += part[back[:LOCATED]].tolist()
         gaps_at += [(float(part[j]), float(part[j + 1])) for j in gap[:LOCATED]]
-        long = steps[(steps > 1.5 * step) & (steps <= limit)]
+        long = steps[(steps > ONE_LOST * step) & (steps <= limit)]
         dropped += int((np.rint(long / step) - 1.0).sum())
         positive = steps[steps > 0.0]
         shortest = min(shortest, float(positive.min(initial=np.inf)))
         longest = max(longest, float(positive.max(initial=0.0)))
-        near = positive[positive <= 1.5 * step]
+        near = positive[positive <= ONE_LOST * step]
         regular, square = regular + near.size, square + float(((near - step) ** 2).sum())
     return TimeQuality(
         n=time.size,

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.signals.columns import CHUNK
 from pipeline.signals.decimation_kernel import REACH
 from pipeline.signals.resampling import LEAST_RATIO, uniform_grid
 from pipeline.signals.stretches import (
@@ -24,7 +25,6 @@ from pipeline.signals.timebase import LOCATED, default_gap_limit
 
 Method = Literal["decimated", "interpolated"]
 
-_PIECE = 1 << 17
 _SMOOTH = ("q", "velocity")  # columns of something with inertia, which has no steps
 
 
@@ -247,8 +247,8 @@ class Resampling:
             Stream(group, self._grid, interval, decimate=_method(group.step, interval) == "decimated")
             for group in self._log.groups
         ]
-        for first in range(0, self._grid.size, _PIECE):
-            last = min(first + _PIECE, self._grid.size)
+        for first in range(0, self._grid.size, CHUNK):
+            last = min(first + CHUNK, self._grid.size)
             values = np.concatenate([stream.read(last - first) for stream in streams])
             segment = _segment_numbers(self._valid, first, last)
             q = np.where(segment < 0, np.nan, values[0])

@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.signals.columns import Signal, chunks, column, finite, select
 from pipeline.signals.dropouts import NONE, Dropouts, answer_inputs, dropouts
-from pipeline.signals.noise import noise_level
+from pipeline.signals.noise import REACH, SELDOM, noise_level
 from pipeline.signals.rails import in_a_row, runs_between
 from pipeline.signals.signal_quality import (
     BESIDE_SPIKE,
@@ -25,8 +25,6 @@ _LOST_FOR = 0.05
 """Least mean time [s] that a sensor stays at the level of a lost target."""
 _FAR = 0.5
 """Gap between that level and the rest, as a share of the range of the rest."""
-_NOISES = 12.0
-"""Width of that level in standard deviations of the noise."""
 _THINNEST, _WIDEST = 1e-3, 0.03
 """Least and largest width of it, as a share of the usual range: what is wider moves, and is measured."""
 _MOST = 0.5
@@ -35,27 +33,25 @@ _JUMP = 2
 """Samples that the jumps to it and back may show between the two."""
 
 UNBOUNDED = (-np.inf, np.inf)
-_SHORTEST_PULSE, _SELDOM = 1e-3, 0.01
-"""Time [s] within which no amplifier goes there and back, and share of the samples that spikes may be."""
-_LEAST_SAMPLES = 3.0
-"""Samples a sample interval from which on one of them is no pulse."""
+_SHORTEST_PULSE = 1e-3
+"""Time [s] within which no amplifier goes there and back."""
 
 
-def without_spikes(signal: Signal, step: float, interval: float) -> tuple[Signal, int, float]:
+def without_spikes(signal: Signal, step: float) -> tuple[Signal, int, float]:
     """An input with its single samples far off neighbours that agree on the line between these; how many, and the
     stamp [s] of the first.
 
-    Nothing is changed where a step [s] is longer than 1 ms or a third of a sample interval, where such samples are
+    Nothing is changed where a step [s] is longer than 1 ms, where such samples are
     frequent, and in a command without noise: there pulses may be as short. A controller that differentiates kicks for
     one of its periods, and the device follows.
     """
     time, samples = signal
     usable = finite(samples)
     values = select(samples, usable)
-    short = step <= min(1.01 * _SHORTEST_PULSE, interval / _LEAST_SAMPLES)
+    short = step <= 1.01 * _SHORTEST_PULSE
     noise = noise_level(values) if short and values.size else 0.0
     count, first = single_spikes(values, noise)
-    if not 0 < count <= _SELDOM * values.size:
+    if not 0 < count <= SELDOM * values.size:
         return signal, 0, np.nan
     at = float(select(time, usable)[first[0]])
     return (time, bridged(samples, noise)), count, at
@@ -85,7 +81,7 @@ def lost_bounds(q: Signal, inputs: Sequence[Signal], quality: SignalQuality, ste
     that of a chunk and of the places where the level is entered and left.
     """
     smallest, largest = quality.usual
-    width = min(max(_NOISES * quality.noise, _THINNEST * (largest - smallest)), _WIDEST * (largest - smallest))
+    width = min(max(2.0 * REACH * quality.noise, _THINNEST * (largest - smallest)), _WIDEST * (largest - smallest))
     low = _bound(q, inputs, (-smallest - width, -smallest + width), -largest, step, sign=-1.0)
     high = _bound(q, inputs, (largest - width, largest + width), smallest, step)
     return (-np.inf if low is None else -low, np.inf if high is None else high)

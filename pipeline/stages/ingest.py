@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
+from pipeline.device.device import device
 from pipeline.errors import DataRefusedError
 from pipeline.loading.corrections import corrected_log, corrections
-from pipeline.loading.device import device
 from pipeline.loading.si_log import SiLog, part_of_log, read_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
@@ -95,7 +95,7 @@ def _ingest(
     for (name, schema), resampling in zip(tables, resamplings(log_seen, prototype.ingest), strict=True):
         notes = asdict(resampling.report) | log_seen.notes
         written[name] = run.write_pieces(
-            name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), on_progress), notes
+            name, schemas.schema_of(schema, plant), _pieces(resampling, tuple(signals.beside), on_progress), notes
         )
     return written
 
@@ -167,7 +167,7 @@ def _without_spikes(signals: SiLog, settings: Ingest) -> SiLog:
 
     texts, inputs = list[str](), []
     for k, signal in enumerate(signals.inputs if settings.spikes == "mask" else (), start=1):
-        bridged, count, first = without_spikes(signal, nominal_step(signal[0]), settings.sample_interval)
+        bridged, count, first = without_spikes(signal, nominal_step(signal[0]))
         what = f"v{k}: {counted(count, 'single-sample spike')}, the first at {stamped(first)} s: bridged"
         texts += [f"{what} ([ingest] spikes)"] if count else []
         inputs.append(bridged)
@@ -348,6 +348,24 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
     return {"t": piece.t, "q": piece.q, **beside, "segment": piece.segment}
 
 
+def _hum_against_rate(signals: SiLog, rate: float | None) -> list[str]:
+    """What mains hum on the inputs says against a sample rate [Hz] of the settings, which nothing else confirms."""
+    from pipeline.signals.columns import finite, select
+    from pipeline.signals.spectrum import mains_at_another_rate
+
+    texts = []
+    for k, (_, samples) in enumerate(signals.inputs if rate else (), start=1):
+        found = mains_at_another_rate(select(samples, finite(samples)), 1.0 / (rate or 1.0))
+        if found is not None:
+            line, factor = found
+            rectified = ", or that of a rectifier" if factor < 1.0 else ""
+            texts.append(
+                f"v{k}: a line at {line.frequency:g} Hz and no hum at {factor * line.frequency:g} Hz, as mains hum at "
+                f"{factor:g} times the sample rate{rectified}: is [ingest] sample_rate = {rate:g} right?"
+            )
+    return texts
+
+
 def _warnings(signals: SiLog, prototype: Prototype, trusted: "Trusted") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
     from pipeline.rig_logs.remarks import remarks_on
@@ -356,6 +374,7 @@ def _warnings(signals: SiLog, prototype: Prototype, trusted: "Trusted") -> list[
     from pipeline.signals.timebase import nominal_step
 
     warnings, plant = [f"q: {remark}" for remark in remarks_on(trusted.quality)], device(prototype)
+    warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)
     for k, ((time, column), unit) in enumerate(zip(signals.inputs, plant.inputs, strict=True), 1):
         warnings += [f"v{k}: {remark}" for remark in saturation(time, column, nominal_step(time), unit.symbol)]
     if plant.displacement.symbol == "V":  # an electronic circuit is built for whatever voltages it was built for

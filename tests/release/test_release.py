@@ -53,7 +53,7 @@ def test_what_the_package_imports_is_declared_explained_and_locked() -> None:
     for lock in ROOT.glob("requirements*.lock"):
         text = lock.read_text(encoding="utf-8")
         for name in declared:
-            entry = re.search(rf"^{name}==.*\n(?: .*\n)+", text, re.MULTILINE)
+            entry = re.search(rf"^{name.lower()}==.*\n(?: .*\n)+", text, re.MULTILINE)
             assert entry and "debist (pyproject.toml)" in entry[0], f"{name} in {lock.name}"
 
 

@@ -1,7 +1,5 @@
 """What loggers add to a table: statistics, restarts, checksums, stamps, zeros. Samples are those that were written."""
 
-import json
-
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
@@ -9,10 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pipeline.device.device import device
 from pipeline.errors import InputError
-from pipeline.loading.device import device
 from pipeline.loading.si_log import read_si
-from pipeline.rig_logs.channel_roles import suggested_unit
 from pipeline.rig_logs.source import UnreadableLogError
 from pipeline.settings import parse_prototype
 from tests.rig_logs.small_logs import load, open_here
@@ -145,20 +142,6 @@ def test_any_of_them_together(
         np.testing.assert_allclose(read[name][1], samples, atol=1e-9)
 
 
-def test_units_of_columns_in_documents_within_the_metadata_of_parquet(tmp_path):
-    columns = {name: {"unit": unit} for name, (unit, _) in COLUMNS.items()} | {"q": {"unit": "mm", "scale": 0.001}}
-    listed = [{"name": name, **each} for name, each in columns.items()]
-    table = pa.table({name: samples for name, (_, samples) in COLUMNS.items()})
-    for metadata in (
-        {name: json.dumps(each) for name, each in columns.items()}, {"daq": json.dumps({"columns": columns})},
-        {"PANDAS_ATTRS": json.dumps(columns)}, {"schema": json.dumps({"fields": listed})},
-    ):  # fmt: skip
-        pq.write_table(table.replace_schema_metadata(metadata), tmp_path / "log.parquet")
-        source = open_here(tmp_path / "log.parquet")
-        assert {entry.name: entry.unit for entry in source.entries()} == {k: unit for k, (unit, _) in COLUMNS.items()}
-        assert "scale = 0.001, not applied here to 'q'" in "; ".join(source.notes)
-
-
 def test_the_configuration_of_a_comtrade_record_is_named(tmp_path):
     (tmp_path / "log.cfg").write_text("RIG,REC1,1999\n2,2A,0D\n1,q,,,mm,0.001,0,0,-32767,32767,1,1,P\n" + ROWS)
     with pytest.raises(UnreadableLogError, match="COMTRADE"):
@@ -184,8 +167,3 @@ def test_a_unit_in_the_name_of_a_channel_is_compared_with_the_settings(tmp_path,
             read_si(tmp_path / "log.parquet", prototype, device(prototype))
     else:
         assert read_si(tmp_path / "log.parquet", prototype, device(prototype)).q[1].size == N
-
-
-@pytest.mark.parametrize(("name", "unit"), [("t [ms]", "ms"), ("q [mm]", "mm"), ("v1 (kV)", "kV"), ("x_deg", "deg")])
-def test_the_unit_in_a_name_is_suggested(name, unit):
-    assert suggested_unit(name, "") == unit

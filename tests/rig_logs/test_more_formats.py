@@ -188,6 +188,8 @@ def test_what_tdms_states_beside_the_numbers_is_noted_or_the_channel_left_out(tm
         (b"\x80\x04", "pickle"),
         (b"7z\xbc\xaf", "unpack it"),
         (b"RIFF", "WAVE"),
+        (np.array([0, 50, 1, 0, 2], "<i4").tobytes() + b"q\0", "version 4; load it in MATLAB .* `save NAME.mat -v7`"),
+        (np.array([1000, 1, 50, 0, 2], ">i4").tobytes() + b"q\0", "version 4; load it in MATLAB"),
     ],
 )
 def test_a_format_that_is_not_read_is_named(tmp_path, start, word):
@@ -252,12 +254,12 @@ def test_an_index_beside_a_tdms_file_is_not_read(tmp_path):
     np.testing.assert_array_equal(read_here(tmp_path / "log.tdms")["q"], Q[:200])
 
 
-HEADING = ["t", "q"]
+HEADING = ["t", "q", ""]
 DAYS = 46_000.99999 + TIME / 86_400.0
 
 
 def _sheets(path, times=TIME, form="0.0", cut=150, second=(HEADING,)):
-    rows = np.stack([times, Q], axis=1).tolist()
+    rows = [[t, q, ""] for t, q in np.stack([times, Q], axis=1).tolist()]
     sheets = {"Data": [HEADING, *rows[:cut]]} | ({"Data (2)": [*second, *rows[cut:]]} if cut < len(rows) else {})
     workbook(path, sheets, form=form)
 

@@ -212,7 +212,7 @@ def test_single_samples_of_an_input_are_bridged_where_no_drive_is_as_fast(step, 
     rng, t = np.random.default_rng(8), step * np.arange(4000)
     v = 1000.0 + 3.0 * rng.standard_normal(t.size)
     v[[700, 2000, 3300]] += [2000.0, -800.0, 300.0]
-    (_, after), count, first = without_spikes((t, v), step, 0.05)
+    (_, after), count, first = without_spikes((t, v), step)
     if not bridged:
         assert count == 0 and after is v
     else:

@@ -10,12 +10,12 @@ from pipeline.errors import DataRefusedError
 from pipeline.model_list import ENTRIES
 from pipeline.models.choose import Choice
 from pipeline.models.kind import Training
-from pipeline.settings import Compare, Identify, Quantity, parse_prototype
+from pipeline.settings import Identify, Quantity, parse_prototype
 from pipeline.stages import compare, identify
 
 CHANNELS = {key: {"channel": key, "unit": unit} for key, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}
 PROTOTYPE = parse_prototype({"name": "P", "logs": {"train": ["a.csv"]}, "channels": CHANNELS}, "P.toml")
-WHOLE = Training((), (), ("m", "V"), "squared", None, None, None, Identify(), Compare())
+WHOLE = Training((), (), ("m", "V"), "squared", None, None, None, Identify())
 
 
 class Named:

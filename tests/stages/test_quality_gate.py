@@ -37,7 +37,9 @@ def _write(
 
 
 def _run(prototype: Path, *options: str):
-    return RUNNER.invoke(app, ["run", str(prototype), "-o", str(prototype.parent / "run"), "-q", *options])
+    return RUNNER.invoke(
+        app, ["run", str(prototype), "-o", str(prototype.parent / "run"), "-q", "--jobs", "1", *options]
+    )
 
 
 @pytest.mark.parametrize(

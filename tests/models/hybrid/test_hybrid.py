@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pipeline.device.parameters import NOMINAL
 from pipeline.device_facts.calibrated import calibrated
-from pipeline.device_parameters import NOMINAL
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.models.base import FreeRun, predictor
 from pipeline.models.choose import JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose
@@ -20,7 +20,7 @@ from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint, Cond
 from pipeline.models.hybrid.start import prior_root
 from pipeline.models.kind import FITTED_SHARE, Training
 from pipeline.numerics.arrays import FloatArray
-from pipeline.settings import Compare, Identify
+from pipeline.settings import Identify
 from pipeline.signals.trajectory import Record
 from tests.export.joints import hybrid
 from tests.file_columns import unknown_entries
@@ -294,7 +294,7 @@ WRONG = {"left.log C0": 5.0, "log E": 5.0}
 
 
 def given(*records: Record) -> Training:
-    return Training((), records, ("m", "V"), "squared", None, NOMINAL, None, Identify(), Compare())
+    return Training((), records, ("m", "V"), "squared", None, NOMINAL, None, Identify())
 
 
 def test_a_hybrid_joint_that_follows_its_logs_is_taken() -> None:

@@ -1,31 +1,37 @@
-"""The reference pages are written from the code: `python -m tests.test_reference` renews them."""
+"""Pages that are made from the code while the site is built, and stand nowhere else: `mkdocs.yml` names this file."""
 
 import json
+import sys
 import types
 import typing
 from pathlib import Path
 
-import pytest
+from mkdocs.structure.files import File
 from pydantic import BaseModel
 from pydantic_core import PydanticUndefined
 from typer.main import get_command
 from typer.testing import CliRunner
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
 from cli import app
-from pipeline.capabilities import INPUTS, NOT_SUITABLE, OUTPUTS, PRECONDITIONS
-from pipeline.names import Target
 from pipeline.settings import Prototype, Quantity
 from pipeline.settings_logs import Channel, Channels
 
-DOCS = Path(__file__).resolve().parents[1] / "docs" / "reference"
+
+def on_files(files: typing.Any, config: typing.Any) -> typing.Any:
+    """Add the pages to those of the site."""
+    for name, write in PAGES.items():
+        files.append(File.generated(config, f"reference/{name}", content=write()))
+    return files
 
 
-def _settings_page() -> str:
+def settings_page() -> str:
+    """Every key of the settings, table by table."""
     lines = [
         "# Settings",
         "",
-        "One TOML file per prototype; a key with the default – may be left out and is then not set. Written from",
-        "`pipeline/settings.py` by `python -m tests.test_reference`.",
+        "One TOML file per prototype; a key with the default – may be left out and is then not set.",
     ]
     for heading, model in _sections(Prototype, ""):
         lines += ["", f"## {heading or 'Top level'}", "", (model.__doc__ or "").strip(), ""]
@@ -84,8 +90,9 @@ _SIGNALS = """
 Ctrl-C and SIGTERM end a command with one line; what is written is whole."""
 
 
-def _commands_page() -> str:
-    lines = ["# Commands", "", "What `--help` says; written by `python -m tests.test_reference`.", "", app.info.epilog]
+def commands_page() -> str:
+    """The help of every command."""
+    lines = ["# Commands", "", "What `--help` prints.", "", app.info.epilog]
     lines.append(_SIGNALS)
     for path in _walk(get_command(app), []):
         shown = CliRunner().invoke(app, [*path, "--help"], env={"COLUMNS": "100", "TERMINAL_WIDTH": "100"}).output
@@ -100,38 +107,11 @@ def _walk(group: typing.Any, path: list[str]) -> list[list[str]]:
     return found
 
 
-def _capabilities_page() -> str:
-    lines = [
-        "# Capabilities",
-        "",
-        "What `debist --capabilities` prints, for people who script debist and for assistants",
-    ]
-    lines += ["that choose a tool. Written by `python -m tests.test_reference`."]
-    for title, head, rows in (("What goes in", "input | form", INPUTS), ("What comes out", "by | output", OUTPUTS)):
-        cells = [f"| {f'`{key}`' if rows is OUTPUTS else key} | {text} |" for key, text in rows.items()]
-        lines += ["", f"## {title}", "", f"| {head} |", "|---|---|", *cells]
-    for title, sentences in (("Preconditions", PRECONDITIONS), ("Not suitable when", NOT_SUITABLE)):
-        lines += ["", f"## {title}", "", *(f"- {sentence}" for sentence in sentences)]
-    lines += ["", "[Beside other tools](../explanation/other-tools.md) names alternatives."]
-    return "\n".join(lines) + "\n"
+def mistakes_page() -> str:
+    """The table of mistakes, each of which is made and answered for it."""
+    from tests.mistakes.table import page
+
+    return page()
 
 
-PAGES = {"settings.md": _settings_page, "commands.md": _commands_page, "capabilities.md": _capabilities_page}
-
-
-@pytest.mark.parametrize("name", PAGES)
-def test_the_page_is_what_the_code_says(name: str) -> None:
-    assert (DOCS / name).read_text(encoding="utf-8") == PAGES[name](), "renew it: python -m tests.test_reference"
-
-
-def test_capabilities_are_one_json_document() -> None:
-    document = json.loads(CliRunner().invoke(app, ["--capabilities", "--json"]).output)
-    assert set(document["exports"]) == set(typing.get_args(Target))
-    assert {path[0] for path in _walk(get_command(app), [])} >= {
-        key.split()[1] for keys in document["outputs"] for key in keys.split(", ")
-    }
-
-
-if __name__ == "__main__":
-    for page, write in PAGES.items():
-        (DOCS / page).write_text(write(), encoding="utf-8")
+PAGES = {"commands.md": commands_page, "settings.md": settings_page, "mistakes.md": mistakes_page}
