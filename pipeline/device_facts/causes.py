@@ -1,6 +1,7 @@
 """Why a log has a larger error than the training logs: its instruments, another device, one passage, extrapolation."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,12 @@ def instrument_findings(data: RunData, model: str) -> list[Finding]:
     """What the model's measurement of the instruments found beyond its limits; nothing in a run without that."""
     rows = [row for row in data.instruments if row["model"] == model]
     findings = []
-    for log in dict.fromkeys((row["role"], row["log"]) for row in rows):
+    logs = dict.fromkeys((row["role"], row["log"]) for row in rows)
+    trained = [log for log in logs if log[0] == "train"]
+    if len(trained) == 2:  # each is compared with the other: neither is the wrong one by that
+        findings += _disagreements(rows, trained[0], log_title(*trained[1]), data.displacement)
+        logs = dict.fromkeys(log for log in logs if log not in trained)
+    for log in logs:
         of_log = [row for row in rows if (row["role"], row["log"]) == log]
         title = log_title(*log)
         if of_log[0]["status"] == "another device":
@@ -33,6 +39,17 @@ def instrument_findings(data: RunData, model: str) -> list[Finding]:
             findings.append(Finding("exchanged", "poor", title, of_log[0]["exchanged"]))
         findings += [_instrument(row, title, data.displacement) for row in of_log if row["beyond"]]
     return findings
+
+
+def _disagreements(
+    rows: Sequence[Mapping[str, Any]], log: tuple[str, str], other: str, displacement: str
+) -> list[Finding]:
+    """What one of two training logs reads otherwise than the other one."""
+    own = [row for row in rows if (row["role"], row["log"]) == log]
+    if own[0]["status"] != "measured" or own[0]["exchanged"] != "none":
+        return [Finding("unlike_training", "poor", log_title(*log), other)]
+    found = [_instrument(row, log_title(*log), displacement) for row in own if row["beyond"]]
+    return [replace(finding, code="disagreement", log=f"{finding.log} and the {other}") for finding in found]
 
 
 def _instrument(row: Mapping[str, Any], title: str, displacement: str) -> Finding:

@@ -89,6 +89,21 @@ def _instrument(finding: Finding) -> tuple[str, str]:
     return text, f"{advice}, unless the training logs are the wrong ones"
 
 
+def _disagreement(finding: Finding) -> tuple[str, str]:
+    number = finding.numbers["estimate"]
+    size = _shown(Number(number.value, number.unit, number.error))
+    name = {"zero_q": "the zero of q", "delay": "the delay of the inputs", "clock": "the clock"}.get(
+        finding.subject, f"the reading of {finding.subject.removeprefix('gain_')}"
+    )
+    text = f"{name} differs by {size} between the {finding.log}"
+    return text, "find out which of both logs is right, and correct the other one in [logs]"
+
+
+def _unlike_training(finding: Finding) -> tuple[str, str]:
+    text = f"the {finding.log} and the {finding.subject} are not of one device with equal channels"
+    return text, "see to channels and wiring of both logs, and whether the device was changed in between"
+
+
 def correction_text(name: str, value: float, displacement: str) -> str:
     """A correction as [logs] takes it: a factor, or a number with its unit, which is that of q for its zero."""
     unit = {"zero_q": displacement, "delay": "s"}.get(name)
@@ -261,6 +276,8 @@ CODES: dict[str, Callable[[Finding], tuple[str, str]]] = {
     "another_device": _another_device,
     "exchanged": _exchanged,
     "instrument": _instrument,
+    "disagreement": _disagreement,
+    "unlike_training": _unlike_training,
     "outside": _extrapolation,
     "one_passage": _one_passage,
     "nrmse": _nrmse,

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pipeline.checks.gates import judge
+from pipeline.device.device import Device
 from pipeline.errors import InputError
-from pipeline.loading.device import Device
 from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
-from pipeline.rig_logs.channel_roles import clocks_beside, suggested_unit
-from pipeline.rig_logs.source import rates_beside
+from pipeline.rig_logs.channel_roles import clocks_beside, is_called, suggested_unit
+from pipeline.rig_logs.source import rates_beside, stated_rate
 from pipeline.settings import Prototype
 from pipeline.settings_logs import Channel, LogColumn
 from pipeline.si_prefix import quantity
-from pipeline.signals.columns import Signal, chunks, column, equal, held, one_sign, scaled, sparse
+from pipeline.signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
 from pipeline.signals.missing import code_remarks, codes_in, masked
 from pipeline.signals.quality_gates import Finding
 from pipeline.signals.rounded_clock import uniform_clock
@@ -28,6 +28,7 @@ from pipeline.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit,
 
 if TYPE_CHECKING:
     from pipeline.rig_logs import Recording
+    from pipeline.rig_logs.recording import RecordedChannel
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 
@@ -88,7 +89,8 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
     csv = CsvOptions(**prototype.ingest.csv.model_dump())
     read = read_recording(path, channels=wanted, csv=csv, progress=progress)
     beside = _clocks_beside(read, prototype)
-    if unread := list(set(beside.values()).difference(wanted)):
+    unread = sorted({*beside.values(), *_clocks_unnamed(read, prototype)}.difference(wanted))
+    if unread:
         clocks = read_recording(path, channels=unread, csv=csv).channels
         read = replace(read, channels=(*read.channels, *clocks))
     return on_uniform_clocks(_si_log(read, prototype, plant, beside))
@@ -153,6 +155,13 @@ def _clocks_beside(recording: "Recording", prototype: Prototype) -> dict[str, st
     return beside if several else {}
 
 
+def _clocks_unnamed(recording: "Recording", prototype: Prototype) -> list[str]:
+    """Columns that are called time or a sample rate, where the settings give a rate in place of a time."""
+    if prototype.ingest.sample_rate is None or prototype.channels.time is not None:
+        return []
+    return [name for name in recording.listed if is_called("time", name) or stated_rate(name, 1.0) is not None]
+
+
 def _si_log(
     recording: "Recording", prototype: Prototype, plant: Device, clocks: Mapping[str, str] | None = None
 ) -> SiLog:
@@ -186,7 +195,7 @@ def _si_log(
     q, *others = (
         _held(recording.path, channel, bases[0], (base, samples))
         if channel.on_change
-        else _without_blanks((base, samples), name, notes)
+        else _without_blanks((base, samples), name, notes, alone=base is not bases[0])
         for (channel, _), name, base, samples in zip(signals, names, bases, columns, strict=True)
     )
     inputs = len(plant.inputs)
@@ -198,8 +207,11 @@ def _earlier(time: FloatArray, lead: float) -> FloatArray:
     return column(time.size, (time[rows] - lead for rows in chunks(time.size)), np.float64)
 
 
-def _without_blanks(signal: Signal, name: str, notes: list[str]) -> Signal:
-    """A slow channel of a fast table by its own samples."""
+def _without_blanks(signal: Signal, name: str, notes: list[str], *, alone: bool) -> Signal:
+    """A slow channel of a fast table by its own samples; where its time is `alone`, without rows of blanks."""
+    filled = finite(signal[0]) | finite(signal[1]) if alone else np.empty(0, np.bool_)
+    if not filled.all():
+        signal = select(signal[0], filled), select(signal[1], filled)
     own, every = sparse(signal)
     if every > 1:
         notes.append(f"{name} has a sample every {every} rows and blanks between: interpolated")
@@ -300,8 +312,9 @@ def _of_two(
     shared = min(end, own_end) - max(begin, own_begin)
     what = f"{name} stands beside a clock of its own, {columns[1]!r}"
     if 2.0 * shared > max(end - begin, own_end - own_begin):
-        apart = quantity(float(np.nanmax(np.abs(beside - of_all), initial=0.0)), "s")
-        notes.append(f"{what}, up to {apart} from {columns[0]!r}: it is used for {name}")
+        filled = np.isnan(beside).any() or np.isnan(of_all).any()  # with blanks: rows are not of one time
+        apart = "" if filled else f", up to {quantity(float(np.abs(beside - of_all).max()), 's')} from {columns[0]!r}"
+        notes.append(f"{what}{apart}: it is used for {name}")
         return beside
     notes.append(
         f"{what}, which differs from {columns[0]!r}, and is not used: it runs from {own_begin:.6g} to {own_end:.6g} s; "
@@ -344,7 +357,9 @@ def _contradicted_rates(recording: "Recording", channel: str, time: FloatArray, 
     DataRefusedError
         The time is made of the rate of the settings, which these do not accept unchecked.
     """
-    rates = rates_beside(channel, recording.rates)
+    rates = dict(rates_beside(channel, recording.rates))
+    for name in _clocks_unnamed(recording, prototype):
+        rates |= _rate_of_column(recording.channel(name), prototype.ingest.sample_rate or 0.0)
     own = 1.0 / nominal_step(time) if rates else 0.0
     if any(abs(rate / own - 1.0) <= _RATES_AGREE for rate in rates.values()) or not rates:
         return []
@@ -357,6 +372,24 @@ def _contradicted_rates(recording: "Recording", channel: str, time: FloatArray, 
         "correct sample_rate, or where the log means another rate keep it",
     )
     return judge(f"{recording.path}", [finding], prototype.quality)
+
+
+def _rate_of_column(column: "RecordedChannel", wanted: float) -> dict[str, float]:
+    """The rate [Hz] of a column that is one number, or rises as a clock; nothing for others.
+
+    A clock without a unit is taken in that unit which gives the `wanted` rate, if one does; else in s.
+    """
+    numbers = column.samples[np.isfinite(column.samples)]
+    if numbers.size < 2 or np.any(np.diff(numbers) < 0.0):
+        return {}
+    if numbers[-1] == numbers[0]:
+        rate = stated_rate(column.name, float(numbers[0]))
+        return {} if rate is None else {column.name: rate}
+    unit = suggested_unit(column.name, column.unit)
+    factors = [SECONDS[unit]] if unit in SECONDS else list(SECONDS.values())
+    steps = (float(numbers[-1] - numbers[0]) / (numbers.size - 1), nominal_step(numbers))  # with gaps, or coarse stamps
+    rates = [1.0 / (step * factor) for factor in factors for step in steps]
+    return {column.name: next((rate for rate in rates if abs(rate / wanted - 1.0) <= _RATES_AGREE), 1.0 / steps[0])}
 
 
 def _counted(size: int, rate: float) -> FloatArray:

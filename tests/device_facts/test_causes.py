@@ -7,6 +7,7 @@ import pytest
 
 from pipeline.device_facts.causes import instrument_findings
 from pipeline.device_facts.model_quality import model_checks
+from pipeline.diagnostics.sentences import sentences
 from pipeline.names import log_title
 from pipeline.scoring.wells import Wells
 from tests.reporting.synthetic import WELL, run_data
@@ -41,3 +42,11 @@ def test_findings_reach_the_assessment() -> None:
     checks = {check.name: check for check in model_checks(data, "rbf", None, WELLS)}
     assert checks["instrument"].about == "data" and checks["instrument"].subject == "gain_v2"
     assert "generalisation" not in checks
+
+
+def test_two_training_logs_that_disagree_are_reported_without_blame() -> None:
+    rows = [_row("gain_v1", sign * 0.02, role="train", log=log) for log, sign in (("a", 1.0), ("b", -1.0))]
+    (found,) = instrument_findings(replace(run_data(), instruments=tuple(rows)), "rbf")
+    assert (found.code, found.subject, found.numbers["estimate"].value) == ("disagreement", "gain_v1", 0.02)
+    text, _ = sentences(found)
+    assert "training log a" in text and "training log b" in text

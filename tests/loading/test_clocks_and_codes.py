@@ -132,3 +132,24 @@ def test_mains_hum_on_the_probes_against_the_rate_of_the_settings(tmp_path, rate
     warnings, _ = ingested(tmp_path, columns, channels, f"[ingest]\nsample_rate = {rate}\n")
     said = [text for text in warnings if "mains hum" in text]
     assert len(said) == bool(told) and told in "".join(said)
+
+
+def test_rasters_side_by_side_are_filled_up_with_blanks(tmp_path):
+    slow = np.full((2, T.size), np.nan)
+    slow[:, : T.size // 5] = (T + 0.012)[::5], V[::5]
+    channels = TIME.replace('"t"', '"time"') + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    columns = {"time": T, "q": Q, "time (2)": slow[0], "v": slow[1]}
+    warnings, record = ingested(tmp_path, columns, channels)
+    assert record["t"][np.argmax(record["v1"] > 1400.0)] - T[np.argmax(V > 1400.0)] == pytest.approx(0.012, abs=5e-3)
+    assert [text for text in warnings if "a clock of its own" in text]
+
+
+@pytest.mark.parametrize("beside", [{"fs": np.full(T.size, 1000.0)}, {"t": T}, {"time": np.round(1e3 * T)}])
+def test_columns_that_contradict_the_rate_of_the_settings(tmp_path, beside):
+    """A rate in each row, or a clock that the settings do not name."""
+    channels = 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
+    (tmp_path / "a").mkdir()
+    refused, _ = ingested(tmp_path / "a", {"q": Q, "v": V} | beside, channels, "[ingest]\nsample_rate = 2500\n")
+    assert "[ingest] sample_rate is 2500 Hz" in refused
+    (tmp_path / "b").mkdir()
+    assert ingested(tmp_path / "b", {"q": Q, "v": V} | beside, channels, "[ingest]\nsample_rate = 1000\n")[0] == []

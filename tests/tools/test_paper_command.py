@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.commands.console import Progress
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.joint_figures import COLOURED
 from pipeline.runs.engine import tasks_of

@@ -5,7 +5,7 @@ import pytest
 from energy_balance import energy_balance
 from scipy.integrate import solve_ivp
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.generated import analytical_joint as kernels
 from pipeline.models.analytical.full_order import (
     rest_state,

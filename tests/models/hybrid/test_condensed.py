@@ -6,7 +6,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from pipeline.codegen.numba_writer import kernel
-from pipeline.device_parameters import NOMINAL, TABLE1, JointParameters
+from pipeline.device.parameters import NOMINAL, TABLE1, JointParameters
 from pipeline.generated import analytical_joint as kernels
 from pipeline.generated import condensed_joint as generated
 from pipeline.generated.condensed_joint import (

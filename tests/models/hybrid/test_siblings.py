@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL, TABLE1
+from pipeline.device.parameters import NOMINAL, TABLE1
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.models.hybrid.identify import NOISE_INFLATION, _Search
 from pipeline.models.hybrid.model import HybridModel

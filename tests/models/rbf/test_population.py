@@ -1,5 +1,7 @@
 """A population is learnt from what its members' logs tell, and knows units, mirror images and exchanged inputs."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -15,7 +17,7 @@ from pipeline.models.rbf.structure import JointScales
 from pipeline.numerics.arrays import FloatArray
 from tests.models.rbf.test_rbf import log
 
-USUAL = first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=False).structure
+USUAL = replace(first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=False).structure, arc=True)
 SCALES = JointScales(0.0, 0.02, 3000.0, 40.0)
 
 

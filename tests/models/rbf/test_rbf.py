@@ -563,14 +563,3 @@ def test_opposed_muscles_are_followed():
     fresh = muscles(2)
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 4e-3 * np.ptp(fresh.q), model.diagnostics["chosen"]
-
-
-def test_the_equation_has_the_sign_of_the_drawn_force():
-    q = np.linspace(-0.018, 0.018, 50)  # at rest and without inputs, which a plain structure knows by F alone
-    bare = JointStructure(basis_functions=8, rates=(), shape_elements=0, slips=0, arc=False)
-    p = ParameterLayout(bare, JointScales(0.0, 0.022, 3000.0, 50.0), "squared", (1, -1))
-    theta = np.zeros(p.count)
-    theta[p.slices["force"]][:4] = 2.0, 70.0, 5.0, np.log(230.0)
-    model, t = RbfModel(p, theta, *np.zeros((2, p.count, 1)), 0.04), INTERVAL * np.arange(50)
-    along = model.accelerate(t, np.zeros((50, 2)), q, np.zeros(50))
-    np.testing.assert_allclose(0.04 * along, -model.curves(q)["F"], atol=1e-9)

@@ -1,0 +1,288 @@
+"""Planted errors of instruments that a run finds, and false ones: `python benchmarks/instruments.py FOLDER [OPTIONS]`.
+
+Joints of three physics (`debist rig simulate --kind same|foreign|worn`) and random devices that are no joint
+(`simulated_devices.py`) are simulated; each has one validation log as it was recorded and others with planted errors.
+Counted are planted errors that are beyond their limits and right to 4 standard errors or 15 %, and honest quantities
+that are silent and lie within 2.5 standard errors of the truth. About 90 s of processor time a joint;
+runs in the folder are kept.
+"""
+
+import argparse
+import subprocess
+import sys
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from pipeline.diagnostics.instruments import SIGNIFICANCE
+from pipeline.loading.report_data import load_instruments
+from pipeline.rig.fleet import Experiment, simulate_prototype
+from pipeline.runs.engine import Unheard
+from pipeline.runs.run_folder import RunFolder
+from pipeline.runs.schedule import bring_up_to_date
+from pipeline.settings import load_prototype
+from pipeline.signals.noise import noise_std
+from pipeline.stages.table import Planned, of_stages, plan
+
+KINDS = ("same", "foreign", "worn")
+STAGES = ("ingest", "differentiate", "identify", "instruments")
+HERE = Path(__file__).resolve().parent
+ALIKE, RIGHT = 2.5, 0.15
+
+
+@dataclass(frozen=True)
+class Case:
+    """A validation log with planted errors of its readings, and what of it is taken.
+
+    Attributes
+    ----------
+    v1, v2, q : float
+        Reading over truth.
+    zero : float
+        Reading less truth, in the unit of the log, or a share of the range where q is no length of a joint.
+    delay : float
+        Time [s] by which the inputs are recorded later than they acted.
+    clock : float
+        Recorded over true time.
+    noise : float
+        Factor on the noise of q.
+    entry : str
+        What stands beside the file in [logs].
+    """
+
+    v1: float = 1.0
+    v2: float = 1.0
+    q: float = 1.0
+    zero: float = 0.0
+    delay: float = 0.0
+    clock: float = 1.0
+    noise: float = 1.0
+    entry: str = ""
+
+    @property
+    def truth(self) -> dict[str, float]:
+        """Errors of the readings by quantity, the zero in the unit of the log."""
+        gains = {"gain_v1": self.v1, "gain_v2": self.v2, "gain_q": self.q, "clock": self.clock}
+        errors = {name: gain - 1.0 for name, gain in gains.items()}
+        return errors | {"zero_q": self.zero, "delay": self.delay}
+
+    def planted(self, table: pa.Table, rng: np.random.Generator) -> pa.Table:
+        """The log with these errors."""
+        time, q, *inputs = _channels(table)
+        t = table.column(time).to_numpy().astype(np.float64)
+        made = {time: self.clock * t}
+        clean = table.column(q).to_numpy().astype(np.float64)
+        more = noise_std(clean) * np.sqrt(self.noise**2 - 1.0)
+        made[q] = self.q * clean + self.zero + more * rng.standard_normal(len(t))
+        for name, gain in zip(inputs, (self.v1, self.v2), strict=False):
+            made[name] = gain * np.interp(t - self.delay, t, table.column(name).to_numpy().astype(np.float64))
+        return pa.table(made, schema=pa.schema([pa.field(n, pa.float64(), metadata=_metadata(table, n)) for n in made]))
+
+
+def _metadata(table: pa.Table, name: str) -> Mapping[bytes, bytes] | None:
+    metadata: Mapping[bytes, bytes] | None = table.schema.field(name).metadata
+    return metadata
+
+
+def _channels(table: pa.Table) -> list[str]:
+    """Names of time, q and the inputs."""
+    names = table.column_names
+    time = next(name for name in names if name.lower() in ("t", "time"))
+    q = next(name for name in names if name.lower().startswith(("laser", "y")))
+    return [time, q, *(name for name in names if name.startswith(("HV1", "HV2", "u")))]
+
+
+BARS = {
+    "as recorded": Case(),
+    "v1 +3 %, v2 −2 %": Case(v1=1.03, v2=0.98),
+    "zero 0.1 mm": Case(zero=0.1),
+    "gain of q 2 %": Case(q=1.02),
+    "delay 2.5 ms": Case(delay=2.5e-3),
+    "clock 1 %": Case(clock=1.01),
+}
+REACH = {
+    "v1 −10 %, v2 −10 %": Case(v1=0.9, v2=0.9),
+    "30 ms late": Case(delay=0.03),
+    "clock 2 % with v1 −5 %": Case(v1=0.95, clock=1.02),
+    **{f"{n} s: as recorded": Case(entry=f', stop = "{n} s"') for n in (5, 8, 20)},
+    **{f"{n} s: v1 +3 %, 2.5 ms late": Case(v1=1.03, delay=2.5e-3, entry=f', stop = "{n} s"') for n in (5, 8, 20)},
+    "ten times the noise: as recorded": Case(noise=10.0),
+    "ten times the noise: v1 +3 %, zero 0.1 mm": Case(v1=1.03, zero=0.1, noise=10.0),
+}
+DEVICE = {
+    "as recorded": Case(),
+    "input +5 %": Case(v1=1.05),
+    "gain of q 3 %": Case(q=1.03),
+    "one interval late": Case(delay=0.01),
+    "clock 2 %": Case(clock=1.02),
+}
+
+
+@dataclass
+class Tally:
+    """Counts over logs."""
+
+    planted: int = 0
+    found: int = 0
+    honest: int = 0
+    silent: int = 0
+    within: int = 0
+    ratios: list[float] = field(default_factory=list)
+    missed: list[str] = field(default_factory=list)
+
+    def add(self, rows: list[dict[str, Any]], truth: Mapping[str, float], unit: float, where: str) -> None:
+        """Rows of one log by one model."""
+        for row in rows:
+            wanted = truth[row["quantity"]] * (unit if row["quantity"] == "zero_q" else 1.0)
+            measured = row["status"] == "measured"
+            off = abs(row["estimate"] - wanted) if measured else np.inf
+            if wanted:
+                self.planted += 1
+                right = measured and off <= max(SIGNIFICANCE * row["standard_error"], RIGHT * abs(wanted))
+                self.found += bool(row["beyond"] and right)
+                if not (row["beyond"] and right):
+                    self.missed.append(f"{where} {row['quantity']} {row['status']}")
+            else:
+                self.honest += 1
+                self.silent += not row["beyond"] and measured
+                self.within += measured and off <= ALIKE * row["standard_error"]
+        self.ratios += [rows[0]["residual_ratio"]] if rows and rows[0]["residual_ratio"] is not None else []
+
+    @property
+    def cells(self) -> str:
+        """Cells of a row of the table."""
+        found = f"{self.found} of {self.planted}" if self.planted else ""
+        share = f"{self.silent} of {self.honest}" if self.honest else ""
+        within = f"{100 * self.within / self.honest:.0f} %" if self.honest else ""
+        ratio = f"{max(self.ratios):.1f}" if self.ratios else ""
+        return f"{found} | {share} | {within} | {ratio}"
+
+
+def joint(folder: Path, kind: str, seed: int, cases: Mapping[str, Case], other: Path | None) -> Path:
+    """A run of a joint with all cases, and the log of another joint; it is kept."""
+    home = folder / f"{kind}-{seed}"
+    if not (home / "run" / "instruments.parquet").exists():
+        settings = simulate_prototype(home, home.name, Experiment(kind, "parquet", 2000.0), seed=seed)
+        table = pq.read_table(home / "validation.parquet")
+        _, q, *inputs = _channels(table)
+        more = {"mirrored": {q: -table.column(q).to_numpy()}}
+        more["exchanged"] = {a: table.column(b).to_numpy() for a, b in zip(inputs, inputs[::-1], strict=True)}
+        for name, columns in more.items():
+            pq.write_table(_with(table, columns), home / f"{name}.parquet")
+        entries = [*_write(home, table, cases, seed), '"mirrored.parquet"', '"exchanged.parquet"']
+        if other is not None:
+            pq.write_table(pq.read_table(other / "validation.parquet"), home / "other.parquet")
+            entries.append('"other.parquet"')
+        _run(home, settings, entries, '[identify]\nmodels = ["auto", "rbf"]\n[compare]\nmodels = []\n')
+    return home
+
+
+def _with(table: pa.Table, columns: Mapping[str, Any]) -> pa.Table:
+    for name, values in columns.items():
+        at = table.schema.get_field_index(name)
+        table = table.set_column(at, table.schema.field(at), pa.array(values, table.schema.field(at).type))
+    return table
+
+
+def device(folder: Path, seed: int) -> Path:
+    """A run of a device that is no joint."""
+    home = folder / f"simulated-{seed}"
+    if not (home / "run" / "instruments.parquet").exists():
+        subprocess.run([sys.executable, str(HERE / "simulated_devices.py"), str(folder), str(seed)], check=True)
+        from pyarrow import csv
+
+        table = csv.read_csv(home / "same.csv")
+        entries = _write(home, table, DEVICE, seed)
+        train = home / "device.toml"
+        _run(home, train, entries, "[compare]\nmodels = []\n")
+    return home
+
+
+def _write(home: Path, table: pa.Table, cases: Mapping[str, Case], seed: int) -> list[str]:
+    """Write the logs of all cases, and their entries in [logs]."""
+    entries = []
+    for number, case in enumerate(cases.values()):
+        pq.write_table(case.planted(table, np.random.default_rng([seed, number])), home / f"case{number}.parquet")
+        entries.append(f'{{ file = "case{number}.parquet"{case.entry} }}')
+    return entries
+
+
+def _run(home: Path, settings: Path, entries: list[str], more: str) -> None:
+    """Run the settings with other validation logs, up to the instruments."""
+    lines = settings.read_text(encoding="utf-8").splitlines()
+    chosen = [f"validation = [{', '.join(entries)}]" if line.startswith("validation") else line for line in lines]
+    path = home / "cases.toml"
+    path.write_text("\n".join([*chosen, more]), encoding="utf-8")
+    prototype = load_prototype(path)
+    run = RunFolder.create(home / "run", prototype.model_dump(mode="json"), path)
+    bring_up_to_date(run, of_stages(plan(Planned(run, prototype, path)), STAGES), Unheard())
+
+
+def tallies(homes: list[Path], cases: Mapping[str, Case], unit: float) -> Iterator[tuple[str, str, Tally]]:
+    """Main model or rbf, case, and counts over these runs."""
+    counted: dict[tuple[str, str], Tally] = defaultdict(Tally)
+    special: dict[tuple[str, str], list[str]] = defaultdict(list)
+    for home in homes:
+        rows = load_instruments(home / "run")
+        main = rows[0]["model"]
+        for model in dict.fromkeys(row["model"] for row in rows):
+            roles = [name for name, of in (("main", main), ("rbf", "rbf")) if model == of]
+            own = [row for row in rows if row["model"] == model and row["role"] == "validation"]
+            for role in roles:
+                for number, (name, case) in enumerate(cases.items()):
+                    of_log = [
+                        row for row in own if row["log"].startswith(f"case{number}-") or row["log"] == f"case{number}"
+                    ]
+                    counted[role, name].add(of_log, case.truth, unit, f"{home.name} {model}")
+                for name in ("mirrored", "exchanged", "other"):
+                    of_log = [row for row in own if row["log"] == name]
+                    if of_log:
+                        special[role, name].append(f"{of_log[0]['exchanged']}/{of_log[0]['status']}")
+    for (role, name), tally in counted.items():
+        yield role, name, tally
+    for (role, name), answers in special.items():
+        print(f"{role}: {name}: " + ", ".join(f"{answers.count(a)} {a}" for a in dict.fromkeys(answers)))
+
+
+def show(title: str, homes: list[Path], cases: Mapping[str, Case], unit: float) -> None:
+    print(f"\n{title}: {len(homes)}")
+    print(
+        "| model | log | planted errors found | honest quantities silent | within 2.5 s.e. | largest residual ratio |"
+    )
+    print("|---|---|---|---|---|---|")
+    missed = []
+    for role, name, tally in tallies(homes, cases, unit):
+        print(f"| {role} | {name} | {tally.cells} |", flush=True)
+        missed += [f"{name}: {text}" for text in tally.missed if role == "main"]
+    print("missed by the main model:", *(missed or ["none"]), sep="\n  ")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--joints", type=int, default=4, help="of each physics")
+    parser.add_argument("--devices", type=int, default=6)
+    parser.add_argument("--seed", type=int, default=930_000)
+    given = parser.parse_args()
+    cases, last = BARS | REACH, dict[str, Path]()
+    homes: dict[str, list[Path]] = {kind: [] for kind in KINDS}
+    for i in range(given.joints):
+        for k, kind in enumerate(KINDS):
+            home = joint(given.folder, kind, given.seed + 10 * i + k, cases, last.get(kind))
+            last[kind] = home
+            homes[kind].append(home)
+            print(f"{home.name} done", file=sys.stderr, flush=True)
+    for kind, runs in homes.items():
+        show(f"joints, {kind}", runs, cases, 1e-3)
+    show("all joints", [run for runs in homes.values() for run in runs], cases, 1e-3)
+    show("devices that are no joint", [device(given.folder, n) for n in range(given.devices)], DEVICE, 1e-3)
+
+
+if __name__ == "__main__":
+    main()
