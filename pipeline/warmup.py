@@ -5,6 +5,7 @@ A kernel that these calls leave out is compiled when a run first calls it, which
 
 import gc
 import time
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -15,10 +16,15 @@ COST = 30.0
 """Processor time [s] that a first run spends on compilation, roughly."""
 
 
-def warm_up(jobs: int) -> float:
-    """Compile what any command needs in `jobs` processes; returns the wall time [s]."""
+def warm_up(jobs: int, on_progress: Callable[[float], None] | None = None) -> float:
+    """Compile what any command needs in `jobs` processes; returns the wall time [s].
+
+    `on_progress` gets the share of the kernels that are compiled.
+    """
     began = time.perf_counter()
-    list(in_processes(_compile, range(len(GROUPS)), jobs))
+    for done, _ in enumerate(in_processes(_compile, range(len(GROUPS)), jobs), start=1):
+        if on_progress is not None:
+            on_progress(done / len(GROUPS))
     return time.perf_counter() - began
 
 
@@ -32,7 +38,7 @@ def _compile(group: int) -> None:
 
 
 def _hybrid() -> None:
-    from pipeline.device_parameters import NOMINAL
+    from pipeline.device.parameters import NOMINAL
     from pipeline.models.hybrid.driving_voltages import DrivingVoltages
     from pipeline.models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
     from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
@@ -89,7 +95,7 @@ def _network() -> None:
 
 
 def _analytical() -> None:
-    from pipeline.device_parameters import NOMINAL
+    from pipeline.device.parameters import NOMINAL
     from pipeline.models.analytical.full_order import rest_state, simulate
     from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains, reduce_joint
     from pipeline.models.analytical.sensitivity import state_sensitivities
@@ -137,7 +143,7 @@ def _control() -> None:
     from pipeline.control.design import Settings, condensed_joint_law, design
     from pipeline.control.law import CONTROLLER_STATE
     from pipeline.control.plant import plant_of
-    from pipeline.device_parameters import NOMINAL
+    from pipeline.device.parameters import NOMINAL
     from pipeline.models.hybrid.model import HybridModel
     from pipeline.models.hybrid.parameters import static_slope_ratio
     from pipeline.models.hybrid.problem import CondensedJoint
