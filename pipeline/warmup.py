@@ -5,6 +5,7 @@ A kernel that these calls leave out is compiled when a run first calls it, which
 
 import gc
 import time
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -15,10 +16,15 @@ COST = 30.0
 """Processor time [s] that a first run spends on compilation, roughly."""
 
 
-def warm_up(jobs: int) -> float:
-    """Compile what any command needs in `jobs` processes; returns the wall time [s]."""
+def warm_up(jobs: int, on_progress: Callable[[float], None] | None = None) -> float:
+    """Compile what any command needs in `jobs` processes; returns the wall time [s].
+
+    `on_progress` gets the share of the kernels that are compiled.
+    """
     began = time.perf_counter()
-    list(in_processes(_compile, range(len(GROUPS)), jobs))
+    for done, _ in enumerate(in_processes(_compile, range(len(GROUPS)), jobs), start=1):
+        if on_progress is not None:
+            on_progress(done / len(GROUPS))
     return time.perf_counter() - began
 
 

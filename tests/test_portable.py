@@ -26,6 +26,7 @@ NAMES = {
     "socket": {"AF_UNIX", "send_fds", "recv_fds", "socketpair"},
     "select": {"poll", "epoll"},
     "time": {"tzset"},
+    "mmap": {"MADV_DONTNEED", "MADV_SEQUENTIAL", "MADV_WILLNEED"},
 }
 """
 CUSTOMISED = f"""{TAKEN}
@@ -83,7 +84,8 @@ def test_what_is_taken_away_is_gone_for_debist_alone(surroundings):
         "import os, signal, resource; os.fork, signal.SIGKILL\n"
         "import pipeline.isolation as ours; assert ours.resource is None\n"
         "assert not hasattr(ours.os, 'fork') and not hasattr(ours.signal, 'SIGKILL')\n"
-        "assert ours._context().get_start_method() == 'spawn'\n"
+        "assert ours.process_context().get_start_method() == 'spawn'\n"
+        "import mmap; assert mmap.MADV_DONTNEED\n"
     )
     command = [sys.executable, "-P", "-c", program]
     ended = subprocess.run(command, env=surroundings, capture_output=True, text=True, check=False)

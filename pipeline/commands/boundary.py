@@ -24,9 +24,17 @@ from pipeline.commands.console import emit_json, printable, printed
 from pipeline.commands.gone import replacement
 from pipeline.errors import WARNING, DebistError, InputError, interrupted, memory_failure
 
+resource: Any
+try:
+    import resource  # now, as there may be no room for it later
+except ImportError:  # Windows
+    resource = None
+
 _STOPPED = "a file is written whole or not at all; the same command starts again"
 _BUG = "this is a bug in debist; please report the lines above"
-_NO_MEMORY = "debist: not enough memory; end other programs, or lower --jobs, and run again"
+_NO_MEMORY = (
+    "debist: not enough memory; end other programs, lower --jobs or raise the limit (`ulimit -v`), and run again"
+)
 _PLACES = frozenset(
     getattr(errno, name)
     for name in ("EACCES", "EPERM", "EROFS", "ENOSPC", "EDQUOT", "ENOTDIR", "EISDIR", "EEXIST", "ENAMETOOLONG", "ELOOP")
@@ -127,7 +135,7 @@ class ErrorBoundary(WholeLines):
         except MemoryError:
             pass
         except Exception as error:
-            if not memory_failure(error):
+            if not _no_memory(error):
                 if not isinstance(error, OSError) or not _stdout_fails():
                     raise
                 typer.echo(f"debist: the output cannot be written: {error.strerror}; give it another place", err=True)
@@ -163,7 +171,7 @@ class ErrorBoundary(WholeLines):
         except DebistError as error:
             if interrupted(error) or _signals:
                 raise _interruption() from error
-            if memory_failure(error):
+            if _no_memory(error):
                 raise  # what it says is only what came of it
             first, *more = getattr(error, "lines", (str(error),))
             typer.echo(f"debist: {printable(first)}", err=True)
@@ -186,8 +194,8 @@ class ErrorBoundary(WholeLines):
                 raise  # a usage error, which typer prints itself
             if interrupted(error) or _signals:
                 raise _interruption() from error
-            if memory_failure(error):
-                raise
+            if _no_memory(error):
+                raise MemoryError from error
             remedy = _told(error)
             if remedy is None:
                 traceback.print_exc(file=sys.stderr)
@@ -201,6 +209,25 @@ class ErrorBoundary(WholeLines):
         if self._as_json and not printed:
             with suppress(OSError):  # the exit code says the same
                 emit_json({"error": {"message": message, "exit_code": exit_code}})
+
+
+def _no_memory(error: BaseException | None) -> bool:
+    """Whether memory ended; under a limit of address space also where a library or a process could not be loaded."""
+    if memory_failure(error):
+        return True
+    if not _address_space_is_limited():
+        return False
+    while error is not None:
+        nameless = isinstance(error, OSError) and error.errno is None
+        if nameless or isinstance(error, ImportError | EOFError | SystemError):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
+
+
+def _address_space_is_limited() -> bool:
+    """Whether `ulimit -v` holds for this process."""
+    return resource is not None and resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY
 
 
 def _of_typer(error: Exception) -> bool:

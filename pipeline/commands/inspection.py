@@ -244,9 +244,7 @@ def init(
     ],
     output: Annotated[
         Path | None,
-        typer.Option(
-            "-o", "--output", metavar="P.toml", help="File to write; no file is overwritten [default: print]."
-        ),
+        typer.Option("-o", metavar="P.toml", help="File to write; no file is overwritten [default: print]."),
     ] = None,
     as_json: Json = False,
 ) -> None:

@@ -2,6 +2,7 @@
 
 import time
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -22,6 +23,7 @@ from pipeline.commands.console import (
     Runs,
     emit_json,
     emit_table,
+    progress_report,
 )
 from pipeline.errors import InputError
 from pipeline.machine import cores
@@ -215,9 +217,13 @@ def warmup(
 
     Without it the first commands compile what they need. Example: debist warmup
     """
-    from pipeline.warmup import warm_up
+    from pipeline.kernel_cache import has_kernels
+    from pipeline.warmup import COST, warm_up
 
-    seconds = warm_up(jobs)
+    if not has_kernels():
+        typer.echo(f"compiling the kernels, once: about {COST:.0f} s of processor time", err=True)
+    with progress_report("compiling") as report:
+        seconds = warm_up(jobs, None if report is None else partial(report, "compiling"))
     if as_json:
         emit_json({"compiled_in_s": seconds})
     else:

@@ -8,8 +8,8 @@ import numpy as np
 from pipeline.codegen.numba_writer import kernel
 from pipeline.compiled import compiled
 from pipeline.control.controller import PERIOD
-from pipeline.control.design_tables import REACH, braking_curves, moments_per_square, reached, target_table
-from pipeline.control.law import BEYOND, NUMBERS, RESTS, SIDES, TARGETS, Law
+from pipeline.control.design_tables import braking_curves, moments_per_square, reached, target_table
+from pipeline.control.law import BEYOND, NUMBERS, REACHES, RESTS, SIDES, TARGETS, Law
 from pipeline.control.linear import wells_and_saddle
 from pipeline.control.plant import ASSUMED_LAG, ControlledJoint, inertia
 from pipeline.control.step_metrics import BAND
@@ -20,32 +20,25 @@ from pipeline.models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray
 
-DRAWN_WELLS, DRAWN_MOMENT = 22.4e-3, 16e-3
-"""Distance [m] of the wells, and moment [N·m] of a membrane, of the drawn joint. Lengths, speeds and moments below are
-for it."""
-SAME_LENGTHS, SAME_MOMENTS = 1.5, 2.0
-"""Factors within which they serve a joint; beyond, they grow with its own."""
 WEIGHT = 0.2
 """Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""
-NEAR, FAST = 1.5e-3, 0.12
-"""Distance [m] and speed [m/s] within which the regulator acts; it stops at twice that distance."""
-STEEPNESS = 1.0 / 0.1
-"""Share of the largest moment for each m/s off the braking curve [s/m]."""
-SETTLES = 15.0
-"""Periods after which a brake has taken hold: the slope has followed the moment."""
+NEAR, FAST = 0.07, 0.7
+"""Distance, over that of the wells, and speed, over the largest of a snap, within which the regulator acts; it stops at
+twice that distance."""
+STEEPNESS = 2.0
+"""Share of the largest moment for a speed off the braking curve that is the largest one of a snap."""
+SETTLES = 0.14
+"""Part of a snap's time after which a brake has taken hold: the slope has followed the moment."""
 SURE = 0.92
 """Share of the largest voltage with which the joint must pass its barrier slowly; else it is pumped."""
-READING = 3e-6
-"""Standard deviation [m] of a reading: noise, resolution, and the laser's linearity as it changes with the motion."""
-MOVING = (1e-3, 5e-4, 2.5e-4)
-"""Standard deviations of a white force on q [N·√s], of the unknown moment's white part [N·m·√s], and of its random
-walk [N·m/√s]."""
-CALM = (8.4e-5, 5.7e-6, 7.5e-5)
-"""The same three near a target: a slower estimate, because a model's fast swing of the slope may be wrong."""
-CERTAIN = (1e-11, 1e-6, 1e-5, 1e-3, 1e-4, 1e-2, 1e-8)
-"""Variances of the filter's numbers after a long rest."""
-BOUNDS = (4.0, 0.8, 60.0, 3.0, 300.0, 0.01)
-"""Magnitudes that no estimate of q̇ [m/s], τ, τ̇ [1/s], β, β̇ [1/s] and d [N·m] passes."""
+READING = 1.5e-4
+"""Standard deviation of a reading over the wells' distance: noise, resolution, and the laser's linearity as it changes
+with the motion."""
+PUSH, WALK = 1.2e-4, 1e-2
+"""Standard deviations of a white force on q [√s], over the largest moment through the wells' distance, and of the
+random walk of the unknown moment [1/√s], over the largest one."""
+BOUND = 10.0
+"""Magnitude that no estimate passes, over what it reaches in a snap, or over the largest moment."""
 NODES = 2
 """Points of the table of the corrections in a width σ."""
 
@@ -100,48 +93,52 @@ def design(plant: ControlledJoint, settings: Settings) -> Law:
     left, saddle, right = (float(well.x[0]) for well in wells)
     between = TARGETS - 1 - 2 * BEYOND
     places: FloatArray = left + (right - left) / between * np.arange(-BEYOND, between + BEYOND + 1.0)
-    lags = acting_lags(plant, settings)
-    size = beyond((right - left) / DRAWN_WELLS, SAME_LENGTHS)
-    strongest = float(np.mean(moments_per_square(plant, wells[1].x, np.zeros(2)))) * plant.highest**2
+    lags, distance = acting_lags(plant, settings), right - left
     mass = inertia(wells[1].x, plant.constants.p)
     slew = min(settings.highest, np.inf if settings.slew is None else PERIOD * settings.slew)
-    law = condensed_joint_law(plant, lags, size, beyond(strongest / DRAWN_MOMENT, SAME_MOMENTS))
+    law = condensed_joint_law(plant, lags)
     reach = np.maximum(
-        reached(law, wells[0].x, right, np.array([settings.highest, 0.0])),
-        reached(law, wells[2].x, left, np.array([0.0, settings.highest])),
+        reached(law, wells[0].x, right, np.array([plant.highest, 0.0])),
+        reached(law, wells[2].x, left, np.array([0.0, plant.highest])),
     )
+    fastest, a_snap = float(reach[1]), distance / float(reach[1])
     targets, slow = target_table(plant, wells, places, settings.highest, sum(lags) / 2.0, WEIGHT * reach)
+    moment = float(np.mean(moments_per_square(plant, wells[1].x, np.zeros(2)))) * plant.highest**2
+    scale = np.append(reach, moment)
+    unknown = np.append(READING * distance, scale[1:])
     numbers = dict(zip(NUMBERS, law.numbers.tolist(), strict=True)) | {
-        "highest": settings.highest, "first": places[0], "per_step": 1.0 / (places[1] - places[0]),
-        "per_reach": 1.0 / (size * REACH), "steepness": STEEPNESS / size, "saddle": saddle,
+        "highest": settings.highest,
+        "first": places[0],
+        "per_step": 1.0 / (places[1] - places[0]),
+        "per_reach": (REACHES - 1) / distance,
+        "steepness": STEEPNESS / fastest,
+        "saddle": saddle,
         "pumped_right": float(slow[0] > SURE * settings.highest),
-        "pumped_left": float(slow[1] > SURE * settings.highest), "near": size * NEAR, "fast": size * FAST,
+        "pumped_left": float(slow[1] > SURE * settings.highest),
+        "near": NEAR * distance,
+        "fast": FAST * fastest,
         "lever": mass[0, 1] / mass[0, 0],
-        "settles": SETTLES * size**0.5 + settings.highest / slew - 1.0,
-        "slew": slew, "fade": PERIOD * reach[1] / (right - left), "slow": BAND * reach[1],
-        "same": BAND * (right - left) / (places[1] - places[0]),
+        "settles": SETTLES * a_snap / PERIOD + settings.highest / slew - 1.0,
+        "slew": slew,
         "allowed": min(settings.highest, np.inf if settings.average is None else settings.average),
-    }  # fmt: skip
+        "fade": PERIOD / a_snap,
+        "slow": BAND * fastest,
+        "band": BAND * distance,
+        "same": BAND * distance / (places[1] - places[0]),
+        "reading_variance": (READING * distance) ** 2,
+        "push": (PUSH * moment / distance) ** 2,
+        "walk": (WALK * moment) ** 2,
+        **{f"unknown_{i}": value**2 for i, value in enumerate(unknown)},
+        **{f"bound_{i}": BOUND * value for i, value in enumerate(scale)},
+    }
     slope = plant.constants.k[INDEX["slope_ratio"]] / plant.constants.k[INDEX["l"]]
     law = law._replace(numbers=np.array([numbers[name] for name in NUMBERS], dtype=np.float64), targets=targets)
-    braking = [braking_curves(law, wells, slope, places, side, settings.highest) for side in (0, 1)]
+    braking = [braking_curves(law, wells, slope, places, side, settings.highest, fastest) for side in (0, 1)]
     return law._replace(braking=np.concatenate([curves for pair in zip(*braking, strict=True) for curves in pair]))
 
 
-def beyond(ratio: float, same: float) -> float:
-    """What is left of a ratio outside the range from 1/same to `same`; 1 within it."""
-    return ratio / min(max(ratio, 1.0 / same), same)
-
-
-def condensed_joint_law(
-    plant: ControlledJoint, lags: tuple[float, float], size: float = 1.0, moment_size: float = 1.0
-) -> Law:
-    """What estimator and motion need of a plant whose converters have the time constants `lags` [s], without tables.
-
-    Lengths and moments of the controller grow by `size` and `moment_size`.
-    """
-    units = (size, size, *(1.0,) * 4, moment_size)
-    white = (moment_size / size, moment_size, moment_size)
+def condensed_joint_law(plant: ControlledJoint, lags: tuple[float, float]) -> Law:
+    """What motion needs of a plant whose converters have the time constants `lags` [s], without tables."""
     k, p, basis, weights = plant.constants
     farthest, decays = 0.9 * plant.wall, [math.exp(-PERIOD / lag) for lag in lags]
     grid = np.linspace(-farthest, farthest, RESTS)
@@ -156,13 +153,6 @@ def condensed_joint_law(
         "offset": plant.offset, "wall": plant.wall, "farthest": farthest,
         **{f"kept_{side}": left for side, left in zip(SIDES, decays, strict=True)},
         **{f"kept_mean_{x}": (1.0 - left) * lag / PERIOD for x, left, lag in zip(SIDES, decays, lags, strict=True)},
-        "reading_variance": READING**2, "size": size, "moment_size": moment_size,
-        **{f"{when}{name}": (unit * value) ** 2
-           for when, values in (("", MOVING), ("calm_", CALM))
-           for name, unit, value in zip(("shake", "twist", "walk"), white, values, strict=True)},
-        **{f"certain_{i}": unit**2 * value for i, (unit, value) in enumerate(zip(units, CERTAIN, strict=True))},
-        "bound_0": plant.wall,
-        **{f"bound_{i}": unit * value for i, (unit, value) in enumerate(zip(units[1:], BOUNDS, strict=True), start=1)},
         "arm": k[INDEX["friction_arm"]], "length": k[INDEX["l"]],
         **{f"travel_{i}": k[INDEX[f"stop_travel_{i}"]] for i in set(STOP_ELEMENTS)},
         "curve_first": first, "curve_per_metre": per_metre, "curve_last": len(curves) - 1.0,

@@ -162,18 +162,23 @@ def reached(law: Law, start: FloatArray, end: float, v: FloatArray) -> FloatArra
 
 LONGEST = 1000
 """Periods of a snap, at most."""
-REACH = 1e-3
-"""Distance [m] between entries of a braking curve."""
+SPEEDS = (0.0, 0.5, 1.0, 2.0, 4.0)
+"""Speeds, over the largest of a snap, with which motions begin that are braked."""
+LEVELS = (0.25, 0.5, 1.0)
+"""Shares of the largest moment that push them."""
+CLOSE = 0.01
+"""Distance, over that of the wells, below which a stop is no point of a curve."""
 WRONG_WAY = 30
 """Steps in which a push from rest may move the tip backwards."""
 
 
 def braking_curves(
-    law: Law, wells: list[LinearModel], slope: float, places: FloatArray, side: int, highest: float
+    law: Law, wells: list[LinearModel], slope: float, places: FloatArray, side: int, highest: float, fastest: float
 ) -> tuple[FloatArray, FloatArray]:
     """Speeds [m/s] of the mass centre at which a brake begins, and during it, to stop at each place.
 
-    Both have the shape (len(places), REACHES). Slow motions have the `slope` τ/q [1/m].
+    Both have the shape (len(places), REACHES), for distances up to that of the wells. Slow motions have the `slope` τ/q
+    [1/m]; `fastest` [m/s] is the largest speed of a snap.
 
     Found by simulation: motions towards the places, slow and fast ones, are braked at every instant. The instant at
     which one stops at a place is a point of that place's first curve. The second is the brake of the first motion that
@@ -183,18 +188,18 @@ def braking_curves(
     start = wells[0 if side == 0 else 2].x
     brake = np.zeros(2)
     brake[1 - side] = highest * np.sqrt(RESERVE)
-    size, settles = law.number("size"), round(law.number("settles"))
+    settles, distance = round(law.number("settles")), float(wells[2].x[0] - wells[0].x[0])
     begins = [np.zeros((1, 2)) for _ in places]
     lasts = begins.copy()
     for x0, speed, level in [
-        *((start, speed, 1.0) for speed in (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.4)),
-        *((start, 0.0, level) for level in (0.25, 0.5, 0.75)),
-        *((wells[1].x, speed, level) for speed in (0.02, 0.1, 0.2) for level in (0.0, 0.5, 1.0)),
+        *((start, speed, 1.0) for speed in SPEEDS),
+        *((start, 0.0, level) for level in LEVELS),
+        *((wells[1].x, 0.5 * speed, level) for speed in SPEEDS[1:] for level in (0.0, *LEVELS)),
     ]:
         push, s = np.zeros(2), np.zeros(CONTROLLER_STATE)
         push[side] = highest * np.sqrt(level)
         s[:STATES], s[PLACES["volts"]] = x0, push
-        s[1], s[3] = towards * size * speed, towards * size * speed * slope
+        s[1], s[3] = towards * fastest * speed, towards * fastest * speed * slope
         motion, turns = pushed(law, s, push, brake, towards)
         for i, place in enumerate(places):
             beyond = towards * (turns - place)
@@ -205,11 +210,11 @@ def braking_curves(
             share = -beyond[row] / (beyond[row + 1] - beyond[row])
             stop = towards * braked(law, (1.0 - share) * motion[row] + share * motion[row + 1], push, brake, towards)
             stop[:, 0] = stop[-1, 0] - stop[:, 0]
-            if stop[0, 0] > 0.2e-3 * size:
+            if stop[0, 0] > CLOSE * distance:
                 begins[i] = np.vstack([begins[i], stop[:1]])
                 if len(lasts[i]) == 1 and len(stop) > 2 * settles:
                     lasts[i] = np.vstack([lasts[i], stop[settles:-1]])
-    reaches = np.linspace(0.0, size * REACH * (REACHES - 1), REACHES)
+    reaches = np.linspace(0.0, distance, REACHES)
     first = np.array([_curve(points, reaches) for points in begins])
     later = [_curve(points, reaches) if len(points) > 1 else curve for points, curve in zip(lasts, first, strict=True)]
     return first, np.maximum(first, later)

@@ -40,19 +40,14 @@ PERIOD = 1e-3
 """Period of the controller [s]."""
 RAMP = 40.0
 """Periods in which the voltages of a controller without readings go to zero."""
-STRUCK, FORGET = 0.3e-3, 0.99
-"""Innovation [m] above which a joint near its target is estimated as one in motion, and what is left of it a period
-later."""
 MEMORY = 10.0
 """Time constant [s] of the voltages' means."""
-LARGEST, PERSISTENT = 1e-3, 15.0
-"""Innovation [m] above which a reading corrects nothing, and the periods of such readings after which the estimate
-begins anew. Corrected by a part of so large an innovation, the shape's rates were wrong, and the Maxwell strains for
+PERSISTENT = 15.0
+"""Periods of readings outside the settling band about the estimate after which it begins anew. Such a reading corrects
+nothing: corrected by a part of so large an innovation, the shape's rates were wrong, and the Maxwell strains for
 seconds after them."""
-ANEW = (1e-9, 0.03, 1e-3, 1.0, 1e-3, 1.0, 1e-6)
-"""Variances of the filter's numbers then."""
 STATUS = ("ok", "recovering", "lost signal", "given up")
-"""Meaning of the status: the estimate began anew or differs from the readings; readings are missing, so
+"""Meaning of the status: readings lie outside the settling band about the estimate; readings are missing, so
 the voltages go to zero; the target was not reached, so the voltages are zero until the next one."""
 
 
@@ -89,7 +84,7 @@ def rest(q: Any, n: dict[str, Any]) -> Values:
     state["z"] = [stuck] * SLIPS + [0.0] * (STOPS - SLIPS)
     state["target"], state["phase"] = [q], [1.0]
     for i in range(FILTER):
-        state["spread"][_packed(i, i)] = n[f"certain_{i}"]
+        state["spread"][_packed(i, i)] = n[f"unknown_{i}"]
     return joined(state)
 
 
@@ -107,7 +102,8 @@ def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
     q, finite = _reading(signals, n)
     again = function("and", finite, function("le", RAMP, before["lost"][0]))
     strayed = function("and", finite, function("le", PERSISTENT, before["strayed"][0]))
-    fresh, anew = parts(rest(q, n)) | {name: before[name] for name in _OF_COMMANDS}, _anew(before, q, n)
+    fresh = parts(rest(q, n)) | {name: before[name] for name in _OF_COMMANDS}
+    anew = fresh | {name: before[name] for name in _OF_TARGETS}
     now = {
         name: [choose(again, a, choose(strayed, b, c)) for a, b, c in zip(fresh[name], anew[name], old, strict=True)]
         for name, old in before.items()
@@ -129,16 +125,7 @@ def listen(s: Values, signals: Values, e: Values, rests: Values) -> Outputs:
 
 
 _OF_COMMANDS = ("volts", "commanded", "average")
-
-
-def _anew(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
-    """The state of a joint that is at q [m] against what was estimated: of its motion little is known."""
-    state = parts(rest(q, n))
-    for i in range(FILTER):
-        unit = n["size"] if i < 2 else n["moment_size"] if i == CORRECTED else 1.0
-        state["spread"][_packed(i, i)] = ANEW[i] * unit * unit
-    unchanged = (*_OF_COMMANDS, "target", "stood", "lost", "refused", "phase", "moves", "tried", "missed")
-    return state | {name: now[name] for name in unchanged}
+_OF_TARGETS = ("target", "stood", "lost", "refused", "phase", "dwell", "tried")
 
 
 def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
@@ -150,8 +137,9 @@ def _reading(signals: Values, n: dict[str, Any]) -> tuple[Any, Any]:
 
 def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, Values]:
     """Estimate and covariance after a reading q [m]."""
-    whole, largest = q - now["x"][0], LARGEST * n["size"]
-    miss = choose(function("lt", largest, function("abs", whole)), 0.0, whole)
+    whole = q - now["x"][0]
+    outside = function("lt", n["band"], function("abs", whole))
+    miss = choose(outside, 0.0, whole)
     column = [now["spread"][_packed(i, 0)] for i in range(FILTER)]
     share = [value / (column[0] + n["reading_variance"]) for value in column]
     bounds = [n[f"bound_{i}"] for i in range(FILTER)]
@@ -161,11 +149,8 @@ def _corrected(now: dict[str, Values], q: Any, n: dict[str, Any]) -> dict[str, V
     ]
     x = [*moved[:CORRECTED], *now["x"][CORRECTED:]]
     spread = [now["spread"][_packed(i, j)] - column[j] * share[i] for i in range(FILTER) for j in range(i + 1)]
-    missed = [function("max", function("min", function("abs", whole), largest), FORGET * now["missed"][0])]
-    strayed = choose(function("lt", largest, function("abs", whole)), now["strayed"][0] + 1.0, 0.0)
     return {
-        "missed": missed,
-        "strayed": [strayed],
+        "strayed": [choose(outside, now["strayed"][0] + 1.0, 0.0)],
         "x": x,
         "moment": moved[CORRECTED:],
         "spread": spread,
@@ -273,7 +258,7 @@ def finish(s: Values, v: Values, k1: Values, k2: Values, k3: Values, k4: Values,
 def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, curves: Values) -> Outputs:
     """Move the covariance over the period: P ← F P Fᵀ + Q, F the exponential of the Jacobian to the third order."""
     n, now = named(e), parts(s)
-    a, twist, push = _jacobian(now, um, slopes, prepared, n)
+    a, push = _jacobian(now, um, slopes, prepared, n)
     size = range(FILTER)
     step = [[a[i][j] / 3.0 if _there(a[i][j]) else 0.0 for j in size] for i in size]
     for share in (0.5, 1.0):
@@ -284,12 +269,9 @@ def spread(s: Values, um: Values, slopes: Values, prepared: Values, e: Values, c
     p = [[now["spread"][_packed(i, j)] for j in size] for i in size]
     half = _product(step, p)
     covariance = [sum(half[i][m] * step[j][m] for m in size if _there(step[j][m])) for i in size for j in range(i + 1)]
-    calm = function("and", function("lt", 0.5, now["near"][0]), function("lt", now["missed"][0], STRUCK * n["size"]))
-    shake, turn, walk = (choose(calm, n[f"calm_{name}"], n[name]) for name in ("shake", "twist", "walk"))
     for i, j in ((i, j) for i in push for j in push if i >= j):
-        noise = shake * push[i] * push[j] + turn * twist[i] * twist[j]
-        covariance[_packed(i, j)] = covariance[_packed(i, j)] + PERIOD * noise
-    covariance[-1] = covariance[-1] + PERIOD * walk
+        covariance[_packed(i, j)] = covariance[_packed(i, j)] + PERIOD * n["push"] * push[i] * push[j]
+    covariance[-1] = covariance[-1] + PERIOD * n["walk"]
     return {"s": joined(now | {"spread": covariance})}
 
 
@@ -307,8 +289,8 @@ def _product(left: list[Values], right: list[Values]) -> list[Values]:
 
 def _jacobian(
     now: dict[str, Values], u: Values, slopes: Values, prepared: Values, n: dict[str, Any]
-) -> tuple[list[Values], dict[int, Any], dict[int, Any]]:
-    """PERIOD × ∂(rates)/∂(filter's numbers), and what a moment and a force do to the velocities."""
+) -> tuple[list[Values], dict[int, Any]]:
+    """PERIOD × ∂(rates)/∂(filter's numbers), and what a force does to the velocities."""
     x, z = now["x"], now["z"]
     c, c_q = corrections(x[0], n)
     full = inline(JACOBIAN, x=x, u=u, c=c, c_q=c_q, z=z, p=slopes)["a"]
@@ -326,7 +308,7 @@ def _jacobian(
     twist, push = _pushed(x, prepared)
     for i, on in twist.items():
         a[i][CORRECTED] = PERIOD * on
-    return a, twist, push
+    return a, push
 
 
 def check(s: Values, v: Values, e: Values, rests: Values) -> Outputs:
@@ -352,7 +334,7 @@ def known_state(s: Values, e: Values) -> Outputs:
     """`ESTIMATED` numbers of the state: reading of the laser, rest of x, z, voltages, moment, and the status."""
     n, now = named(e), parts(s)
     q, *others = now["x"]
-    status = choose(function("lt", 0.5 * LARGEST * n["size"], now["missed"][0]), 1.0, 0.0)
+    status = choose(function("lt", 0.5, now["strayed"][0]), 1.0, 0.0)
     status = choose(function("lt", 0.5, now["refused"][0]), 3.0, status)
     status = choose(function("lt", 0.5, now["lost"][0]), 2.0, status)
     return {"estimate": [q + n["offset"], *others, *now["z"], *now["volts"], *now["moment"], status]}

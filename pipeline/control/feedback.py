@@ -29,8 +29,6 @@ from pipeline.control.estimator import MEMORY, PERIOD, RAMP, Outputs, Values, jo
 from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS, WELLS
 from pipeline.generated.condensed_joint import STATES
 
-STILL = 5e-3
-"""Speed [m/s] above which a joint that is pumped moves."""
 RESERVE = 0.8
 """Share of the largest moment with which the joint brakes; the rest is left to the feedback."""
 STALLED = 0.5
@@ -110,13 +108,12 @@ def far(now: dict[str, Values], n: dict[str, Any], place: Any) -> tuple[Any, Any
     needed = function("or", weak, function("lt", STALLED / MEMORY, now["tried"][0]))
     pumped = _both(needed, function("lt", 0.0, before), function("lt", 0.0, over))
     phase = now["phase"][0]
-    along = speed * towards * phase
-    moves = choose(function("lt", STILL * n["size"], along), 1.0, now["moves"][0])
-    turns = _both(function("lt", 0.5, moves), function("lt", along, 0.0))
+    dwell = now["dwell"][0] + n["fade"]
+    turns = _both(function("lt", 1.0, dwell), function("lt", speed * towards * phase, n["slow"]))
     phase = choose(turns, -phase, phase)
     push = clip(choose(pumped, phase * towards, braked), -1.0, 1.0)
     brakes = choose(function("or", pumped, function("not", brakes)), 0.0, since + 1.0)
-    return push, choose(pumped, phase, 1.0), choose(pumped, choose(turns, 0.0, moves), 0.0), brakes
+    return push, choose(pumped, phase, 1.0), choose(pumped, choose(turns, 0.0, dwell), 0.0), brakes
 
 
 def _regulates(now: dict[str, Values], well: Any, n: dict[str, Any]) -> Any:
@@ -182,7 +179,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
     small = function("or", function("lt", function("abs", share), DEAD), function("lt", 1.5, now["near"][0]))
     free = _both(rests, slow, small)
     share = choose(free, 0.0, clip(share, -1.0, 1.0))
-    push, phase, moves, brakes = far(now, n, place)
+    push, phase, dwell, brakes = far(now, n, place)
     push, common = choose(regulates, share, push), choose(holds, common, 0.0)
     lost = function("lt", 0.5, now["lost"][0])
     tried = now["tried"][0]
@@ -197,7 +194,7 @@ def decide(s: Values, e: Values, targets: Values, braking: Values) -> Outputs:
         "tried": [tried],
         "refused": [refused],
         "phase": [choose(regulates, now["phase"][0], phase)],
-        "moves": [choose(regulates, now["moves"][0], moves)],
+        "dwell": [choose(regulates, now["dwell"][0], dwell)],
         "brakes": [choose(regulates, 0.0, brakes)],
     }
     top = n["highest"] * (RAMP - now["lost"][0]) / RAMP

@@ -20,7 +20,7 @@ FEEDBACK = STATES + 1
 
 _SIZES = {
     "x": STATES, "z": STOPS, "volts": 2, "moment": 1, "lost": 1, "target": 1, "stood": 1, "near": 1, "level": 1,
-    "mean": 1, "missed": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "moves": 1, "brakes": 1, "commanded": 2,
+    "mean": 1, "strayed": 1, "tried": 1, "refused": 1, "phase": 1, "dwell": 1, "brakes": 1, "commanded": 2,
     "average": 2, "spread": FILTER * (FILTER + 1) // 2,
 }  # fmt: skip
 _ENDS = np.cumsum(list(_SIZES.values()))
@@ -28,9 +28,9 @@ PLACES = {name: slice(int(end) - size, int(end)) for (name, size), end in zip(_S
 """Where the controller's state holds the joint's state, stop operators, the converters' voltages, the unknown moment,
 periods without a reading, the target, how long it has stood still (1: long enough for a well), whether the joint is far
 (0), regulated (1) or let go in a well (2), the slow moment that holds a target [N·m], the mean of what damps in a well
-[N·m], the largest innovation [m] of late, periods in which it was too large, the share of late in which the joint was
-far from its target, whether that is given up, the pump's phase, whether the joint moves along it, periods of braking,
-the last commands and their means over `estimator.MEMORY` [V], the filter's covariance."""
+[N·m], periods in which the innovation was too large, the share of late in which the joint was far from its target,
+whether that is given up, the pump's phase and its time [of a snap], periods of braking, the last commands and
+their means over `estimator.MEMORY` [V], the filter's covariance."""
 CONTROLLER_STATE = int(_ENDS[-1])
 """Length of the controller's state."""
 
@@ -39,22 +39,22 @@ SIDES = ("left", "right")
 NUMBERS = (
     "offset", "wall", "farthest",
     *(f"{name}_{side}" for name in ("kept", "kept_mean") for side in SIDES),
-    "reading_variance", "shake", "twist", "walk", "calm_shake", "calm_twist", "calm_walk",
-    *(f"certain_{i}" for i in range(FILTER)),
+    "reading_variance", "push", "walk",
+    *(f"unknown_{i}" for i in range(FILTER)),
     *(f"bound_{i}" for i in range(FILTER)),
     "arm", "length", *(f"travel_{i}" for i in sorted(set(STOP_ELEMENTS))),
     "curve_first", "curve_per_metre", "curve_last", "rest_per_metre",
     "highest", "first", "per_step", "per_reach", "steepness", "saddle", "pumped_right", "pumped_left", "near", "fast",
-    "slew", "allowed", "size", "moment_size", "lever", "settles", "same", "fade", "slow",
+    "slew", "allowed", "band", "lever", "settles", "same", "fade", "slow",
 )  # fmt: skip
 """Single numbers of a law, all SI: the laser's offset, the wall no motion passes, the largest displacement
 that counts as a reading; the share of each converter's voltage that is left after a period and its mean over it;
-variance of a reading; densities of what shakes the joint, for motions and near a target; variances after a long rest,
-magnitudes that no estimate passes; friction's arm, the beam's length, travels of stop operators; grids of the tables;
-those of the feedback law (`pipeline.control.feedback`); the largest change of a voltage in a period and its largest
-mean [V]; factors on the controller's own lengths and moments; the mass centre's distance [m] from the tip along the
-beam, the periods after which a brake acts, the rows of the table about a well that mean the well, the part of a snap's
-time that passes in a period, and the speed [m/s] below which a joint in a well is let go."""
+variance of a reading; densities of a white force on q and of the unknown moment's random walk; variances where little
+is known, magnitudes that no estimate passes; friction's arm, the beam's length, travels of stop operators; grids of the
+tables; those of the feedback law (`pipeline.control.feedback`); the largest change of a voltage in a period and its
+largest mean [V]; half width of the band in which the joint is settled [m]; the mass centre's distance [m] from the tip
+along the beam, the periods after which a brake acts, the rows of the table about a well that mean the well, the part of
+a snap's time that passes in a period, and the speed [m/s] below which a joint in a well is let go."""
 
 TARGET_COLUMNS = {"rests": slice(0, STATES), "holding": slice(STATES, STATES + 1),
                   "gains": slice(STATES + 1, STATES + 1 + FEEDBACK),

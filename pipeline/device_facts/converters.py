@@ -12,6 +12,7 @@ import numpy as np
 
 from pipeline.numerics.arrays import FloatArray, runs_of, sample_interval, samples_of
 from pipeline.numerics.metrics import rms, robust_std
+from pipeline.signals.noise import REACH, noise_std
 
 BLOCK = 2e-3
 """Window [s] in which a voltage step is sought."""
@@ -19,12 +20,8 @@ STILL, SETTLED = 6, 24
 """Blocks without a change that make a plateau, and those of its beginning that are looked at."""
 CHANGE = 0.02
 """Share of the largest voltage by which a plateau's blocks may differ."""
-STEP = 0.15
-"""Least step between two plateaus, as a share of the largest voltage."""
-LONGEST = 80e-3
-"""Time [s] between two plateaus beyond which a change of the voltage is no step."""
-HIGH, LOW = 0.8, 0.03
-"""Shares that are left of a step between which its decay is looked at."""
+HIGH = 0.8
+"""Share that is left of a step, from which on its decay is looked at, until noise reaches it."""
 LEAST_SAMPLES, LEAST_STEPS = 4, 3
 CROOKED = 0.02
 """RMS share of a step that its exponential may miss; a ramp has 0.05 and more."""
@@ -80,7 +77,7 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
 
     Notes
     -----
-    Cost: O(N); 6 ms for 37.5 s at 30 kHz.
+    Cost: O(N), most of it the estimate of the noise.
     """
     interval = sample_interval(t)
     size = samples_of(BLOCK, interval)
@@ -88,20 +85,20 @@ def step_lags(t: FloatArray, v: FloatArray) -> FloatArray:
     largest = float(np.nanmax(np.abs(v), initial=0.0))
     if len(blocks) < 2 * STILL or largest == 0.0:
         return np.empty(0)
+    reached = REACH * noise_std(v[np.isfinite(v)])
     means = blocks.mean(axis=1)
     calm = np.zeros(len(means), dtype=bool)
     calm[1:] = np.abs(np.diff(means)) < CHANGE * largest
     plateaus = [run for run in runs_of(calm) if run.stop - run.start >= STILL]
     lags = []
     for before, after in pairwise(plateaus):
-        if (after.start - before.stop) * size * interval > LONGEST:
-            continue
         end = _end(after)
         first, last = float(means[before.stop - STILL // 2 : before.stop - 1].mean()), float(means[end].mean())
-        if not abs(last - first) > STEP * largest:
+        low = reached / abs(last - first)
+        if not low < HIGH:
             continue
         share = (v[(before.stop - 1) * size : end.stop * size] - last) / (first - last)
-        lag = _decay(share, interval)
+        lag = _decay(share, interval, low)
         if lag is not None:
             lags.append(lag)
     return np.array(lags)
@@ -113,9 +110,9 @@ def _end(plateau: slice) -> slice:
     return slice(plateau.start + count // 2, plateau.start + count)
 
 
-def _decay(share: FloatArray, interval: float) -> float | None:
-    """Time constant [s] of what is left of a step, by its logarithm weighed as its square is."""
-    gone = np.flatnonzero(~(share > LOW))
+def _decay(share: FloatArray, interval: float, low: float) -> float | None:
+    """Time constant [s] of what is left of a step until `low`, by its logarithm weighed as its square is."""
+    gone = np.flatnonzero(~(share > low))
     started = np.flatnonzero(share < HIGH)
     if not (gone.size and started.size) or gone[0] - started[0] < LEAST_SAMPLES:
         return None

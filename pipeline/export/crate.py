@@ -45,11 +45,14 @@ class Packed:
         Its settings as TOML, with paths into the crate.
     inputs : mapping of str to Path
         Files that the settings name, by their paths in the crate.
+    texts : mapping of str to str
+        Files that are written for the crate, likewise.
     """
 
     name: str
     settings: str
     inputs: Mapping[str, Path]
+    texts: Mapping[str, str]
 
 
 def write_crate(run: RunFolder, packed: Packed, target: Path) -> None:
@@ -105,8 +108,9 @@ def _software(crate: Any, versions: Mapping[str, str]) -> Any:
 
 def _files(crate: Any, run: RunFolder, packed: Packed, place: Path) -> tuple[list[Any], list[Any]]:
     """Settings, inputs and versions; manifest and artifacts. Texts wait in the folder `place`."""
-    texts = {f"{packed.name}.toml": packed.settings, NAME: environment_text(run.manifest.versions)}
+    texts = {f"{packed.name}.toml": packed.settings, NAME: environment_text(run.manifest.versions), **packed.texts}
     for name, text in texts.items():
+        (place / name).parent.mkdir(parents=True, exist_ok=True)
         (place / name).write_text(text, encoding="utf-8", newline="\n")
     objects = [_file(crate, place / name, name, name) for name in texts]
     objects += [_file(crate, source, name, f"Input {source.name}") for name, source in packed.inputs.items()]

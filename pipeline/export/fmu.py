@@ -101,7 +101,7 @@ def _compiled(sources: dict[str, str], identifier: str) -> dict[str, bytes]:
     here = (platform.system(), platform.machine()) == ("Linux", "x86_64")
     with tempfile.TemporaryDirectory() as place:
         for name, text in sources.items():
-            (Path(place) / name).write_text(text, encoding="utf-8")
+            (Path(place) / name).write_text(text, encoding="utf-8", newline="\n")
         made = {
             system: _library(Path(place), identifier, compiler)
             for system, compiler in COMPILERS.items()

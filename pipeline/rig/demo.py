@@ -57,7 +57,7 @@ def write_demo(folder: Path) -> Path:
     logs, truth = recorded()
     for name, log in logs.items():
         LAYOUTS["mat"].save(log, folder / f"{name}.mat")
-    (folder / "truth.json").write_text(f"{truth}\n", encoding="utf-8")
+    (folder / "truth.json").write_text(f"{truth}\n", encoding="utf-8", newline="\n")
     mass = float(json.loads(truth)["moving_mass"])
     prototype = folder / "demo.toml"
     settings = prototype_toml("demo", mass, {name: [f"{name}.mat"] for name in logs}, "mat", more=_SET)

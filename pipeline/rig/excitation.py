@@ -214,7 +214,7 @@ def save_sequence(path: Path, sequence: Sequence, about: Mapping[str, Any]) -> t
     else:
         raise InputError(f"{path}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
     beside = path.with_suffix(".json")
-    beside.write_text(document, encoding="utf-8")
+    beside.write_text(document, encoding="utf-8", newline="\n")
     return path, beside
 
 

@@ -85,7 +85,7 @@ class MdfSource(Source):
     def _let_go(self) -> None:
         """Give back the pages of the log that were read; asammdf maps all of it."""
         mapped = getattr(self._mdf._mdf, "_file", None)
-        if isinstance(mapped, mmap.mmap) and hasattr(mapped, "madvise"):  # Windows has no such advice
+        if isinstance(mapped, mmap.mmap) and hasattr(mmap, "MADV_DONTNEED"):  # Windows has no such advice
             with suppress(OSError):
                 mapped.madvise(mmap.MADV_DONTNEED)
 

@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -107,22 +107,71 @@ def compare_runs(root: Path, other: Path) -> list[Comparison]:
     return in_snapshot(root, lambda first: in_snapshot(other, lambda second: _comparisons(first, second)))
 
 
+Pairs = Mapping[tuple[str, str], str]
+"""By role and name of a log of one run, the name of the log of another one that stands beside it."""
+
+
+def _log_contents(run: RunFolder) -> dict[tuple[str, str], str]:
+    """By role and name of each log of a run, the hash of the raw log; empty where nothing was read."""
+    artifacts = run.manifest.artifacts
+    contents: dict[tuple[str, str], str] = {}
+    for role, name, _ in layout.logs(run.prototype):
+        record = artifacts.get(layout.record(role, name))
+        contents[role, name] = ", ".join(record.recipe.inputs.values()) if record else ""
+    return contents
+
+
+def paired_logs(
+    first: Mapping[tuple[str, str], str], second: Mapping[tuple[str, str], str]
+) -> dict[tuple[str, str], str]:
+    """The logs of a second run beside those of the first: of one role and content, then of one name, then in order."""
+    pairs: dict[tuple[str, str], str] = {}
+    left = dict(first)
+
+    def pair(fits: Callable[[tuple[str, str], tuple[str, str]], bool]) -> None:
+        """Pair what is left of one role and fits."""
+        for log in second:
+            if log not in pairs:
+                found = next((other for other in left if other[0] == log[0] and fits(log, other)), None)
+                if found is not None:
+                    pairs[log] = found[1]
+                    del left[found]
+
+    pair(lambda log, other: bool(second[log]) and second[log] == first[other])
+    pair(lambda log, other: log == other)
+    pair(lambda log, other: True)
+    return pairs
+
+
+def _called(name: str, pairs: Pairs) -> str:
+    """An artifact of the second run by the name that it has in the first."""
+    role, _, rest = name.partition("/")
+    log, slash, file = rest.partition("/")
+    return f"{role}/{pairs[role, log]}/{file}" if slash and (role, log) in pairs else name
+
+
 def _comparisons(first: RunFolder, second: RunFolder) -> list[Comparison]:
-    names = sorted(first.manifest.artifacts.keys() | second.manifest.artifacts.keys())
-    return [_compare(first, second, name) for name in names]
+    pairs = paired_logs(_log_contents(first), _log_contents(second))
+    others = {_called(name, pairs): name for name in second.manifest.artifacts}
+    names = sorted(first.manifest.artifacts.keys() | others.keys())
+    return [_compare(first, second, name, others.get(name), pairs) for name in names]
 
 
-def _compare(first: RunFolder, second: RunFolder, name: str) -> Comparison:
-    if not all(name in run.manifest.artifacts for run in (first, second)):
+def _compare(first: RunFolder, second: RunFolder, name: str, other: str | None, pairs: Pairs) -> Comparison:
+    if other is None or name not in first.manifest.artifacts:
         return Comparison(name, "missing")
-    if first.record(name).content_hash == second.record(name).content_hash:
-        for run in (first, second):
-            run.checked(name)
+    if first.record(name).content_hash == second.record(other).content_hash:
+        first.checked(name)
+        second.checked(other)
         return Comparison(name, "equal", 0.0)
-    columns = [_columns(run, name) for run in (first, second)]
-    if columns[0] is None or columns[1] is None:
+    columns = _columns(first, name)
+    beside = _columns(second, other)
+    if columns is None or beside is None:
         return Comparison(name, "drawn")
-    return compared_columns(name, columns[0], columns[1])
+    if name == layout.SCORES:
+        logs = zip(beside["role"], beside["log"], strict=True)
+        beside = {**beside, "log": np.array([pairs.get((str(role), str(log)), log) for role, log in logs])}
+    return compared_columns(name, columns, beside)
 
 
 def _columns(run: RunFolder, name: str) -> Mapping[str, np.ndarray[Any, Any]] | None:
@@ -148,24 +197,34 @@ def diff_runs(roots: Sequence[Path]) -> RunDifferences:
         One of the folders holds no run, or an artifact that must be read is damaged.
     """
     alone = len({root.name for root in roots}) == len(roots)
-    facts = [in_snapshot(root, _facts) for root in roots]
+    pairs = _paired(roots)
+    facts = [in_snapshot(root, partial(_facts, pairs=of_run)) for root, of_run in zip(roots, pairs, strict=True)]
     different = {part: changes([run[part] for run in facts]) for part in facts[0]}
     artifacts = tuple(tuple(compare_runs(roots[0], root)) for root in roots[1:])
     return RunDifferences(tuple(root.name if alone else str(root) for root in roots), **different, artifacts=artifacts)
 
 
-def _facts(run: RunFolder) -> dict[str, dict[str, Any]]:
+def _paired(roots: Sequence[Path]) -> list[dict[tuple[str, str], str]]:
+    """For each run the names of its logs in the first."""
+    contents = [in_snapshot(root, _log_contents) for root in roots]
+    return [paired_logs(contents[0], of_run) for of_run in contents]
+
+
+def _facts(run: RunFolder, *, pairs: Pairs) -> dict[str, dict[str, Any]]:
     """What is compared of a run, by the attributes of `RunDifferences`."""
     manifest, prototype = run.manifest, run.prototype
-    logs = {log_title(role, name): layout.record(role, name) for role, name, _ in layout.logs(prototype)}
-    there = {log: manifest.artifacts[name].recipe.inputs for log, name in logs.items() if name in manifest.artifacts}
+
+    def title(role: str, log: str) -> str:
+        """What the log is called beside the first run."""
+        return log_title(role, pairs.get((role, log), log))
+
     rows = run.read_records(layout.SCORES) if layout.SCORES in manifest.artifacts else []
     sheet = json.loads(run.read_bytes(layout.DATASHEET)) if layout.DATASHEET in manifest.artifacts else {"facts": []}
     return {
         "settings": dict(flatten(prototype.model_dump(mode="json"), separator=".")),
         "versions": dict(manifest.versions),
-        "sources": {log: ", ".join(inputs.values()) for log, inputs in there.items()},
-        "scores": {f"{log_title(r['role'], r['log'])} · {r['model']} · {r['signal']}": r["nrmse"] for r in rows},
+        "sources": {title(*log): content for log, content in _log_contents(run).items() if content},
+        "scores": {f"{title(r['role'], r['log'])} · {r['model']} · {r['signal']}": r["nrmse"] for r in rows},
         "facts": {f"{fact['key']} [{fact['unit'].replace('%', '1')}]": fact["value"] for fact in sheet["facts"]},
     }
 
@@ -182,11 +241,14 @@ def write_diff_page(roots: Sequence[Path], names: Sequence[str], tables: Sequenc
     DebistError
         What is drawn cannot be read, or the page not be written.
     """
-    drawn = [in_snapshot(root, partial(_drawn, name)) for root, name in zip(roots, names, strict=True)]
+    drawn = [
+        in_snapshot(root, partial(_drawn, name, pairs))
+        for root, name, pairs in zip(roots, names, _paired(roots), strict=True)
+    ]
     write_text(target, diff_page(names, tables, drawn))
 
 
-def _drawn(name: str, run: RunFolder) -> DrawnRun:
+def _drawn(name: str, pairs: Pairs, run: RunFolder) -> DrawnRun:
     prototype = run.prototype
     plant, q, curves = device(prototype), np.zeros(0), dict[str, FloatArray]()
     headline = identified_models(run, prototype)[0]
@@ -203,7 +265,7 @@ def _drawn(name: str, run: RunFolder) -> DrawnRun:
         if simulated in run.manifest.artifacts:
             source = ", ".join(run.record(layout.record(role, log)).recipe.inputs.values())
             motion, free = run.read_table(layout.kinematics(role, log)), run.read_table(simulated)
-            logs[log_title(role, log), source] = motion["t"], motion["q"], free["q"]
+            logs[log_title(role, pairs.get((role, log), log)), source] = motion["t"], motion["q"], free["q"]
     return DrawnRun(name, plant.displacement.symbol, q, curves, units, logs)
 
 

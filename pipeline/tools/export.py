@@ -1,12 +1,12 @@
 """Export: an identified model, or the whole run, in the form another tool reads."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from pipeline.errors import InputError
+from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.prior_knowledge import named_curves
 from pipeline.loading.run_models import failed_validations, load_design, model_artifact, subject
 from pipeline.names import Target, log_name
@@ -142,7 +142,7 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     Raises
     ------
     InputError
-        A raw log or a table of curves is gone, or is not the one that the run was made from.
+        A raw log, a table of curves or a prior is gone, or is not the one that the run was made from.
     CorruptArtifactError
         An artifact does not have the bytes that were written.
     """
@@ -150,9 +150,31 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     from pipeline.export.subject import Exported
 
     settings, inputs = _relocated(run, prototype)
+    texts: dict[str, str] = {}
+    parameters = prototype.plant.parameters
+    if parameters is not None and parameters.endswith(".toml"):  # others ship with the program
+        settings["plant"]["parameters"] = f"inputs/plant/{Path(parameters).name}"
+        texts[settings["plant"]["parameters"]] = _recorded_parameters(run, parameters)
     target = folder / f"{prototype.folder}.crate.zip"
-    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs), target)
+    write_crate(run, Packed(prototype.folder, toml_text(settings), inputs, texts), target)
     return Exported([target])
+
+
+def _recorded_parameters(run: RunFolder, name: str) -> str:
+    """A file of the parameter set that the run was made with, from its recipes: of the set's file they hold no hash."""
+    from pipeline.device_parameters import NOMINAL, VECTOR_NAMES
+    from pipeline.loading.parameter_sets import parameter_file
+
+    recipes = (record.recipe.settings for record in run.manifest.artifacts.values())
+    values = next((recipe["parameters"] for recipe in recipes if recipe.get("parameters")), None)
+    if values is None:
+        raise InputError(
+            f"{name}: no result of the run was made with this parameter set; `debist run` makes them first"
+        )
+    known = isinstance(values, Mapping) and all(isinstance(values.get(key), float | int) for key in VECTOR_NAMES)
+    if not known:
+        raise CorruptArtifactError(f"{run.root}: its recipes hold no values of {name}; run it again")
+    return parameter_file(NOMINAL.with_values({key: float(values[key]) for key in VECTOR_NAMES}))
 
 
 def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], dict[str, Path]]:
@@ -170,22 +192,24 @@ def _relocated(run: RunFolder, prototype: Prototype) -> tuple[dict[str, Any], di
             moved.append(place if isinstance(log, str) else {**stated, "file": place})
         settings["logs"][role] = moved
     for artifact, source in _sources(prototype, home):
-        recorded = run.record(artifact).recipe.inputs[source.name]
+        recorded = run.record(artifact).recipe.inputs.get(source.name)
         if not source.is_file():
             raise InputError(f"{source}: is gone; a crate holds the logs and tables of its run, put it back")
         if file_sha256(source) != recorded:
             raise InputError(f"{source}: changed since the run was made; run it again before it is packed")
-    for table, key in (("plant", "parameters"), ("plant", "curves"), ("compare", "curves")):
+    for table, key in (("plant", "curves"), ("plant", "siblings"), ("compare", "curves")):
         name = settings[table][key]
-        if name is not None and (key == "curves" or name.endswith(".toml")):  # others ship with the program
+        if name is not None:
             settings[table][key] = f"inputs/{table}/{Path(name).name}"
             inputs[settings[table][key]] = layout.source(name, home)
     return settings, inputs
 
 
 def _sources(prototype: Prototype, home: Path) -> Iterator[tuple[str, Path]]:
-    """An artifact that was made of it, and the file, for every raw log and every table of measured curves."""
+    """An artifact that was made of it, and the file, for every raw log, table of measured curves and prior."""
     for (role, log, _), (_, path, _) in zip(layout.logs(prototype), layout.raw_logs(prototype, home), strict=True):
         yield layout.signals(role, log), path
     for table, artifact in named_curves(prototype):
         yield artifact, layout.source(table, home)
+    if prototype.plant.siblings is not None:
+        yield layout.SIBLINGS, layout.source(prototype.plant.siblings, home)

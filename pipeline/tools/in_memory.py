@@ -110,8 +110,9 @@ def settings(
 
 
 def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
-    """Values of a table of settings, those of NumPy as Python's."""
-    return {key: value.item() if isinstance(value, np.generic) else value for key, value in table.items()}
+    """Values of a table of settings, those of NumPy as Python's, paths as texts."""
+    texts = {key: str(value) if isinstance(value, Path) else value for key, value in table.items()}
+    return {key: value.item() if isinstance(value, np.generic) else value for key, value in texts.items()}
 
 
 @dataclass(frozen=True)

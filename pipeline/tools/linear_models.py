@@ -87,7 +87,7 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
 
     folder = output or root / layout.EXPORTS
     with new_outputs(folder, "control", force=force, made_from=control_run(root).origin) as staged:
-        (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+        (staged / "linear.json").write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8", newline="\n")
         structs: dict[str, Any] = {}
         for number, point in enumerate(document["equilibria"], start=1):
             matrices = {name: np.array(point[name]) for name in ("A", "B", "C", "D", "B_squared")}
@@ -106,7 +106,7 @@ def write_linear(root: Path, document: Mapping[str, Any], output: Path | None, *
             text = (
                 f"# equilibrium at q = {point['q_m']!r} m, v = {point['v_V']}\nrow,{header}\n" + "\n".join(lines) + "\n"
             )
-            (staged / f"linear-{number}.csv").write_text(text, encoding="utf-8")
+            (staged / f"linear-{number}.csv").write_text(text, encoding="utf-8", newline="\n")
         savemat(staged / "linear.mat", structs)
         written = sorted(staged.iterdir())
     numbers = range(len(document["equilibria"]) + 1, MOST_EQUILIBRIA + 1)

@@ -11,7 +11,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 _MARK = re.compile(r"<!-- (?P<kind>not run|file|copy): (?P<text>.+) -->$")
-_GENERATED = {"docs/reference/commands.md", "docs/reference/settings.md"}
+GENERATED = {f"docs/reference/{name}.md" for name in ("commands", "settings", "mistakes")}
+"""Pages that are made while the site is built (docs/hooks.py)."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Block:
 def pages() -> list[str]:
     """Every page whose blocks a reader may copy, relative to the repository."""
     found = [path for pattern in ("*.md", "docs/**/*.md", "data/*.md", "workflows/*.md") for path in ROOT.glob(pattern)]
-    return sorted({str(path.relative_to(ROOT)) for path in found} - _GENERATED)
+    return sorted({str(path.relative_to(ROOT)) for path in found})
 
 
 def blocks(page: str) -> list[Block]:

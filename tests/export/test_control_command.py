@@ -174,15 +174,6 @@ def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_ar
     assert "the model 'hybrid'" in call("design", planted_run, "-q", code=2)
 
 
-def test_the_drawn_joint_that_sizes_are_told_against_is_the_set_nominal() -> None:
-    from pipeline.control.design import DRAWN_WELLS
-    from pipeline.device_parameters import NOMINAL
-    from pipeline.models.analytical.statics import equilibria
-
-    places = [each.q for each in equilibria(NOMINAL, np.zeros(2))]
-    assert max(places) - min(places) == pytest.approx(DRAWN_WELLS, rel=2e-3)
-
-
 @pytest.mark.filterwarnings("ignore:debist.*results are older")
 def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(planted_run: Path, tmp_path: Path) -> None:
     shutil.copytree(planted_run, tmp_path / "run")

@@ -1,12 +1,11 @@
 """Mistakes of a first week on a rig: what is done, what is said, and where.
 
-`python -m tests.mistakes.table` renews the page; a test compares it.
+The page of the docs is made from it while the site is built (docs/hooks.py).
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 
@@ -21,13 +20,10 @@ from pipeline.stages.ingest import examined, record_columns, resamplings
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "mistakes.md"
 RATE = 1000.0
 HEAD = """# Mistakes of the first week
 
 Each row is a test: the mistake is made in a small simulated log, and debist says what stands beside it.
-`python -m tests.mistakes.table` renews this page.
-
 """
 
 
@@ -321,7 +317,3 @@ def page() -> str:
     table = ["| mistake | what is said | where |", "|---|---|---|"]
     table += [f"| {each.done} | {sentence(each).replace('|', '¦')} | {each.where} |" for each in MISTAKES]
     return HEAD + "\n".join(table) + "\n"
-
-
-if __name__ == "__main__":
-    PAGE.write_text(page(), encoding="utf-8")

@@ -13,11 +13,15 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.errors import InputError
+from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import load_manifest
+from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import load_prototype
 from pipeline.settings_file import toml_text
 from pipeline.tools.diff import Comparison, compare_runs
+from pipeline.tools.export import export_crate
 from tests.batch.test_batch import _prototype
 
 RUNNER = CliRunner()
@@ -150,3 +154,29 @@ _TEXTS = st.text(st.sampled_from("aß𝛼 \"'\\#=[]{}\n\t\r\x00\x1f\x7f"))
 )
 def test_every_text_and_number_survives_as_toml(values: dict) -> None:
     assert tomllib.loads(toml_text({"table": values, "other": 1})).get("table", {}) == values
+
+
+def test_a_crate_holds_the_parameter_set_that_the_run_was_made_with_and_no_other_file(tmp_path: Path) -> None:
+    """Neither one that was edited since, nor a file of this machine that a received manifest names."""
+    prototype = _prototype(tmp_path, "a")
+    settings = prototype.read_text().replace("[compare]", '[plant]\nparameters = "mine.toml"\n[compare]')
+    prototype.write_text(settings)
+    (tmp_path / "mine.toml").write_text('base = "nominal"\nE = "1.8 GPa"\n')
+    _invoke("run", str(prototype), "-o", str(tmp_path / "run"), "--no-report", "-q")
+    (tmp_path / "mine.toml").write_text('secret = "hush-hush"\n')
+    (written,) = json.loads(_invoke("export", str(tmp_path / "run"), "--to", "crate", "--json"))["written"]
+    with zipfile.ZipFile(written) as archive:
+        archive.extractall(tmp_path / "crate")
+    assert not [
+        path for path in (tmp_path / "crate").rglob("*") if path.is_file() and b"hush-hush" in path.read_bytes()
+    ]
+    named = load_prototype(tmp_path / "crate/a.toml").plant.parameters
+    assert joint_parameters(str(named), folder=tmp_path / "crate").E == 1.8e9
+
+
+def test_a_prior_without_its_hash_is_not_packed(made: tuple[Path, Path], tmp_path: Path) -> None:
+    run = RunFolder.open(made[1])
+    (tmp_path / "prior.h5").write_bytes(b"secret")
+    plant = run.prototype.plant.model_copy(update={"siblings": str(tmp_path / "prior.h5")})
+    with pytest.raises(InputError, match="has no"):
+        export_crate(run, run.prototype.model_copy(update={"plant": plant}), tmp_path)

@@ -13,7 +13,7 @@ from pipeline.errors import CorruptArtifactError
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe, to_json
 from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.diff import diff_runs
+from pipeline.tools.diff import diff_runs, paired_logs
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
@@ -77,6 +77,15 @@ def test_a_setting_and_a_score_that_differ_are_shown_and_nothing_else(planted_ru
     assert document["equal"] is False
     shown = CliRunner().invoke(app, ["diff", str(planted_run), str(twin)]).stdout
     assert "basis_functions" in shown and "rbf-paper" in shown and "hybrid" not in shown
+
+
+def test_logs_stand_beside_those_of_their_content_then_of_their_name_then_in_order():
+    first = {("train", "a"): "1", ("train", "b"): "2", ("validation", "v"): "3"}
+    second = {("train", "b"): "1", ("train", "new"): "9", ("validation", "w"): "4"}
+    assert paired_logs(first, second) == {("train", "b"): "a", ("train", "new"): "b", ("validation", "w"): "v"}
+    assert paired_logs(first, {("train", "a"): "7", ("train", "c"): "2"}) == {("train", "c"): "b", ("train", "a"): "a"}
+    more = {("validation", "x"): "5", ("validation", "y"): "6"}
+    assert paired_logs(first, more) == {("validation", "x"): "v"}, "one that is left over has none beside it"
 
 
 def test_a_folder_without_a_run_is_one_line(planted_run, tmp_path):  # noqa: F811

@@ -29,7 +29,12 @@ for (const table of document.querySelectorAll("table.sortable")) {
 const run = document.getElementById("run");
 if (run && location.protocol === "file:") {
   const folder = decodeURIComponent(location.pathname).replace(/\/[^/]*$/, "").replace(/^\/(?=[A-Za-z]:)/, "");
+  const windows = /^[A-Za-z]:/.test(folder);
+  // In single quotes a shell expands nothing; cmd knows none, and within double quotes PowerShell expands these signs.
+  const quoted = windows ? `"${folder}"` : `'${folder.replaceAll("'", `'\\''`)}'`;
   const commands = document.getElementById("commands");
-  commands.textContent = commands.textContent.replaceAll("RUN", () => (/^[\w.\/:-]+$/.test(folder) ? folder : `"${folder}"`));
-  run.remove();
+  if (!windows || !/[$`%"]/.test(folder)) {
+    commands.textContent = commands.textContent.replaceAll("RUN", () => (/^[\w.\/:-]+$/.test(folder) ? folder : quoted));
+    run.remove();
+  }
 }

@@ -1,29 +1,37 @@
-"""The reference pages are written from the code: `python -m tests.test_reference` renews them."""
+"""Pages that are made from the code while the site is built, and stand nowhere else: `mkdocs.yml` names this file."""
 
 import json
+import sys
 import types
 import typing
 from pathlib import Path
 
-import pytest
+from mkdocs.structure.files import File
 from pydantic import BaseModel
 from pydantic_core import PydanticUndefined
 from typer.main import get_command
 from typer.testing import CliRunner
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
 from cli import app
 from pipeline.settings import Prototype, Quantity
 from pipeline.settings_logs import Channel, Channels
 
-DOCS = Path(__file__).resolve().parents[1] / "docs" / "reference"
+
+def on_files(files: typing.Any, config: typing.Any) -> typing.Any:
+    """Add the pages to those of the site."""
+    for name, write in PAGES.items():
+        files.append(File.generated(config, f"reference/{name}", content=write()))
+    return files
 
 
-def _settings_page() -> str:
+def settings_page() -> str:
+    """Every key of the settings, table by table."""
     lines = [
         "# Settings",
         "",
-        "One TOML file per prototype; a key with the default – may be left out and is then not set. Written from",
-        "`pipeline/settings.py` by `python -m tests.test_reference`.",
+        "One TOML file per prototype; a key with the default – may be left out and is then not set.",
     ]
     for heading, model in _sections(Prototype, ""):
         lines += ["", f"## {heading or 'Top level'}", "", (model.__doc__ or "").strip(), ""]
@@ -82,8 +90,9 @@ _SIGNALS = """
 Ctrl-C and SIGTERM end a command with one line; what is written is whole."""
 
 
-def _commands_page() -> str:
-    lines = ["# Commands", "", "What `--help` says; written by `python -m tests.test_reference`.", "", app.info.epilog]
+def commands_page() -> str:
+    """The help of every command."""
+    lines = ["# Commands", "", "What `--help` prints.", "", app.info.epilog]
     lines.append(_SIGNALS)
     for path in _walk(get_command(app), []):
         shown = CliRunner().invoke(app, [*path, "--help"], env={"COLUMNS": "100", "TERMINAL_WIDTH": "100"}).output
@@ -98,14 +107,11 @@ def _walk(group: typing.Any, path: list[str]) -> list[list[str]]:
     return found
 
 
-PAGES = {"settings.md": _settings_page, "commands.md": _commands_page}
+def mistakes_page() -> str:
+    """The table of mistakes, each of which is made and answered for it."""
+    from tests.mistakes.table import page
+
+    return page()
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_the_page_is_what_the_code_says(name: str) -> None:
-    assert (DOCS / name).read_text(encoding="utf-8") == PAGES[name](), "renew it: python -m tests.test_reference"
-
-
-if __name__ == "__main__":
-    for page, write in PAGES.items():
-        (DOCS / page).write_text(write(), encoding="utf-8")
+PAGES = {"commands.md": commands_page, "settings.md": settings_page, "mistakes.md": mistakes_page}
