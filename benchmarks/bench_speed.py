@@ -51,7 +51,7 @@ _CALIBRATION = (
     _INSIDE
     + """
 from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.loading.trajectories import trajectories
 from pipeline.runs.tables import read_table
 motions = trajectories(read_table(next(run.glob("train/*/kinematics.parquet"))))

@@ -105,7 +105,7 @@ def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    from pipeline.loading.device import device
+    from pipeline.device.device import device
     from pipeline.loading.si_log import read_si
     from pipeline.settings import parse_prototype
 

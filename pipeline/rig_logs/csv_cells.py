@@ -17,6 +17,8 @@ _PLAIN_WHOLE = re.compile(r"[-+]?\d{1,3}")
 _ROW_END = re.compile(r"\r\n|\r|\n")
 _DIGITS = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 NUMBER = re.compile(rf"[+-]?{_DIGITS}$")
+SECONDS = re.compile(rf"(NaN|[+-]?{_DIGITS}) sec(?=[,;\t|])")
+"""A time at the beginning of a row, as MATLAB's `writetimetable` writes it."""
 MISSING = frozenset(
     {"", "nan", "-nan", "nan(ind)", "-nan(ind)", "na", "n/a", "null", "none", "-", "--", "---", "."}
     | {"#n/a", "#nv", "#value!", "#wert!", "#div/0!", "#ref!", "#num!", "#name?", "#null!"}
@@ -101,6 +103,7 @@ def rows_of(text: str) -> list[str]:
 
 def split_row(line: str, delimiter: str) -> list[str]:
     """Cells of a line, with a plain minus before numbers; quotes around a cell protect delimiters in it."""
+    line = SECONDS.sub(r"\1", line, count=1) if SECONDS.match(line) else line
     line = line if line.isascii() else _MINUS.sub("-", line)
     if delimiter == " ":
         return _unquoted(" ".join(line.split()), " ") if '"' in line else line.split()

@@ -8,6 +8,7 @@ from pipeline.rig_logs.csv_cells import (
     COMMENT,
     MISSING,
     NUMBER,
+    SECONDS,
     is_stamp,
     is_value,
     is_word,
@@ -141,6 +142,8 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
     header_row, units_row = _header_rows(table, above, comments, options.header_row)
     _check_rows_below_header(table, above, header_row)
     header, units, headings = _headings(table, above, header_row, units_row)
+    in_seconds = bool(SECONDS.match(lines[table.first]))
+    units = ("s", *units[1:]) if in_seconds else units
     check_long_table(header, table.numeric, table.rows[table.first :])
     firsts = tuple(_firsts(table))
     numeric = tuple(
@@ -162,7 +165,7 @@ def find_dialect(start: bytes, *, whole: bool, options: CsvOptions) -> Dialect:
         tuple(stated_scales(lines[: table.first], table.delimiter)),
         open_marks,
         tuple("" if is_numeric else _first_text(table, j) for j, is_numeric in enumerate(numeric)),
-        bool(table.delimiter == " " or table.ragged)
+        bool(table.delimiter == " " or table.ragged or in_seconds)
         or (header_row is not None and len(above[header_row]) == width + 1),
         labview_starts([split_row(line, table.delimiter) for line in lines[: table.first]], width),
         frozenset([headings, *(tuple(table.rows[i]) for i in (header_row, units_row) if i is not None)])

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device.device import device
 from pipeline.device_facts.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
 from pipeline.diagnostics.instruments import Instruments, ObservedModel
 from pipeline.errors import DataRefusedError, DebistError, InputError
-from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
 from pipeline.loading.prior_knowledge import read_siblings
 from pipeline.loading.run_models import load_run_model, model_artifact

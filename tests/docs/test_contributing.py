@@ -127,7 +127,7 @@ from pipeline.generated.condensed_joint_jacobian import JACOBIAN, PREPARE
 from pipeline.models.hybrid import parameters
 from pipeline.models.hybrid.kernels import INDEX
 from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 
 samples, steps = 51, 4
 u = np.zeros((1, 2 * steps * (samples - 1) + 1, 2))

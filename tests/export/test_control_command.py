@@ -15,8 +15,8 @@ import debist
 from cli import app
 from pipeline.control.ensemble import ensemble_of
 from pipeline.control.switching_map import lowest_voltage
+from pipeline.device.device import device
 from pipeline.errors import InputError
-from pipeline.loading.device import device
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
@@ -114,7 +114,7 @@ def lagging(planted_run: Path, root: Path) -> RunFolder:
         kept = np.exp(-(table["t"][1] - table["t"][0]) / lag)
         hard = np.where(table[side] > 1200.0, 2500.0, 0.0)
         table[side] = np.asarray(lfilter([1.0 - kept], [1.0, -kept], hard))
-    schema = device(run.prototype).schema(schemas.RECORD)
+    schema = schemas.schema_of(schemas.RECORD, device(run.prototype))
     run.commit(Recipe("test", "2", {}, {}), {name: run.write_table(name, schema, table, {})})
     return run
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pipeline.device.device import Device, device
 from pipeline.errors import InputError
-from pipeline.loading.device import Device, device
 from pipeline.loading.prior_knowledge import read_measured_curves
 from pipeline.loading.report_data import measured_curves
 from pipeline.runs.run_folder import RunFolder

@@ -117,7 +117,7 @@ def _write(path: Path, one: Log) -> None:
 @pytest.mark.parametrize("ending", ["csv", "mat", "h5", "npz", "parquet", "mf4", "xlsx", "tdms", "lvm"])
 def test_the_silent_faults_of_a_log_are_told_in_every_format(ending, tmp_path):
     """By `inspect` and by ingest, with what stands in the file."""
-    from pipeline.loading.device import device
+    from pipeline.device.device import device
     from pipeline.loading.si_log import read_si
     from pipeline.settings import parse_prototype
     from pipeline.stages.ingest import examined

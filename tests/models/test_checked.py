@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.errors import InputError
 from pipeline.fitting.regression import basis_centres
 from pipeline.model_list import ENTRIES

@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.runs.hashing import flatten

@@ -8,8 +8,8 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.device_parameters import NOMINAL
-from pipeline.loading.device import Device, device
+from pipeline.device.device import Device, device
+from pipeline.device.parameters import NOMINAL
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import FreeRun
 from pipeline.models.hybrid.model import HybridModel
@@ -62,7 +62,7 @@ class _Writer:
         self.folder, self.plant, self.written = folder, plant, {}
 
     def table(self, name: str, schema: Any, columns: Any, notes: Any) -> None:
-        self.written[name] = self.folder.write_table(name, self.plant.schema(schema), columns, notes)
+        self.written[name] = self.folder.write_table(name, schemas.schema_of(schema, self.plant), columns, notes)
 
 
 def _log(writer: _Writer, role: str, name: str, truth: FreeRun, v: FloatArray, models: Any) -> list[dict[str, Any]]:

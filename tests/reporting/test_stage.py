@@ -10,8 +10,8 @@ import pytest
 
 from pipeline.batch.fleet import write_fleet
 from pipeline.batch.worker import Outcome
+from pipeline.device.device import device
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.loading.device import device
 from pipeline.loading.report_data import load_datasheet
 from pipeline.reporting.datasheet_rows import show_datasheet
 from pipeline.reporting.log_figures import LOG_FIGURES
@@ -61,7 +61,7 @@ def unreported(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
             (layout.kinematics(role, name), schemas.KINEMATICS, log.kinematics, log.kinematics_notes),
             (layout.predictions(role, name, "rbf-paper"), schemas.PREDICTIONS, free, log.outcomes["rbf"]),
         ):
-            written[artifact] = folder.write_table(artifact, plant.schema(schema), columns, notes)
+            written[artifact] = folder.write_table(artifact, schemas.schema_of(schema, plant), columns, notes)
         score = {column.key: None for column in schemas.SCORES.columns}
         score |= {"log": name, "role": role, "model": "rbf-paper", "signal": "q", "nrmse": 0.01, "rmse": 1e-4}
         rows.append(score | {"unit": "m", "n": 3000, "status": "ok", "switch_accuracy": 1.0})

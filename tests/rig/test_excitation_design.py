@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.errors import InputError
 from pipeline.fitting.information import ScaledRegressor, conditioning, log_information
 from pipeline.rig.excitation import (

@@ -62,6 +62,14 @@ LAYOUTS = {
         "Time,Displacement,Voltage\nmilliseconds,millimeters,kilovolts\n" + ROWS,
         {"Time": ("milliseconds", TIME), "Displacement": ("millimeters", Q), "Voltage": ("kilovolts", V)},
     ),
+    "writetimetable of MATLAB": (
+        "Time,q,v\n" + _rows("{:g} sec,{:.4f},{:.2f}", TIME, Q, V),
+        {"Time": ("s", TIME), "q": ("", Q), "v": ("", V)},
+    ),
+    "writetimetable of MATLAB, a clock": (
+        "Time,q,v\n" + _rows("00:00:{:06.3f},{:.4f},{:.2f}", TIME, Q, V),
+        {"Time": ("s", TIME), "q": ("", Q), "v": ("", V)},
+    ),
     "units behind in": (
         "Zeit in s,Weg in mm,U in V\n" + ROWS,
         {"Zeit": ("s", TIME), "Weg": ("mm", Q), "U": ("V", V)},
@@ -76,7 +84,7 @@ LAYOUTS = {
 NOT_READ = {
     "serial plotter": _rows("t:{:.3f}\tq:{:.4f}\tv1:{:.2f}", TIME, Q, V),
     "serial monitor with time stamps": _rows("10:11:{:06.3f} -> {:.4f},{:.2f}", 12 + TIME, Q, V),
-    "writetimetable of MATLAB": "t,q,v\n" + _rows("{:g} sec,{:.4f},{:.2f}", TIME, Q, V),
+    "minutes behind numbers": "t,q,v\n" + _rows("{:g} min,{:.4f},{:.2f}", TIME, Q, V),
     "units in every cell": "t,q,v\n" + _rows("{:g} s,{:.4f} mm,{:.2f} V", TIME, Q, V),
     "SI prefixes": "t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, ["2.8k" if v > 9 else "734.1m" for v in V]),
     "two prefixes": "t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, ["2.8 kV" if v > 9 else "734 V" for v in V]),

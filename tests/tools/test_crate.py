@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.device.parameter_sets import joint_parameters
 from pipeline.errors import InputError
-from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import load_manifest
 from pipeline.runs.run_folder import RunFolder

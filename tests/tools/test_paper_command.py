@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.commands.console import Progress
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.joint_figures import COLOURED
 from pipeline.reporting.paper_page import table_1, table_2, table_2_row

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL, JointParameters
+from pipeline.device.parameters import NOMINAL, JointParameters
 from pipeline.errors import InputError
 from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES, calibrate
 from pipeline.models.analytical.calibration_problem import PRIORS, prior_of

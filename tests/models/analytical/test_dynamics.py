@@ -5,7 +5,7 @@ import pytest
 from energy_balance import energy_balance
 from scipy.integrate import solve_ivp
 
-from pipeline.device_parameters import NOMINAL, VECTOR_NAMES
+from pipeline.device.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.errors import InputError
 from pipeline.generated import analytical_joint as kernels
 from pipeline.models.analytical.full_order import (

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.device_parameters import NOMINAL, PARAMETER_SETS, QUANTITIES, TABLE1, VECTOR_NAMES
+from pipeline.device.parameter_sets import joint_parameters, parameter_file
+from pipeline.device.parameters import NOMINAL, PARAMETER_SETS, QUANTITIES, TABLE1, VECTOR_NAMES
 from pipeline.errors import InputError
-from pipeline.loading.parameter_sets import joint_parameters, parameter_file
 from pipeline.units import parse_quantity
 
 

@@ -8,9 +8,9 @@ import pytest
 from typer.testing import CliRunner
 
 from pipeline.commands.physics import app
-from pipeline.device_parameters import NOMINAL, TABLE1
+from pipeline.device.parameter_sets import joint_parameters
+from pipeline.device.parameters import NOMINAL, TABLE1
 from pipeline.errors import InputError
-from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.models.analytical.calibration import Calibration
 from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.reduced_order import pulse_sequence

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL, TABLE1
+from pipeline.device.parameters import NOMINAL, TABLE1
 from pipeline.errors import InputError
 from pipeline.models.analytical.bifurcation import (
     EquilibriumBranch,

@@ -11,7 +11,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from pipeline.codegen.numba_writer import kernel
-from pipeline.device_parameters import NOMINAL, TABLE1, JointParameters
+from pipeline.device.parameters import NOMINAL, TABLE1, JointParameters
 from pipeline.equations.elements import power
 from pipeline.generated import analytical_joint as kernels
 from pipeline.generated import condensed_joint as generated
@@ -504,7 +504,7 @@ import hashlib
 import numpy as np
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 
 k = condensed_parameters.constants(NOMINAL, np.zeros(len(condensed_parameters.NAMES)), 1.26)
 u = np.zeros((1, 1201, 2))

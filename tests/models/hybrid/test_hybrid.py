@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pipeline.device.parameters import NOMINAL
 from pipeline.device_facts.calibrated import calibrated
-from pipeline.device_parameters import NOMINAL
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.models.base import FreeRun, predictor
 from pipeline.models.choose import JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose

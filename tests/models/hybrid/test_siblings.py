@@ -11,7 +11,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.device_parameters import NOMINAL, TABLE1
+from pipeline.device.parameters import NOMINAL, TABLE1
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.models.hybrid.identify import NOISE_INFLATION, _Search
 from pipeline.models.hybrid.model import HybridModel

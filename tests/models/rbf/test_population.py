@@ -18,7 +18,7 @@ from pipeline.models.rbf.structure import JointScales, JointStructure
 from pipeline.numerics.arrays import FloatArray
 from tests.models.rbf.test_rbf import log
 
-USUAL = first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=False).structure
+USUAL = replace(first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=False).structure, arc=True)
 SCALES = JointScales(0.0, 0.02, 3000.0, 40.0)
 
 

@@ -154,8 +154,8 @@ def test_a_decided_structure_is_taken_and_what_was_tried_is_recorded():
     structure = decided.parameters.structure
     assert (structure.slips, structure.rates, structure.basis_functions, structure.smoothing) == (3, (), 8, 1.2)
     tried = list(decided.diagnostics["candidates"])
-    sides = ("", ", mirror-symmetric to 3 %", ", mirror-symmetric to 10 %")
-    assert tried == [f"maxwell-slip, M = 8, sigma_n = 1.2{alike}" for alike in sides]
+    assert set(tried) >= {f"maxwell-slip, M = 8, sigma_n = 1.2{alike}" for alike in ("", ", tip on an arc")}
+    assert all(one.startswith("maxwell-slip, M = 8, sigma_n = 1.2") for one in tried)
     assert decided.diagnostics["chosen"] in tried
     assert (decided.diagnostics["candidate_rms_m"] > 0.0).all()
 
