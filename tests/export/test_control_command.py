@@ -11,12 +11,10 @@ from scipy.io import loadmat
 from scipy.signal import lfilter
 from typer.testing import CliRunner
 
-import debist
 from cli import app
 from pipeline.control.ensemble import ensemble_of
 from pipeline.control.switching_map import lowest_voltage
 from pipeline.device.device import device
-from pipeline.errors import InputError
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
@@ -57,33 +55,6 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     done = CliRunner().invoke(app, ["export", str(planted_run), "--to", "controller", "-o", str(tmp_path), "--json"])
     names = {Path(name).name for name in json.loads(done.stdout)["written"]}
     assert names == {f"controller.{ending}" for ending in ("h", "c", "m", "fmu")}
-
-
-@pytest.mark.long
-def test_limits_on_rate_and_mean_are_kept_in_the_design_and_its_exports(planted_run: Path, tmp_path: Path) -> None:
-    shutil.copytree(planted_run, tmp_path / "run")
-    limits = ("--slew", "0.2kV/ms", "--average-voltage", "150V")
-    told = call("design", tmp_path / "run", "-q", *limits)
-    assert "margins at the unstable equilibrium: 0." in told
-    assert "with --average-voltage 150 V it may be lost" in told
-    document = json.loads(call("design", tmp_path / "run", "--json", "-q", *limits))
-    assert (document["slew_V_s"], document["average_V"]) == (pytest.approx(200e3), pytest.approx(150.0))
-    assert document["margins"]["gain_low"] < 0.77 < 1.3 < document["margins"]["gain_high"]
-    CliRunner().invoke(app, ["export", str(tmp_path / "run"), "--to", "controller", "-o", str(tmp_path)])
-    header = (tmp_path / "controller.h").read_text(encoding="utf-8")
-    assert "by at most 200000 V/s" in header and "is at most 150 V" in header
-
-
-def test_a_lost_design_is_struck_off_and_the_command_that_makes_it_is_named(planted_run: Path, tmp_path: Path) -> None:
-    run = tmp_path / "run"
-    shutil.copytree(planted_run, run)
-    call("design", run, "-q")
-    (run / layout.control("design")).unlink()
-    told = CliRunner().invoke(app, ["identify", str(run)])
-    assert "`debist control design` makes it anew" in told.stderr
-    assert CliRunner().invoke(app, ["verify", str(run)]).exit_code == 0
-    call("design", run, "-q")
-    assert (run / layout.control("design")).is_file()
 
 
 @pytest.mark.long
@@ -152,10 +123,6 @@ def test_no_voltage_of_control_is_above_what_the_film_stands(planted_run: Path, 
     assert lowest_voltage(hybrid(), replace(limited, highest=300.0), (-0.011, 0.0, 0.011), "right", 0.5) is None
 
 
-def test_a_folder_without_a_run_is_one_line(tmp_path: Path) -> None:
-    assert call("map", tmp_path, code=2).count("\n") == 1
-
-
 def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_are_one_line(
     planted_run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -172,32 +139,3 @@ def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_ar
     )
     monkeypatch.setattr(controlled_run, "load_run_model", lambda *_: None)
     assert "the model 'hybrid'" in call("design", planted_run, "-q", code=2)
-
-
-@pytest.mark.filterwarnings("ignore:debist.*results are older")
-def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(planted_run: Path, tmp_path: Path) -> None:
-    shutil.copytree(planted_run, tmp_path / "run")
-    run = RunFolder.open(tmp_path / "run")
-    tree = {name: run.read_tree(layout.MODELS, name) for name in ("hybrid", "rbf-paper")}
-    notes = {"identified": ["rbf-paper"], "equations": "hybrid", "rbf-paper": {}}
-    written = {layout.MODELS: run.write_tree(layout.MODELS, {"headline": "rbf-paper", **tree}, notes)}
-    run.commit(Recipe("test", "2", {}, {}), written)
-    assert call("design", run.root, "-q").startswith("model hybrid: wells at")
-    assert debist.open_run(run.root).models[0] == "rbf-paper"
-
-
-def test_equilibria_of_an_earlier_call_do_not_stay_beside_those_of_this_one(planted_run: Path, tmp_path: Path) -> None:
-    call("linearise", planted_run, "-q", "-o", tmp_path)
-    (tmp_path / "linear-3.csv").write_text("mine", encoding="utf-8")
-    call("linearise", planted_run, "--v1", "3kV", "-q", "-o", tmp_path)
-    assert sorted(path.name for path in tmp_path.glob("linear-*")) == ["linear-1.csv", "linear-3.csv"]
-    assert (tmp_path / "linear-3.csv").read_text(encoding="utf-8") == "mine"
-
-
-def test_linear_models_of_a_run_in_python(planted_run: Path) -> None:
-    left, saddle, right = debist.open_run(planted_run).linear_models()
-    assert (left.stable, saddle.stable, right.stable) == (True, False, True)
-    assert len(debist.open_run(planted_run).linear_models(3000, 0)) == 1
-    for voltage in (-1000.0, 1e4, float("nan")):
-        with pytest.raises(InputError, match="outside the trained range"):
-            debist.open_run(planted_run).linear_models(voltage)

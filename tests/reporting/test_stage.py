@@ -8,8 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.batch.fleet import write_fleet
-from pipeline.batch.worker import Outcome
 from pipeline.device.device import device
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.loading.report_data import load_datasheet
@@ -19,7 +17,6 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schedule import bring_up_to_date
-from pipeline.runs.tables import read_table
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
 from pipeline.tools import plot
@@ -119,10 +116,6 @@ def _check_figures_are_made_once(run: RunFolder) -> None:
     assert [status.up_to_date for status in _report(run)] == [True, False]
 
 
-def test_a_report_makes_figures_on_request_only(reported: RunFolder) -> None:
-    assert not (reported.root / "figures").exists()
-
-
 def test_the_same_run_gives_the_same_bytes(reported: RunFolder, tmp_path: Path) -> None:
     run = _copy(reported, tmp_path)
     outputs = [name for name, record in run.manifest.artifacts.items() if record.recipe.stage == "report"]
@@ -175,16 +168,3 @@ def test_plot_draws_one_figure_of_a_stretch(
     ):
         with pytest.raises(InputError, match=told):
             figures.figure(name, Excerpt(start))
-
-
-def test_a_fleet_page_links_what_is_there_and_says_what_failed(reported: RunFolder, tmp_path: Path) -> None:
-    _copy(reported, tmp_path)
-    members = [("run", 0, ""), ("lost", 0, ""), ("../x", 2, f"no log {HOSTILE}")]
-    write_fleet(tmp_path, [Outcome(name, tmp_path, code, reason) for name, code, reason in members])
-    page = (tmp_path / "fleet.html").read_text(encoding="utf-8")
-    facts = read_table(tmp_path / "fleet-facts.parquet")
-    assert set(facts["prototype"]) == {"run"} and "well_left" in facts["fact"]
-    assert 'href="./run/report.html"' in page
-    assert page.count('href="./') == 1
-    assert "no run here" in page
-    assert "no log $\\frac{1}{$ &lt;script&gt;" in page

@@ -9,7 +9,7 @@ import pytest
 
 from pipeline.device.parameters import NOMINAL
 from pipeline.device_facts.calibrated import calibrated
-from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
+from pipeline.errors import CorruptArtifactError, DataRefusedError
 from pipeline.models.base import FreeRun, predictor
 from pipeline.models.choose import JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose
 from pipeline.models.hybrid import identify as identify_hybrid_module
@@ -263,32 +263,6 @@ def test_a_joint_softens_from_the_beginning_of_a_recording_whatever_its_clock_co
     assert one is not None and other == pytest.approx(one, abs=1e-4)  # mm
 
 
-def test_corrections_act_on_the_force() -> None:
-    corrected, plain = joint({}, centres=5), joint({})
-    corrected.theta[DEVIATION_COUNT : DEVIATION_COUNT + 5] = 1.0
-    q = np.linspace(-0.015, 0.015, 7)
-    difference = corrected.curves(q)["F"] - plain.curves(q)["F"]
-    bells = np.exp(-0.5 * ((q[:, None] - (-0.02 + 0.01 * np.arange(5))) / 0.008) ** 2)
-    width = condensed_parameters.correction_prior_std(NOMINAL)[0]
-    np.testing.assert_allclose(difference, -width * bells.sum(axis=1), rtol=1e-6)
-
-
-def test_draws_are_repeatable_and_spread(identified: tuple[HybridModel, HybridModel]) -> None:
-    _, model = identified
-    np.testing.assert_array_equal(model.draws(3), model.draws(3))
-    bands = model.curve_ensemble(np.array([0.01]), 8)
-    assert np.std(bands["F"]) > 0.0
-
-
-def test_one_voltage_is_refused() -> None:
-    record = log(joint({}), 6, 3.0)
-    one = Record(record.t, record.q, record.qdot, record.qddot, record.v[:, :1], record.valid)
-    with pytest.raises(InputError, match="two membranes"):
-        identify_hybrid([one], NOMINAL)
-    with pytest.raises(InputError, match="no training data"):
-        identify_hybrid([], NOMINAL)
-
-
 WRONG = {"left.log C0": 5.0, "log E": 5.0}
 """So far off that the joint no longer follows a log of the drawing."""
 
@@ -426,15 +400,6 @@ def test_hidden_states_come_from_the_measurement_before_a_restart() -> None:
     after, rested = np.median(errors, axis=0)
     assert after < 0.02 * rested
     assert np.max(errors, axis=0)[0] < 1e-3 * np.ptp(moving.q)
-
-
-def test_a_restart_is_the_same_whatever_other_restarts_there_are(identified: tuple[HybridModel, HybridModel]) -> None:
-    model, unseen, starts = identified[1], log(identified[0], 2), np.array([0, 40, 300, 301])
-    path = unseen.t, unseen.v, unseen.q, unseen.qdot
-    runs = [*model.predict(*path, starts, np.array([5, 400, 0, 20]))]
-    assert [len(run) for run in runs] == [6, 401, 1, 21]
-    (alone,) = model.predict(*path, starts[-1:], np.array([20]))
-    np.testing.assert_allclose(runs[-1], alone, atol=1e-9)
 
 
 def test_equations_that_miss_one_passage_stay_before_a_network_that_follows_less_well() -> None:
