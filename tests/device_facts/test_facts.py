@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.device_facts.characteristics import Curves, device_facts, equilibria, intervals, outer_wells
+from pipeline.device_facts.characteristics import Curves, device_facts, equilibria, intervals
 from pipeline.device_facts.datasheet import make_datasheet
-from pipeline.device_facts.events import MOST_STEPS, input_steps, rest_facts, ring_down, voltage_switches
+from pipeline.device_facts.events import rest_facts, ring_down, voltage_switches
 from pipeline.device_facts.model_quality import model_checks
 from pipeline.device_facts.phase_plane import basins
 from pipeline.device_facts.run_data import LogData
@@ -113,19 +113,6 @@ def test_switches_and_snaps_are_found_where_they_are() -> None:
     assert snaps(q, NoWells("none")).size == 0
 
 
-def test_steps_between_levels_are_marked_and_what_changes_all_the_time_is_not() -> None:
-    t = np.arange(0.0, 20.0, 0.02)
-    stairs = np.floor(t / 2.0) % 4.0
-    np.testing.assert_allclose(input_steps(t, stairs[:, None]), np.arange(2.0, 20.0, 2.0), atol=0.021)
-    noisy = stairs + 0.01 * np.random.default_rng(3).standard_normal(t.size)
-    np.testing.assert_allclose(input_steps(t, noisy[:, None]), np.arange(2.0, 20.0, 2.0), atol=0.021)
-    for steady in (np.sin(t), np.sin(3.0 * t) + np.cos(7.0 * t), t, np.zeros_like(t)):
-        assert input_steps(t, steady[:, None]).size == 0
-    many = (np.arange(t.size) // 10 % 2).astype(float)
-    assert many.size / 10 > MOST_STEPS
-    assert input_steps(t, many[:, None]).size == 0
-
-
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
     log = run_data().logs[0]
     v = np.column_stack([log.kinematics["v1"], log.kinematics["v2"]])
@@ -216,23 +203,6 @@ def test_an_energy_is_a_force_times_what_q_is(displacement: str, mass_known: boo
     units = {fact.key: fact.unit for fact in make_datasheet(data).facts}
     assert units["barrier_left"] == energy
     assert units["stiffness_left"] == (f"{force}/{displacement}" if mass_known else "1/s²")
-
-
-def test_a_jump_of_the_force_is_neither_a_well_nor_a_way_between_wells() -> None:
-    """As of a beam whose shape snaps while its tip is held: other curves beyond, here 2 N higher and lower."""
-    curves = _curves()
-    outside, between = Q < -1.4 * WELL, np.abs(Q) < 0.2 * WELL
-    far = device_facts(replace(curves, force=curves.force + 100.0 * np.abs(curves.force).max() * outside), joint=True)
-    usual = device_facts(curves, joint=True)
-    assert far == pytest.approx(usual)
-    near = device_facts(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between), joint=True)
-    assert near["well_left"] == pytest.approx(usual["well_left"])
-    assert near["stiffness_right"] == pytest.approx(usual["stiffness_right"])
-    assert not near.keys() & {"saddle", "barrier_left", "switch_v1_to_right"}
-    assert (
-        outer_wells(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between), joint=True)
-        is None
-    )
 
 
 def _pulsed(step: float, damping: float, frequency: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

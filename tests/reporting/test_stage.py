@@ -19,9 +19,7 @@ from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schedule import bring_up_to_date
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
-from pipeline.tools import plot
-from pipeline.tools.plot import Excerpt, plot_figure, plot_runs, run_figures
-from tests.faults.small_run import drawn_once, once
+from tests.faults.small_run import drawn_once
 from tests.prototypes import Silent
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
@@ -146,25 +144,3 @@ def test_show_prints_the_datasheet_and_finds_damage(unreported: RunFolder, repor
     run.path(layout.DATASHEET).write_text("{}", encoding="utf-8")
     with pytest.raises(CorruptArtifactError):
         load_datasheet(run.root)
-
-
-def test_plot_draws_one_figure_of_a_stretch(
-    unreported: RunFolder, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(plot, "prepare", once(plot.prepare, {}))
-    root = unreported.root
-    target = plot_figure(root, "validation-b-signals", tmp_path / "out" / "a.svg", Excerpt(2.0, 5.0))
-    assert target.read_text(encoding="utf-8").startswith("<?xml")
-    assert plot_runs([root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
-    with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
-        plot_figure(root, "curves", tmp_path / "a.exe")
-    with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
-        plot_runs([root], "curves", tmp_path / "a.jpg")
-    figures = run_figures(root)
-    for name, start, told in (
-        ("curvs", None, "did you mean 'curves'.*it has validation-b-overlay, train-a-signals"),
-        ("nothing", None, "it has validation-b-overlay, train-a-signals"),
-        ("curves", 99.0, "spans"),
-    ):
-        with pytest.raises(InputError, match=told):
-            figures.figure(name, Excerpt(start))

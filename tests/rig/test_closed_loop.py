@@ -141,19 +141,6 @@ def test_a_scenario_that_cannot_be_is_one_line(tmp_path: Path, still: Path, scen
     assert said in printed and printed.count("\n") == 1
 
 
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        (["--target", "3"], "no unit"),
-        (["--controller", "missing"], "either --controller or --play"),
-        (["--target", "0s:left,1s:60mm"], "make sense"),
-        (["--target", "0s:left,5s:right"], "the run is over; raise --duration"),
-    ],
-)
-def test_bad_options_are_one_line(tmp_path: Path, still: Path, options: list[str], said: str) -> None:
-    assert said in _loop(tmp_path, still, "", *options)
-
-
 def test_a_scenario_is_what_its_file_states() -> None:
     joint = virtual_joint("nominal")
     stated = {

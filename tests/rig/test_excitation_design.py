@@ -105,18 +105,6 @@ def test_a_sequence_is_read_back_as_it_was_written(ending: str, tmp_path: Path) 
     assert (held == np.repeat(found.u, 10, axis=0)).all()
 
 
-def test_simulink_finds_a_structure_with_time(tmp_path: Path) -> None:
-    from scipy.io import loadmat
-
-    t = np.arange(100) / 1e3
-    u = np.stack([t, 2 * t], axis=1)
-    save_sequence(tmp_path / "s.mat", Sequence(t, u), {})
-    structure = loadmat(tmp_path / "s.mat", simplify_cells=True)["excitation"]
-    np.testing.assert_array_equal(structure["time"], t)
-    np.testing.assert_array_equal(structure["signals"]["values"], u)
-    assert structure["signals"]["dimensions"] == 2
-
-
 def test_the_virtual_rig_plays_a_sequence(tmp_path: Path) -> None:
     from pyarrow import parquet
 

@@ -1,8 +1,6 @@
 """A run folder belongs to a prototype; what is wrong is known before any work; an edit is told by every command."""
 
-import errno
 import json
-import os
 import shutil
 from pathlib import Path
 
@@ -10,9 +8,6 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.errors import InputError
-from pipeline.settings import load_prototype
-from pipeline.stages.run_place import refuse_training_as_validation
 from tests.faults.small_run import write_prototype
 
 RUNNER = CliRunner()
@@ -56,14 +51,6 @@ def test_another_prototypes_folder_is_refused(copy: tuple[Path, Path]) -> None:
     assert "holds the run of the prototype 'small', not of 'other'" in line and "--replace" in line
     assert {path: path.read_bytes() for path in run.rglob("*") if path.is_file()} == before
     assert RUNNER.invoke(app, ["run", str(prototype), "-o", str(run), "--replace", "--no-report"]).exit_code == 0
-
-
-def test_a_moved_prototype_goes_on_with_its_run(copy: tuple[Path, Path], tmp_path: Path) -> None:
-    prototype, run = copy
-    moved = tmp_path / "moved"
-    shutil.copytree(prototype.parent, moved)
-    result = RUNNER.invoke(app, ["run", str(moved / prototype.name), "-o", str(run), "--no-report", "-q"])
-    assert "everything is up to date" in result.stdout, result.output
 
 
 def test_status_and_dry_run_say_what_an_edit_would_redo(copy: tuple[Path, Path]) -> None:
@@ -131,18 +118,3 @@ def test_names_of_any_script_work_end_to_end(small: tuple[Path, Path], tmp_path:
     assert "Prüflauf [2]" in shown and "Prueflauf-2" not in shown
     shown = RUNNER.invoke(app, ["validate", str(run), "-q", "--details"]).stdout
     assert "Training α (1)" in shown and "Training-alpha-1" not in shown
-
-
-def test_a_log_whose_disk_fails_before_any_work_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    prototype_file = write_prototype(tmp_path)
-
-    def failing(path: Path, other: Path) -> bool:
-        raise OSError(errno.EIO, os.strerror(errno.EIO), str(path))
-
-    monkeypatch.setattr(Path, "samefile", failing)
-    prototype = load_prototype(prototype_file)
-    prototype = prototype.model_copy(
-        update={"logs": prototype.logs.model_copy(update={"validation": prototype.logs.train})}
-    )
-    with pytest.raises(InputError, match=r"train\.csv: cannot be read: Input/output error"):
-        refuse_training_as_validation(prototype, prototype_file)

@@ -2,7 +2,6 @@ import numpy as np
 import pytest
 from scipy.integrate import simpson, solve_ivp
 
-from pipeline.generated.terms import BENT
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem
@@ -39,18 +38,6 @@ def test_steps_lose_nothing_of_the_finer_record_wherever_a_pulse_begins(steps, s
         assert area == pytest.approx(np.trapezoid(v**power, fine))
     ramp = drive_at_nodes(fine.reshape(40, 5, 1), 0.7, steps, "record")[:, 0]
     assert ramp[2:-2] == pytest.approx(0.7 / (2 * steps) * np.arange(len(ramp))[2:-2])
-
-
-@pytest.mark.parametrize("bend", [-1.0, 0.0, 1.5])
-def test_a_bent_drive_rises_monotonously_through_its_ends_and_goes_on_beyond_them(bend):
-    drive = np.linspace(-3.0, 3.0, 601)
-    found = BENT.evaluate(drive=drive[:, None], bend=np.array([bend]))
-    value, slope = found["value"][:, 0], found["slopes"][:, 0]
-    assert value[[200, 300, 400]] == pytest.approx([-1.0, 0.0, 1.0])
-    assert slope[300] == pytest.approx(np.exp(bend))
-    assert (np.diff(value) > 0.0).all()
-    assert np.diff(value[400:]) == pytest.approx(0.01)
-    assert value == pytest.approx(-value[::-1])
 
 
 def mass(**changes):

@@ -185,22 +185,6 @@ def test_measured_curves_are_kept_and_friction_is_learned_from_a_short_log():
     assert errors[0] < 0.5 * errors[1]
 
 
-@pytest.mark.long
-def test_bands_cover_the_truth_about_as_often_as_they_claim():
-    truth, q = planted(), np.linspace(-0.016, 0.016, 33)
-    planted_curves, covered = truth.curves(q), {"F": [], "dC1_dq": [], "dC2_dq": []}
-    for seed in range(80, 92):
-        short = log(truth, seed, n=900)
-        model = identify_rbf([short], mass=0.04, candidates=[Candidate("free", STRUCTURE)])
-        visited = (q >= short.q.min()) & (q <= short.q.max())
-        for name, draws in model.curve_ensemble(q, 200).items():
-            if name in covered:
-                low, high = np.percentile(draws, [2.5, 97.5], axis=0)
-                covered[name] += ((planted_curves[name] >= low) & (planted_curves[name] <= high))[visited].tolist()
-    for name, inside in covered.items():
-        assert np.mean(inside) > 0.8, name
-
-
 def test_bands_with_one_input_hold_the_truth_and_are_narrow():
     structure = JointStructure(8, rates=(), shape_elements=0, slips=0, arc=False)
     p = ParameterLayout(structure, JointScales(0.0, 0.022, 40.0, 50.0), "linear", (0,))
@@ -535,31 +519,3 @@ def test_a_device_without_inertia_is_followed():
     fresh = level(2)
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
-
-
-def muscles(seed, *, n=2000, interval=0.02):
-    """An arm between two air muscles that pull less the shorter they are, fill slowly, and relax."""
-    structure = JointStructure(
-        8, rates=(1.0,), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True, input_lag=True
-    )
-    p = ParameterLayout(structure, JointScales(0.0, 0.6, 1.0, 20.0), "linear", (0, 0))
-    theta, at = np.zeros(p.count), p.slices
-    theta[at["force"]][:4] = 0.0, -60.0, 0.0, np.log(0.1)
-    theta[at["damping"]], theta[at["rate"]] = np.log(6.0), np.log(1.0)
-    bells = np.exp(-p.bend * (p.centres[:, None] - p.centres) ** 2)
-    theta[at["input0"]] = np.linalg.solve(bells, 40.0 * (1.0 - 0.6 * p.centres))
-    theta[at["input1"]] = np.linalg.solve(bells, -40.0 * (1.0 + 0.6 * p.centres))
-    theta[at["coupling0"]], theta[at["input_lag"]] = np.linalg.solve(bells, np.full(8, 4.5)), np.log(0.3)
-    rng, t = np.random.default_rng(seed), interval * np.arange(n)
-    v = np.column_stack([np.repeat(rng.uniform(0.0, 1.0, n // m + 1), m)[:n] for m in (30, 45)])
-    run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, 0.0, 0.0)
-    assert run.status == "ok"
-    return Record(t, run.q + 3e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
-
-
-@pytest.mark.long
-def test_opposed_muscles_are_followed():
-    model = identify_rbf([muscles(1)], inputs="linear")
-    fresh = muscles(2)
-    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
-    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 4e-3 * np.ptp(fresh.q), model.diagnostics["chosen"]
