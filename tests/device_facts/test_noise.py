@@ -70,13 +70,3 @@ def test_one_well_is_of_concern_where_a_joint_would_have_two(change, told):
     data = replace(fast_run(INTERVAL), **change)
     names = {check.name for check in data_checks(data, NoWells("moves all the time"))}
     assert ("no_wells" in names) == told
-
-
-def test_one_input_makes_no_joint():
-    data = fast_run(INTERVAL)
-    (log,) = data.logs
-    kinematics = {name: column for name, column in log.kinematics.items() if name != "v2"}
-    alone = replace(data, logs=(replace(log, kinematics=kinematics),))
-    checks = data_checks(alone, NoWells("moves all the time"))
-    assert "switches" not in {check.name for check in checks}
-    assert not any("rig excite" in check.advice for check in checks)

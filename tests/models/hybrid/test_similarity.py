@@ -76,8 +76,3 @@ def test_free_runs_and_curves_scale() -> None:
     np.testing.assert_allclose(theirs["d"], UNITS.mass / UNITS.time * force["d"], rtol=2e-3)
     np.testing.assert_allclose(theirs["dC1_dq"], newton / UNITS.voltage**2 * force["dC1_dq"], rtol=1e-4)
     assert other.mass == pytest.approx(3.0 * ours.mass)
-
-
-def test_similarity_survives_the_tree() -> None:
-    other = pair()[1]
-    assert HybridModel.from_tree(other.to_tree()).joint.similarity == UNITS

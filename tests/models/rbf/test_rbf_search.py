@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.models.rbf import identify, structure_search
+from pipeline.models.rbf import structure_search
 from pipeline.models.rbf.candidates import candidate
 from pipeline.models.rbf.problem import Effort
 from pipeline.models.rbf.structure import JointStructure
@@ -66,27 +66,6 @@ def test_a_search_says_whether_all_was_asked(monkeypatch):
     assert told == {1.0: False, 2.0: False, 3.0: True, 4.0: True}
 
 
-@pytest.mark.parametrize(("logs", "folds"), [(1, 2), (2, 3), (3, 4), (7, 4)])
-def test_each_log_is_held_out_once_alone_or_with_others(logs, folds):
-    t = 0.01 * np.arange(40)
-    records = [
-        Record(t, np.sin(t + i), np.cos(t), -np.sin(t), np.cos(t)[:, None], np.ones(40, dtype=bool))
-        for i in range(logs)
-    ]
-    made = structure_search._folds(records)
-    assert len(made) == folds
-    if logs > 1:
-        assert sorted(float(r.q[0]) for _, judged, _ in made[1:] for r in judged) == sorted(np.sin(range(logs)))
-        assert all(not {id(r) for r in fitted} & {id(r) for r in judged} for fitted, judged, _ in made[1:])
-
-
-@pytest.mark.parametrize(("samples", "times"), [(400, 1.0), (7_500, 1.0), (60_000, 8.0)])
-def test_the_limit_of_a_search_grows_with_the_samples(samples, times):
-    t = 0.01 * np.arange(samples)
-    log = Record(t, np.sin(t), np.cos(t), -np.sin(t), np.cos(3.0 * t)[:, None], np.ones(samples, dtype=bool))
-    assert identify._search_limit(20.0, [log]) == pytest.approx(times * 20.0)
-
-
 def only(one):
     """An offer of one candidate whatever is best."""
     return lambda best: [one]
@@ -115,17 +94,6 @@ def test_simplifications_that_are_each_within_a_standard_error_do_not_add_up(fou
     assert chosen in curves[:3]
 
 
-def test_a_fold_with_large_errors_does_not_decide_alone():
-    """Where an excitation reaches beyond what was fitted, both candidates err a hundred times as much."""
-    rng = np.random.default_rng(4)
-    unit = rng.normal(0.0, 1.0, (2, 400)), rng.normal(0.0, 1.0, (2, 400))
-    smaller = judged_as([100.0 * unit[0], unit[1]], np.ones(400))
-    larger = judged_as([102.0 * unit[0], 0.4 * unit[1]], np.ones(400))
-    assert larger.rms == pytest.approx(np.sqrt(1.02 * 0.4) * smaller.rms, rel=1e-6)
-    assert structure_search._preferred(larger, smaller, smaller=False)
-    assert not structure_search._preferred(smaller, larger, smaller=True)
-
-
 def test_what_depends_on_other_fields_is_offered_again_until_nothing_is_taken(found):
     """Drag helps only once there are stops, and is offered before them."""
     both = candidate(replace(PLAIN, drag=True, stops=True))
@@ -138,14 +106,6 @@ def test_what_depends_on_other_fields_is_offered_again_until_nothing_is_taken(fo
 
     assert found(errors, [], [drag, lambda best: [replaced(best, stops=True)]])[0] == both
     assert bests == [SPRING, STOPPED, both]
-
-
-def test_offers_without_end_are_made_four_times(found):
-    """Each candidate is better than the one before."""
-    more = lambda best: [replaced(best, force="curve", basis_functions=best.structure.basis_functions + 1)]  # noqa: E731
-    chosen, judged = found(lambda one: (1.0 / one.structure.basis_functions, 1.0), [], [more])
-    assert chosen.structure.basis_functions == PLAIN.basis_functions + structure_search.ROUNDS
-    assert len(judged) == 1 + structure_search.ROUNDS
 
 
 def replaced(one, **changes):
