@@ -10,8 +10,6 @@ from pathlib import Path
 from typing import Any, Literal
 
 ROLE_WORDS = {"train": "training", "validation": "validation"}
-FILL_IN = "FILL IN"
-"""Stands in a first settings file where the user has to choose; no channel and no unit is called so."""
 SAFE = re.compile(r"[A-Za-z0-9._-]{1,64}")
 _NOT_WRITABLE = frozenset('<>:"|?*\\/`')
 _LONGEST, _LONGEST_LOG = 64, 250

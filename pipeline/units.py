@@ -9,7 +9,9 @@ from functools import cache
 from typing import Any
 
 from pipeline.errors import InputError
-from pipeline.names import FILL_IN
+
+FILL_IN = "FILL IN"
+"""Stands in a first settings file where the user has to choose; no channel and no unit is called so."""
 
 # Allowed quantities, by their SI unit.
 DISPLACEMENT = ("m", "rad", "V")

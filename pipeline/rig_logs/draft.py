@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.errors import InputError
-from pipeline.names import FILL_IN, check_log_name, check_name, log_name, slug, true_name
+from pipeline.names import check_log_name, check_name, log_name, slug, true_name
 from pipeline.rig_logs.attributes import monitor_ratio
 from pipeline.rig_logs.channel_roles import Role, Suggestion, suggested_unit
 from pipeline.rig_logs.experiments import Purpose, purpose_of, purposes
@@ -20,7 +20,7 @@ from pipeline.signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_
 from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
 from pipeline.signals.spectrum import LEAST_PER_PERIOD, advised_interval
 from pipeline.signals.timebase import seldom
-from pipeline.units import DISPLACEMENT, SECONDS, to_si
+from pipeline.units import DISPLACEMENT, FILL_IN, SECONDS, to_si
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _MOST_LISTED, _MOST_NAMED = 100, 5
