@@ -15,7 +15,7 @@ from pipeline.commands import control, fleet, inspection, integrity, outcome, ph
 from pipeline.commands.boundary import ErrorBoundary, Program, with_options
 from pipeline.commands.console import Json, NoReport, Quiet
 from pipeline.errors import BatchFailedError, InputError
-from pipeline.machine import settle_machine
+from pipeline.system.machine import settle_machine
 
 app = Program(
     name="debist",
@@ -132,11 +132,11 @@ def batch(
 
     Example: debist batch prototypes/ -o runs --jobs 2
     """
-    from pipeline.batch.batch import Execution, run_batch
-    from pipeline.batch.fleet import collect_batch
-    from pipeline.batch.members import SETTINGS, Shard, members, prototype_files
-    from pipeline.batch.variants import matrix_rows, with_siblings, write_matrix
-    from pipeline.units import parse_quantity
+    from pipeline.units.units import parse_quantity
+    from pipeline.workflow.batch import Execution, run_batch
+    from pipeline.workflow.fleet import collect_batch
+    from pipeline.workflow.members import SETTINGS, Shard, members, prototype_files
+    from pipeline.workflow.variants import matrix_rows, with_siblings, write_matrix
 
     limit = parse_quantity(options.time_limit, ("s",), "--time-limit")
     if not 1.0 <= limit <= 1e7:

@@ -7,7 +7,7 @@
 """
 
 from pipeline import __version__
-from pipeline.api import Model, Run, check, compare, differentiate, identify, open_run, read_log
+from pipeline.api.run import Model, Run, check, compare, differentiate, identify, open_run, read_log
 from pipeline.errors import DebistError
 
 __all__ = [

@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import numpy as np
 
-from pipeline.device_facts.datasheet import make_datasheet
+from pipeline.diagnostics.facts.datasheet import make_datasheet
 from pipeline.reporting.fleet_report import fleet_report
 from pipeline.reporting.fleet_table import Summary, failed, summary
 from tests.reporting.synthetic import run_data

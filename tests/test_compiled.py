@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from pipeline import compiled
 from pipeline.errors import InputError
-from pipeline.kernel_cache import VARIABLE, WITHOUT_KERNELS, check_private
+from pipeline.numerics import compiled
+from pipeline.numerics.kernel_cache import VARIABLE, WITHOUT_KERNELS, check_private
 
 _COMPILER = ("compiled.py", "kernel_cache.py", "machine.py", "errors.py")
-_CALLED = "from pipeline.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
-_CALLER = """from pipeline.compiled import compiled
+_CALLED = "from pipeline.numerics.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
+_CALLER = """from pipeline.numerics.compiled import compiled
 from pipeline.called import (
     inner,
 )
@@ -105,7 +105,7 @@ def test_no_kernel_depends_on_a_room_that_the_state_of_the_sources_leaves_out() 
 
 _SYSTEM = """from typing import NamedTuple
 import numpy as np
-from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish, workspace
+from pipeline.numerics.fixed_step import Methods, integrator, no_begin, no_finish, workspace
 
 class {name}(NamedTuple):
     rate: float

@@ -14,7 +14,7 @@ from typing import Any
 from llvmlite import ir
 
 from pipeline.codegen.graph import Graph, Operation, apply
-from pipeline.compiled import TypingError, intrinsic, lower_builtin, type_callable, types
+from pipeline.numerics.compiled import TypingError, intrinsic, lower_builtin, type_callable, types
 from pipeline.numerics.inner_loops import FAST
 
 _FLAGS = tuple(sorted(FAST))

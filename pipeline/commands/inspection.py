@@ -9,22 +9,22 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pipeline.commands.console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
-from pipeline.si_prefix import quantity
+from pipeline.units.quantity import quantity
 
 if TYPE_CHECKING:
-    from pipeline.checks.rows import CheckRow
+    from pipeline.diagnostics.rows import CheckRow
     from pipeline.fitting.coverage import Coverage
     from pipeline.numerics.arrays import FloatArray
     from pipeline.rig_logs.inspection import InspectedChannel, Inspection
     from pipeline.signals.timebase import TimeQuality
-    from pipeline.tools.excitation_design import Design
-    from pipeline.tools.inspection import LogExcitation
-    from pipeline.tools.next_log import NextLog
+    from pipeline.workflow.inspection import LogExcitation
+    from pipeline.workflow.studies.excitation_design import Design
+    from pipeline.workflow.studies.next_log import NextLog
 
 
 def emit_design(design: "Design | NextLog", files: Iterable[Path]) -> None:
     """Print what the design is expected to bring, and the files."""
-    from pipeline.tools.next_log import NextLog
+    from pipeline.workflow.studies.next_log import NextLog
 
     if isinstance(design, NextLog):
         _emit_next_log(design)
@@ -98,7 +98,7 @@ _PLACES = ("not_finite_at", "longest_frozen", "frozen_at", "spikes_at")
 
 def inspection_document(inspection: "Inspection", excitation: "LogExcitation | str") -> Any:
     """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
-    from pipeline.runs.manifest import to_json
+    from pipeline.store.manifest import to_json
 
     if isinstance(excitation, str):
         coverage: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
@@ -208,8 +208,8 @@ def check(
     Rates in Hz, fields in V/µm. Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
-    from pipeline.stages.check import verdict
-    from pipeline.tools.inspection import check as check_tool
+    from pipeline.workflow.inspection import check as check_tool
+    from pipeline.workflow.stage_check import verdict
 
     with Progress(quiet=quiet) as progress:
         prototype, rows = check_tool(place, progress)
@@ -222,7 +222,7 @@ def check(
 
 def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
     """Print the numbers side by side, the logs as columns, and below them in words what is remarkable."""
-    from pipeline.checks.rows import beside
+    from pipeline.diagnostics.rows import beside
 
     header, table = beside(rows)
     emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
@@ -254,10 +254,10 @@ def init(
     Example: debist init train.mat validation.mat -o P1.toml
     """
     from pipeline.errors import InputError
-    from pipeline.names import shell_word
     from pipeline.rig_logs.draft import toml_draft
     from pipeline.rig_logs.inspection import inspect_log
-    from pipeline.runs.atomic import write_text
+    from pipeline.store.atomic import write_text
+    from pipeline.system.names import shell_word
 
     if output is not None and os.path.lexists(output):
         raise InputError(f"{output}: exists; give another name, or delete it first")
@@ -295,7 +295,7 @@ def inspect(
 
     Times in s, rates in Hz, values in the log's own units. Example: debist inspect train.mat
     """
-    from pipeline.tools.inspection import inspect as inspect_stage
+    from pipeline.workflow.inspection import inspect as inspect_stage
 
     inspection, excitation = inspect_stage(log, settings)
     if as_json:

@@ -9,7 +9,7 @@ from pipeline.commands.console import Json, Run, emit_json, emit_table, printabl
 from pipeline.errors import CorruptArtifactError
 
 if TYPE_CHECKING:
-    from pipeline.tools.verify import Verified, VerifiedRun
+    from pipeline.workflow.verify import Verified, VerifiedRun
 
 _MOST_NAMED = 20
 
@@ -30,7 +30,7 @@ def verify(
     point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
     Example: debist verify runs/P1 --against crate/run
     """
-    from pipeline.tools import verify as tool
+    from pipeline.workflow import verify as tool
 
     if every:
         _emit_all(tool.verify_all(run), as_json)
@@ -38,7 +38,7 @@ def verify(
     checked = tool.verify_everything(run)
     if against is not None and checked.intact:
         from pipeline.commands.results import emit_comparison
-        from pipeline.tools.diff import compare_runs
+        from pipeline.workflow.studies.diff import compare_runs
 
         emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
         return

@@ -10,7 +10,7 @@ import typer
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Parameters, Quiet, emit_json, emit_table, progress_report, with_units
 from pipeline.errors import InputError
-from pipeline.units import parse_quantity
+from pipeline.units.units import parse_quantity
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -27,7 +27,7 @@ def _free_place(place: Path | None) -> Path | None:
     """The file of a figure, unless one of others lies there."""
     if place is not None:
         from pipeline.reporting.canvas import form_of
-        from pipeline.runs.outputs import check_places
+        from pipeline.store.outputs import check_places
 
         form_of(place)
         check_places(place.parent, (place.name,), _FIGURE, force=None)
@@ -68,7 +68,7 @@ def _draw(place: Path | None, name: str, *shown: Any) -> None:
     if place is not None:
         from pipeline.reporting import joint_figures
         from pipeline.reporting.canvas import save
-        from pipeline.runs.outputs import new_outputs
+        from pipeline.store.outputs import new_outputs
 
         with new_outputs(place.parent, _FIGURE, force=None) as staged:
             save(getattr(joint_figures, name)(*shown), staged / place.name, joint_figures.COLOURED)
@@ -97,7 +97,7 @@ def equilibria(
 
     from pipeline.device.parameters import B_MAX
     from pipeline.models.analytical import bifurcation, statics
-    from pipeline.tools import physics
+    from pipeline.workflow.studies import physics
 
     joint = parameters.joint()
     if b is not None:
@@ -164,7 +164,7 @@ def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, 
         as_json: Json = False,
     ) -> None:
         """Move the joint, and show it."""
-        from pipeline.tools import physics
+        from pipeline.workflow.studies import physics
 
         joint = parameters.joint()
         show(joint, physics.simulate(joint, parse_quantity(voltage, ("V",), "--voltage"), signals), figure, as_json)
@@ -262,8 +262,8 @@ def calibrate(
     from pipeline.device.parameter_sets import joint_parameters
     from pipeline.device.parameters import QUANTITIES
     from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
-    from pipeline.settings_file import read_options
-    from pipeline.tools import physics
+    from pipeline.settings.file import read_options
+    from pipeline.workflow.studies import physics
 
     names = PAPER_NAMES if paper else ASYMMETRIC_NAMES + FRICTION_NAMES
     how = read_options(search, physics.SearchFile)

@@ -12,13 +12,13 @@ import typer
 from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of, with_units
 from pipeline.commands.outcome import emit_table_2
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.names import Target
-from pipeline.si_prefix import percent
+from pipeline.system.names import Target
+from pipeline.units.quantity import percent
 
 if TYPE_CHECKING:
-    from pipeline.runs.columns import Sweep
-    from pipeline.tools.diff import Comparison, RunDifferences
-    from pipeline.tools.study import StudyResult
+    from pipeline.store.columns import Sweep
+    from pipeline.workflow.studies.diff import Comparison, RunDifferences
+    from pipeline.workflow.studies.study import StudyResult
 
 _ALARMING = ("differs", "missing")
 _LONGEST, _OF_HASH = 60, 16
@@ -38,7 +38,7 @@ def diff(
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
     from pipeline.reporting.several_runs import DiffTable
-    from pipeline.tools.diff import diff_runs, write_diff_page
+    from pipeline.workflow.studies.diff import diff_runs, write_diff_page
 
     if len(runs) < 2:
         raise InputError(f"{runs[0]}: name a second run to compare it with")
@@ -135,7 +135,7 @@ def emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *,
     CorruptArtifactError
         An artifact differs by more than rounding, or is missing.
     """
-    from pipeline.tools.diff import STATES
+    from pipeline.workflow.studies.diff import STATES
 
     if as_json:
         emit_json({"artifacts": [asdict(comparison) for comparison in compared]})
@@ -173,7 +173,7 @@ def export(
 
     Example: debist export runs/P1 --to fmu
     """
-    from pipeline.tools.export import export_run
+    from pipeline.workflow.export import export_run
 
     exported = export_run(run, target, model=model, output=output, force=force)
     if as_json:
@@ -198,7 +198,7 @@ def paper(
     Differentiates, identifies and simulates by the recipe of the paper in a run of its own; writes paper.html, and the
     figures as paper/*.svg and *.pdf. Example: debist paper runs/P1
     """
-    from pipeline.tools.paper import run_paper
+    from pipeline.workflow.studies.paper import run_paper
 
     with Progress(quiet=quiet or as_json) as progress:
         recipe = run_paper(source, output, progress)
@@ -245,7 +245,7 @@ def study(
         _study(run, kind, jobs, as_json=as_json, quiet=quiet)
         return
     from pipeline.reporting.short_tables import FOLD_EXPLANATION, fold_table
-    from pipeline.tools.folds import run_folds
+    from pipeline.workflow.studies.folds import run_folds
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_folds(run, progress, by=by or "blocks", folds=count, models=model or (), jobs=jobs)
@@ -258,7 +258,7 @@ def study(
 
 def _study_document(result: "StudyResult") -> Any:
     """A study for `--json`, with units in the keys."""
-    from pipeline.runs.manifest import to_json
+    from pipeline.store.manifest import to_json
 
     units = result.units
     of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
@@ -268,7 +268,7 @@ def _study_document(result: "StudyResult") -> Any:
 
 def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
     from pipeline.reporting.short_tables import study_conclusion
-    from pipeline.tools.study import run_study
+    from pipeline.workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_study(run, name, progress, jobs=jobs)

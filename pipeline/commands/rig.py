@@ -9,8 +9,8 @@ import typer
 
 from pipeline.commands.boundary import group, with_options
 from pipeline.commands.console import Json, Parameters, Quiet, emit_json, emit_text, progress_report, working
-from pipeline.names import shell_word
-from pipeline.units import parse_quantity
+from pipeline.system.names import shell_word
+from pipeline.units.units import parse_quantity
 
 if TYPE_CHECKING:
     from pipeline.rig.fleet import Experiment, ExperimentFile
@@ -42,7 +42,7 @@ class SimulatedLogs:
     def experiment(self) -> "tuple[Experiment, ExperimentFile]":
         """The experiment on the virtual rig, and what its file says."""
         from pipeline.rig.fleet import Experiment, ExperimentFile
-        from pipeline.settings_file import read_options
+        from pipeline.settings.file import read_options
 
         rare = read_options(self.file, ExperimentFile)
         fields = rare.fields(self.file.parent if self.file else Path())
@@ -144,9 +144,9 @@ def excite(
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
     from pipeline.commands.inspection import emit_design
-    from pipeline.settings_file import read_options
-    from pipeline.tools import excitation
-    from pipeline.tools.excitation_design import Requirements
+    from pipeline.settings.file import read_options
+    from pipeline.workflow.studies import excitation
+    from pipeline.workflow.studies.excitation_design import Requirements
 
     rare = read_options(file, excitation.DesignFile)
     field = None if rare.max_field_V_per_um is None else 1e6 * rare.max_field_V_per_um
@@ -203,8 +203,8 @@ def closed_loop(
 
     Example: debist rig closed-loop virtual --controller runs/P1 --target 0s:left,0.5s:right --scenario pushed.toml
     """
-    from pipeline.settings_file import read_options
-    from pipeline.tools.closed_loop import ScenarioFile, closed_loop_log
+    from pipeline.settings.file import read_options
+    from pipeline.workflow.studies.closed_loop import ScenarioFile, closed_loop_log
 
     seconds = parse_quantity(duration, ("s",), "--duration")
     rare = read_options(scenario, ScenarioFile)

@@ -4,14 +4,14 @@ import numpy as np
 
 from pipeline.codegen.graph import trace
 from pipeline.codegen.sequence import GraphSequence, sequence_kernel
-from pipeline.compiled import compiled
 from pipeline.control import estimator, feedback
 from pipeline.control.estimator import ESTIMATED, PERIOD, SIZES
 from pipeline.control.law import CONTROLLER_STATE, NUMBERS, Law
 from pipeline.generated.condensed_joint import PREPARE, STATES
 from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import AHEAD, SHARES
+from pipeline.numerics.compiled import compiled
+from pipeline.numerics.fixed_step import AHEAD, SHARES
 
 _S, _SIGNALS, _V, _E, _U = ({name: SIZES[name]} for name in ("s", "signals", "v", "e", "u"))
 _JOINT = {"prepared": PREPARE.outputs["p"]} | _E | {"curves": 0}

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from pipeline.codegen.numba_writer import kernel
-from pipeline.compiled import compiled
 from pipeline.control.controller import PERIOD
 from pipeline.control.design_tables import braking_curves, moments_per_square, reached, target_table
 from pipeline.control.law import BEYOND, NUMBERS, REACHES, RESTS, SIDES, TARGETS, Law
@@ -19,6 +18,7 @@ from pipeline.generated.condensed_joint_jacobian import PREPARE
 from pipeline.models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 
 WEIGHT = 0.2
 """Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""

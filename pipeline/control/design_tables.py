@@ -7,7 +7,6 @@ largest speeds from which full braking still stops at a target, by simulation of
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
-from pipeline.compiled import compiled
 from pipeline.control.controller import move
 from pipeline.control.estimator import PERIOD
 from pipeline.control.feedback import RESERVE
@@ -16,6 +15,7 @@ from pipeline.control.linear import LinearModel, held, held_at, jacobian
 from pipeline.control.plant import ControlledJoint, inertia
 from pipeline.generated.condensed_joint import STATES
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 from pipeline.numerics.inner_loops import copy_into
 
 COMMON = (0.05, 0.9)

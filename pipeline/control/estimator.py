@@ -31,7 +31,7 @@ from pipeline.generated.condensed_joint import (
 from pipeline.generated.condensed_joint_jacobian import JACOBIAN
 from pipeline.generated.terms import STOP_OPERATOR
 from pipeline.models.hybrid.kernels import CURVED, CURVES
-from pipeline.solvers.fixed_step import ALL_SHARES, SHARES
+from pipeline.numerics.fixed_step import ALL_SHARES, SHARES
 
 Values = list[Any]
 Outputs = dict[str, Values]

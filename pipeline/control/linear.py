@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from pipeline.codegen.numba_writer import formula, kernel
-from pipeline.compiled import compiled
 from pipeline.control.plant import NAMES, UNITS, Constants, ControlledJoint, forces
 from pipeline.errors import InputError
 from pipeline.generated.condensed_joint import DRY_LEVELS, STATES, STOPS
@@ -16,6 +15,7 @@ from pipeline.generated.terms import BELL_SHAPE
 from pipeline.models.hybrid.kernels import CURVES, INDEX, VALUES, prepare
 from pipeline.models.hybrid.statics import rest_state, still
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 from pipeline.scoring.wells import outermost_pair
 
 _SAME = 1e-5  # m

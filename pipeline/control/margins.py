@@ -11,7 +11,6 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import expm
 
-from pipeline.compiled import compiled
 from pipeline.control.controller import begin_control, control, move
 from pipeline.control.estimator import PERIOD, SHAPE, direction, travel
 from pipeline.control.law import CONTROLLER_STATE, NUMBERS, PLACES, SIDES, Law
@@ -19,6 +18,7 @@ from pipeline.control.linear import full_jacobian
 from pipeline.control.plant import ControlledJoint
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 
 GAINS, FRICTIONS = (0.05, 20.0), 20.0
 """Factors between which the loop's gain is tried, and the largest one of friction."""

@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
 from pipeline.generated.condensed_joint import BRANCHES, ELEMENT_STATES
 from pipeline.models.hybrid.kernels import VALUES, corrections_at, mass_matrix, prepare, rest_forces
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 
 if TYPE_CHECKING:
     from pipeline.models.hybrid.model import HybridModel

@@ -10,10 +10,10 @@ from pipeline.control.ensemble import INTERVAL, Ensemble
 from pipeline.control.estimator import PERIOD
 from pipeline.control.step_metrics import BAND
 from pipeline.errors import InputError
-from pipeline.names import Goal
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import settling_index
-from pipeline.numerics.progress import OnProgress, silent
+from pipeline.system.names import Goal
+from pipeline.system.progress import OnProgress, silent
 
 LENGTH = 1.2
 """Length [s] of the runs by which a pulse is judged."""

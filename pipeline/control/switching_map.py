@@ -8,10 +8,10 @@ import numpy as np
 from pipeline.control.ensemble import Converters, Ensemble, ensemble_at
 from pipeline.control.estimator import PERIOD
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.names import Well
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
-from pipeline.numerics.progress import OnProgress, silent
+from pipeline.system.names import Well
+from pipeline.system.progress import OnProgress, silent
 
 REST = 1.6
 """Time [s] after the pulse's end at which the well counts."""

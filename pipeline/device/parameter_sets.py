@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pipeline.errors import InputError
-from pipeline.plain_files import read_toml
-from pipeline.settings import Prototype
-from pipeline.units import parse_quantity
+from pipeline.settings.prototype import Prototype
+from pipeline.system.plain_files import read_toml
+from pipeline.units.units import parse_quantity
 
 if TYPE_CHECKING:
     from pipeline.device.parameters import JointParameters

@@ -27,7 +27,7 @@ class Constant:
     prior_std : float
         Standard deviation of the prior of its logarithm.
     unit : str
-        A name in :data:`pipeline.units.POWERS`, for devices of another size.
+        A name in :data:`pipeline.units.units.POWERS`, for devices of another size.
     """
 
     name: str

@@ -114,7 +114,7 @@ def _full() -> str:
     kernels = full_joint.kernels(full_joint.symbols())
     named = {name.upper(): graph(inputs, outputs) for name, (_, inputs, outputs) in kernels.items()}
     functions = [_function(name, docstring, named[name.upper()]) for name, (docstring, _, _) in kernels.items()]
-    imports = "from pipeline.codegen.numba_writer import kernel\nfrom pipeline.compiled import compiled\n"
+    imports = "from pipeline.codegen.numba_writer import kernel\nfrom pipeline.numerics.compiled import compiled\n"
     imports += "from pipeline.numerics.arrays import FloatArray\n"
     return _module(_FULL, named, imports=imports) + "".join(functions)
 

@@ -15,7 +15,7 @@ from pipeline.export.fmu import identity, packed
 from pipeline.export.hybrid import states, stop_operators
 from pipeline.export.subject import Exported, Variable
 from pipeline.export.templates import asset, constant, render
-from pipeline.runs.atomic import write_text
+from pipeline.store.atomic import write_text
 
 NAME = "controller"
 _VARIABLES = (

@@ -10,7 +10,7 @@ from pipeline.models.paper.lagged_free_run import lagged_rates
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, polynomial_rates, steps_between_samples
 from pipeline.models.sindy.model import SindyModel
-from pipeline.solvers.fixed_step import escape_bounds, steps_per_sample
+from pipeline.numerics.fixed_step import escape_bounds, steps_per_sample
 
 Values = list[Any]
 

@@ -16,10 +16,10 @@ from pipeline.codegen.text_writer import c_function, matlab_function
 from pipeline.errors import InputError
 from pipeline.export.subject import SCALARS, Exported, Realisation, Subject, curve_tables
 from pipeline.export.templates import constant, render
-from pipeline.runs.atomic import write_bytes, write_text
-from pipeline.runs.manifest import to_json
-from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
-from pipeline.units import MASS
+from pipeline.numerics.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
+from pipeline.store.atomic import write_bytes, write_text
+from pipeline.store.manifest import to_json
+from pipeline.units.units import MASS
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:

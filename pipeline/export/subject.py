@@ -11,12 +11,12 @@ import numpy as np
 
 from pipeline.codegen.graph import Graph, choose, function
 from pipeline.errors import InputError
-from pipeline.model_list import ENTRIES
 from pipeline.models.base import DynamicModel, HasCurves
 from pipeline.models.kind import kind
-from pipeline.names import slug
 from pipeline.numerics.arrays import FloatArray
-from pipeline.si_prefix import quantity
+from pipeline.settings.models import ENTRIES
+from pipeline.system.names import slug
+from pipeline.units.quantity import quantity
 
 _STRONGER, _FARTHER = 1.05, 0.6
 """Times the largest trained input, and the trained range from its middle, beyond which a model extrapolates."""
@@ -96,7 +96,7 @@ class Subject:
     start : (float, float)
         Displacement and velocity at its first sample.
     curve_units : mapping of str to str
-        SI units of its curves by the start of their names (`pipeline.units.curve_units`).
+        SI units of its curves by the start of their names (`pipeline.units.units.curve_units`).
     """
 
     prototype: str

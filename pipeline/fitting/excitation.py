@@ -14,12 +14,12 @@ from pipeline.errors import DataRefusedError, InputError
 from pipeline.fitting.coverage import ACTING, Coverage, coverage
 from pipeline.fitting.information import Conditioning, ScaledRegressor, conditioning
 from pipeline.fitting.regression import InputLaw, input_signal
-from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
 from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
-from pipeline.si_prefix import quantity
+from pipeline.settings.models import CENTRES, SMOOTHING
 from pipeline.signals.noise import is_idle, noise_level
 from pipeline.signals.quality_gates import Finding
+from pipeline.units.quantity import quantity
 
 _INTERMEDIATE = (0.15, 0.85)
 """Shares of the largest value between which an input is neither off nor full."""

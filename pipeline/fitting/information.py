@@ -18,10 +18,10 @@ from pipeline.fitting.regression import (
     input_signal,
     regressor,
 )
-from pipeline.model_list import CENTRES, LAG_START, SMOOTHING
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.numerics.metrics import rms
+from pipeline.settings.models import CENTRES, LAG_START, SMOOTHING
 
 FLOOR = 1e-2
 """Information that stands for none, in samples at full scale: keeps the determinant of an unvisited centre finite."""

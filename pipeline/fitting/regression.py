@@ -11,10 +11,10 @@ import numpy as np
 import scipy.linalg
 
 from pipeline.codegen.numba_writer import formula
-from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.generated.terms import GAUSSIAN
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 
 _gaussian = formula(GAUSSIAN)
 

@@ -12,7 +12,7 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 
 from pipeline.codegen.graph import Graph
 from pipeline.codegen.numba_writer import kernel
-from pipeline.compiled import compiled
+from pipeline.numerics.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
 
 STATICS = Graph(

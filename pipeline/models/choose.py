@@ -20,7 +20,7 @@ from pipeline.scoring.cross_validation import free_run_error
 from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
 from pipeline.scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
 from pipeline.signals.trajectory import Record
-from pipeline.units import HORIZONS, of_joint
+from pipeline.units.units import HORIZONS, of_joint
 
 NETWORK_ERROR = 0.006
 """Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.

@@ -10,13 +10,13 @@ import numpy as np
 
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.fitting.population import NormalPopulation
-from pipeline.model_list import ENTRIES, entry
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.progress import OnProgress, silent
-from pipeline.runs.trees import read_tree
-from pipeline.settings import Compare, Identify
+from pipeline.settings.models import ENTRIES, entry
+from pipeline.settings.prototype import Compare, Identify
 from pipeline.signals.log import Log
+from pipeline.store.trees import read_tree
+from pipeline.system.progress import OnProgress, silent
 
 if TYPE_CHECKING:
     from pipeline.device.parameters import JointParameters

@@ -32,8 +32,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 from pipeline.numerics.tv_chain import advance_covariance, difference_weights, start_covariance
 
 

@@ -7,12 +7,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device_facts.calibrated import AmongSiblings, places_among
-from pipeline.device_facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
-from pipeline.device_facts.data_quality import centre_visits
-from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, moves_unforced, unforced, visited_range
-from pipeline.device_facts.run_data import Columns, RunData, Study
+from pipeline.diagnostics.facts.calibrated import AmongSiblings, places_among
+from pipeline.diagnostics.facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
+from pipeline.diagnostics.facts.data_quality import centre_visits
+from pipeline.diagnostics.facts.datasheet import Datasheet
+from pipeline.diagnostics.facts.phase_plane import (
+    BASIN_TIME,
+    OUTCOMES,
+    basin_map,
+    moves_unforced,
+    unforced,
+    visited_range,
+)
+from pipeline.diagnostics.facts.run_data import Columns, RunData, Study
 from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.numerics.metrics import NORMAL_95
 from pipeline.reporting.datasheet_rows import NOT_USED
@@ -21,8 +28,8 @@ from pipeline.reporting.instrument_table import instruments_figure
 from pipeline.reporting.legend import CHOSEN
 from pipeline.reporting.log_figures import residual_figures
 from pipeline.reporting.recipe_figures import study_figure
-from pipeline.si_prefix import power, quantity
 from pipeline.signals.trajectory import peaks, voltages
+from pipeline.units.quantity import power, quantity
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]

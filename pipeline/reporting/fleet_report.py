@@ -13,7 +13,7 @@ from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.fleet_table import FACTS, FleetColumn, Summary, decimals, distribution
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.page import render
-from pipeline.si_prefix import scale, significant
+from pipeline.units.quantity import scale, significant
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
 OUTLIER, LEAST_VALUES = 3.5, 6

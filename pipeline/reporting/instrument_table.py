@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.series import READINGS
+from pipeline.diagnostics.facts.series import READINGS
 from pipeline.diagnostics.instruments import SIGNIFICANCE
 from pipeline.diagnostics.sentences import correction_text
-from pipeline.names import log_title
 from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
-from pipeline.settings_logs import LogPart
-from pipeline.si_prefix import quantity
+from pipeline.settings.logs import LogPart
+from pipeline.system.names import log_title
+from pipeline.units.quantity import quantity
 
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]

@@ -19,7 +19,7 @@ from markupsafe import Markup
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, axis_label, extreme_places
 from pipeline.reporting.legend import MARKS, dashes, slot
-from pipeline.si_prefix import axis_scale
+from pipeline.units.quantity import axis_scale
 
 _ASSETS = files("pipeline.reporting") / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind

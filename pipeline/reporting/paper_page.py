@@ -5,9 +5,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from pipeline.device.parameters import JointParameters
-from pipeline.device_facts.run_data import RunData
+from pipeline.diagnostics.facts.run_data import RunData
 from pipeline.reporting.page import render
-from pipeline.units import SIGNALS
+from pipeline.units.units import SIGNALS
 
 _ANALYTICAL = {"q": 0.057, "phi": 0.056, "qdot": 0.104, "qddot": 0.108}
 PRINTED = {

@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.machine import import_configured
-from pipeline.names import Typeface
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import (
     Cells,
@@ -27,7 +25,9 @@ from pipeline.reporting.figure import (
     y_range,
 )
 from pipeline.reporting.legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
-from pipeline.si_prefix import axis_scale, scale
+from pipeline.system.machine import import_configured
+from pipeline.system.names import Typeface
+from pipeline.units.quantity import axis_scale, scale
 
 import_configured("matplotlib")
 from matplotlib.axes import Axes  # noqa: E402

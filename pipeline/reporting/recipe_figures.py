@@ -6,14 +6,14 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.device_facts.run_data import LogData
+from pipeline.diagnostics.facts.run_data import LogData
 from pipeline.fitting.regression import basis_values
 from pipeline.models.base import DynamicModel
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points
-from pipeline.runs.columns import StudyName
 from pipeline.signals.differentiate import AlphaStudy
-from pipeline.units import curve_units
+from pipeline.store.columns import StudyName
+from pipeline.units.units import curve_units
 
 ZOOM = (24.0, 30.0)
 """Stretch of figure 13 [s]."""

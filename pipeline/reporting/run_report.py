@@ -5,11 +5,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from pipeline.checks.rows import CheckRow, beside, remarks
-from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
-from pipeline.device_facts.run_data import WHY, RunData, judged_log
-from pipeline.names import ROLE_WORDS, log_title, shell_word, with_true_names
+from pipeline.diagnostics.facts.datasheet import Datasheet
+from pipeline.diagnostics.facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
+from pipeline.diagnostics.facts.run_data import WHY, RunData, judged_log
+from pipeline.diagnostics.rows import CheckRow, beside, remarks
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.control_figures import control_figures
 from pipeline.reporting.datasheet_rows import (
@@ -28,7 +27,8 @@ from pipeline.reporting.page import json_for_script, render, viewer_data
 from pipeline.reporting.short_tables import headline_table
 from pipeline.reporting.tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, nrmse_table
 from pipeline.scoring.wells import Wells
-from pipeline.si_prefix import short
+from pipeline.system.names import ROLE_WORDS, log_title, shell_word, with_true_names
+from pipeline.units.quantity import short
 
 SECTION_TITLES = {
     "derivatives": "Derivatives",

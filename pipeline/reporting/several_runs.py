@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_facts.series import Series, SeriesFact
+from pipeline.diagnostics.facts.series import Series, SeriesFact
 from pipeline.fitting.trends import FEWEST
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_95
@@ -13,7 +13,7 @@ from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
 from pipeline.reporting.legend import swatches
 from pipeline.reporting.page import render
-from pipeline.si_prefix import quantity
+from pipeline.units.quantity import quantity
 
 CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
 """Curves that are drawn, and their names."""

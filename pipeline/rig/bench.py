@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled, inner
 from pipeline.rig.joint import simulate
 from pipeline.rig.parameters import RigParameters
 

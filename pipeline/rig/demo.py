@@ -11,8 +11,8 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.rig.fleet import prototype_toml
 from pipeline.rig.log import LAYOUTS, RawLog
-from pipeline.runs.atomic import write_text
-from pipeline.runs.outputs import new_outputs, rebased
+from pipeline.store.atomic import write_text
+from pipeline.store.outputs import new_outputs, rebased
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
 INTERVAL = 1e-3

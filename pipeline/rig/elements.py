@@ -23,8 +23,8 @@ import math
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled, inner
 from pipeline.rig.parameters import (
     BOUC_WEN,
     DAHL,

@@ -16,8 +16,8 @@ from pipeline.rig.joint import wells
 from pipeline.rig.log import LAYOUTS, Fault, FaultKind, RawLog, inject_faults
 from pipeline.rig.parameters import RigParameters, as_json, nominal, sized, table1
 from pipeline.rig.random_joint import Family, aged, random_joint
-from pipeline.runs.outputs import new_outputs, rebased
-from pipeline.settings_logs import Number, SettingsTable, Whole
+from pipeline.settings.logs import Number, SettingsTable, Whole
+from pipeline.store.outputs import new_outputs, rebased
 
 Kind = Literal["same", "foreign", "worn", "nominal", "table1"]
 Role = Literal["train", "validation"]

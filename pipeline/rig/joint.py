@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.compiled import compiled
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 from pipeline.rig.elements import elastic, rubber_energy, stretch, tip
 from pipeline.rig.midpoint import march
 from pipeline.rig.parameters import RITZ, RigParameters, coordinates

@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from llvmlite import ir
 
-from pipeline.compiled import compiled, inner, intrinsic, types
 from pipeline.errors import InputError
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.compiled import compiled, inner, intrinsic, types
 from pipeline.rig.bench import Bench, Converter, Laser, Probe, bent, charge_left, charged
 from pipeline.rig.excitation import MAX_VOLTAGE
 from pipeline.rig.joint import barrier, rest, tip_displacement, wells

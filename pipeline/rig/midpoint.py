@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled, inner
 from pipeline.rig.elements import (
     elastic,
     hinge_angle,

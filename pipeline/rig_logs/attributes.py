@@ -10,7 +10,7 @@ import numpy as np
 from pipeline.errors import InputError
 from pipeline.rig_logs.recording import NOT_APPLIED
 from pipeline.rig_logs.source import stated_rate
-from pipeline.units import parse_quantity, time_unit
+from pipeline.units.units import parse_quantity, time_unit
 
 _UNIT = re.compile(r"(?i)(eng(ineering)?[ _]?)?units?|unit[ _]?(string|label|text)|ni_unitdescription|einheit(en)?")
 _OFFSET = "offset|intercept|y_?(org|origin|off|zero)"

@@ -24,7 +24,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.errors import disk_failure
-from pipeline.isolation import Send, limit
 from pipeline.rig_logs.clocks import with_clocks, with_starts
 from pipeline.rig_logs.recording import for_any_variable, missing_channel
 from pipeline.rig_logs.source import (
@@ -37,6 +36,7 @@ from pipeline.rig_logs.source import (
     left_out,
     read_start,
 )
+from pipeline.system.isolation import Send, limit
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
@@ -56,7 +56,7 @@ class _RefusedError(Exception):
 
 
 def read_log(send: Send, request: dict[str, Any]) -> None:
-    """Answer a request; runs in a process of its own (see `pipeline.isolation`)."""
+    """Answer a request; runs in a process of its own (see `pipeline.system.isolation`)."""
     send({"answer": _answer(send, request)})
 
 

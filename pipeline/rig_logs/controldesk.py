@@ -19,7 +19,7 @@ from pipeline.rig_logs.mat_values import (
     text_of,
 )
 from pipeline.rig_logs.source import Entry, UnreadableLogError, unique_names
-from pipeline.units import SECONDS, time_unit
+from pipeline.units.units import SECONDS, time_unit
 
 
 def is_recorder(value: MatValue) -> bool:

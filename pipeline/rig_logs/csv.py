@@ -281,7 +281,7 @@ class CsvSource(Source):
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa
 
-        from pipeline.arrow_columns import doubles
+        from pipeline.store.arrow_columns import doubles
 
         clocks = {name: Clock(self._firsts[name]) for name in self._clocks}
         looked_at = self._dialect.numeric[0] and not self._rewritten
@@ -345,7 +345,7 @@ class CsvSource(Source):
         import pyarrow as pa
         import pyarrow.compute as pc
 
-        from pipeline.arrow_columns import doubles
+        from pipeline.store.arrow_columns import doubles
 
         ticks = stamps.cast(pa.int64())
         if name not in self._origins and len(seen := ticks.drop_null()):

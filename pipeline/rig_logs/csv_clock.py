@@ -38,7 +38,7 @@ class Clock:
         import pyarrow as pa
         import pyarrow.compute as pc
 
-        from pipeline.arrow_columns import doubles
+        from pipeline.store.arrow_columns import doubles
 
         matched = pc.extract_regex(cells, self._form)
         if matched.null_count > cells.null_count:

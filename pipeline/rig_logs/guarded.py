@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from pipeline.errors import InputError
-from pipeline.isolation import Isolated, death, preload
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs import child
 from pipeline.rig_logs.recording import (
@@ -19,8 +18,9 @@ from pipeline.rig_logs.recording import (
     mapped_columns,
 )
 from pipeline.rig_logs.source import CsvOptions, Limits
+from pipeline.system.isolation import Isolated, death, preload
 
-_READER_IMPORTS = ("numpy", "pipeline.isolation", "pipeline.rig_logs.child")
+_READER_IMPORTS = ("numpy", "pipeline.system.isolation", "pipeline.rig_logs.child")
 _READER, _PATIENCE = child.read_log, 10
 
 

@@ -39,7 +39,7 @@ from pipeline.rig_logs.source import (
     not_listed,
     ranges,
 )
-from pipeline.units import SECONDS, time_unit
+from pipeline.units.units import SECONDS, time_unit
 
 _LARGEST_RATIO = 2000.0
 _SMALL_BYTES = 1 << 20

@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.names import shell_word
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig_logs.channel_roles import Suggestion, is_called, is_record, suggest, suggested_unit
 from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
@@ -22,7 +21,8 @@ from pipeline.signals.quality_gates import MOST_REPEATED
 from pipeline.signals.rounded_clock import uniform_clock
 from pipeline.signals.signal_quality import SignalQuality, examine_signal
 from pipeline.signals.timebase import TimeQuality, examine
-from pipeline.units import SECONDS
+from pipeline.system.names import shell_word
+from pipeline.units.units import SECONDS
 
 _UNEVEN, _MOSTLY = 0.5, 0.95
 """Share of a step by which those of a clock may differ, and how many of them do not by more."""

@@ -34,7 +34,7 @@ from pipeline.rig_logs.source import (
     ranges,
     stated_rate,
 )
-from pipeline.units import SECONDS, time_unit
+from pipeline.units.units import SECONDS, time_unit
 
 _MOST_ELEMENTS = 1000
 

@@ -25,7 +25,7 @@ from pipeline.rig_logs.source import (
     ranges,
     unique_names,
 )
-from pipeline.units import SECONDS, time_unit
+from pipeline.units.units import SECONDS, time_unit
 
 _FORMULA = "the result of a conversion formula, which is not worked out; export the channel with its physical values"
 

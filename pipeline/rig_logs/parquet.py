@@ -11,7 +11,6 @@ import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-from pipeline.arrow_columns import doubles
 from pipeline.rig_logs.attributes import (
     description_among,
     is_unit,
@@ -31,6 +30,7 @@ from pipeline.rig_logs.source import (
     left_out,
     unique_names,
 )
+from pipeline.store.arrow_columns import doubles
 
 _BUFFER = 1 << 20
 

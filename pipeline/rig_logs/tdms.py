@@ -23,7 +23,7 @@ from pipeline.rig_logs.source import (
     ranges,
     unique_names,
 )
-from pipeline.units import SECONDS, time_unit
+from pipeline.units.units import SECONDS, time_unit
 
 _SCALE_TYPE = re.compile(r"NI_Scale\[\d+\]_Scale_Type")
 _SCALES = {

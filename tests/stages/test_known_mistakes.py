@@ -7,9 +7,9 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import SeveralMistakesError
-from pipeline.settings import parse_prototype
-from pipeline.stages import ingest
-from pipeline.stages.run_place import load_settings
+from pipeline.settings.prototype import parse_prototype
+from pipeline.workflow import stage_ingest as ingest
+from pipeline.workflow.place import load_settings
 
 _WRONG = """
 name = "P"

@@ -18,7 +18,7 @@ from pipeline.models.analytical.statics import (
     tip_values,
 )
 from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.solvers.continuation import Branch, Residual, SpecialPoint, trace_branch
+from pipeline.numerics.continuation import Branch, Residual, SpecialPoint, trace_branch
 
 _SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
 """Changes [m] of the four tip contributions that continuation takes for large."""

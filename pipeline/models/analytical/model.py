@@ -16,8 +16,8 @@ from pipeline.models.base import FreeRun, checked
 from pipeline.models.kind import Kind, Training
 from pipeline.models.model_file import JointValues, ModelFile
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.stiff import STATES
 from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.stiff import STATES
 
 
 def _set_of(values: Any) -> Any:

@@ -19,14 +19,14 @@ from numpy.typing import NDArray
 
 from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
 from pipeline.codegen.numba_writer import formula, kernel
-from pipeline.compiled import compiled, inner
 from pipeline.generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOP_DIRECTIONS, STOP_ELEMENTS, STOPS
 from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
 from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
 from pipeline.models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES
 from pipeline.models.hybrid.runs import Laws, Stepping, observer
 from pipeline.numerics.arrays import FloatArray, SingleArray
-from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
+from pipeline.numerics.compiled import compiled, inner
+from pipeline.numerics.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
 
 BATCH = 16
 """Columns side by side."""

@@ -46,7 +46,7 @@ class Deviation:
     prior_std : float
         Prior standard deviation, in the unit or of the logarithm.
     unit : str
-        SI unit of the quantity, a name in :data:`pipeline.units.POWERS`.
+        SI unit of the quantity, a name in :data:`pipeline.units.units.POWERS`.
     typical : float or None
         Prior mean of a logarithm of which the parameter set says nothing.
     """

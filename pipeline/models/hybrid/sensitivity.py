@@ -16,7 +16,7 @@ from pipeline.models.hybrid.kernels import prepare as prepare_rates
 from pipeline.models.hybrid.runs import Joints, Laws, Stepping, integrate_joints
 from pipeline.models.hybrid.statics import rest_state
 from pipeline.numerics.arrays import FloatArray, SingleArray
-from pipeline.solvers.fixed_step import SHARES, workspace
+from pipeline.numerics.fixed_step import SHARES, workspace
 
 _NUDGE = 1e-4
 """Step of the differences by which the state at rest depends on a column, in its own scale."""

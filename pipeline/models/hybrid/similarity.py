@@ -12,7 +12,7 @@ import numpy as np
 from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOP_ELEMENTS, TIP_CONSTANTS
 from pipeline.numerics.arrays import FloatArray
 from pipeline.signals.trajectory import Record
-from pipeline.units import POWERS
+from pipeline.units.units import POWERS
 
 _UNITS = {
     "l": "m", "bending": "J", "bending_loss": "N·m·s", "mass": "kg", "cross": "kg·m", "inertia": "kg·m²",

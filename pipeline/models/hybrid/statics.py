@@ -5,7 +5,6 @@ Characteristic curves are taken along the path on which the shape is at rest.
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
 from pipeline.generated.condensed_joint import (
     AT_REST,
     BENDS,
@@ -26,6 +25,7 @@ from pipeline.models.hybrid.kernels import (
     rest_forces,
 )
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled, inner
 
 _L, _RATIO, _BENDING, _STOP = INDEX["l"], INDEX["slope_ratio"], INDEX["bending"], INDEX["stop_force_0"]
 _SOFTENING_RATE = INDEX["softening_rate"]

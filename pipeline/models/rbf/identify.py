@@ -16,7 +16,6 @@ from pipeline.fitting.descent import Prior
 from pipeline.fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
 from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
 from pipeline.fitting.regression import InputLaw
-from pipeline.model_list import RBF_TIME_LIMIT
 from pipeline.models.kind import Kind, KnownCurves, Training
 from pipeline.models.rbf.candidates import (
     Candidate,
@@ -35,8 +34,9 @@ from pipeline.models.rbf.structure_search import Begun, Setting, cut, excerpts, 
 from pipeline.models.tube_scales import scale_on
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90, rms
-from pipeline.numerics.progress import OnProgress, silent
+from pipeline.settings.models import RBF_TIME_LIMIT
 from pipeline.signals.trajectory import Record, operating_range
+from pipeline.system.progress import OnProgress, silent
 
 NEGLIGIBLE_INPUT = 0.01
 """Share of the largest input below which one does nothing."""

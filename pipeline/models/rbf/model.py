@@ -23,9 +23,9 @@ from pipeline.models.rbf.problem import JointProblem, steps_per_sample
 from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointStructure
 from pipeline.models.tube_scales import TubePart
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
+from pipeline.numerics.fixed_step import run_status
 from pipeline.scoring.tubes import NO_TUBES, TubeScale
 from pipeline.signals.log import Log
-from pipeline.solvers.fixed_step import run_status
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
 SEED = 20251  # of the posterior draws: the same model gives the same draws

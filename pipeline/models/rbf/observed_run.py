@@ -38,7 +38,7 @@ from pipeline.models.rbf.dynamics import (
     slide,
 )
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, between_samples, inlined, integrator, workspace
+from pipeline.numerics.fixed_step import Methods, between_samples, inlined, integrator, workspace
 
 _LARGEST = float(np.finfo(np.float64).max)
 

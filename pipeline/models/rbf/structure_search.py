@@ -17,8 +17,8 @@ from pipeline.models.rbf.problem import COARSE_STEP, Effort, JointProblem
 from pipeline.models.rbf.start import TIMES, data_scales, starting_joint
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import OnProgress, silent
 from pipeline.signals.trajectory import Record
+from pipeline.system.progress import OnProgress, silent
 
 FITTED_SHARE = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""

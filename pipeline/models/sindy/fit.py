@@ -15,9 +15,9 @@ from pipeline.fitting.regression import triangular_factor
 from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, PolynomialDynamics, Q, free_run
 from pipeline.models.sindy.weak_form import LAG_SETS, Library, Problem, prepare_problem, seeded
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.fixed_step import escape_bounds
 from pipeline.scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
 from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.fixed_step import escape_bounds
 
 SearchStatus = Literal["completed", "limit"]
 

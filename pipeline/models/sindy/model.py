@@ -34,10 +34,10 @@ from pipeline.models.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
+from pipeline.numerics.fixed_step import run_status
 from pipeline.scoring.cross_validation import mean_over_folds
 from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.fixed_step import run_status
-from pipeline.units import DISPLACEMENT, INPUT
+from pipeline.units.units import DISPLACEMENT, INPUT
 
 Units = tuple[str, str]
 

@@ -32,10 +32,10 @@ from pipeline.models.polynomial_dynamics import (
     scaled_variables,
 )
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.numerics.fixed_step import escape_bounds
 from pipeline.numerics.metrics import rms
 from pipeline.scoring.cross_validation import HeldOutBlock, held_out_blocks
 from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.fixed_step import escape_bounds
 
 HIGHEST, COUPLED = 7, 4
 """Highest power of q alone, and of q as a factor of velocities, inputs and lags."""
