@@ -28,7 +28,7 @@ import numpy as np  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
 from pipeline.reporting.legend import MODEL_COLOURS  # noqa: E402
-from pipeline.store import layout
+from pipeline.store import layout  # noqa: E402
 from pipeline.store.run_folder import RunFolder  # noqa: E402
 from pipeline.workflow.report_data import load_scores  # noqa: E402
 

@@ -1,4 +1,4 @@
-"""Fixtures shared by all tests; as in the program, numerical libraries take one thread (see `pipeline.system.machine`)."""
+"""Fixtures shared by all tests; as in the program, numerical libraries take one thread (`pipeline.system.machine`)."""
 
 import gc
 import os

@@ -1,7 +1,6 @@
 """The exported model with its bounds and curves, and its realisation: states, constants, equations of motion."""
 
 import hashlib
-import importlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +15,7 @@ from pipeline.models.kind import kind
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings.models import ENTRIES
 from pipeline.system.names import slug
+from pipeline.system.package import object_at
 from pipeline.units.quantity import quantity
 
 _STRONGER, _FARTHER = 1.05, 0.6
@@ -245,8 +245,7 @@ def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisatio
     if not equations:
         others = ", ".join(entry.name for entry in ENTRIES if kind(entry.name).equations)
         raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
-    module, _, function = equations.partition(":")
-    realisation: Realisation = getattr(importlib.import_module(module), function)(model, interval, unit)
+    realisation: Realisation = object_at(equations)(model, interval, unit)
     return realisation
 
 

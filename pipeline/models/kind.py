@@ -1,6 +1,5 @@
 """Kinds of models: how each is fitted, read from trees and files, and exported; and the data that a fit takes."""
 
-import importlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +15,7 @@ from pipeline.settings.models import ENTRIES, entry
 from pipeline.settings.prototype import Compare, Identify
 from pipeline.signals.log import Log
 from pipeline.store.trees import read_tree
+from pipeline.system.package import object_at
 from pipeline.system.progress import OnProgress, silent
 
 if TYPE_CHECKING:
@@ -191,8 +191,7 @@ def kind(name: str) -> Kind:
     if listed is None:
         every = ", ".join(sorted(model.name for model in ENTRIES))
         raise InputError(f"there is no model {name!r}; choose one of {every}")
-    module, _, attribute = listed.kind.partition(":")
-    loaded: Kind = getattr(importlib.import_module(module), attribute)
+    loaded: Kind = object_at(listed.kind)
     return loaded
 
 

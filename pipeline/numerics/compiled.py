@@ -1,4 +1,4 @@
-"""`compiled`: numba's `njit` with its cache in `pipeline.numerics.kernel_cache`, and the parts of numba that kernels need."""
+"""`compiled`: numba's `njit` with the cache of `kernel_cache`, and the parts of numba that kernels need."""
 
 import atexit
 from collections.abc import Callable

@@ -18,12 +18,9 @@ from platformdirs import user_cache_path
 from pipeline.errors import InputError
 
 VARIABLE = "NUMBA_CACHE_DIR"
-WITHOUT_KERNELS = (
-    "api", "batch", "checks", "commands", "device_facts", "export", "loading", "reporting", "rig_logs", "stages",
-    "tools",
-)  # fmt: skip
+WITHOUT_KERNELS = ("api", "commands", "diagnostics", "export", "reporting", "rig_logs", "store", "workflow")
 """Rooms that no kernel imports: a change in them leaves the kernels as they are."""
-_PACKAGE = Path(__file__).resolve().parent
+_PACKAGE = Path(__file__).resolve().parents[1]
 _DIGEST = ".sha256"
 
 

@@ -27,6 +27,7 @@ from pipeline.reporting.figure import (
 from pipeline.reporting.legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
 from pipeline.system.machine import import_configured
 from pipeline.system.names import Typeface
+from pipeline.system.package import full_name
 from pipeline.units.quantity import axis_scale, scale
 
 import_configured("matplotlib")
@@ -60,7 +61,7 @@ def sans() -> tuple[str, ...]:
     """The families of the figures' font, which is made known to matplotlib once a process."""
     from matplotlib.font_manager import fontManager
 
-    with as_file(files("pipeline.reporting") / "assets" / FONT) as path:
+    with as_file(files(full_name("reporting")) / "assets" / FONT) as path:
         fontManager.addfont(path)
     return SANS
 

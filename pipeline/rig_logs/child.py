@@ -9,7 +9,6 @@ Which reader a file needs its first bytes say; the suffix is only a hint in mess
 """
 
 import errno
-import importlib
 import os
 import re
 import struct
@@ -37,6 +36,7 @@ from pipeline.rig_logs.source import (
     read_start,
 )
 from pipeline.system.isolation import Send, limit
+from pipeline.system.package import module_at
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {
@@ -315,5 +315,5 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
         raise UnreadableLogError(
             "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
         )
-    source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)
+    source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
     return with_starts(with_clocks(source))

@@ -19,8 +19,9 @@ from pipeline.rig_logs.recording import (
 )
 from pipeline.rig_logs.source import CsvOptions, Limits
 from pipeline.system.isolation import Isolated, death, preload
+from pipeline.system.package import full_name
 
-_READER_IMPORTS = ("numpy", "pipeline.system.isolation", "pipeline.rig_logs.child")
+_READER_IMPORTS = ("numpy", full_name("system.isolation"), full_name("rig_logs.child"))
 _READER, _PATIENCE = child.read_log, 10
 
 

@@ -7,8 +7,8 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Strict, Tag, field_validator, model_validator
 
 from pipeline.errors import InputError
-from pipeline.system.names import FILL_IN, true_name
-from pipeline.units.units import DISPLACEMENT, TIME, parse_quantity
+from pipeline.system.names import true_name
+from pipeline.units.units import DISPLACEMENT, FILL_IN, TIME, parse_quantity
 
 # Numbers are written as numbers: true, "0.01", inf and nan are refused.
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]

@@ -24,8 +24,8 @@ class ModelEntry:
     takes_mass : bool
         Whether the mass in the settings enters its fit.
     stands_in : tuple of str
-        Gates of the training data (`pipeline.settings.prototype.TrainingGate`) that need not hold for it: what the data do not
-        show, its equations or its priors decide.
+        Gates of the training data (`TrainingGate`) that need not hold for it: what the data do not show, its
+        equations or its priors decide.
     """
 
     name: str
@@ -37,18 +37,16 @@ class ModelEntry:
 
 
 ENTRIES = (
-    ModelEntry(
-        "hybrid", "pipeline.models.hybrid.identify:HYBRID", "identify", stands_in=("one-well", "visits", "rank")
-    ),
-    ModelEntry("rbf", "pipeline.models.rbf.identify:RBF", "identify", stands_in=("visits", "rank")),
-    ModelEntry("rbf-paper", "pipeline.models.paper.model:RBF_PAPER", "identify"),
-    ModelEntry("sindy", "pipeline.models.sindy.model:SINDY"),
-    ModelEntry("sindy-default", "pipeline.models.sindy.model:SINDY_DEFAULT"),
-    ModelEntry("narx", "pipeline.models.narx.model:NARX", takes_mass=False),
-    ModelEntry("analytical", "pipeline.models.analytical.model:ANALYTICAL", needs_parameters=True, takes_mass=False),
+    ModelEntry("hybrid", "models.hybrid.identify:HYBRID", "identify", stands_in=("one-well", "visits", "rank")),
+    ModelEntry("rbf", "models.rbf.identify:RBF", "identify", stands_in=("visits", "rank")),
+    ModelEntry("rbf-paper", "models.paper.model:RBF_PAPER", "identify"),
+    ModelEntry("sindy", "models.sindy.model:SINDY"),
+    ModelEntry("sindy-default", "models.sindy.model:SINDY_DEFAULT"),
+    ModelEntry("narx", "models.narx.model:NARX", takes_mass=False),
+    ModelEntry("analytical", "models.analytical.model:ANALYTICAL", needs_parameters=True, takes_mass=False),
     ModelEntry(
         "analytical-calibrated",
-        "pipeline.models.analytical.model:ANALYTICAL_CALIBRATED",
+        "models.analytical.model:ANALYTICAL_CALIBRATED",
         needs_parameters=True,
         takes_mass=False,
     ),

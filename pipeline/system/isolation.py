@@ -36,7 +36,7 @@ Made = TypeVar("Made")
 Send = Callable[[Any], None]
 """Hands what JSON can hold to the parent."""
 
-_HOME = str(Path(__file__).resolve().parent.parent)
+_HOME = str(Path(__file__).resolve().parents[2])
 _STANDARD = ("stdlib", "platstdlib", "purelib", "platlib")
 _SURROUNDINGS = {
     "PYTHONSAFEPATH": "1",

@@ -11,6 +11,7 @@ from pipeline.store.atomic import make_folder
 from pipeline.store.lock import run_lock
 from pipeline.store.manifest import MANIFEST
 from pipeline.system.isolation import next_ready, preload
+from pipeline.system.package import full_name
 from pipeline.workflow.failures import forget_failure
 from pipeline.workflow.fleet import write_fleet
 from pipeline.workflow.members import Member, Shard
@@ -90,7 +91,7 @@ def run_batch(
     elsewhere as much for each; for a prototype that is up to date some milliseconds and the hashing of its files.
     """
     make_folder(output)
-    preload(["pipeline.workflow.preloaded", program.__module__])
+    preload([full_name("workflow.preloaded"), program.__module__])
     own = [member for member in members if shard is None or shard.holds(member.name)]
     options = () if execution.report else ("--no-report",)
 

@@ -10,19 +10,17 @@ signal.signal(signal.SIGINT, signal.SIG_IGN)  # the batch alone decides what Ctr
 import numpy as np  # noqa: E402
 
 from pipeline.signals.differentiate import differentiate  # noqa: E402
+from pipeline.system.package import full_name  # noqa: E402
 
-_ROOMS = (
-    "numerics", "solvers", "generated", "signals", "runs", "rig_logs", "scoring", "fitting", "models",
-    "device_facts", "loading", "checks", "stages",
-)  # fmt: skip
+_ROOMS = ("numerics", "generated", "signals", "store", "rig_logs", "scoring", "fitting", "models", "diagnostics")
 _WITHIN_FUNCTIONS = (
     "pyarrow.parquet", "h5py", "scipy.signal", "scipy.optimize", "scipy.interpolate", "multiprocessing.popen_fork",
-    "pipeline.commands.outcome", "pipeline.reporting.log_figures",
+    full_name("workflow.run"), full_name("commands.outcome"), full_name("reporting.log_figures"),
 )  # fmt: skip
-"""Packages of `pipeline` that a run uses, and what they import within functions."""
+"""Rooms that a run uses, and what they import within functions."""
 
 for room in _ROOMS:
-    for module in pkgutil.walk_packages([str(Path(__file__).parents[1] / room)], f"pipeline.{room}."):
+    for module in pkgutil.walk_packages([str(Path(__file__).parents[1] / room)], full_name(f"{room}.")):
         importlib.import_module(module.name)
 for name in _WITHIN_FUNCTIONS:
     importlib.import_module(name)

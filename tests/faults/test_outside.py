@@ -156,7 +156,8 @@ def _told(program: str, **environment: str) -> str:
 def test_threads_of_a_program_that_imports_debist_change_no_result_and_stay_its_own():
     """NumPy is loaded first, as in most notebooks."""
     program = (
-        "import numpy as np, scipy.linalg, threadpoolctl, hashlib, debist; from pipeline.system.machine import one_thread\n"
+        "import numpy as np, scipy.linalg, threadpoolctl, hashlib, debist\n"
+        "from pipeline.system.machine import one_thread\n"
         "def work():\n"
         "    a = np.random.default_rng(1).normal(size=(400, 400)); q, r = np.linalg.qr(a @ a.T)\n"
         "    return hashlib.sha256(q.tobytes() + r.tobytes()).hexdigest()\n"

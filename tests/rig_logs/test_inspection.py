@@ -10,7 +10,7 @@ from pipeline.rig.log import write_mat5
 from pipeline.rig_logs.channel_roles import suggest, suggested_unit
 from pipeline.rig_logs.draft import proposed_roles, quoted, toml_draft
 from pipeline.rig_logs.inspection import inspect_log
-from pipeline.system.names import FILL_IN
+from pipeline.units.units import FILL_IN
 
 
 @pytest.fixture(scope="module")

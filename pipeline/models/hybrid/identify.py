@@ -388,4 +388,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
-HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")
+HYBRID = Kind(_fit, HybridModel.from_tree, "export.hybrid:realise")

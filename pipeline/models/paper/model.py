@@ -277,6 +277,4 @@ def _fit(training: Training) -> RbfPaperModel:
     )
 
 
-RBF_PAPER = Kind(
-    _fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "pipeline.export.lagged:realise_paper"
-)
+RBF_PAPER = Kind(_fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "export.lagged:realise_paper")

@@ -274,4 +274,4 @@ def _fit(training: Training) -> RbfModel:
     )
 
 
-RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.data_driven:realise")
+RBF = Kind(_fit, RbfModel.from_tree, "export.data_driven:realise")

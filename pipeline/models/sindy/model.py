@@ -352,12 +352,12 @@ SINDY = Kind(
         data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
-    "pipeline.export.lagged:realise_polynomial",
+    "export.lagged:realise_polynomial",
 )
 SINDY_DEFAULT = Kind(
     lambda data: identify_default_sindy(
         data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
-    "pipeline.export.lagged:realise_polynomial",
+    "export.lagged:realise_polynomial",
 )

@@ -1,7 +1,7 @@
 """The next log: a sequence that makes an identified joint surest of its free run in a stated programme.
 
-It is built burst by burst as `pipeline.workflow.studies.excitation_design` does, but starts from the posterior that the run has:
-the criterion is the expected standard deviation of the free run (`pipeline.models.hybrid.next_log`).
+It is built burst by burst as in `excitation_design`, but starts from the posterior that the run has: the criterion
+is the expected standard deviation of the free run (`pipeline.models.hybrid.next_log`).
 """
 
 from collections.abc import Callable
