@@ -18,7 +18,7 @@ from platformdirs import user_cache_path
 from pipeline.errors import InputError
 
 VARIABLE = "NUMBA_CACHE_DIR"
-WITHOUT_KERNELS = ("api", "commands", "diagnostics", "export", "reporting", "rig_logs", "store", "workflow")
+WITHOUT_KERNELS = ("api", "commands", "diagnostics", "export", "reporting", "rig_logs", "workflow")
 """Rooms that no kernel imports: a change in them leaves the kernels as they are."""
 _PACKAGE = Path(__file__).resolve().parents[1]
 _DIGEST = ".sha256"
