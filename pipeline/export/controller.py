@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline import __version__
+from pipeline.system.package import program_version
 from pipeline.codegen.sequence import GraphSequence, c_sequence, matlab_sequence
 from pipeline.codegen.text_writer import Code, c_function, matlab_function
 from pipeline.control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
@@ -111,7 +111,7 @@ def _fields(subject: ControllerSubject) -> dict[str, Any]:
     left, saddle, right = subject.places
     low, high = (q + law.number("offset") for q in law.places)
     return {
-        "version": __version__,
+        "version": program_version(),
         "prototype": subject.prototype,
         "model": subject.model,
         "origin": subject.origin,

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline import __version__
+from pipeline.system.package import program_version
 from pipeline.export.sources import bounds, c_sources, model_fields
 from pipeline.export.subject import Exported, Realisation, Subject
 from pipeline.export.templates import asset, render
@@ -93,7 +93,7 @@ def guid(subject: Subject) -> str:
 
 def identity(*content: str) -> str:
     """A GUID of what an FMU is made of and the version that wrote it."""
-    return f"{{{uuid.uuid5(_NAMESPACE, '/'.join((__version__, *content)))}}}"
+    return f"{{{uuid.uuid5(_NAMESPACE, '/'.join((program_version(), *content)))}}}"
 
 
 def _compiled(sources: dict[str, str], identifier: str) -> dict[str, bytes]:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline import __version__
+from pipeline.system.package import program_version
 from pipeline.codegen.text_writer import c_function, matlab_function
 from pipeline.errors import InputError
 from pipeline.export.subject import SCALARS, Exported, Realisation, Subject, curve_tables
@@ -52,7 +52,7 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
         ranges += [(f"V{i}_MIN", low), (f"V{i}_MAX", high)]
     return {
         "title": f"Dynamic model of the joint {subject.prototype}",
-        "version": __version__,
+        "version": program_version(),
         "subject": subject,
         "realisation": realisation,
         "validity": validity,
@@ -95,7 +95,7 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
     """
     script, data = folder / f"{subject.identifier}.m", folder / f"{subject.identifier}_data.mat"
     write_text(script, function_source(subject))
-    write_bytes(data, _mat_bytes(variables(subject), f"debist {__version__}, {subject.identifier}"))
+    write_bytes(data, _mat_bytes(variables(subject), f"debist {program_version()}, {subject.identifier}"))
     return Exported([script, data])
 
 
@@ -173,7 +173,7 @@ def document(subject: Subject) -> dict[str, Any]:
             "format": FORMAT,
             "prototype": subject.prototype,
             "model": subject.name,
-            "origin": {"content": subject.origin, "debist": __version__},
+            "origin": {"content": subject.origin, "debist": program_version()},
             "validity": vars(subject.validity),
             "description": subject.model.describe(),
             "equations": _equations(subject),

@@ -22,7 +22,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
 
-from pipeline import __version__
+from pipeline.system.package import program_version
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.settings.former import translated
 from pipeline.store.atomic import move, not_written, reading, refuse_link, sweep, write_text
@@ -55,7 +55,7 @@ _RECORDED = (
 def recorded_versions() -> dict[str, str]:
     """Versions of debist, of Python with its platform, and of the packages that read data or can move a digit."""
     python = f"{platform.python_version()} on {platform.platform()}"
-    return {"debist": __version__, "python": python, **{package: version(package) for package in _RECORDED}}
+    return {"debist": program_version(), "python": python, **{package: version(package) for package in _RECORDED}}
 
 
 @dataclass(frozen=True)

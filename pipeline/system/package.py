@@ -21,3 +21,8 @@ def object_at(place: str) -> Any:
     """What stands at a place ``module:attribute``, such as ``models.narx.model:NARX``."""
     module, _, attribute = place.partition(":")
     return getattr(module_at(module), attribute)
+
+
+def program_version() -> str:
+    """The version of the program."""
+    return str(importlib.import_module(PACKAGE).__version__)
