@@ -1,6 +1,18 @@
 """debist in a checkout: the public names of the package `pipeline`, which is called `debist` where it is installed."""
 
-from pipeline import DebistError, Model, Run, __version__, check, compare, differentiate, identify, main, open_run, read_log
+from pipeline import (
+    DebistError,
+    Model,
+    Run,
+    __version__,
+    check,
+    compare,
+    differentiate,
+    identify,
+    main,
+    open_run,
+    read_log,
+)
 
 __all__ = [
     "DebistError",

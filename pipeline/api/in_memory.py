@@ -7,37 +7,37 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.device.device import Device, device
-from pipeline.device.parameter_sets import parameter_set
-from pipeline.diagnostics.check import check_logs
-from pipeline.diagnostics.copies import shared_recordings, shared_rows
-from pipeline.diagnostics.facts.characteristics import believed_wells, stable_rests
-from pipeline.diagnostics.rows import findings, remarks
-from pipeline.diagnostics.weak_form import LogSignals
-from pipeline.errors import DataRefusedError, InputError, warn_user
-from pipeline.models.base import DynamicModel, kind_of, real_numbers
-from pipeline.models.free_runs import free_run
-from pipeline.models.kind import StoredModel, kind
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import fit_percent
-from pipeline.scoring.wells import wells_of
-from pipeline.settings.models import AUTO, ENTRIES, entry, names
-from pipeline.settings.prototype import Prototype, parse_prototype
-from pipeline.signals.log import Log, log_of
-from pipeline.signals.missing import code_remarks, codes_in, masked
-from pipeline.signals.quality_gates import scale_suspicion
-from pipeline.signals.trajectory import UNKNOWN
-from pipeline.store import layout
-from pipeline.store.columns import TUBE_COLUMNS
-from pipeline.store.run_folder import RunFolder
-from pipeline.workflow.logs import load_motion, motion, training
-from pipeline.workflow.prior_knowledge import prior_knowledge_in
-from pipeline.workflow.si_log import SiLog, on_uniform_clocks
-from pipeline.workflow.stage_check import declared, log_signals
-from pipeline.workflow.stage_identify import identified
-from pipeline.workflow.stage_ingest import examined, record_columns, resamplings
-from pipeline.workflow.steps.differentiate import kinematics
-from pipeline.workflow.steps.score import ComparedRun, score_rows
+from ..device.device import Device, device
+from ..device.parameter_sets import parameter_set
+from ..diagnostics.check import check_logs
+from ..diagnostics.copies import shared_recordings, shared_rows
+from ..diagnostics.facts.characteristics import believed_wells, stable_rests
+from ..diagnostics.rows import findings, remarks
+from ..diagnostics.weak_form import LogSignals
+from ..errors import DataRefusedError, InputError, warn_user
+from ..models.base import DynamicModel, kind_of, real_numbers
+from ..models.free_runs import free_run
+from ..models.kind import StoredModel, kind
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import fit_percent
+from ..scoring.wells import wells_of
+from ..settings.models import AUTO, ENTRIES, entry, names
+from ..settings.prototype import Prototype, parse_prototype
+from ..signals.log import Log, log_of
+from ..signals.missing import code_remarks, codes_in, masked
+from ..signals.quality_gates import scale_suspicion
+from ..signals.trajectory import UNKNOWN
+from ..store import layout
+from ..store.columns import TUBE_COLUMNS
+from ..store.run_folder import RunFolder
+from ..workflow.logs import load_motion, motion, training
+from ..workflow.prior_knowledge import prior_knowledge_in
+from ..workflow.si_log import SiLog, on_uniform_clocks
+from ..workflow.stage_check import declared, log_signals
+from ..workflow.stage_identify import identified
+from ..workflow.stage_ingest import examined, record_columns, resamplings
+from ..workflow.steps.differentiate import kinematics
+from ..workflow.steps.score import ComparedRun, score_rows
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from pipeline.api.model import Model
-from pipeline.errors import InputError
-from pipeline.system.machine import one_thread
+from ..errors import InputError
+from ..system.machine import one_thread
+from .model import Model
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -39,10 +39,10 @@ def read_log(log: str | Path, settings: str | Path) -> "pd.DataFrame":
     """
     import numpy as np
 
-    from pipeline.api.in_memory import frame, si_symbols
-    from pipeline.device.device import device
-    from pipeline.workflow.place import load_settings
-    from pipeline.workflow.si_log import read_si
+    from ..device.device import device
+    from ..workflow.place import load_settings
+    from ..workflow.si_log import read_si
+    from .in_memory import frame, si_symbols
 
     prototype = load_settings(Path(settings))
     signals = read_si(Path(log), prototype, device(prototype))
@@ -76,8 +76,8 @@ def check(place: str | Path) -> "pd.DataFrame":
 
     import pandas as pd
 
-    from pipeline.workflow.engine import Unheard
-    from pipeline.workflow.inspection import check as check_tool
+    from ..workflow.engine import Unheard
+    from ..workflow.inspection import check as check_tool
 
     _, rows = check_tool(Path(place), Unheard())
     return pd.DataFrame([asdict(row) for row in rows])
@@ -111,9 +111,9 @@ def differentiate(
     import numpy as np
     import pandas as pd
 
-    from pipeline.api.in_memory import seconds
-    from pipeline.models.base import real_numbers
-    from pipeline.signals.differentiate import differentiate as differentiated
+    from ..models.base import real_numbers
+    from ..signals.differentiate import differentiate as differentiated
+    from .in_memory import seconds
 
     times, samples = seconds(t), real_numbers(q, "q")
     if times.ndim != 1 or times.shape != samples.shape or times.size < 2:

@@ -7,20 +7,20 @@ from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from pipeline.errors import InputError, warn_user
-from pipeline.system.machine import one_thread
+from ..errors import InputError, warn_user
+from ..system.machine import one_thread
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
-    from pipeline.api.in_memory import Signals
-    from pipeline.export.subject import Subject
-    from pipeline.models.base import DynamicModel
-    from pipeline.numerics.arrays import FloatArray
-    from pipeline.settings.prototype import Prototype
-    from pipeline.signals.log import Log
+    from ..export.subject import Subject
+    from ..models.base import DynamicModel
+    from ..numerics.arrays import FloatArray
+    from ..settings.prototype import Prototype
+    from ..signals.log import Log
+    from .in_memory import Signals
 
 _COARSEST = 30.0  # times the sample interval that a step of times may be: 1 kHz in ms has 100
 
@@ -69,7 +69,7 @@ class Model:
         InputError
             The model cannot be filed, or the file cannot be written.
         """
-        from pipeline.api.saved_model import save_model
+        from .saved_model import save_model
 
         save_model(Path(path), self._subject, self._prototype)
         return Path(path)
@@ -83,7 +83,7 @@ class Model:
         CorruptArtifactError
             The file is damaged, or no saved model.
         """
-        from pipeline.api.saved_model import load_saved
+        from .saved_model import load_saved
 
         subject, prototype = load_saved(Path(path))
         return cls(subject.model, prototype, subject=partial(replace, subject))
@@ -96,7 +96,7 @@ class Model:
         InputError
             A form that cannot carry the model, or a file of others in the folder.
         """
-        from pipeline.api.saved_model import export_model
+        from .saved_model import export_model
 
         return export_model(self._subject, target, Path(output)).written
 
@@ -130,9 +130,9 @@ class Model:
         InputError
             Signals that do not fit the model or each other, or a model without tubes.
         """
-        from pipeline.api.in_memory import frame, refuse_other_units, voltages_of
-        from pipeline.models.base import HasDraws
-        from pipeline.models.free_runs import wanted_tubes
+        from ..models.base import HasDraws
+        from ..models.free_runs import wanted_tubes
+        from .in_memory import frame, refuse_other_units, voltages_of
 
         times, volts = voltages_of(t, v)
         self._check_columns(volts.shape[1], None)
@@ -189,8 +189,8 @@ class Model:
         """
         import pandas as pd
 
-        from pipeline.api.in_memory import score_table
-        from pipeline.device.device import device
+        from ..device.device import device
+        from .in_memory import score_table
 
         return pd.DataFrame(score_table(self.core, self._measured(t, q, v1, v2), device(self._prototype)))
 
@@ -223,9 +223,9 @@ class Model:
         -----
         A model takes its hidden states from the measurement before. Cost: `ahead` simulated samples for each sample.
         """
-        from pipeline.api.in_memory import frame
-        from pipeline.scoring.horizons import predicted
-        from pipeline.workflow.stage_validate import measured_path
+        from ..scoring.horizons import predicted
+        from ..workflow.stage_validate import measured_path
+        from .in_memory import frame
 
         log = self._measured(t, q, v1, v2)
         if ahead not in range(1, len(log.t)):
@@ -241,9 +241,9 @@ class Model:
         """Measured and simulated displacement of a log with the fit in percent, as MATLAB's ``compare`` draws it."""
         from matplotlib import pyplot
 
-        from pipeline.models.free_runs import free_run
-        from pipeline.reporting.log_figures import fit_note
-        from pipeline.units.quantity import axis_scale, moment
+        from ..models.free_runs import free_run
+        from ..reporting.log_figures import fit_note
+        from ..units.quantity import axis_scale, moment
 
         log = self._measured(t, q, v1, v2)
         run = free_run(log, self.core)
@@ -271,10 +271,10 @@ class Model:
         import numpy as np
         import pandas as pd
 
-        from pipeline.api.in_memory import refuse_other_units
-        from pipeline.device.device import device
-        from pipeline.models.base import HasCurves, real_numbers
-        from pipeline.units.units import column_suffix
+        from ..device.device import device
+        from ..models.base import HasCurves, real_numbers
+        from ..units.units import column_suffix
+        from .in_memory import refuse_other_units
 
         if not isinstance(self.core, HasCurves):
             raise InputError(f"the model {self.name} has no characteristic curves")
@@ -296,12 +296,12 @@ class Model:
     @property
     def _units(self) -> tuple[str, str]:
         """SI symbols of the displacement and of the inputs."""
-        from pipeline.api.in_memory import si_symbols
+        from .in_memory import si_symbols
 
         return si_symbols(self._prototype)
 
     def _measured(self, t: Any, q: Any, v1: Any, v2: Any) -> "Log":
-        from pipeline.api.in_memory import as_pandas, cleaned, log_in
+        from .in_memory import as_pandas, cleaned, log_in
 
         t = as_pandas(t)
         log = log_in(t) if q is None else None
@@ -395,9 +395,9 @@ def identify(
     >>> model = debist.identify(t, q, v1, v2, mass=0.0405, parameters="nominal")  # doctest: +SKIP
     >>> model.simulate(t, np.column_stack([v1, v2]), q0=0.01).plot("t_s", "q_m")  # doctest: +SKIP
     """
-    from pipeline.api.in_memory import identify_signals
-    from pipeline.api.in_memory import settings as settings_of
-    from pipeline.api.saved_model import subject_of
+    from .in_memory import identify_signals
+    from .in_memory import settings as settings_of
+    from .saved_model import subject_of
 
     logs = _logs(t, q, v1, v2)
     count, unit = logs[0].v.shape[1], logs[0].unit
@@ -416,7 +416,7 @@ def identify(
 
 
 def _logs(t: Any, q: Any, v1: Any, v2: Any) -> "list[Signals]":
-    from pipeline.api.in_memory import arrays_of, as_pandas, signals_of
+    from .in_memory import arrays_of, as_pandas, signals_of
 
     t = [as_pandas(table) for table in t] if isinstance(t, list | tuple) else as_pandas(t)
     if q is not None:

@@ -15,18 +15,18 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from pipeline.api.logs import check, compare, differentiate, read_log
-from pipeline.api.model import Model, identify
-from pipeline.system.machine import one_thread
+from ..system.machine import one_thread
+from .logs import check, compare, differentiate, read_log
+from .model import Model, identify
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
 
-    from pipeline.control.linear import LinearModel
-    from pipeline.settings.prototype import Prototype
-    from pipeline.store.run_folder import RunFolder
-    from pipeline.workflow.plot import RunFigures
+    from ..control.linear import LinearModel
+    from ..settings.prototype import Prototype
+    from ..store.run_folder import RunFolder
+    from ..workflow.plot import RunFigures
 
 __all__ = ["Model", "Run", "check", "compare", "differentiate", "identify", "open_run", "read_log"]
 
@@ -67,14 +67,14 @@ class Run:
     @property
     def logs(self) -> list[str]:
         """Names of the logs, training logs first."""
-        from pipeline.store import layout
+        from ..store import layout
 
         return [log for _, log, _ in layout.logs(self._prototype)]
 
     @property
     def models(self) -> list[str]:
         """Names of the identified models, the headline first, and of the baselines that the run holds."""
-        from pipeline.workflow.run_models import compared_models, identified_models
+        from ..workflow.run_models import compared_models, identified_models
 
         source = (self._folder, self._prototype)
         return [*identified_models(*source), *compared_models(*source)]
@@ -88,7 +88,7 @@ class Run:
         """One row per log, model and signal; `nrmse` is a fraction."""
         import pandas as pd
 
-        from pipeline.workflow.report_data import load_scores
+        from ..workflow.report_data import load_scores
 
         return pd.DataFrame(load_scores(self.root))
 
@@ -97,7 +97,7 @@ class Run:
         """Errors of the instruments of each log, one row per log, model and quantity."""
         import pandas as pd
 
-        from pipeline.workflow.report_data import load_instruments
+        from ..workflow.report_data import load_instruments
 
         return pd.DataFrame(load_instruments(self.root))
 
@@ -113,8 +113,8 @@ class Run:
         InputError
             The run has no such log.
         """
-        from pipeline.api.in_memory import OF_RUN, frame
-        from pipeline.store import layout
+        from ..store import layout
+        from .in_memory import OF_RUN, frame
 
         role = self._role(name)
         table = frame(self._folder.read_table(layout.kinematics(role, name)), *self._units)
@@ -129,7 +129,7 @@ class Run:
         InputError
             The run holds no such model.
         """
-        from pipeline.workflow.run_models import load_run_model, subject
+        from ..workflow.run_models import load_run_model, subject
 
         source = self._folder, self._prototype, name
         return Model(load_run_model(*source), self._prototype, subject=partial(subject, *source))
@@ -159,9 +159,9 @@ class Run:
         InputError
             No such model or log, or a model without tubes.
         """
-        from pipeline.api.in_memory import frame
-        from pipeline.models.free_runs import drawn_runs, free_run, wanted_tubes
-        from pipeline.workflow.logs import load_motion
+        from ..models.free_runs import drawn_runs, free_run, wanted_tubes
+        from ..workflow.logs import load_motion
+        from .in_memory import frame
 
         name = log or self.logs[-1]
         measured = load_motion(self._folder, self._prototype, self._role(name), name)
@@ -177,7 +177,7 @@ class Run:
 
     def datasheet(self) -> dict[str, Any]:
         """The document ``datasheet.json``."""
-        from pipeline.workflow.report_data import load_datasheet
+        from ..workflow.report_data import load_datasheet
 
         return load_datasheet(self.root)
 
@@ -214,7 +214,7 @@ class Run:
         """
         from matplotlib import pyplot
 
-        from pipeline.workflow.plot import Excerpt
+        from ..workflow.plot import Excerpt
 
         return self._figures.plot(figure, pyplot.figure, Excerpt(start, stop, models, typeface))
 
@@ -223,7 +223,7 @@ class Run:
 
         `LinearModel.state_space` gives one to python-control. Needs the model 'hybrid'. Cost: 20 ms.
         """
-        from pipeline.workflow.studies.linear_models import linear_models
+        from ..workflow.studies.linear_models import linear_models
 
         return linear_models(self.root, (v1, v2))
 
@@ -235,19 +235,19 @@ class Run:
         output: str | Path | None = None,
     ) -> list[Path]:
         """Write a model, the headline if none is named, for another tool and return the files; see `debist export`."""
-        from pipeline.workflow.export import export_run
+        from ..workflow.export import export_run
 
         return export_run(self.root, target, model=model, output=None if output is None else Path(output)).written
 
     @cached_property
     def _folder(self) -> "RunFolder":
-        from pipeline.store.run_folder import RunFolder
+        from ..store.run_folder import RunFolder
 
         return RunFolder.open(self.root)
 
     @cached_property
     def _figures(self) -> "RunFigures":
-        from pipeline.workflow.plot import run_figures
+        from ..workflow.plot import run_figures
 
         return run_figures(self.root)
 
@@ -258,13 +258,13 @@ class Run:
     @property
     def _units(self) -> tuple[str, str]:
         """SI symbols of the displacement and of the inputs."""
-        from pipeline.api.in_memory import si_symbols
+        from .in_memory import si_symbols
 
         return si_symbols(self._prototype)
 
     def _role(self, log: str) -> Literal["train", "validation"]:
-        from pipeline.errors import InputError
-        from pipeline.store import layout
+        from ..errors import InputError
+        from ..store import layout
 
         for role, name, _ in reversed(layout.logs(self._prototype)):
             if name == log:

@@ -8,20 +8,20 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.export.subject import Exported, Subject, Validity
-from pipeline.models.kind import StoredModel, model_from_tree
-from pipeline.models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, columns_of, declaration
-from pipeline.numerics.arrays import FloatArray
-from pipeline.settings.former import translated
-from pipeline.settings.prototype import Prototype, parse_prototype
-from pipeline.signals.log import Log
-from pipeline.store.hashing import tree_hash
-from pipeline.store.outputs import new_outputs, rebased
-from pipeline.store.trees import read_tree, write_tree
-from pipeline.workflow.export import MODELS, write_model
-from pipeline.workflow.run_models import subject_on
+from ..device.device import device
+from ..errors import CorruptArtifactError, InputError
+from ..export.subject import Exported, Subject, Validity
+from ..models.kind import StoredModel, model_from_tree
+from ..models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, columns_of, declaration
+from ..numerics.arrays import FloatArray
+from ..settings.former import translated
+from ..settings.prototype import Prototype, parse_prototype
+from ..signals.log import Log
+from ..store.hashing import tree_hash
+from ..store.outputs import new_outputs, rebased
+from ..store.trees import read_tree, write_tree
+from ..workflow.export import MODELS, write_model
+from ..workflow.run_models import subject_on
 
 _CHECK = "check"
 """Group of the file with what travels along beside the model."""

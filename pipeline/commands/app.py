@@ -11,11 +11,11 @@ from typing import Annotated
 
 import typer
 
-from pipeline.commands import control, fleet, inspection, integrity, outcome, physics, results, rig, stages, whole_run
-from pipeline.commands.boundary import ErrorBoundary, Program, with_options
-from pipeline.commands.console import Json, NoReport, Quiet
-from pipeline.errors import BatchFailedError, InputError
-from pipeline.system.machine import settle_machine
+from ..errors import BatchFailedError, InputError
+from ..system.machine import settle_machine
+from . import control, fleet, inspection, integrity, outcome, physics, results, rig, stages, whole_run
+from .boundary import ErrorBoundary, Program, with_options
+from .console import Json, NoReport, Quiet
 
 app = Program(
     name="debist",
@@ -57,7 +57,7 @@ app.command()(whole_run.warmup)
 
 def _version(requested: bool) -> None:
     if requested:
-        from pipeline.system.package import program_version
+        from ..system.package import program_version
 
         typer.echo(f"debist {program_version()}")
         raise typer.Exit()
@@ -132,11 +132,11 @@ def batch(
 
     Example: debist batch prototypes/ -o runs --jobs 2
     """
-    from pipeline.units.units import parse_quantity
-    from pipeline.workflow.batch import Execution, run_batch
-    from pipeline.workflow.fleet import collect_batch
-    from pipeline.workflow.members import SETTINGS, Shard, members, prototype_files
-    from pipeline.workflow.variants import matrix_rows, with_siblings, write_matrix
+    from ..units.units import parse_quantity
+    from ..workflow.batch import Execution, run_batch
+    from ..workflow.fleet import collect_batch
+    from ..workflow.members import SETTINGS, Shard, members, prototype_files
+    from ..workflow.variants import matrix_rows, with_siblings, write_matrix
 
     limit = parse_quantity(options.time_limit, ("s",), "--time-limit")
     if not 1.0 <= limit <= 1e7:

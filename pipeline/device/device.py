@@ -5,10 +5,10 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.settings.logs import LogColumn
-from pipeline.settings.prototype import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
-from pipeline.units.units import (
+from ..errors import InputError
+from ..settings.logs import LogColumn
+from ..settings.prototype import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
+from ..units.units import (
     ACCELERATION,
     DISPLACEMENT,
     INPUT,

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from pipeline.diagnostics.declared import Declared
-from pipeline.diagnostics.input_rows import input_rows
-from pipeline.diagnostics.log_facts import log_facts
-from pipeline.diagnostics.motion_rows import motion_rows, start_rows
-from pipeline.diagnostics.rows import CheckRow
-from pipeline.diagnostics.weak_form import LogSignals
+from .declared import Declared
+from .input_rows import input_rows
+from .log_facts import log_facts
+from .motion_rows import motion_rows, start_rows
+from .rows import CheckRow
+from .weak_form import LogSignals
 
 
 def check_logs(logs: Sequence[LogSignals], declared: Declared) -> list[CheckRow]:

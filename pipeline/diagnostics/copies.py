@@ -9,10 +9,10 @@ from itertools import combinations
 
 import numpy as np
 
-from pipeline.diagnostics.rows import CheckRow
-from pipeline.diagnostics.weak_form import LogSignals
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.columns import chunks
+from ..numerics.arrays import FloatArray
+from ..signals.columns import chunks
+from .rows import CheckRow
+from .weak_form import LogSignals
 
 _WINDOW = 64
 """Raw samples that are equal in both logs. Half of them differ from the one before, so chance makes no two equal."""

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from pipeline.settings.prototype import FIELD_LIMIT, FILM_THICKNESS
-from pipeline.units.units import of_joint
+from ..settings.prototype import FIELD_LIMIT, FILM_THICKNESS
+from ..units.units import of_joint
 
 
 @dataclass(frozen=True)

@@ -3,9 +3,9 @@
 from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
-from pipeline.errors import DataRefusedError
-from pipeline.settings.prototype import Gate, Quality
-from pipeline.signals.quality_gates import Finding
+from ..errors import DataRefusedError
+from ..settings.prototype import Gate, Quality
+from ..signals.quality_gates import Finding
 
 
 def judge(

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.columns import CHUNK
+from ..numerics.arrays import FloatArray
+from ..signals.columns import CHUNK
 
 _FEWEST = 100
 """Changes that show how far apart they are."""

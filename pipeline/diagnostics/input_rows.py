@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from pipeline.device.parameters import NOMINAL
-from pipeline.diagnostics import limits
-from pipeline.diagnostics.declared import Declared
-from pipeline.diagnostics.log_facts import LogFacts, Push
-from pipeline.diagnostics.rows import CheckRow, State, in_si, short_quantity, times_text
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import Wells
-from pipeline.signals.noise import high_difference_level, is_idle, noise_level
-from pipeline.signals.signal_quality import takes_both_signs, usual_span
-from pipeline.units.quantity import quantity, significant
+from ..device.parameters import NOMINAL
+from ..numerics.arrays import FloatArray
+from ..scoring.wells import Wells
+from ..signals.noise import high_difference_level, is_idle, noise_level
+from ..signals.signal_quality import takes_both_signs, usual_span
+from ..units.quantity import quantity, significant
+from . import limits
+from .declared import Declared
+from .log_facts import LogFacts, Push
+from .rows import CheckRow, State, in_si, short_quantity, times_text
 
 _SIDES = ("right (+)", "left (−)")
 

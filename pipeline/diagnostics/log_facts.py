@@ -4,10 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.diagnostics import limits
-from pipeline.diagnostics.rest_drift import rest_drift
-from pipeline.diagnostics.undriven_starts import undriven_starts
-from pipeline.diagnostics.weak_form import (
+from ..numerics.arrays import FloatArray, IntArray, samples_of
+from ..scoring.wells import NoWells, Wells, find_wells
+from ..signals.signal_quality import takes_both_signs
+from . import limits
+from .rest_drift import rest_drift
+from .undriven_starts import undriven_starts
+from .weak_form import (
     BLOCKS,
     GAIN_TERMS,
     LogSignals,
@@ -18,9 +21,6 @@ from pipeline.diagnostics.weak_form import (
     unexplained,
     weak_terms,
 )
-from pipeline.numerics.arrays import FloatArray, IntArray, samples_of
-from pipeline.scoring.wells import NoWells, Wells, find_wells
-from pipeline.signals.signal_quality import takes_both_signs
 
 REACH = 20
 """Delays up to so many sample intervals are looked for."""

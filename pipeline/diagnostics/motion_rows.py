@@ -4,15 +4,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pipeline.diagnostics import limits
-from pipeline.diagnostics.declared import Declared
-from pipeline.diagnostics.log_facts import LogFacts
-from pipeline.diagnostics.rows import CheckRow, State, in_si, short_quantity, times_text
-from pipeline.scoring.wells import Wells
-from pipeline.settings.prototype import CheckGate
-from pipeline.signals.noise import below_resolution
-from pipeline.signals.quality_gates import plausible_span, scale_suspicion
-from pipeline.units.quantity import quantity
+from ..scoring.wells import Wells
+from ..settings.prototype import CheckGate
+from ..signals.noise import below_resolution
+from ..signals.quality_gates import plausible_span, scale_suspicion
+from ..units.quantity import quantity
+from . import limits
+from .declared import Declared
+from .log_facts import LogFacts
+from .rows import CheckRow, State, in_si, short_quantity, times_text
 
 ROUNDING = 1e-9
 """Range of q over its largest value up to which it is constant but for the rounding of its unit."""

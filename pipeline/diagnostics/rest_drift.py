@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from pipeline.diagnostics import limits
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import NoWells, Wells, end_of_rest, places_of_rest
+from ..numerics.arrays import FloatArray
+from ..scoring.wells import NoWells, Wells, end_of_rest, places_of_rest
+from . import limits
 
 
 def rest_drift(

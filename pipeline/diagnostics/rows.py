@@ -6,10 +6,10 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.settings.prototype import CheckGate
-from pipeline.signals.quality_gates import Finding
-from pipeline.units.quantity import scale, short, significant
-from pipeline.units.units import column_suffix
+from ..settings.prototype import CheckGate
+from ..signals.quality_gates import Finding
+from ..units.quantity import scale, short, significant
+from ..units.units import column_suffix
 
 State = Literal["ok", "note", "wrong", "not seen"]
 """ok: within the limit; note: look at it; wrong: the model would be wrong; not seen: the log does not show it."""

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from ..numerics.arrays import FloatArray
 
 _ANSWER = 10
 """Rows within which a device that begins to move has done so; it is at rest for twice as many before."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, sample_interval
+from ..numerics.arrays import BoolArray, FloatArray, IntArray, sample_interval
 
 FORCE_ORDER = 5
 GAIN_TERMS = 3

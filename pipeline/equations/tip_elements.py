@@ -10,7 +10,7 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline.system.package import object_at
+from ..system.package import object_at
 
 Law = Callable[[Any, Any, Any, dict[str, Any]], Any]
 """(q [m], q̇ [m/s], states of the element, its constants by name) → an expression in CasADi."""

@@ -10,9 +10,9 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline import generated
-from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
-from pipeline.equations import (
+from .. import generated
+from ..codegen.graph import Builder, Graph, Operation, reachable, text_of
+from . import (
     beam,
     condensed_joint,
     condensed_parts,
@@ -20,7 +20,7 @@ from pipeline.equations import (
     elements,
     full_joint,
 )
-from pipeline.equations.basis_functions import kernels as bell_kernels
+from .basis_functions import kernels as bell_kernels
 
 _FULL = """Kernels of the full-order joint.
 

@@ -11,15 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.system.package import program_version
-from pipeline.codegen.text_writer import c_function, matlab_function
-from pipeline.errors import InputError
-from pipeline.export.subject import SCALARS, Exported, Realisation, Subject, curve_tables
-from pipeline.export.templates import constant, render
-from pipeline.numerics.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
-from pipeline.store.atomic import write_bytes, write_text
-from pipeline.store.manifest import to_json
-from pipeline.units.units import MASS
+from ..codegen.text_writer import c_function, matlab_function
+from ..errors import InputError
+from ..numerics.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
+from ..store.atomic import write_bytes, write_text
+from ..store.manifest import to_json
+from ..system.package import program_version
+from ..units.units import MASS
+from .subject import SCALARS, Exported, Realisation, Subject, curve_tables
+from .templates import constant, render
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:

@@ -8,15 +8,15 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph, choose, function
-from pipeline.errors import InputError
-from pipeline.models.base import DynamicModel, HasCurves
-from pipeline.models.kind import kind
-from pipeline.numerics.arrays import FloatArray
-from pipeline.settings.models import ENTRIES
-from pipeline.system.names import slug
-from pipeline.system.package import object_at
-from pipeline.units.quantity import quantity
+from ..codegen.graph import Graph, choose, function
+from ..errors import InputError
+from ..models.base import DynamicModel, HasCurves
+from ..models.kind import kind
+from ..numerics.arrays import FloatArray
+from ..settings.models import ENTRIES
+from ..system.names import slug
+from ..system.package import object_at
+from ..units.quantity import quantity
 
 _STRONGER, _FARTHER = 1.05, 0.6
 """Times the largest trained input, and the trained range from its middle, beyond which a model extrapolates."""

@@ -14,8 +14,8 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, Undefined
 
-from pipeline.codegen.text_writer import Code, number
-from pipeline.system.package import full_name
+from ..codegen.text_writer import Code, number
+from ..system.package import full_name
 
 _SPELT = str.maketrans({"²": "^2", "³": "^3", "·": ".", "−": "-", "µ": "u", '"': "'", "\\": "/", "`": "'"})
 _DOT = re.compile("(?P<letter>[qz])(?P<dots>[\u0307\u0308])")

@@ -4,12 +4,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.models.base import DynamicModel, FreeRun, HasDraws, HasTubes
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.tubes import Tubes, tubes
-from pipeline.signals.log import EDGE, Log
-from pipeline.store.columns import TUBE_COLUMNS
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from ..scoring.tubes import Tubes, tubes
+from ..signals.log import EDGE, Log
+from ..store.columns import TUBE_COLUMNS
+from .base import DynamicModel, FreeRun, HasDraws, HasTubes
 
 DRAWS = 32
 """Free runs that show what the training data leave open."""

@@ -7,20 +7,20 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.fitting.population import NormalPopulation
-from pipeline.models.base import DynamicModel
-from pipeline.numerics.arrays import FloatArray
-from pipeline.settings.models import ENTRIES, entry
-from pipeline.settings.prototype import Compare, Identify
-from pipeline.signals.log import Log
-from pipeline.store.trees import read_tree
-from pipeline.system.package import object_at
-from pipeline.system.progress import OnProgress, silent
+from ..errors import CorruptArtifactError, InputError
+from ..fitting.population import NormalPopulation
+from ..numerics.arrays import FloatArray
+from ..settings.models import ENTRIES, entry
+from ..settings.prototype import Compare, Identify
+from ..signals.log import Log
+from ..store.trees import read_tree
+from ..system.package import object_at
+from ..system.progress import OnProgress, silent
+from .base import DynamicModel
 
 if TYPE_CHECKING:
-    from pipeline.device.parameters import JointParameters
-    from pipeline.fitting.regression import InputLaw
+    from ..device.parameters import JointParameters
+    from ..fitting.regression import InputLaw
 
 
 FITTED_SHARE = 0.75

@@ -24,12 +24,12 @@ from pydantic import (
     model_validator,
 )
 
-from pipeline.device.device import Device
-from pipeline.device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
-from pipeline.errors import CorruptArtifactError
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.store.trees import Columns
-from pipeline.units.units import MASS
+from ..device.device import Device
+from ..device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
+from ..errors import CorruptArtifactError
+from ..numerics.arrays import FloatArray, IntArray
+from ..store.trees import Columns
+from ..units.units import MASS
 
 LARGEST = 1e30
 """Largest magnitude of any number; products of a few of them are still finite."""

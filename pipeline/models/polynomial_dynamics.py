@@ -8,12 +8,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pipeline.codegen.graph import function, trace
-from pipeline.codegen.numba_writer import formula
-from pipeline.generated.terms import LAG as LAG_RATE
-from pipeline.generated.terms import POLYNOMIAL_VARIABLES
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.fixed_step import (
+from ..codegen.graph import function, trace
+from ..codegen.numba_writer import formula
+from ..generated.terms import LAG as LAG_RATE
+from ..generated.terms import POLYNOMIAL_VARIABLES
+from ..numerics.arrays import FloatArray, IntArray
+from ..numerics.fixed_step import (
     LAG_STEP,
     Methods,
     between_samples,
@@ -24,7 +24,7 @@ from pipeline.numerics.fixed_step import (
     no_finish,
     steps_per_sample,
 )
-from pipeline.numerics.linear_filters import first_order_lag
+from ..numerics.linear_filters import first_order_lag
 
 _variables, _lag_rate = formula(POLYNOMIAL_VARIABLES), formula(LAG_RATE)
 _turned = formula(trace(lambda q: {"of": [function("sin", q[0]), function("cos", q[0])]}, q=1))

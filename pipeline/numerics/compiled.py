@@ -6,8 +6,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar, overload
 
-from pipeline.numerics.kernel_cache import certify, kernel_folder
-from pipeline.system.machine import import_configured
+from ..system.machine import import_configured
+from .kernel_cache import certify, kernel_folder
 
 numba: Any = import_configured("numba")
 # numba reads the file again at each compilation, by a name that is relative to the current folder.

@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from .arrays import BoolArray, FloatArray
 
 Residual = Callable[[FloatArray, float], tuple[FloatArray, FloatArray, FloatArray]]
 """(y (n,), λ) → G (n,), ∂G/∂y (n, n), ∂G/∂λ (n,)."""

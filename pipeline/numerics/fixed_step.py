@@ -17,9 +17,9 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.compiled import Kernel, compiled, implement, inlinable, types
-from pipeline.numerics.inner_loops import FAST
+from .arrays import FloatArray
+from .compiled import Kernel, compiled, implement, inlinable, types
+from .inner_loops import FAST
 
 # No wrapper for calls from Python, which would be half of what a small function costs to compile.
 _OPTIONS: Any = {

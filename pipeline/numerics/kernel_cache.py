@@ -15,7 +15,7 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from pipeline.errors import InputError
+from ..errors import InputError
 
 VARIABLE = "NUMBA_CACHE_DIR"
 WITHOUT_KERNELS = ("api", "commands", "diagnostics", "export", "reporting", "rig_logs", "workflow")

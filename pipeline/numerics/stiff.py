@@ -23,9 +23,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.compiled import compiled, part
-from pipeline.numerics.inner_loops import factorise, solve_factorised
+from .arrays import FloatArray, IntArray
+from .compiled import compiled, part
+from .inner_loops import factorise, solve_factorised
 
 STATES = 11
 """q_m (4), q̇_m (4), Maxwell strains (2), friction state (1)."""

@@ -12,8 +12,8 @@ import math
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.compiled import compiled, inner
+from .arrays import FloatArray
+from .compiled import compiled, inner
 
 
 def difference_weights(order: int) -> FloatArray:

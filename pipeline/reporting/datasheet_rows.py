@@ -5,11 +5,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pipeline.diagnostics.facts.calibrated import Calibrated, calibrated
-from pipeline.diagnostics.facts.datasheet import Datasheet, DatasheetFact, doubt, is_refused
-from pipeline.diagnostics.facts.run_data import RunData
-from pipeline.store.columns import FACT_COLUMNS, STABLE, FactColumn
-from pipeline.units.quantity import interval, percent, power, quantity, scale, significant
+from ..diagnostics.facts.calibrated import Calibrated, calibrated
+from ..diagnostics.facts.datasheet import Datasheet, DatasheetFact, doubt, is_refused
+from ..diagnostics.facts.run_data import RunData
+from ..store.columns import FACT_COLUMNS, STABLE, FactColumn
+from ..units.quantity import interval, percent, power, quantity, scale, significant
 
 NOT_USED = " (a model not to be used)"
 """Remark beside facts of a model that the verdict rejects."""

@@ -16,11 +16,11 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import Figure, Line, Panel, axis_label, extreme_places
-from pipeline.reporting.legend import MARKS, dashes, slot
-from pipeline.system.package import full_name
-from pipeline.units.quantity import axis_scale
+from ..numerics.arrays import FloatArray
+from ..system.package import full_name
+from ..units.quantity import axis_scale
+from .figure import Figure, Line, Panel, axis_label, extreme_places
+from .legend import MARKS, dashes, slot
 
 _ASSETS = files(full_name("reporting")) / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind

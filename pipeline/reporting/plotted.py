@@ -8,8 +8,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import (
+from ..numerics.arrays import FloatArray
+from ..system.machine import import_configured
+from ..system.names import Typeface
+from ..system.package import full_name
+from ..units.quantity import axis_scale, scale
+from .figure import (
     Cells,
     Dash,
     Figure,
@@ -24,11 +28,7 @@ from pipeline.reporting.figure import (
     x_range,
     y_range,
 )
-from pipeline.reporting.legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
-from pipeline.system.machine import import_configured
-from pipeline.system.names import Typeface
-from pipeline.system.package import full_name
-from pipeline.units.quantity import axis_scale, scale
+from .legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
 
 import_configured("matplotlib")
 from matplotlib.axes import Axes  # noqa: E402

@@ -22,10 +22,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.errors import disk_failure
-from pipeline.rig_logs.clocks import with_clocks, with_starts
-from pipeline.rig_logs.recording import for_any_variable, missing_channel
-from pipeline.rig_logs.source import (
+from ..errors import disk_failure
+from ..system.isolation import Send, limit
+from ..system.package import module_at
+from .clocks import with_clocks, with_starts
+from .recording import for_any_variable, missing_channel
+from .source import (
     CsvOptions,
     Entry,
     Limits,
@@ -35,8 +37,6 @@ from pipeline.rig_logs.source import (
     left_out,
     read_start,
 )
-from pipeline.system.isolation import Send, limit
-from pipeline.system.package import module_at
 
 _LONGEST_ERROR = _LONGEST_TEXT = 2000
 _ENVIRONMENT = {"HDF5_PLUGIN_PRELOAD", "HOME", "LD_LIBRARY_PATH", "PATH", "SYSTEMROOT", "TEMP", "TMP", "TMPDIR"} | {

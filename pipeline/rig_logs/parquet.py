@@ -11,7 +11,8 @@ import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import (
+from ..store.arrow_columns import doubles
+from .attributes import (
     description_among,
     is_unit,
     plain,
@@ -20,7 +21,7 @@ from pipeline.rig_logs.attributes import (
     texts_among,
     unit_among,
 )
-from pipeline.rig_logs.source import (
+from .source import (
     EXACT,
     PART,
     Counted,
@@ -30,7 +31,6 @@ from pipeline.rig_logs.source import (
     left_out,
     unique_names,
 )
-from pipeline.store.arrow_columns import doubles
 
 _BUFFER = 1 << 20
 

@@ -11,10 +11,10 @@ from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 
-from pipeline.errors import InputError, SeveralMistakesError
-from pipeline.settings.former import replacement
-from pipeline.system.names import shell_word
-from pipeline.system.plain_files import LARGEST_SETTINGS, read_plain, read_toml
+from ..errors import InputError, SeveralMistakesError
+from ..system.names import shell_word
+from ..system.plain_files import LARGEST_SETTINGS, read_plain, read_toml
+from .former import replacement
 
 Options = TypeVar("Options", bound=BaseModel)
 

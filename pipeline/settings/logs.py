@@ -6,9 +6,9 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Strict, Tag, field_validator, model_validator
 
-from pipeline.errors import InputError
-from pipeline.system.names import true_name
-from pipeline.units.units import DISPLACEMENT, FILL_IN, TIME, parse_quantity
+from ..errors import InputError
+from ..system.names import true_name
+from ..units.units import DISPLACEMENT, FILL_IN, TIME, parse_quantity
 
 # Numbers are written as numbers: true, "0.01", inf and nan are refused.
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]

@@ -10,12 +10,12 @@ from typing import Any, Literal
 
 from pydantic import Field, ValidationError, field_validator, model_validator
 
-from pipeline.errors import SeveralMistakesError
-from pipeline.settings.file import mistakes, read_document
-from pipeline.settings.former import GATES
-from pipeline.settings.logs import ROLES, Channels, Logs, Number, SettingsTable, Whole, log_label
-from pipeline.settings.models import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
-from pipeline.system.names import check_log_name, check_name, log_name, slug
+from ..errors import SeveralMistakesError
+from ..system.names import check_log_name, check_name, log_name, slug
+from .file import mistakes, read_document
+from .former import GATES
+from .logs import ROLES, Channels, Logs, Number, SettingsTable, Whole, log_label
+from .models import AUTO, CENTRES, ENTRIES, RBF_TIME_LIMIT, SMOOTHING, names
 
 
 class Quantity(SettingsTable):

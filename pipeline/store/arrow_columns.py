@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
-from pipeline.numerics.arrays import FloatArray
+from ..numerics.arrays import FloatArray
 
 _FIXED: dict[Any, Any] = {pa.float64(): np.dtype("<f8"), pa.int64(): np.dtype("<i8"), pa.int32(): np.dtype("<i4")}
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from pipeline.errors import InputError
+from ..errors import InputError
 
 TEMPORARY_MARK = ".debist-tmp"
 _PAUSES = (0.05, 0.1, 0.2, 0.4)

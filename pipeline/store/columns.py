@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from pipeline.units.units import HORIZONS
+from ..units.units import HORIZONS
 
 SCHEMA_VERSION = "2"
 

@@ -8,11 +8,11 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from pipeline.errors import CorruptArtifactError
-from pipeline.store import layout
-from pipeline.store.run_folder import RunFolder
-from pipeline.store.schemas import Number, kind, list_of
-from pipeline.system.names import Well
+from ..errors import CorruptArtifactError
+from ..system.names import Well
+from . import layout
+from .run_folder import RunFolder
+from .schemas import Number, kind, list_of
 
 Row = list[float]
 Pairs = list[tuple[float, float]]

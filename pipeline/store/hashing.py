@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.system.plain_files import open_plain
+from ..system.plain_files import open_plain
 
 _BLOCK = 1 << 20
 

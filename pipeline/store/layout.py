@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
-from pipeline.settings.logs import ROLES, Log, LogPart, Role, log_label
-from pipeline.settings.prototype import Prototype
-from pipeline.system.names import log_name
+from ..settings.logs import ROLES, Log, LogPart, Role, log_label
+from ..settings.prototype import Prototype
+from ..system.names import log_name
 
 CHECK = "check.json"
 MODELS = "model.h5"

@@ -11,9 +11,9 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
-from pipeline.errors import InputError, RunLockedError
-from pipeline.store.atomic import refuse_link, write_text
-from pipeline.system.plain_files import read_plain
+from ..errors import InputError, RunLockedError
+from ..system.plain_files import read_plain
+from .atomic import refuse_link, write_text
 
 LOCK = ".lock"
 _NOTE = "-holder.json"

@@ -22,14 +22,14 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
 
-from pipeline.system.package import program_version
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.settings.former import translated
-from pipeline.store.atomic import move, not_written, reading, refuse_link, sweep, write_text
-from pipeline.store.hashing import file_sha256, flatten, json_sha256
-from pipeline.store.schemas import ADVICE, checked_notes, first_mistake
-from pipeline.system.names import shell_word
-from pipeline.system.plain_files import read_plain
+from ..errors import CorruptArtifactError, InputError
+from ..settings.former import translated
+from ..system.names import shell_word
+from ..system.package import program_version
+from ..system.plain_files import read_plain
+from .atomic import move, not_written, reading, refuse_link, sweep, write_text
+from .hashing import file_sha256, flatten, json_sha256
+from .schemas import ADVICE, checked_notes, first_mistake
 
 MANIFEST = "manifest.json"
 NEXT_MANIFEST = ".manifest.next.json"

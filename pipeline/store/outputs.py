@@ -13,11 +13,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from pipeline.errors import InputError
-from pipeline.store import layout
-from pipeline.store.atomic import TEMPORARY_MARK, not_written, refuse_link, replace, write_text
-from pipeline.store.hashing import file_sha256
-from pipeline.system.plain_files import read_plain, read_toml
+from ..errors import InputError
+from ..system.plain_files import read_plain, read_toml
+from . import layout
+from .atomic import TEMPORARY_MARK, not_written, refuse_link, replace, write_text
+from .hashing import file_sha256
 
 WRITTEN = ".debist-written.json"
 EXTRA_FOLDERS = (layout.STUDIES, layout.EXPORTS)

@@ -9,13 +9,15 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pipeline.errors import CorruptArtifactError, InputError, SupersededError, warn_user
-from pipeline.settings.former import translated
-from pipeline.settings.prototype import Prototype, parse_prototype
-from pipeline.store import layout, tables, trees
-from pipeline.store.atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
-from pipeline.store.hashing import file_sha256, json_sha256
-from pipeline.store.manifest import (
+from ..errors import CorruptArtifactError, InputError, SupersededError, warn_user
+from ..settings.former import translated
+from ..settings.prototype import Prototype, parse_prototype
+from ..system.names import shell_word
+from ..system.plain_files import open_plain
+from . import layout, tables, trees
+from .atomic import TEMPORARY_MARK, move, reading, refuse_link, sweep, write_bytes, write_text
+from .hashing import file_sha256, json_sha256
+from .manifest import (
     MANIFEST,
     NEXT_MANIFEST,
     STAGES,
@@ -31,10 +33,8 @@ from pipeline.store.manifest import (
     staging_place,
     to_json,
 )
-from pipeline.store.schemas import Schema, misfit
-from pipeline.store.tables import read_buffer
-from pipeline.system.names import shell_word
-from pipeline.system.plain_files import open_plain
+from .schemas import Schema, misfit
+from .tables import read_buffer
 
 # Beginnings of names that a folder without a run may hold: the lock, and what a workflow engine lays out beforehand.
 _NO_RUN_YET = (".lock", STAGES)

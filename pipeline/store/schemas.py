@@ -9,9 +9,9 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
-from pipeline.device.device import Device
-from pipeline.errors import CorruptArtifactError
-from pipeline.store.columns import (
+from ..device.device import Device
+from ..errors import CorruptArtifactError
+from .columns import (
     FLEET_COLUMNS,
     FLEET_FACT_COLUMNS,
     INSTRUMENT_COLUMNS,

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError, memory_failure
-from pipeline.store.atomic import atomic_path, reading
-from pipeline.store.columns import SCHEMA_VERSION
-from pipeline.store.hashing import ColumnDigest, digests_hash
-from pipeline.store.schemas import Schema
-from pipeline.system.plain_files import open_plain
+from ..errors import CorruptArtifactError, memory_failure
+from ..system.plain_files import open_plain
+from .atomic import atomic_path, reading
+from .columns import SCHEMA_VERSION
+from .hashing import ColumnDigest, digests_hash
+from .schemas import Schema
 
 Table = dict[str, np.ndarray[Any, Any]]
 
@@ -67,7 +67,7 @@ def write_pieces(
     """
     import pyarrow.parquet as pq
 
-    from pipeline.store.arrow_columns import to_numpy
+    from .arrow_columns import to_numpy
 
     columns = _arrow_schema(schema, note or {})
     digests = {column.key: ColumnDigest() for column in schema.columns}
@@ -109,7 +109,7 @@ def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[A
     """The pieces as tables of exactly one row group each, but the last."""
     import pyarrow as pa
 
-    from pipeline.store.arrow_columns import from_numpy
+    from .arrow_columns import from_numpy
 
     waiting: list[Any] = []
     held = 0
@@ -168,7 +168,7 @@ def parse_table(content: Any, path: Path) -> Table:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    from pipeline.store.arrow_columns import to_numpy
+    from .arrow_columns import to_numpy
 
     try:
         # pq.read_table would load pyarrow.dataset and with it pandas: half a second.

@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError, memory_failure
-from pipeline.store.atomic import reading, write_bytes
-from pipeline.store.hashing import flatten, tree_hash
-from pipeline.system.plain_files import open_plain
+from ..errors import CorruptArtifactError, memory_failure
+from ..system.plain_files import open_plain
+from .atomic import reading, write_bytes
+from .hashing import flatten, tree_hash
 
 Tree = dict[str, Any]
 Columns = Callable[[str], tuple[str, str]]

@@ -22,7 +22,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, Self, TypeVar
 
-from pipeline.system.machine import ONE_THREAD
+from .machine import ONE_THREAD
 
 resource: Any
 try:

@@ -8,9 +8,9 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from typing import Any, Protocol
 
-from pipeline.errors import WARNING, DebistError
-from pipeline.system.isolation import apart, begin, process_context
-from pipeline.system.progress import OnProgress
+from ..errors import WARNING, DebistError
+from .isolation import apart, begin, process_context
+from .progress import OnProgress
 
 Call = Callable[[OnProgress], Any]
 """What is done: it takes a callable (current step, share done) for its progress, and returns its result."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from pipeline.errors import InputError
+from ..errors import InputError
 
 FILL_IN = "FILL IN"
 """Stands in a first settings file where the user has to choose; no channel and no unit is called so."""

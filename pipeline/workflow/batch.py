@@ -7,15 +7,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from pipeline.store.atomic import make_folder
-from pipeline.store.lock import run_lock
-from pipeline.store.manifest import MANIFEST
-from pipeline.system.isolation import next_ready, preload
-from pipeline.system.package import full_name
-from pipeline.workflow.failures import forget_failure
-from pipeline.workflow.fleet import write_fleet
-from pipeline.workflow.members import Member, Shard
-from pipeline.workflow.worker import Outcome, Program, Worker
+from ..store.atomic import make_folder
+from ..store.lock import run_lock
+from ..store.manifest import MANIFEST
+from ..system.isolation import next_ready, preload
+from ..system.package import full_name
+from .failures import forget_failure
+from .fleet import write_fleet
+from .members import Member, Shard
+from .worker import Outcome, Program, Worker
 
 
 class BatchObserver(Protocol):
@@ -151,7 +151,7 @@ def _is_up_to_date(prototype: Path, run: Path, report: bool) -> bool:
     """Whether a prototype needs no process, which saves its start."""
     if not (run / MANIFEST).is_file():
         return False
-    from pipeline.workflow.run import is_up_to_date  # a second of imports, which a new fleet does not need here
+    from .run import is_up_to_date  # a second of imports, which a new fleet does not need here
 
     return is_up_to_date(prototype, run, with_report=report)
 

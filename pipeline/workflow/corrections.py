@@ -1,15 +1,15 @@
 """Corrections of logs as the settings state them, and the raw signals with them."""
 
-from pipeline.device.device import device
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.settings.logs import Role
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.columns import scaled
-from pipeline.signals.corrections import Corrections
-from pipeline.store import layout
-from pipeline.units.units import TIME, parse_quantity
-from pipeline.workflow.si_log import SiLog
+from ..device.device import device
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from ..settings.logs import Role
+from ..settings.prototype import Prototype
+from ..signals.columns import scaled
+from ..signals.corrections import Corrections
+from ..store import layout
+from ..units.units import TIME, parse_quantity
+from .si_log import SiLog
 
 
 def corrections(prototype: Prototype) -> dict[tuple[Role, str], Corrections]:

@@ -8,10 +8,10 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, Protocol
 
-from pipeline.errors import InputError
-from pipeline.store.hashing import file_sha256
-from pipeline.store.manifest import Recipe
-from pipeline.store.run_folder import RunFolder, Written
+from ..errors import InputError
+from ..store.hashing import file_sha256
+from ..store.manifest import Recipe
+from ..store.run_folder import RunFolder, Written
 
 _TICK = 2_000_000_000
 """Nanoseconds; the coarsest clock by which a file system notes changes."""

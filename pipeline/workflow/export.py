@@ -6,22 +6,22 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.settings.file import toml_text
-from pipeline.settings.logs import ROLES, log_label
-from pipeline.settings.prototype import Prototype
-from pipeline.store import layout
-from pipeline.store.atomic import refuse_link
-from pipeline.store.hashing import file_sha256
-from pipeline.store.lock import run_lock
-from pipeline.store.outputs import new_outputs, rebased, written_files
-from pipeline.store.run_folder import RunFolder
-from pipeline.system.names import Target, log_name
-from pipeline.workflow.prior_knowledge import named_curves
-from pipeline.workflow.run_models import failed_validations, load_design, model_artifact, subject
+from ..errors import CorruptArtifactError, InputError
+from ..settings.file import toml_text
+from ..settings.logs import ROLES, log_label
+from ..settings.prototype import Prototype
+from ..store import layout
+from ..store.atomic import refuse_link
+from ..store.hashing import file_sha256
+from ..store.lock import run_lock
+from ..store.outputs import new_outputs, rebased, written_files
+from ..store.run_folder import RunFolder
+from ..system.names import Target, log_name
+from .prior_knowledge import named_curves
+from .run_models import failed_validations, load_design, model_artifact, subject
 
 if TYPE_CHECKING:
-    from pipeline.export.subject import Exported, Subject
+    from ..export.subject import Exported, Subject
 
 _TAKES_NONE = {
     "crate": "it is the whole run",
@@ -113,15 +113,15 @@ def _write(target: Target, run: RunFolder, prototype: Prototype, model: str | No
 
 def write_model(target: str, subject: "Subject", folder: Path) -> "Exported":
     """Write a model in the form of one of `MODELS`."""
-    from pipeline.export import fmu, sources
+    from ..export import fmu, sources
 
     writers = {"c": sources.write_c, "fmu": fmu.write_fmu, "json": sources.write_json, "matlab": sources.write_matlab}
     return writers[target](subject, folder)
 
 
 def _controller(run: RunFolder, prototype: Prototype, folder: Path) -> "Exported":
-    from pipeline.control.law import Law
-    from pipeline.export.controller import ControllerSubject, write_controller
+    from ..control.law import Law
+    from ..export.controller import ControllerSubject, write_controller
 
     document = load_design(run)
     places = document["places_m"]
@@ -146,8 +146,8 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
     CorruptArtifactError
         An artifact does not have the bytes that were written.
     """
-    from pipeline.export.crate import Packed, write_crate
-    from pipeline.export.subject import Exported
+    from ..export.crate import Packed, write_crate
+    from ..export.subject import Exported
 
     settings, inputs = _relocated(run, prototype)
     texts: dict[str, str] = {}
@@ -162,8 +162,8 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
 
 def _recorded_parameters(run: RunFolder, name: str) -> str:
     """A file of the parameter set that the run was made with, from its recipes: of the set's file they hold no hash."""
-    from pipeline.device.parameter_sets import parameter_file
-    from pipeline.device.parameters import NOMINAL, VECTOR_NAMES
+    from ..device.parameter_sets import parameter_file
+    from ..device.parameters import NOMINAL, VECTOR_NAMES
 
     recipes = (record.recipe.settings for record in run.manifest.artifacts.values())
     values = next((recipe["parameters"] for recipe in recipes if recipe.get("parameters")), None)

@@ -5,10 +5,10 @@ from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
-from pipeline.store.atomic import write_text
-from pipeline.store.manifest import MANIFEST
-from pipeline.system.plain_files import read_plain
-from pipeline.workflow.members import FAILED
+from ..store.atomic import write_text
+from ..store.manifest import MANIFEST
+from ..system.plain_files import read_plain
+from .members import FAILED
 
 _LARGEST = 1 << 20
 _HEAD = re.compile(r"exit code (-?\d{1,10}): ([^\n]*)")

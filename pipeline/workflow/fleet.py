@@ -6,20 +6,20 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from pipeline.errors import DebistError
-from pipeline.reporting.fleet_report import fleet_report
-from pipeline.reporting.fleet_table import Summary, failed, summary
-from pipeline.reporting.tables import disarmed
-from pipeline.store import layout, schemas, tables
-from pipeline.store.atomic import make_folder, write_text
-from pipeline.store.outputs import note_written
-from pipeline.store.run_folder import RunFolder
-from pipeline.store.schemas import FLEET
-from pipeline.store.schemas import FLEET_FACTS as FLEET_FACT_TABLE
-from pipeline.workflow.failures import failure
-from pipeline.workflow.members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member
-from pipeline.workflow.report_data import load_datasheet, load_scores
-from pipeline.workflow.worker import Outcome
+from ..errors import DebistError
+from ..reporting.fleet_report import fleet_report
+from ..reporting.fleet_table import Summary, failed, summary
+from ..reporting.tables import disarmed
+from ..store import layout, schemas, tables
+from ..store.atomic import make_folder, write_text
+from ..store.outputs import note_written
+from ..store.run_folder import RunFolder
+from ..store.schemas import FLEET
+from ..store.schemas import FLEET_FACTS as FLEET_FACT_TABLE
+from .failures import failure
+from .members import FLEET_CSV, FLEET_FACTS, FLEET_FILES, FLEET_REPORT, FLEET_TABLE, Member
+from .report_data import load_datasheet, load_scores
+from .worker import Outcome
 
 
 def collect_batch(members: Sequence[Member], output: Path) -> list[Outcome]:

@@ -9,29 +9,29 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import ValidationError
 
-from pipeline.device.device import device
-from pipeline.device.parameter_sets import parameter_set
-from pipeline.errors import DebistError, InputError
-from pipeline.fitting.coverage import FEW
-from pipeline.fitting.excitation import Excitation, examine_excitation
-from pipeline.numerics.arrays import runs_of
-from pipeline.rig_logs.channel_roles import suggested_unit
-from pipeline.rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
-from pipeline.rig_logs.source import CsvOptions
-from pipeline.scoring.wells import NoWells, Wells
-from pipeline.settings.prototype import Prototype, load_prototype
-from pipeline.store.run_folder import RunFolder
-from pipeline.system.names import shell_word
-from pipeline.units.quantity import scale
-from pipeline.workflow import stage_ingest as ingest
-from pipeline.workflow.engine import Observer
-from pipeline.workflow.place import load_settings
-from pipeline.workflow.schedule import bring_up_to_date
-from pipeline.workflow.si_log import read_si
-from pipeline.workflow.stage_check import examine
+from ..device.device import device
+from ..device.parameter_sets import parameter_set
+from ..errors import DebistError, InputError
+from ..fitting.coverage import FEW
+from ..fitting.excitation import Excitation, examine_excitation
+from ..numerics.arrays import runs_of
+from ..rig_logs.channel_roles import suggested_unit
+from ..rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
+from ..rig_logs.source import CsvOptions
+from ..scoring.wells import NoWells, Wells
+from ..settings.prototype import Prototype, load_prototype
+from ..store.run_folder import RunFolder
+from ..system.names import shell_word
+from ..units.quantity import scale
+from . import stage_ingest as ingest
+from .engine import Observer
+from .place import load_settings
+from .schedule import bring_up_to_date
+from .si_log import read_si
+from .stage_check import examine
 
 if TYPE_CHECKING:
-    from pipeline.diagnostics.rows import CheckRow
+    from ..diagnostics.rows import CheckRow
 
 
 LEAST_SWITCHES = 5
@@ -197,7 +197,7 @@ def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExc
 
 
 def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitation:
-    from pipeline.signals.uniform_record import Resampling, survey
+    from ..signals.uniform_record import Resampling, survey
 
     plant, ingest = device(prototype), prototype.ingest
     signals = read_si(log, prototype, plant)

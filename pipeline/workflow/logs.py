@@ -4,19 +4,19 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.device.parameters import JointParameters
-from pipeline.models.kind import KnownCurves, Training
-from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.settings.logs import Role
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.log import EDGE, Log, log_of, voltages
-from pipeline.signals.trajectory import UNKNOWN
-from pipeline.store import layout
-from pipeline.store.run_folder import RunFolder
-from pipeline.store.tables import Table
-from pipeline.system.progress import OnProgress, silent
-from pipeline.workflow.prior_knowledge import PriorKnowledge
+from ..device.device import device
+from ..device.parameters import JointParameters
+from ..models.kind import KnownCurves, Training
+from ..numerics.arrays import FloatArray, sample_interval
+from ..settings.logs import Role
+from ..settings.prototype import Prototype
+from ..signals.log import EDGE, Log, log_of, voltages
+from ..signals.trajectory import UNKNOWN
+from ..store import layout
+from ..store.run_folder import RunFolder
+from ..store.tables import Table
+from ..system.progress import OnProgress, silent
+from .prior_knowledge import PriorKnowledge
 
 _LEAST_PART = 5 * EDGE
 """Valid samples of a part of a log that is no more than its beginning."""

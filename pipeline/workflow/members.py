@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
-from pipeline.errors import DebistError, InputError
-from pipeline.settings.prototype import load_prototype
-from pipeline.store import layout
-from pipeline.system.names import part_holds, part_of, slug
-from pipeline.system.plain_files import read_toml
-from pipeline.workflow.table import is_table, table_settings
+from ..errors import DebistError, InputError
+from ..settings.prototype import load_prototype
+from ..store import layout
+from ..system.names import part_holds, part_of, slug
+from ..system.plain_files import read_toml
+from .table import is_table, table_settings
 
 FLEET_TABLE = "fleet.parquet"
 FLEET_CSV = "fleet.csv"

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline.device.device import device
-from pipeline.errors import InputError, SeveralMistakesError
-from pipeline.settings.file import read_document
-from pipeline.settings.logs import ROLES, Channels
-from pipeline.settings.prototype import Prototype, load_prototype, parse_prototype
-from pipeline.store import layout
-from pipeline.store.atomic import reading
-from pipeline.store.hashing import file_sha256
-from pipeline.store.manifest import MANIFEST, Manifest, changes, load_manifest
-from pipeline.store.run_folder import RunFolder, holds_run
-from pipeline.units.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
-from pipeline.workflow.engine import Task, missing_source, unreadable_source
+from ..device.device import device
+from ..errors import InputError, SeveralMistakesError
+from ..settings.file import read_document
+from ..settings.logs import ROLES, Channels
+from ..settings.prototype import Prototype, load_prototype, parse_prototype
+from ..store import layout
+from ..store.atomic import reading
+from ..store.hashing import file_sha256
+from ..store.manifest import MANIFEST, Manifest, changes, load_manifest
+from ..store.run_folder import RunFolder, holds_run
+from ..units.units import DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, to_si
+from .engine import Task, missing_source, unreadable_source
 
 _ALLOWED = {"time": TIME, "q": DISPLACEMENT, "qdot": tuple(VELOCITY.values())}
 

@@ -7,17 +7,17 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pipeline.errors import InputError
-from pipeline.reporting.canvas import FORMATS, form_of, paper_figure
-from pipeline.reporting.figure import Figure, of_models, window, x_range
-from pipeline.reporting.plotted import paper_look, plotted
-from pipeline.store.atomic import write_bytes
-from pipeline.store.outputs import new_outputs
-from pipeline.store.run_folder import RunFolder, in_snapshot
-from pipeline.system.names import Typeface
-from pipeline.workflow.run_models import made_control
-from pipeline.workflow.stage_report import made_studies, prepare
-from pipeline.workflow.stage_scores import scored_models
+from ..errors import InputError
+from ..reporting.canvas import FORMATS, form_of, paper_figure
+from ..reporting.figure import Figure, of_models, window, x_range
+from ..reporting.plotted import paper_look, plotted
+from ..store.atomic import write_bytes
+from ..store.outputs import new_outputs
+from ..store.run_folder import RunFolder, in_snapshot
+from ..system.names import Typeface
+from .run_models import made_control
+from .stage_report import made_studies, prepare
+from .stage_scores import scored_models
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,8 +9,8 @@ signal.signal(signal.SIGINT, signal.SIG_IGN)  # the batch alone decides what Ctr
 
 import numpy as np  # noqa: E402
 
-from pipeline.signals.differentiate import differentiate  # noqa: E402
-from pipeline.system.package import full_name  # noqa: E402
+from ..signals.differentiate import differentiate  # noqa: E402
+from ..system.package import full_name  # noqa: E402
 
 _ROOMS = ("numerics", "generated", "signals", "store", "rig_logs", "scoring", "fitting", "models", "diagnostics")
 _WITHIN_FUNCTIONS = (

@@ -8,18 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device.device import Device, device
-from pipeline.device.parameters import JointParameters
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.fitting.population import NormalPopulation
-from pipeline.numerics.arrays import FloatArray
-from pipeline.settings.prototype import Prototype
-from pipeline.store import layout
-from pipeline.store.run_folder import RunFolder
-from pipeline.store.tables import Table
-from pipeline.store.trees import read_tree
-from pipeline.system.plain_files import LARGEST_SETTINGS, read_plain
-from pipeline.units.units import curve_units, to_si
+from ..device.device import Device, device
+from ..device.parameters import JointParameters
+from ..errors import CorruptArtifactError, InputError
+from ..fitting.population import NormalPopulation
+from ..numerics.arrays import FloatArray
+from ..settings.prototype import Prototype
+from ..store import layout
+from ..store.run_folder import RunFolder
+from ..store.tables import Table
+from ..store.trees import read_tree
+from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from ..units.units import curve_units, to_si
 
 MOST_ROWS = 100_000
 MEANINGS = {
@@ -113,7 +113,7 @@ def read_siblings(path: Path) -> dict[str, Any]:
     InputError
         There is no such file, or it is none of siblings.
     """
-    from pipeline.models.hybrid.siblings import from_tree
+    from ..models.hybrid.siblings import from_tree
 
     try:
         tree = read_tree(path)
@@ -125,7 +125,7 @@ def read_siblings(path: Path) -> dict[str, Any]:
 
 def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | None:
     """What siblings teach, for the page; None where the settings name none."""
-    from pipeline.models.hybrid.siblings import from_tree
+    from ..models.hybrid.siblings import from_tree
 
     return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
 
@@ -138,7 +138,7 @@ def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPo
     InputError
         They were learnt about another parameter set than that of the settings.
     """
-    from pipeline.models.hybrid.siblings import from_tree
+    from ..models.hybrid.siblings import from_tree
 
     about, population, _ = from_tree(tree)
     if parameters is None or about != parameters:

@@ -8,12 +8,12 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Literal
 
-from pipeline.errors import DebistError, InputError
-from pipeline.store import layout
-from pipeline.store.atomic import reading
-from pipeline.store.lock import HOLDER, LOCK, is_held
-from pipeline.store.manifest import MANIFEST, load_manifest
-from pipeline.workflow.failures import failed_names, failure
+from ..errors import DebistError, InputError
+from ..store import layout
+from ..store.atomic import reading
+from ..store.lock import HOLDER, LOCK, is_held
+from ..store.manifest import MANIFEST, load_manifest
+from .failures import failed_names, failure
 
 State = Literal["done", "running", "failed", "stopped"]
 STATES: dict[State, str] = {

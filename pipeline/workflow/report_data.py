@@ -7,23 +7,23 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device.device import Device, device
-from pipeline.diagnostics.facts.run_data import WHY, LogData, RunData, Study
-from pipeline.errors import DebistError
-from pipeline.models.base import DynamicModel
-from pipeline.models.kind import model_from_tree
-from pipeline.numerics.arrays import FloatArray
-from pipeline.settings.logs import LogPart, Role
-from pipeline.settings.prototype import Prototype
-from pipeline.store import layout, schemas
-from pipeline.store.columns import StudyName
-from pipeline.store.documents import read_document
-from pipeline.store.run_folder import RunFolder, in_snapshot
-from pipeline.system.names import log_title
-from pipeline.units.units import ALPHA_UNIT
-from pipeline.workflow.engine import TIMES
-from pipeline.workflow.prior_knowledge import shown_siblings
-from pipeline.workflow.run_models import CHOICE, identified_models
+from ..device.device import Device, device
+from ..diagnostics.facts.run_data import WHY, LogData, RunData, Study
+from ..errors import DebistError
+from ..models.base import DynamicModel
+from ..models.kind import model_from_tree
+from ..numerics.arrays import FloatArray
+from ..settings.logs import LogPart, Role
+from ..settings.prototype import Prototype
+from ..store import layout, schemas
+from ..store.columns import StudyName
+from ..store.documents import read_document
+from ..store.run_folder import RunFolder, in_snapshot
+from ..system.names import log_title
+from ..units.units import ALPHA_UNIT
+from .engine import TIMES
+from .prior_knowledge import shown_siblings
+from .run_models import CHOICE, identified_models
 
 
 def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:

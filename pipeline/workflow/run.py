@@ -5,19 +5,19 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal
 
-from pipeline.errors import DebistError
-from pipeline.settings.prototype import load_prototype
-from pipeline.store import layout
-from pipeline.store.atomic import sweep
-from pipeline.store.lock import run_lock
-from pipeline.store.manifest import MANIFEST, load_manifest
-from pipeline.store.run_folder import RunFolder, in_snapshot
-from pipeline.system.names import Typeface
-from pipeline.workflow import stage_scores as scores
-from pipeline.workflow.engine import Observer, Plan, Task, TaskStatus, status, tasks_of
-from pipeline.workflow.place import Place, before_any_work, edited, place_of, run_folder
-from pipeline.workflow.schedule import bring_up_to_date
-from pipeline.workflow.stages import STAGE_NAMES, STAGES, Planned, of_stages, plan, reading_tasks
+from ..errors import DebistError
+from ..settings.prototype import load_prototype
+from ..store import layout
+from ..store.atomic import sweep
+from ..store.lock import run_lock
+from ..store.manifest import MANIFEST, load_manifest
+from ..store.run_folder import RunFolder, in_snapshot
+from ..system.names import Typeface
+from . import stage_scores as scores
+from .engine import Observer, Plan, Task, TaskStatus, status, tasks_of
+from .place import Place, before_any_work, edited, place_of, run_folder
+from .schedule import bring_up_to_date
+from .stages import STAGE_NAMES, STAGES, Planned, of_stages, plan, reading_tasks
 
 StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
 """Stages that can be done alone."""

@@ -5,21 +5,21 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.errors import InputError
-from pipeline.models.base import DynamicModel
-from pipeline.models.free_runs import start_of
-from pipeline.models.kind import model_from_tree
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.log import Log
-from pipeline.store import layout
-from pipeline.store.documents import read_document
-from pipeline.store.run_folder import RunFolder
-from pipeline.system.names import shell_word
-from pipeline.workflow.logs import load_logs, load_motion
+from ..device.device import device
+from ..errors import InputError
+from ..models.base import DynamicModel
+from ..models.free_runs import start_of
+from ..models.kind import model_from_tree
+from ..settings.prototype import Prototype
+from ..signals.log import Log
+from ..store import layout
+from ..store.documents import read_document
+from ..store.run_folder import RunFolder
+from ..system.names import shell_word
+from .logs import load_logs, load_motion
 
 if TYPE_CHECKING:
-    from pipeline.export.subject import Subject, Validity
+    from ..export.subject import Subject, Validity
 
 IDENTIFIED = "identified"
 """Note of ``model.h5``: names of its models, the headline first."""
@@ -152,7 +152,7 @@ def subject_on(
 
     The clock of that log begins at zero, as an exported model does: `hybrid` takes a later one for time in use.
     """
-    from pipeline.export.subject import Subject
+    from ..export.subject import Subject
 
     start = start_of(check, model)
     return Subject(
@@ -176,7 +176,7 @@ def _check_log(run: RunFolder, prototype: Prototype) -> Log:
 
 def validity_of(logs: Sequence[Log], prototype: Prototype) -> "Validity":
     """What training logs span."""
-    from pipeline.export.subject import Validity
+    from ..export.subject import Validity
 
     plant = device(prototype)
 

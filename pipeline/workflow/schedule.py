@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from pipeline.store.manifest import Recipe
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.system.progress import OnProgress
-from pipeline.system.worker_pool import Pool, pool
-from pipeline.workflow.engine import (
+from ..store.manifest import Recipe
+from ..store.run_folder import RunFolder, Written
+from ..system.progress import OnProgress
+from ..system.worker_pool import Pool, pool
+from .engine import (
     After,
     Observer,
     Plan,

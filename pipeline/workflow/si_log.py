@@ -9,26 +9,26 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pipeline.device.device import Device
-from pipeline.diagnostics.gates import judge
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
-from pipeline.rig_logs.channel_roles import clocks_beside, is_called, suggested_unit
-from pipeline.rig_logs.source import rates_beside, stated_rate
-from pipeline.settings.logs import Channel, LogColumn
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
-from pipeline.signals.missing import code_remarks, codes_in, masked
-from pipeline.signals.quality_gates import Finding
-from pipeline.signals.rounded_clock import uniform_clock
-from pipeline.signals.signal_quality import span
-from pipeline.signals.timebase import nominal_step, unwrapped
-from pipeline.units.quantity import quantity
-from pipeline.units.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
+from ..device.device import Device
+from ..diagnostics.gates import judge
+from ..errors import InputError
+from ..numerics.arrays import BoolArray, FloatArray, runs_of
+from ..rig_logs.channel_roles import clocks_beside, is_called, suggested_unit
+from ..rig_logs.source import rates_beside, stated_rate
+from ..settings.logs import Channel, LogColumn
+from ..settings.prototype import Prototype
+from ..signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
+from ..signals.missing import code_remarks, codes_in, masked
+from ..signals.quality_gates import Finding
+from ..signals.rounded_clock import uniform_clock
+from ..signals.signal_quality import span
+from ..signals.timebase import nominal_step, unwrapped
+from ..units.quantity import quantity
+from ..units.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
 
 if TYPE_CHECKING:
-    from pipeline.rig_logs import Recording
-    from pipeline.rig_logs.recording import RecordedChannel
+    from ..rig_logs import Recording
+    from ..rig_logs.recording import RecordedChannel
 
 _RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
 
@@ -80,7 +80,7 @@ def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[
     InputError
         The log cannot be read, lacks a channel or a time base, or contradicts a unit of the settings.
     """
-    from pipeline.rig_logs import CsvOptions, read_recording
+    from ..rig_logs import CsvOptions, read_recording
 
     channels = prototype.channels
     signals = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]

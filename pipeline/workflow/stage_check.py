@@ -8,21 +8,21 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.diagnostics.gates import accepted_settings, judge
-from pipeline.errors import InputError
-from pipeline.settings.prototype import CheckGate, Prototype
-from pipeline.signals.trajectory import voltages
-from pipeline.store import layout
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.store.tables import Table
-from pipeline.system.names import log_title, true_name
-from pipeline.workflow.engine import Task
+from ..device.device import device
+from ..diagnostics.gates import accepted_settings, judge
+from ..errors import InputError
+from ..settings.prototype import CheckGate, Prototype
+from ..signals.trajectory import voltages
+from ..store import layout
+from ..store.run_folder import RunFolder, Written
+from ..store.tables import Table
+from ..system.names import log_title, true_name
+from .engine import Task
 
 if TYPE_CHECKING:
-    from pipeline.diagnostics.declared import Declared
-    from pipeline.diagnostics.rows import CheckRow
-    from pipeline.diagnostics.weak_form import LogSignals
+    from ..diagnostics.declared import Declared
+    from ..diagnostics.rows import CheckRow
+    from ..diagnostics.weak_form import LogSignals
 
 ALGORITHM = "26"
 
@@ -51,7 +51,7 @@ def tasks(prototype: Prototype) -> list[Task]:
 
 
 def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
-    from pipeline.diagnostics.rows import remarks
+    from ..diagnostics.rows import remarks
 
     rows = examine(run, prototype)
     accepted = verdict(rows, prototype)
@@ -69,8 +69,8 @@ def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
     InputError
         A validation log holds a recording that a training log holds too.
     """
-    from pipeline.diagnostics.check import check_logs
-    from pipeline.diagnostics.copies import shared_recordings, shared_rows
+    from ..diagnostics.check import check_logs
+    from ..diagnostics.copies import shared_recordings, shared_rows
 
     logs, stated = signals(run, prototype)
     shared = shared_recordings(logs)
@@ -95,7 +95,7 @@ def signals(run: RunFolder, prototype: Prototype) -> "tuple[list[LogSignals], De
 
 def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignals":
     """A uniform record as the checks take it, with what was noted when it was ingested."""
-    from pipeline.diagnostics.weak_form import LogSignals
+    from ..diagnostics.weak_form import LogSignals
 
     q = np.where(table["segment"] < 0, np.nan, table["q"])
     sketch = tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ()))
@@ -105,7 +105,7 @@ def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignal
 
 def declared(prototype: Prototype) -> "Declared":
     """What the settings say of the device."""
-    from pipeline.diagnostics.declared import Declared
+    from ..diagnostics.declared import Declared
 
     plant = device(prototype)
     return Declared(
@@ -127,6 +127,6 @@ def verdict(rows: "list[CheckRow]", prototype: Prototype) -> list[str]:
     DataRefusedError
         Something is not accepted.
     """
-    from pipeline.diagnostics.rows import findings
+    from ..diagnostics.rows import findings
 
     return judge(prototype.name, findings(rows), prototype.quality)

@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from pipeline.device.device import device
-from pipeline.device.parameter_sets import parameter_values
-from pipeline.device.parameters import JointParameters
-from pipeline.models.kind import kind
-from pipeline.models.model_file import columns_of, declaration
-from pipeline.settings.models import ENTRIES
-from pipeline.settings.prototype import FILM, Prototype
-from pipeline.store import layout
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.workflow.engine import TIMES, Task
-from pipeline.workflow.logs import load_logs, sources, training
+from ..device.device import device
+from ..device.parameter_sets import parameter_values
+from ..device.parameters import JointParameters
+from ..models.kind import kind
+from ..models.model_file import columns_of, declaration
+from ..settings.models import ENTRIES
+from ..settings.prototype import FILM, Prototype
+from ..store import layout
+from ..store.run_folder import RunFolder, Written
+from .engine import TIMES, Task
+from .logs import load_logs, sources, training
 
 ALGORITHM = "15"
 

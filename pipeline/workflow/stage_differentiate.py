@@ -3,14 +3,14 @@
 from collections.abc import Mapping
 from functools import partial
 
-from pipeline.device.device import device
-from pipeline.settings.logs import Role
-from pipeline.settings.prototype import Prototype
-from pipeline.store import layout, schemas
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.system.names import log_title, true_name
-from pipeline.workflow.engine import Task
-from pipeline.workflow.steps.differentiate import kinematics
+from ..device.device import device
+from ..settings.logs import Role
+from ..settings.prototype import Prototype
+from ..store import layout, schemas
+from ..store.run_folder import RunFolder, Written
+from ..system.names import log_title, true_name
+from .engine import Task
+from .steps.differentiate import kinematics
 
 ALGORITHM = "7"
 

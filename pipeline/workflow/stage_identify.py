@@ -8,28 +8,28 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.device.parameter_sets import parameter_values
-from pipeline.device.parameters import JointParameters
-from pipeline.diagnostics.gates import accepted_settings, judge
-from pipeline.diagnostics.sentences import not_converged
-from pipeline.errors import DataRefusedError
-from pipeline.models.kind import HEADLINE, StoredModel, Training, kind
-from pipeline.models.model_file import columns_of, declaration
-from pipeline.settings.models import AUTO, ENTRIES
-from pipeline.settings.prototype import FILM, Prototype, TrainingGate
-from pipeline.signals.log import Log
-from pipeline.signals.quality_gates import Finding
-from pipeline.store import layout
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.system.progress import OnProgress, silent
-from pipeline.workflow.engine import TIMES, Task
-from pipeline.workflow.logs import load_logs, sources, training
-from pipeline.workflow.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
-from pipeline.workflow.run_models import CHOICE, EQUATIONS, IDENTIFIED
+from ..device.device import device
+from ..device.parameter_sets import parameter_values
+from ..device.parameters import JointParameters
+from ..diagnostics.gates import accepted_settings, judge
+from ..diagnostics.sentences import not_converged
+from ..errors import DataRefusedError
+from ..models.kind import HEADLINE, StoredModel, Training, kind
+from ..models.model_file import columns_of, declaration
+from ..settings.models import AUTO, ENTRIES
+from ..settings.prototype import FILM, Prototype, TrainingGate
+from ..signals.log import Log
+from ..signals.quality_gates import Finding
+from ..store import layout
+from ..store.run_folder import RunFolder, Written
+from ..system.progress import OnProgress, silent
+from .engine import TIMES, Task
+from .logs import load_logs, sources, training
+from .prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
+from .run_models import CHOICE, EQUATIONS, IDENTIFIED
 
 if TYPE_CHECKING:
-    from pipeline.models.choose import Choice
+    from ..models.choose import Choice
 
 ALGORITHM = "59"
 SEARCH_CUT = (
@@ -143,7 +143,7 @@ def identified(
 
 def _put_first(models: Mapping[str, StoredModel], whole: Training, notes: dict[str, Any]) -> None:
     """The headline first in the note `IDENTIFIED`, and why in the note `CHOICE` where the fits decided otherwise."""
-    from pipeline.models.choose import headline
+    from ..models.choose import headline
 
     names = notes[IDENTIFIED]
     best, reason = headline({name: models[name] for name in names}, whole)
@@ -182,7 +182,7 @@ def _asked(
 
 
 def _choose(given: Training, data: list[Log], prototype: Prototype) -> "Choice":
-    from pipeline.models.choose import Choice, choose
+    from ..models.choose import Choice, choose
 
     if given.known_curves is not None:
         return Choice(_network(given, data, prototype), "only rbf keeps the measured curves of plant.curves", {})
@@ -197,7 +197,7 @@ def _network(given: Training, data: list[Log], prototype: Prototype) -> StoredMo
 
 def _findings(data: list[Log], prototype: Prototype) -> list[Finding]:
     """What speaks against the training logs, taken together."""
-    from pipeline.fitting.excitation import excitation_findings
+    from ..fitting.excitation import excitation_findings
 
     numbers = [log.segment for log in data]
     first = np.cumsum([0, *(segment.max() + 1 for segment in numbers[:-1])])

@@ -9,29 +9,29 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.diagnostics.gates import accepted_settings, judge
-from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.settings.logs import Role
-from pipeline.settings.prototype import Ingest, LogGate, Prototype
-from pipeline.signals.corrections import Corrections
-from pipeline.signals.trajectory import LONGEST_BRIDGE, UNKNOWN
-from pipeline.store import layout, schemas
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.system.names import log_title, true_name
-from pipeline.system.progress import OnProgress
-from pipeline.workflow.corrections import corrected_log, corrections
-from pipeline.workflow.engine import Task
-from pipeline.workflow.si_log import SiLog, part_of_log, read_si
+from ..device.device import device
+from ..diagnostics.gates import accepted_settings, judge
+from ..errors import DataRefusedError
+from ..numerics.arrays import FloatArray
+from ..settings.logs import Role
+from ..settings.prototype import Ingest, LogGate, Prototype
+from ..signals.corrections import Corrections
+from ..signals.trajectory import LONGEST_BRIDGE, UNKNOWN
+from ..store import layout, schemas
+from ..store.run_folder import RunFolder, Written
+from ..system.names import log_title, true_name
+from ..system.progress import OnProgress
+from .corrections import corrected_log, corrections
+from .engine import Task
+from .si_log import SiLog, part_of_log, read_si
 
 if TYPE_CHECKING:
-    from pipeline.signals.quality_gates import Finding
-    from pipeline.signals.signal_quality import SignalQuality
-    from pipeline.signals.stretches import TimeRows
-    from pipeline.signals.timebase import TimeQuality
-    from pipeline.signals.uniform_record import Resampling, Survey, UniformRecord
-    from pipeline.signals.untrusted import Trusted
+    from ..signals.quality_gates import Finding
+    from ..signals.signal_quality import SignalQuality
+    from ..signals.stretches import TimeRows
+    from ..signals.timebase import TimeQuality
+    from ..signals.uniform_record import Resampling, Survey, UniformRecord
+    from ..signals.untrusted import Trusted
 
 ALGORITHM = "20"
 
@@ -117,9 +117,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
     DataRefusedError
         The log is of no use, or the quality gates refuse it; the text begins with `where` it is.
     """
-    from pipeline.signals.quality_gates import log_findings, rate_findings, rate_remarks
-    from pipeline.signals.timebase import examine, nominal_step
-    from pipeline.signals.uniform_record import Resampling, inputs_unknown, survey
+    from ..signals.quality_gates import log_findings, rate_findings, rate_remarks
+    from ..signals.timebase import examine, nominal_step
+    from ..signals.uniform_record import Resampling, inputs_unknown, survey
 
     settings = prototype.ingest
     try:
@@ -161,9 +161,9 @@ def examined(signals: SiLog, prototype: Prototype, where: str) -> Examined:
 
 def _without_spikes(signals: SiLog, settings: Ingest) -> SiLog:
     """The log with its inputs' single-sample spikes bridged, and noted."""
-    from pipeline.rig_logs.remarks import counted, stamped
-    from pipeline.signals.timebase import nominal_step
-    from pipeline.signals.untrusted import without_spikes
+    from ..rig_logs.remarks import counted, stamped
+    from ..signals.timebase import nominal_step
+    from ..signals.untrusted import without_spikes
 
     texts, inputs = list[str](), []
     for k, signal in enumerate(signals.inputs if settings.spikes == "mask" else (), start=1):
@@ -176,8 +176,8 @@ def _without_spikes(signals: SiLog, settings: Ingest) -> SiLog:
 
 def _trusted(signals: SiLog, prototype: Prototype, raw_step: float) -> "Trusted":
     """The displacement without what is masked by the settings."""
-    from pipeline.signals.signal_quality import examine_signal
-    from pipeline.signals.untrusted import trusted
+    from ..signals.signal_quality import examine_signal
+    from ..signals.untrusted import trusted
 
     masked = {name: getattr(prototype.ingest, name) == "mask" for name in ("rails", "lost", "spikes")}
     inert = device(prototype).displacement.symbol != "V"
@@ -188,8 +188,8 @@ def _few_samples(signals: SiLog, interval: float) -> tuple[list[str], "list[Find
     """Inputs with stamps of their own that may have been recorded on change only, and those with too long steps for a
     sample interval [s].
     """
-    from pipeline.signals.quality_gates import coarse_inputs
-    from pipeline.signals.timebase import nominal_step, seldom
+    from ..signals.quality_gates import coarse_inputs
+    from ..signals.timebase import nominal_step, seldom
 
     own = {f"v{k}": time for k, (time, _) in enumerate(signals.inputs, start=1) if time is not signals.q[0]}
     steps = {name: nominal_step(time) for name, time in own.items()}
@@ -214,7 +214,7 @@ def _refuse_no_record(where: str, span: tuple[float, float], interval: float, co
 
 def _refuse_other_clock(where: str, clock: "TimeQuality", quality: "SignalQuality", prototype: Prototype) -> None:
     """Refuse stamps that are no seconds, before a record is made of them."""
-    from pipeline.signals.quality_gates import rate_findings
+    from ..signals.quality_gates import rate_findings
 
     interval = prototype.ingest.sample_interval
     if clock.written_as_minutes:
@@ -230,9 +230,9 @@ def _sensor(signals: SiLog, quality: "SignalQuality") -> dict[str, Any]:
     """What is known of the sensor of q: its noise and steps [m or rad], the mains lines in it [Hz], for how many
     samples each value is held, and a sketch of the samples by which a copy is recognised.
     """
-    from pipeline.diagnostics.copies import sketch
-    from pipeline.diagnostics.held_values import held_samples
-    from pipeline.signals.noise import resolution
+    from ..diagnostics.copies import sketch
+    from ..diagnostics.held_values import held_samples
+    from ..signals.noise import resolution
 
     lines = [line.frequency for line in quality.hum if line.stands_out]
     step = resolution(signals.q[1])
@@ -250,9 +250,9 @@ def _lacking(signals: SiLog, interval: float) -> tuple[list[str], "list[Finding]
     """What to say of samples that signals beside q lack, and of more than an interval [s] at which only q is known; and
     what of it speaks against the log.
     """
-    from pipeline.rig_logs.remarks import counted, stamped
-    from pipeline.signals.missing import missing
-    from pipeline.signals.quality_gates import missing_findings
+    from ..rig_logs.remarks import counted, stamped
+    from ..signals.missing import missing
+    from ..signals.quality_gates import missing_findings
 
     beside, texts = missing(signals.q, signals.beside), []
     for name, lacks in beside.items():
@@ -269,7 +269,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
     """What to say of rows that are left out where time steps back."""
     if not rows.turns.size:
         return []
-    from pipeline.rig_logs.remarks import counted, stamped
+    from ..rig_logs.remarks import counted, stamped
 
     share, places = rows.backward / rows.time.size, counted(int(rows.turns.size), "place")
     much = "; give the parts as logs of their own, or repair the clock" if share > _MUCH_DISCARDED else ""
@@ -281,7 +281,7 @@ def _discarded(rows: "TimeRows") -> list[str]:
 
 def _gaps(clock: "TimeQuality", unknown: Sequence[tuple[float, float]]) -> list[str]:
     """What to say of gaps in time, and of spans [s] in which the inputs are not known."""
-    from pipeline.rig_logs.remarks import counted, stamped
+    from ..rig_logs.remarks import counted, stamped
 
     kinds = [
         ("in time", clock.gaps, clock.gaps_at, "split there ([ingest] gaps)"),
@@ -310,8 +310,8 @@ def _with_cuts(
 
 def _left_out(trusted: "Trusted", warnings: list[str], prototype: Prototype) -> dict[str, int]:
     """How many samples of q were masked as no measurements, with a warning added for each kind."""
-    from pipeline.rig_logs.remarks import counted
-    from pipeline.signals.dropouts import dropout_remarks
+    from ..rig_logs.remarks import counted
+    from ..signals.dropouts import dropout_remarks
 
     rails, lost, spikes = trusted.left_out
     unit = prototype.channels.q.unit
@@ -350,8 +350,8 @@ def record_columns(piece: "UniformRecord", names: Sequence[str]) -> dict[str, Fl
 
 def _hum_against_rate(signals: SiLog, rate: float | None) -> list[str]:
     """What mains hum on the inputs says against a sample rate [Hz] of the settings, which nothing else confirms."""
-    from pipeline.signals.columns import finite, select
-    from pipeline.signals.spectrum import mains_at_another_rate
+    from ..signals.columns import finite, select
+    from ..signals.spectrum import mains_at_another_rate
 
     texts = []
     for k, (_, samples) in enumerate(signals.inputs if rate else (), start=1):
@@ -368,10 +368,10 @@ def _hum_against_rate(signals: SiLog, rate: float | None) -> list[str]:
 
 def _warnings(signals: SiLog, prototype: Prototype, trusted: "Trusted") -> list[str]:
     """What is suspicious about the signals; nothing is corrected."""
-    from pipeline.rig_logs.remarks import remarks_on
-    from pipeline.signals.quality_gates import saturation, scale_suspicion
-    from pipeline.signals.signal_quality import span
-    from pipeline.signals.timebase import nominal_step
+    from ..rig_logs.remarks import remarks_on
+    from ..signals.quality_gates import saturation, scale_suspicion
+    from ..signals.signal_quality import span
+    from ..signals.timebase import nominal_step
 
     warnings, plant = [f"q: {remark}" for remark in remarks_on(trusted.quality)], device(prototype)
     warnings += _hum_against_rate(signals, prototype.ingest.sample_rate)
@@ -398,7 +398,7 @@ def resamplings(examined_log: Examined, settings: Ingest) -> "tuple[Resampling, 
 
     The interval of the fine record is a whole fraction of the sample interval, and never finer than the log.
     """
-    from pipeline.signals.uniform_record import Resampling
+    from ..signals.uniform_record import Resampling
 
     finest = max(settings.record_interval, examined_log.raw_step * (1.0 - 1e-3))
     fine = settings.sample_interval / max(1, int(settings.sample_interval / finest + 1e-9))

@@ -7,17 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.models.base import DynamicModel
-from pipeline.models.kind import model_from_tree
-from pipeline.settings.logs import Role
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.corrections import Corrections
-from pipeline.signals.log import Log
-from pipeline.store import layout, schemas
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.workflow.corrections import corrections
-from pipeline.workflow.engine import Task
-from pipeline.workflow.logs import fitted_parts, load_motion, sources
+from ..models.base import DynamicModel
+from ..models.kind import model_from_tree
+from ..settings.logs import Role
+from ..settings.prototype import Prototype
+from ..signals.corrections import Corrections
+from ..signals.log import Log
+from ..store import layout, schemas
+from ..store.run_folder import RunFolder, Written
+from .corrections import corrections
+from .engine import Task
+from .logs import fitted_parts, load_motion, sources
 
 ALGORITHM = "1"
 
@@ -64,7 +64,7 @@ def instrument_rows(
     stated : mapping of (role, name) to Corrections
         What already corrects each of them.
     """
-    from pipeline.diagnostics.instruments import SIGNIFICANCE, Instruments, ObservedModel
+    from ..diagnostics.instruments import SIGNIFICANCE, Instruments, ObservedModel
 
     if not isinstance(model, ObservedModel):
         return []

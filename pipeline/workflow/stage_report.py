@@ -6,21 +6,21 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pipeline.device.parameter_sets import parameter_values
-from pipeline.device.parameters import JointParameters
-from pipeline.settings.prototype import Prototype
-from pipeline.store import layout, schemas
-from pipeline.store.columns import StudyName
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.system.names import Typeface
-from pipeline.workflow.engine import Task
-from pipeline.workflow.run_models import control_documents
+from ..device.parameter_sets import parameter_values
+from ..device.parameters import JointParameters
+from ..settings.prototype import Prototype
+from ..store import layout, schemas
+from ..store.columns import StudyName
+from ..store.run_folder import RunFolder, Written
+from ..system.names import Typeface
+from .engine import Task
+from .run_models import control_documents
 
 if TYPE_CHECKING:
-    from pipeline.diagnostics.facts.datasheet import Datasheet
-    from pipeline.diagnostics.facts.run_data import RunData
-    from pipeline.reporting.canvas import Format
-    from pipeline.reporting.figure import Figure
+    from ..diagnostics.facts.datasheet import Datasheet
+    from ..diagnostics.facts.run_data import RunData
+    from ..reporting.canvas import Format
+    from ..reporting.figure import Figure
 
 ALGORITHM = "35"
 
@@ -61,7 +61,7 @@ def tasks(
     control : sequence of str
         What `debist control` made of the present model (`pipeline.workflow.run_models.made_control`).
     """
-    from pipeline.reporting.log_figures import LOG_FIGURES
+    from ..reporting.log_figures import LOG_FIGURES
 
     prepared = partial(prepare, prototype=prototype, models=models, studies=studies, control=control)
     logs = [(role, log) for role, log, _ in layout.logs(prototype)]
@@ -127,9 +127,9 @@ def prepare(
     control: Sequence[str] = (),
 ) -> Prepared:
     """Read a run and evaluate everything that its page and its figures show."""
-    from pipeline.diagnostics.facts.datasheet import make_datasheet
-    from pipeline.reporting.run_report import figures_of
-    from pipeline.workflow.report_data import read_run
+    from ..diagnostics.facts.datasheet import make_datasheet
+    from ..reporting.run_report import figures_of
+    from .report_data import read_run
 
     data = read_run(run, prototype, models, studies)
     data = replace(data, control=control_documents(run, control))
@@ -138,7 +138,7 @@ def prepare(
 
 
 def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mapping[str, Written]:
-    from pipeline.reporting.run_report import run_report
+    from ..reporting.run_report import run_report
 
     contents = prepared(run)
     verdict = contents.sheet.grades
@@ -153,7 +153,7 @@ def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mappi
 def _drawings(
     run: RunFolder, *, prepared: Callable[[RunFolder], Prepared], typeface: Typeface
 ) -> Mapping[str, Written]:
-    from pipeline.reporting.canvas import paper_figure
+    from ..reporting.canvas import paper_figure
 
     contents, written = prepared(run), {}
     for name, figure in contents.figures.items():

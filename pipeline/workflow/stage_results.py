@@ -2,13 +2,13 @@
 
 from typing import Any
 
-from pipeline.device.device import device
-from pipeline.store import layout
-from pipeline.store.run_folder import RunFolder
-from pipeline.system.names import log_title, true_name
-from pipeline.units.units import ALPHA_UNIT
-from pipeline.workflow.engine import TIMES
-from pipeline.workflow.run_models import CHOICE, IDENTIFIED
+from ..device.device import device
+from ..store import layout
+from ..store.run_folder import RunFolder
+from ..system.names import log_title, true_name
+from ..units.units import ALPHA_UNIT
+from .engine import TIMES
+from .run_models import CHOICE, IDENTIFIED
 
 
 def ingested(run: RunFolder) -> list[dict[str, Any]]:

@@ -8,26 +8,26 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.device.device import Device, device
-from pipeline.device.parameter_sets import parameter_values
-from pipeline.device.parameters import JointParameters
-from pipeline.models.analytical.statics import RotationMap, rotation_map
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import NoWells, Wells, wells_of
-from pipeline.settings.logs import Role
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.log import Log, log_of
-from pipeline.store import layout, schemas
-from pipeline.store.run_folder import RunFolder, Written, in_snapshot
-from pipeline.store.tables import Table
-from pipeline.system.names import with_true_names
-from pipeline.units.units import SIGNALS
-from pipeline.workflow.engine import TIMES, Task
-from pipeline.workflow.run_models import identified_models
-from pipeline.workflow.steps.score import ComparedRun, rows_of_log
+from ..device.device import Device, device
+from ..device.parameter_sets import parameter_values
+from ..device.parameters import JointParameters
+from ..models.analytical.statics import RotationMap, rotation_map
+from ..numerics.arrays import FloatArray
+from ..scoring.wells import NoWells, Wells, wells_of
+from ..settings.logs import Role
+from ..settings.prototype import Prototype
+from ..signals.log import Log, log_of
+from ..store import layout, schemas
+from ..store.run_folder import RunFolder, Written, in_snapshot
+from ..store.tables import Table
+from ..system.names import with_true_names
+from ..units.units import SIGNALS
+from .engine import TIMES, Task
+from .run_models import identified_models
+from .steps.score import ComparedRun, rows_of_log
 
 if TYPE_CHECKING:
-    from pipeline.reporting.tables import Format, NrmseTable
+    from ..reporting.tables import Format, NrmseTable
 
 ALGORITHM = "11"
 
@@ -89,7 +89,7 @@ def _wells(
     run: RunFolder, logs: Sequence[Log], plant: Device, log: tuple[Role, str], models: Sequence[str]
 ) -> Wells | NoWells:
     """The wells in the data, unless the first of these models with curves has no two wells, as its notes state."""
-    from pipeline.diagnostics.facts.characteristics import believed_wells
+    from ..diagnostics.facts.characteristics import believed_wells
 
     rests = {model: run.record(layout.predictions(*log, model)).notes.get("stable_rests") for model in models}
     judge = next((model for model in models if rests[model] is not None), models[0])
@@ -107,7 +107,7 @@ def _pairs(
 
 def score_text(root: Path, form: "Format") -> str:
     """The score tables of a run with fitting and simulation times, as text of the given form; CSV holds all numbers."""
-    from pipeline.reporting.tables import render, scores_csv
+    from ..reporting.tables import render, scores_csv
 
     if form == "csv":
         return scores_csv(
@@ -118,7 +118,7 @@ def score_text(root: Path, form: "Format") -> str:
 
 def score_tables(root: Path) -> "tuple[NrmseTable, ...]":
     """Errors with fitting and simulation times, and behaviour of all models on all logs."""
-    from pipeline.reporting.tables import behaviour_table, nrmse_table
+    from ..reporting.tables import behaviour_table, nrmse_table
 
     times, shown = in_snapshot(
         root, lambda run: (_times(run, records := run.read_records(layout.SCORES)), _shown(run, records))

@@ -4,14 +4,14 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from pipeline.device.device import Device, device
-from pipeline.settings.prototype import Prototype
-from pipeline.store import layout
-from pipeline.store.columns import Column
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.store.schemas import Schema
-from pipeline.workflow.engine import Task
-from pipeline.workflow.prior_knowledge import MEANINGS, column_units, named_curves, read_measured_curves, read_siblings
+from ..device.device import Device, device
+from ..settings.prototype import Prototype
+from ..store import layout
+from ..store.columns import Column
+from ..store.run_folder import RunFolder, Written
+from ..store.schemas import Schema
+from .engine import Task
+from .prior_knowledge import MEANINGS, column_units, named_curves, read_measured_curves, read_siblings
 
 ALGORITHM = "1"
 
@@ -65,6 +65,6 @@ def _siblings_task(path: Path) -> Task:
 
 
 def _write_siblings(run: RunFolder, *, path: Path) -> Mapping[str, Written]:
-    from pipeline.models.hybrid.siblings import column
+    from ..models.hybrid.siblings import column
 
     return {layout.SIBLINGS: run.write_tree(layout.SIBLINGS, read_siblings(path), {"source": path.name}, column)}

@@ -11,25 +11,25 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device.device import Device, device
-from pipeline.device.parameter_sets import parameter_values
-from pipeline.device.parameters import JointParameters
-from pipeline.diagnostics.facts.characteristics import believed_wells, stable_rests
-from pipeline.models.analytical.statics import RotationMap, rotation_map
-from pipeline.models.base import DynamicModel, FreeRun, HasTubes, predictor
-from pipeline.models.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
-from pipeline.models.kind import model_from_tree
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
-from pipeline.scoring.tubes import Tubes
-from pipeline.scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes, wells_of
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.log import Log
-from pipeline.store import layout, schemas
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.units.units import HORIZONS
-from pipeline.workflow.engine import TIMES, Task
-from pipeline.workflow.logs import load_motion, sources
+from ..device.device import Device, device
+from ..device.parameter_sets import parameter_values
+from ..device.parameters import JointParameters
+from ..diagnostics.facts.characteristics import believed_wells, stable_rests
+from ..models.analytical.statics import RotationMap, rotation_map
+from ..models.base import DynamicModel, FreeRun, HasTubes, predictor
+from ..models.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
+from ..models.kind import model_from_tree
+from ..numerics.arrays import FloatArray
+from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, Predict, horizon_errors
+from ..scoring.tubes import Tubes
+from ..scoring.wells import NoWells, Wells, places_of_rest, pulse_outcomes, wells_of
+from ..settings.prototype import Prototype
+from ..signals.log import Log
+from ..store import layout, schemas
+from ..store.run_folder import RunFolder, Written
+from ..units.units import HORIZONS
+from .engine import TIMES, Task
+from .logs import load_motion, sources
 
 ALGORITHM = "29"
 
@@ -154,7 +154,7 @@ def trust_notes(
         ``outcomes``: for each rest after a pulse its end ``at_s``, the probability ``right`` of the well at larger q,
         and whether it is ``ambiguous``; None for a model without an ensemble or a device without two wells.
     """
-    from pipeline.fitting.coverage import share_outside
+    from ..fitting.coverage import share_outside
 
     return {
         "outside_training": share_outside(*_valid([log]), *_valid(trained)),

@@ -5,24 +5,24 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from pipeline.device.parameter_sets import parameter_set
-from pipeline.device.parameters import JointParameters
-from pipeline.settings.prototype import Prototype
-from pipeline.store import layout
-from pipeline.store.run_folder import RunFolder
-from pipeline.system.names import Typeface
-from pipeline.workflow import stage_check as check
-from pipeline.workflow import stage_compare as compare
-from pipeline.workflow import stage_differentiate as differentiate
-from pipeline.workflow import stage_identify as identify
-from pipeline.workflow import stage_ingest as ingest
-from pipeline.workflow import stage_instruments as instruments
-from pipeline.workflow import stage_report as report
-from pipeline.workflow import stage_scores as scores
-from pipeline.workflow import stage_side_files as side_files
-from pipeline.workflow import stage_validate as validate
-from pipeline.workflow.engine import After, Task
-from pipeline.workflow.run_models import identified_models, made_control
+from ..device.parameter_sets import parameter_set
+from ..device.parameters import JointParameters
+from ..settings.prototype import Prototype
+from ..store import layout
+from ..store.run_folder import RunFolder
+from ..system.names import Typeface
+from . import stage_check as check
+from . import stage_compare as compare
+from . import stage_differentiate as differentiate
+from . import stage_identify as identify
+from . import stage_ingest as ingest
+from . import stage_instruments as instruments
+from . import stage_report as report
+from . import stage_scores as scores
+from . import stage_side_files as side_files
+from . import stage_validate as validate
+from .engine import After, Task
+from .run_models import identified_models, made_control
 
 
 @dataclass(frozen=True)

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from pipeline.errors import InputError
-from pipeline.settings.file import read_document
-from pipeline.system.names import slug
-from pipeline.system.plain_files import read_plain
-from pipeline.workflow.variants import anchored, toml_value, with_values, write_settings
+from ..errors import InputError
+from ..settings.file import read_document
+from ..system.names import slug
+from ..system.plain_files import read_plain
+from .variants import anchored, toml_value, with_values, write_settings
 
 _ENDINGS = (".csv", ".tsv", ".xlsx")
 _LARGEST = 1 << 26

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline.errors import InputError
-from pipeline.settings.file import read_document, toml_text
-from pipeline.settings.prototype import parse_prototype
-from pipeline.store.atomic import write_text
-from pipeline.system.names import slug
-from pipeline.system.plain_files import LARGEST_SETTINGS, read_plain
-from pipeline.workflow.prior_knowledge import read_siblings
-from pipeline.workflow.report_data import load_scores
+from ..errors import InputError
+from ..settings.file import read_document, toml_text
+from ..settings.prototype import parse_prototype
+from ..store.atomic import write_text
+from ..system.names import slug
+from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from .prior_knowledge import read_siblings
+from .report_data import load_scores
 
 LARGEST = 1000
 """Combinations that a matrix may have."""

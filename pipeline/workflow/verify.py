@@ -5,13 +5,13 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from pipeline.errors import DebistError, InputError, SupersededError
-from pipeline.store.atomic import TEMPORARY_MARK
-from pipeline.store.hashing import file_sha256
-from pipeline.store.lock import HOLDER, LOCK, is_held
-from pipeline.store.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK, STAGES, load_manifest, stage_file
-from pipeline.store.outputs import EXTRA_FOLDERS, WRITTEN, written_files
-from pipeline.store.run_folder import RunFolder, in_snapshot
+from ..errors import DebistError, InputError, SupersededError
+from ..store.atomic import TEMPORARY_MARK
+from ..store.hashing import file_sha256
+from ..store.lock import HOLDER, LOCK, is_held
+from ..store.manifest import MANIFEST, NEXT_MANIFEST, STAGED_MARK, STAGES, load_manifest, stage_file
+from ..store.outputs import EXTRA_FOLDERS, WRITTEN, written_files
+from ..store.run_folder import RunFolder, in_snapshot
 
 
 @dataclass(frozen=True)

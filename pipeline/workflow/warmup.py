@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.system.isolation import in_processes
+from ..system.isolation import in_processes
 
 COST = 30.0
 """Processor time [s] that a first run spends on compilation, roughly."""
@@ -29,7 +29,7 @@ def warm_up(jobs: int, on_progress: Callable[[float], None] | None = None) -> fl
 
 
 def _compile(group: int) -> None:
-    from pipeline.numerics.compiled import keep_kernels
+    from ..numerics.compiled import keep_kernels
 
     gc.disable()  # a compilation makes millions of objects that stay; looking through them takes a fifth of its time
     for call in GROUPS[group]:
@@ -38,12 +38,12 @@ def _compile(group: int) -> None:
 
 
 def _hybrid() -> None:
-    from pipeline.device.parameters import NOMINAL
-    from pipeline.models.hybrid.driving_voltages import DrivingVoltages
-    from pipeline.models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
-    from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
-    from pipeline.models.hybrid.sensitivity import Driven, sensitivities
-    from pipeline.models.hybrid.statics import static_curves, substeps
+    from ..device.parameters import NOMINAL
+    from ..models.hybrid.driving_voltages import DrivingVoltages
+    from ..models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
+    from ..models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
+    from ..models.hybrid.sensitivity import Driven, sensitivities
+    from ..models.hybrid.statics import static_curves, substeps
 
     k = constants(NOMINAL, nominal_deviations(), static_slope_ratio(NOMINAL))
     basis, weights, dt = np.array([-0.01, 0.01, 0.01]), np.zeros((9, 3)), 0.01
@@ -65,9 +65,9 @@ def _hybrid() -> None:
 
 
 def _without_parameter_set() -> None:
-    from pipeline.models.narx.model import NarxModel
-    from pipeline.models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
-    from pipeline.models.polynomial_dynamics import PolynomialDynamics, free_run
+    from ..models.narx.model import NarxModel
+    from ..models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
+    from ..models.polynomial_dynamics import PolynomialDynamics, free_run
 
     v = np.zeros((3, 2))
     lagged_rbf_run(LaggedLaw(np.zeros(2), np.zeros((2, 4)), 1.0, 1.0), v, 0.01, 1, (0.0, 0.0), (-1.0, 1.0))
@@ -81,9 +81,9 @@ def _without_parameter_set() -> None:
 
 
 def _network() -> None:
-    from pipeline.models.rbf.coefficients import Coefficients, basis_rows, no_sensitivities
-    from pipeline.models.rbf.dynamics import slid
-    from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
+    from ..models.rbf.coefficients import Coefficients, basis_rows, no_sensitivities
+    from ..models.rbf.dynamics import slid
+    from ..models.rbf.observed_run import Coupling, Drive, observed_run
 
     x, u, single, none = np.zeros(2), np.zeros((3, 2)), np.ones(1), np.zeros(0)
     two, curves = np.zeros(2), np.zeros((5, 5))
@@ -95,12 +95,12 @@ def _network() -> None:
 
 
 def _analytical() -> None:
-    from pipeline.device.parameters import NOMINAL
-    from pipeline.models.analytical.full_order import rest_state, simulate
-    from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains, reduce_joint
-    from pipeline.models.analytical.sensitivity import state_sensitivities
-    from pipeline.models.analytical.statics import tip_values
-    from pipeline.numerics.stiff import STATES
+    from ..device.parameters import NOMINAL
+    from ..models.analytical.full_order import rest_state, simulate
+    from ..models.analytical.reduced_order import friction_state, maxwell_strains, reduce_joint
+    from ..models.analytical.sensitivity import state_sensitivities
+    from ..models.analytical.statics import tip_values
+    from ..numerics.stiff import STATES
 
     t, v = np.array([0.0, 1e-4]), np.zeros((2, 2))
     simulate(NOMINAL, t, v, rest_state(NOMINAL, 0.001, 0.001, v[0]))
@@ -114,9 +114,9 @@ def _analytical() -> None:
 
 def _measured() -> None:
     """What looks at measured motions: differentiation, and the lag and basis of the paper."""
-    from pipeline.fitting.regression import basis_values
-    from pipeline.numerics.linear_filters import first_order_lag
-    from pipeline.signals.differentiate import differentiate
+    from ..fitting.regression import basis_values
+    from ..numerics.linear_filters import first_order_lag
+    from ..signals.differentiate import differentiate
 
     samples = np.sin(0.1 * np.arange(40.0)) + 0.01 * (np.arange(40) % 3)
     differentiate(samples, 0.001)
@@ -125,10 +125,10 @@ def _measured() -> None:
 
 
 def _rig() -> None:
-    from pipeline.rig.bench import Bench, record
-    from pipeline.rig.joint import potential, rest, tip_displacement
-    from pipeline.rig.loop import Scenario, played, run_loop
-    from pipeline.rig.parameters import nominal
+    from ..rig.bench import Bench, record
+    from ..rig.joint import potential, rest, tip_displacement
+    from ..rig.loop import Scenario, played, run_loop
+    from ..rig.parameters import nominal
 
     p, bench = nominal(), Bench(rate=2000.0)
     t, x = bench.clock(0.002), rest(p, side=1)
@@ -139,14 +139,14 @@ def _rig() -> None:
 
 
 def _control() -> None:
-    from pipeline.control.controller import begin_control, closed_on_model, control
-    from pipeline.control.design import Settings, condensed_joint_law, design
-    from pipeline.control.law import CONTROLLER_STATE
-    from pipeline.control.plant import plant_of
-    from pipeline.device.parameters import NOMINAL
-    from pipeline.models.hybrid.model import HybridModel
-    from pipeline.models.hybrid.parameters import static_slope_ratio
-    from pipeline.models.hybrid.problem import CondensedJoint
+    from ..control.controller import begin_control, closed_on_model, control
+    from ..control.design import Settings, condensed_joint_law, design
+    from ..control.law import CONTROLLER_STATE
+    from ..control.plant import plant_of
+    from ..device.parameters import NOMINAL
+    from ..models.hybrid.model import HybridModel
+    from ..models.hybrid.parameters import static_slope_ratio
+    from ..models.hybrid.problem import CondensedJoint
 
     joint = CondensedJoint(NOMINAL, np.array([-0.02, 0.01, 0.008]), 0, 3000.0, static_slope_ratio(NOMINAL))
     theta, state = joint.start(), np.zeros(CONTROLLER_STATE)

@@ -8,9 +8,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pipeline.errors import RunLockedError
-from pipeline.system.isolation import Isolated, Send, death, largest_memory
-from pipeline.workflow.failures import failure_file, keep_failure
+from ..errors import RunLockedError
+from ..system.isolation import Isolated, Send, death, largest_memory
+from .failures import failure_file, keep_failure
 
 Program = Callable[[list[str]], object]
 

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnostics.facts.grades import THRESHOLDS
-from pipeline.diagnostics.facts.run_data import LogData, RunData
-from pipeline.diagnostics.findings import Finding, Number
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import NoWells, Wells, snaps
-from pipeline.system.names import log_title
+from ...numerics.arrays import FloatArray
+from ...scoring.wells import NoWells, Wells, snaps
+from ...system.names import log_title
+from ..findings import Finding, Number
+from .grades import THRESHOLDS
+from .run_data import LogData, RunData
 
 BRIEF = 0.1
 """Share of a log that one place lasts at most."""

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.diagnostics.facts.run_data import RunData
-from pipeline.errors import InputError
-from pipeline.models.base import DynamicModel, HasCurveDraws, HasCurves
-from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.scoring.wells import NoWells, Wells, outermost_pair
-from pipeline.store.columns import STABLE
+from ...errors import InputError
+from ...models.base import DynamicModel, HasCurveDraws, HasCurves
+from ...numerics.arrays import BoolArray, FloatArray
+from ...scoring.wells import NoWells, Wells, outermost_pair
+from ...store.columns import STABLE
+from .run_data import RunData
 
 COVERAGE = 0.9  # share of the draws inside a band or an interval
 POINTS = 1201  # of the grid over the operating range

@@ -4,16 +4,16 @@ import re
 
 import numpy as np
 
-from pipeline.diagnostics.facts.grades import Check, graded, of_finding
-from pipeline.diagnostics.facts.run_data import LogData, RunData
-from pipeline.diagnostics.findings import Finding, Number
-from pipeline.diagnostics.sentences import MASKS
-from pipeline.fitting.coverage import coverage
-from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.scoring.wells import NoWells, Wells, snaps
-from pipeline.signals.noise import below_resolution, noise_std, rounding
-from pipeline.signals.signal_quality import examine_signal
-from pipeline.signals.trajectory import voltages
+from ...fitting.coverage import coverage
+from ...numerics.arrays import FloatArray, sample_interval
+from ...scoring.wells import NoWells, Wells, snaps
+from ...signals.noise import below_resolution, noise_std, rounding
+from ...signals.signal_quality import examine_signal
+from ...signals.trajectory import voltages
+from ..findings import Finding, Number
+from ..sentences import MASKS
+from .grades import Check, graded, of_finding
+from .run_data import LogData, RunData
 
 NOT_DECIMATED = 0.9
 """Least sample interval of a log over that of its kinematics at which both have the same noise."""

@@ -6,7 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnostics.facts.characteristics import (
+from ...models.base import DynamicModel
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import NORMAL_90
+from ...scoring.wells import NoWells, Wells
+from ...signals.trajectory import voltages
+from ...store.columns import FACT_COLUMNS, STABLE
+from ..findings import Finding, Number
+from .characteristics import (
     COVERAGE,
     Curves,
     believed_wells,
@@ -16,18 +23,11 @@ from pipeline.diagnostics.facts.characteristics import (
     model_curves,
     shares,
 )
-from pipeline.diagnostics.facts.data_quality import data_checks
-from pipeline.diagnostics.facts.events import RestFacts, rest_facts, ring_down
-from pipeline.diagnostics.facts.grades import THRESHOLDS, Check, Grade, graded, of_finding, overall
-from pipeline.diagnostics.facts.model_quality import model_checks
-from pipeline.diagnostics.facts.run_data import RunData, wells_of_run
-from pipeline.diagnostics.findings import Finding, Number
-from pipeline.models.base import DynamicModel
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import NORMAL_90
-from pipeline.scoring.wells import NoWells, Wells
-from pipeline.signals.trajectory import voltages
-from pipeline.store.columns import FACT_COLUMNS, STABLE
+from .data_quality import data_checks
+from .events import RestFacts, rest_facts, ring_down
+from .grades import THRESHOLDS, Check, Grade, graded, of_finding, overall
+from .model_quality import model_checks
+from .run_data import RunData, wells_of_run
 
 FORMAT = "debist-datasheet/1"
 RING_TIME, RING_STEP = 2.0, 0.005  # s

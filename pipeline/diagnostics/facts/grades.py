@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal
 
-from pipeline.diagnostics.findings import SEVERITIES, Finding, Number, Severity
-from pipeline.diagnostics.sentences import sentences
+from ..findings import SEVERITIES, Finding, Number, Severity
+from ..sentences import sentences
 
 Grade = Severity
 GRADES = SEVERITIES

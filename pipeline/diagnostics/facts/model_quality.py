@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnostics.facts.causes import causes, instrument_findings
-from pipeline.diagnostics.facts.grades import THRESHOLDS, Check, graded, of_finding
-from pipeline.diagnostics.facts.run_data import RunData
-from pipeline.diagnostics.findings import Finding, Number
-from pipeline.scoring.wells import NoWells, Wells
-from pipeline.system.names import ROLE_WORDS, log_title
-from pipeline.units.units import HORIZONS
+from ...scoring.wells import NoWells, Wells
+from ...system.names import ROLE_WORDS, log_title
+from ...units.units import HORIZONS
+from ..findings import Finding, Number
+from .causes import causes, instrument_findings
+from .grades import THRESHOLDS, Check, graded, of_finding
+from .run_data import RunData
 
 RIVAL_SURELY = 2e-3
 """Least NRMSE by which a baseline is surely better before it is mentioned."""

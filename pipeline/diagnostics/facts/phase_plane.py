@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnostics.facts.run_data import LogData, RunData
-from pipeline.models.base import DynamicModel, SimulatesMany
-from pipeline.numerics.arrays import FloatArray, runs_of
-from pipeline.signals.trajectory import peaks, voltages
+from ...models.base import DynamicModel, SimulatesMany
+from ...numerics.arrays import FloatArray, runs_of
+from ...signals.trajectory import peaks, voltages
+from .run_data import LogData, RunData
 
 BASIN_COLUMNS, BASIN_ROWS = 81, 57
 BASIN_TIME, BASIN_STEP = 2.5, 0.01  # s; seven periods decide the well, and the step of the signals

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.diagnostics.facts.run_data import LogData, RunData
-from pipeline.numerics.arrays import FloatArray, longest_run, samples_of
-from pipeline.numerics.metrics import NORMAL_99
-from pipeline.signals.trajectory import voltages
+from ...numerics.arrays import FloatArray, longest_run, samples_of
+from ...numerics.metrics import NORMAL_99
+from ...signals.trajectory import voltages
+from .run_data import LogData, RunData
 
 LONGEST_LAG, FEWEST_LAGS, SHARE = 1.0, 50, 8
 """Largest lag [s]; of a slow device, or a log too short for that, so many samples; and how many times as long as the

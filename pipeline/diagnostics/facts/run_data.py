@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.fitting.population import NormalPopulation
-from pipeline.models.base import DynamicModel
-from pipeline.numerics.arrays import sample_interval
-from pipeline.scoring.wells import NoWells, Wells, wells_of
-from pipeline.settings.logs import LogPart
-from pipeline.signals.log import log_of
-from pipeline.store.columns import StudyName
-from pipeline.system.names import log_title, true_name
-from pipeline.units.units import curve_units, of_joint
+from ...fitting.population import NormalPopulation
+from ...models.base import DynamicModel
+from ...numerics.arrays import sample_interval
+from ...scoring.wells import NoWells, Wells, wells_of
+from ...settings.logs import LogPart
+from ...signals.log import log_of
+from ...store.columns import StudyName
+from ...system.names import log_title, true_name
+from ...units.units import curve_units, of_joint
 
 Columns = Mapping[str, Any]
 WHY = "chosen because"

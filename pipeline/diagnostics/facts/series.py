@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.diagnostics.facts.calibrated import calibrated
-from pipeline.diagnostics.instruments import Instruments
-from pipeline.fitting.trends import Trend, smoothed, trend
-from pipeline.models.base import DynamicModel, HasCurveDraws, HasCurves
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import NORMAL_90
-from pipeline.signals.log import Log
+from ...fitting.trends import Trend, smoothed, trend
+from ...models.base import DynamicModel, HasCurveDraws, HasCurves
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import NORMAL_90
+from ...signals.log import Log
+from ..instruments import Instruments
+from .calibrated import calibrated
 
 ALARM = 0.05
 """Probability with which a series of an unchanged device has any change claimed."""

@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import kernel
-from pipeline.generated.analytical_joint import MOTION, motion_slopes
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.compiled import compiled, inner
-from pipeline.numerics.inner_loops import copy_into
-from pipeline.numerics.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
+from ...codegen.numba_writer import kernel
+from ...generated.analytical_joint import MOTION, motion_slopes
+from ...numerics.arrays import FloatArray, IntArray
+from ...numerics.compiled import compiled, inner
+from ...numerics.inner_loops import copy_into
+from ...numerics.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
 
 BATCH = 8
 """Joints side by side."""

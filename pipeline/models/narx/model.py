@@ -19,11 +19,16 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import model_validator
 
-from pipeline.errors import InputError
-from pipeline.models.base import FreeRun, checked
-from pipeline.models.difference_equation import check_interval, sampled_run
-from pipeline.models.kind import Kind
-from pipeline.models.model_file import (
+from ...errors import InputError
+from ...numerics.arrays import FloatArray, IntArray
+from ...numerics.compiled import compiled
+from ...numerics.fixed_step import escape_bounds
+from ...scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
+from ...signals.trajectory import Trajectory, operating_range
+from ..base import FreeRun, checked
+from ..difference_equation import check_interval, sampled_run
+from ..kind import Kind
+from ..model_file import (
     MOST_INPUTS,
     Exponents,
     ModelFile,
@@ -34,12 +39,7 @@ from pipeline.models.model_file import (
     Table,
     Unit,
 )
-from pipeline.models.polynomial_dynamics import monomials
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.compiled import compiled
-from pipeline.numerics.fixed_step import escape_bounds
-from pipeline.scoring.cross_validation import free_run_error, held_out_blocks, simplest_within_one_standard_error
-from pipeline.signals.trajectory import Trajectory, operating_range
+from ..polynomial_dynamics import monomials
 
 MOST_LAGS = 64
 """Increments, or lags of an input."""

@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.settings.prototype import Differentiate, Prototype
-from pipeline.store.tables import Table
-from pipeline.units.units import ALPHA_UNIT
+from ...device.device import device
+from ...numerics.arrays import FloatArray, sample_interval
+from ...settings.prototype import Differentiate, Prototype
+from ...store.tables import Table
+from ...units.units import ALPHA_UNIT
 
 _WAY, _AGREES = 10, 0.1
 
@@ -78,7 +78,7 @@ def derivatives(
     notes : dict
         For each stretch its parameters, noise (in the same unit) and convergence.
     """
-    from pipeline.signals.differentiate import differentiate
+    from ...signals.differentiate import differentiate
 
     settings, measured = prototype.differentiate, "velocity" in fine
     grid = fine["t"]
@@ -116,7 +116,7 @@ def differentiator(settings: Differentiate, *, measured: bool, unit: float) -> d
     """Arguments of the differentiator. A `measured` velocity has its own: one order less, 2 or 3, and an alpha that its
     noise chooses, as one that was set is of q.
     """
-    from pipeline.signals.differentiate import PAPER_EPSILON
+    from ...signals.differentiate import PAPER_EPSILON
 
     chosen = measured or settings.alpha == "auto"
     return {

@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.device.device import Device
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import signal_range
-from pipeline.scoring.intervals import SEED, Interval, excess_over_lowest
-from pipeline.scoring.wells import NoWells, Wells
-from pipeline.signals.log import Log
-from pipeline.store.columns import NOTED_COLUMNS
-from pipeline.units.units import SIGNALS, signal_units
+from ...device.device import Device
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import signal_range
+from ...scoring.intervals import SEED, Interval, excess_over_lowest
+from ...scoring.wells import NoWells, Wells
+from ...signals.log import Log
+from ...store.columns import NOTED_COLUMNS
+from ...units.units import SIGNALS, signal_units
 
 if TYPE_CHECKING:
-    from pipeline.scoring.scores import Score
+    from ...scoring.scores import Score
 
 
 @dataclass(frozen=True)
@@ -69,8 +69,8 @@ def score_rows(plant: Device, measured: Log, compared: ComparedRun, wells: Wells
 
     Errors by horizon, outcomes and what else a stage noted of the run are columns where its notes hold them.
     """
-    from pipeline.scoring.scores import score_run
-    from pipeline.scoring.step_responses import response_errors
+    from ...scoring.scores import score_run
+    from ...scoring.step_responses import response_errors
 
     units = signal_units(plant.displacement.symbol)
     v, interval = measured.v, measured.interval

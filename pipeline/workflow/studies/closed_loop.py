@@ -9,25 +9,25 @@ from typing import Any, Literal, cast, get_args
 import numpy as np
 from pydantic import Field
 
-from pipeline.control.controller import begin_control, control
-from pipeline.control.law import CONTROLLER_STATE, Law
-from pipeline.control.step_metrics import step_metrics
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
-from pipeline.rig.bench import Bench, random_bench
-from pipeline.rig.excitation import MAX_VOLTAGE, load_sequence
-from pipeline.rig.joint import saddle, tip_displacement, wells
-from pipeline.rig.log import LAYOUTS, PER_SI
-from pipeline.rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
-from pipeline.rig.parameters import RigParameters, from_json, nominal, table1
-from pipeline.rig.random_joint import Family, random_joint
-from pipeline.rig_logs import read_recording
-from pipeline.settings.logs import Number, SettingsTable, Whole
-from pipeline.store.outputs import new_outputs, rebased
-from pipeline.store.run_folder import RunFolder
-from pipeline.units.units import parse_quantity, to_si
-from pipeline.workflow.run_models import load_design
+from ...control.controller import begin_control, control
+from ...control.law import CONTROLLER_STATE, Law
+from ...control.step_metrics import step_metrics
+from ...errors import InputError
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import rms
+from ...rig.bench import Bench, random_bench
+from ...rig.excitation import MAX_VOLTAGE, load_sequence
+from ...rig.joint import saddle, tip_displacement, wells
+from ...rig.log import LAYOUTS, PER_SI
+from ...rig.loop import ClosedLoop, Controller, Scenario, bench_from_json, played, python_controller, run_loop
+from ...rig.parameters import RigParameters, from_json, nominal, table1
+from ...rig.random_joint import Family, random_joint
+from ...rig_logs import read_recording
+from ...settings.logs import Number, SettingsTable, Whole
+from ...store.outputs import new_outputs, rebased
+from ...store.run_folder import RunFolder
+from ...units.units import parse_quantity, to_si
+from ..run_models import load_design
 
 _NAMED = {"nominal": nominal, "table1": table1}
 _MOST_STEPS = 50

@@ -7,25 +7,25 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.control.controller import PERIOD, closed_on_model
-from pipeline.control.design import Settings
-from pipeline.control.design import design as design_law
-from pipeline.control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
-from pipeline.control.law import Law
-from pipeline.control.linear import wells_and_saddle
-from pipeline.control.margins import Margins, margins
-from pipeline.control.pulses import design_pulse
-from pipeline.control.step_metrics import BAND, step_metrics
-from pipeline.control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, uncertain
-from pipeline.errors import InputError
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.excitation import ENDINGS, Sequence, save_sequence
-from pipeline.store.outputs import new_outputs, rebased
-from pipeline.system.names import Goal, Well
-from pipeline.system.progress import OnProgress
-from pipeline.workflow.engine import Observer
-from pipeline.workflow.studies.controlled_run import ControlRun, ControlSettings, control_run, kept_document
+from ...control.controller import PERIOD, closed_on_model
+from ...control.design import Settings
+from ...control.design import design as design_law
+from ...control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
+from ...control.law import Law
+from ...control.linear import wells_and_saddle
+from ...control.margins import Margins, margins
+from ...control.pulses import design_pulse
+from ...control.step_metrics import BAND, step_metrics
+from ...control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, uncertain
+from ...errors import InputError
+from ...models.hybrid.model import HybridModel
+from ...numerics.arrays import FloatArray
+from ...rig.excitation import ENDINGS, Sequence, save_sequence
+from ...store.outputs import new_outputs, rebased
+from ...system.names import Goal, Well
+from ...system.progress import OnProgress
+from ..engine import Observer
+from .controlled_run import ControlRun, ControlSettings, control_run, kept_document
 
 DRAWS = 32
 

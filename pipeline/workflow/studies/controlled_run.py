@@ -6,24 +6,24 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline.control.ensemble import Converters
-from pipeline.control.plant import ASSUMED_LAG, ControlledJoint, plant_of
-from pipeline.device.device import device
-from pipeline.diagnostics.facts.converters import converter_lag
-from pipeline.errors import DataRefusedError, InputError
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.scoring.wells import Wells, wells_of
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.log import log_of
-from pipeline.store import layout
-from pipeline.store.documents import read_document
-from pipeline.store.lock import run_lock
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.system.names import shell_word
-from pipeline.system.progress import OnProgress
-from pipeline.workflow.engine import Observer, Task
-from pipeline.workflow.run_models import WORST, controlled_model, failed_validations, load_run_model
-from pipeline.workflow.schedule import bring_up_to_date
+from ...control.ensemble import Converters
+from ...control.plant import ASSUMED_LAG, ControlledJoint, plant_of
+from ...device.device import device
+from ...diagnostics.facts.converters import converter_lag
+from ...errors import DataRefusedError, InputError
+from ...models.hybrid.model import HybridModel
+from ...scoring.wells import Wells, wells_of
+from ...settings.prototype import Prototype
+from ...signals.log import log_of
+from ...store import layout
+from ...store.documents import read_document
+from ...store.lock import run_lock
+from ...store.run_folder import RunFolder, Written
+from ...system.names import shell_word
+from ...system.progress import OnProgress
+from ..engine import Observer, Task
+from ..run_models import WORST, controlled_model, failed_validations, load_run_model
+from ..schedule import bring_up_to_date
 
 ALGORITHM = "21"
 _MISSED, _UNSEEN = 0.09, 2e-3

@@ -10,17 +10,17 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.models.base import HasCurves
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.several_runs import CURVES, DiffTable, DrawnRun, diff_page
-from pipeline.store import layout
-from pipeline.store.atomic import write_text
-from pipeline.store.hashing import flatten
-from pipeline.store.run_folder import RunFolder, in_snapshot
-from pipeline.system.names import log_title
-from pipeline.workflow.logs import load_logs
-from pipeline.workflow.run_models import identified_models, load_run_model
+from ...device.device import device
+from ...models.base import HasCurves
+from ...numerics.arrays import FloatArray
+from ...reporting.several_runs import CURVES, DiffTable, DrawnRun, diff_page
+from ...store import layout
+from ...store.atomic import write_text
+from ...store.hashing import flatten
+from ...store.run_folder import RunFolder, in_snapshot
+from ...system.names import log_title
+from ..logs import load_logs
+from ..run_models import identified_models, load_run_model
 
 DIGITS = 6
 """Decimal digits, of the largest magnitude of a column, to which results are compared."""

@@ -8,23 +8,23 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from pipeline.device.device import device
-from pipeline.device.parameter_sets import joint_parameters
-from pipeline.device.parameters import JointParameters
-from pipeline.errors import InputError
-from pipeline.export.subject import Subject
-from pipeline.models.analytical.reduced_order import reduce_joint, simulate_reduced
-from pipeline.models.analytical.statics import equilibria
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.excitation import ENDINGS, Sequence, command, save_sequence
-from pipeline.settings.logs import Number, SettingsTable, Whole
-from pipeline.settings.models import CENTRES
-from pipeline.settings.prototype import FIELD_LIMIT, Prototype
-from pipeline.store.outputs import check_places, new_outputs, rebased
-from pipeline.store.run_folder import RunFolder
-from pipeline.workflow.run_models import subject
-from pipeline.workflow.studies.excitation_design import (
+from ...device.device import device
+from ...device.parameter_sets import joint_parameters
+from ...device.parameters import JointParameters
+from ...errors import InputError
+from ...export.subject import Subject
+from ...models.analytical.reduced_order import reduce_joint, simulate_reduced
+from ...models.analytical.statics import equilibria
+from ...models.hybrid.model import HybridModel
+from ...numerics.arrays import FloatArray
+from ...rig.excitation import ENDINGS, Sequence, command, save_sequence
+from ...settings.logs import Number, SettingsTable, Whole
+from ...settings.models import CENTRES
+from ...settings.prototype import FIELD_LIMIT, Prototype
+from ...store.outputs import check_places, new_outputs, rebased
+from ...store.run_folder import RunFolder
+from ..run_models import subject
+from .excitation_design import (
     KINDS,
     Assessment,
     BurstKind,
@@ -33,7 +33,7 @@ from pipeline.workflow.studies.excitation_design import (
     Simulator,
     design_excitation,
 )
-from pipeline.workflow.studies.next_log import NextLog, design_next_log
+from .next_log import NextLog, design_next_log
 
 _COMMAND = "rig excite"
 

@@ -15,14 +15,14 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.fitting.coverage import FEW, Coverage, coverage
-from pipeline.fitting.information import Conditioning, ScaledRegressor, conditioning, log_information
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.bench import Converter
-from pipeline.rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
-from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
-from pipeline.settings.models import CENTRES, SMOOTHING
+from ...errors import InputError
+from ...fitting.coverage import FEW, Coverage, coverage
+from ...fitting.information import Conditioning, ScaledRegressor, conditioning, log_information
+from ...numerics.arrays import FloatArray
+from ...rig.bench import Converter
+from ...rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
+from ...scoring.wells import NoWells, Wells, find_wells, snaps
+from ...settings.models import CENTRES, SMOOTHING
 
 Simulator = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
 """Times (N,) [s] and voltages (N, 2) [V] to q (N,) [m] and q̇ (N,) [m/s], from rest; NaN after a divergence."""

@@ -8,24 +8,24 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.diagnostics.facts.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
-from pipeline.diagnostics.instruments import Instruments, ObservedModel
-from pipeline.errors import DataRefusedError, DebistError, InputError
-from pipeline.models.base import DynamicModel
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.siblings import Learnt, column, learn, to_tree
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.log import Log
-from pipeline.store import layout
-from pipeline.store.documents import read_document
-from pipeline.store.manifest import MANIFEST
-from pipeline.store.run_folder import RunFolder, in_snapshot
-from pipeline.store.trees import write_tree
-from pipeline.system.names import shell_word
-from pipeline.workflow.logs import fitted_parts, load_logs
-from pipeline.workflow.prior_knowledge import read_siblings
-from pipeline.workflow.run_models import load_run_model, model_artifact
+from ...device.device import device
+from ...diagnostics.facts.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
+from ...diagnostics.instruments import Instruments, ObservedModel
+from ...errors import DataRefusedError, DebistError, InputError
+from ...models.base import DynamicModel
+from ...models.hybrid.model import HybridModel
+from ...models.hybrid.siblings import Learnt, column, learn, to_tree
+from ...numerics.arrays import FloatArray
+from ...signals.log import Log
+from ...store import layout
+from ...store.documents import read_document
+from ...store.manifest import MANIFEST
+from ...store.run_folder import RunFolder, in_snapshot
+from ...store.trees import write_tree
+from ...system.names import shell_word
+from ..logs import fitted_parts, load_logs
+from ..prior_knowledge import read_siblings
+from ..run_models import load_run_model, model_artifact
 
 
 @dataclass(frozen=True)

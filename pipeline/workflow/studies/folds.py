@@ -9,14 +9,14 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.device.parameter_sets import parameter_set, parameter_values
-from pipeline.device.parameters import JointParameters
-from pipeline.diagnostics.facts.characteristics import believed_wells, stable_rests
-from pipeline.errors import DataRefusedError, DebistError, InputError
-from pipeline.models.kind import kind
-from pipeline.numerics.arrays import BoolArray
-from pipeline.scoring.cross_validation import (
+from ...device.device import device
+from ...device.parameter_sets import parameter_set, parameter_values
+from ...device.parameters import JointParameters
+from ...diagnostics.facts.characteristics import believed_wells, stable_rests
+from ...errors import DataRefusedError, DebistError, InputError
+from ...models.kind import kind
+from ...numerics.arrays import BoolArray
+from ...scoring.cross_validation import (
     NRMSE_COLUMNS,
     block_folds,
     fold_score,
@@ -26,22 +26,22 @@ from pipeline.scoring.cross_validation import (
     not_told_from_lowest,
     signal_ranges,
 )
-from pipeline.scoring.wells import NoWells, Wells, wells_of
-from pipeline.settings.prototype import FILM, Prototype
-from pipeline.signals.log import Log
-from pipeline.store import layout, schemas
-from pipeline.store.lock import run_lock
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.store.tables import Table
-from pipeline.system.isolation import in_processes
-from pipeline.workflow import stage_compare as compare
-from pipeline.workflow import stage_identify as identify
-from pipeline.workflow.engine import TIMES, Observer, Task
-from pipeline.workflow.logs import load_logs, sources, training
-from pipeline.workflow.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
-from pipeline.workflow.run_models import identified_models
-from pipeline.workflow.schedule import bring_up_to_date
-from pipeline.workflow.studies.study import StudyResult, study_result
+from ...scoring.wells import NoWells, Wells, wells_of
+from ...settings.prototype import FILM, Prototype
+from ...signals.log import Log
+from ...store import layout, schemas
+from ...store.lock import run_lock
+from ...store.run_folder import RunFolder, Written
+from ...store.tables import Table
+from ...system.isolation import in_processes
+from .. import stage_compare as compare
+from .. import stage_identify as identify
+from ..engine import TIMES, Observer, Task
+from ..logs import load_logs, sources, training
+from ..prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
+from ..run_models import identified_models
+from ..schedule import bring_up_to_date
+from .study import StudyResult, study_result
 
 ALGORITHM = "5"
 

@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.control.linear import LinearModel, equilibria
-from pipeline.diagnostics.facts.events import rest_facts
-from pipeline.scoring.wells import wells_of
-from pipeline.signals.log import log_of
-from pipeline.store import layout
-from pipeline.store.outputs import new_outputs, rebased, remove_outdated
-from pipeline.system.progress import OnProgress
-from pipeline.workflow.engine import Observer
-from pipeline.workflow.studies.controlled_run import ControlRun, control_run, kept_document
+from ...control.linear import LinearModel, equilibria
+from ...diagnostics.facts.events import rest_facts
+from ...scoring.wells import wells_of
+from ...signals.log import log_of
+from ...store import layout
+from ...store.outputs import new_outputs, rebased, remove_outdated
+from ...system.progress import OnProgress
+from ..engine import Observer
+from .controlled_run import ControlRun, control_run, kept_document
 
 MOST_EQUILIBRIA = 9
 """Most equilibria of a joint, by far: an earlier call left files of at most this number."""

@@ -11,12 +11,12 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.next_log import Uncertainty, slopes, uncertainty
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.excitation import EXCITATIONS, MAX_VOLTAGE, Burst, command, load_sequence, random_excitation
-from pipeline.workflow.studies.excitation_design import Requirements, behind_converters, greedy_bursts
+from ...errors import InputError
+from ...models.hybrid.model import HybridModel
+from ...models.hybrid.next_log import Uncertainty, slopes, uncertainty
+from ...numerics.arrays import FloatArray
+from ...rig.excitation import EXCITATIONS, MAX_VOLTAGE, Burst, command, load_sequence, random_excitation
+from .excitation_design import Requirements, behind_converters, greedy_bursts
 
 INTERVAL = 0.01  # s, of the simulated samples
 USUAL, DRAWS = "training", 3

@@ -10,33 +10,33 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device.device import device
-from pipeline.device.parameter_sets import parameter_set
-from pipeline.device.parameters import JointParameters
-from pipeline.diagnostics.facts.run_data import RunData, wells_of_run
-from pipeline.errors import InputError
-from pipeline.models.analytical.bifurcation import characteristics
-from pipeline.models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both
-from pipeline.models.paper.model import RbfPaperModel
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.canvas import Format, paper_figure
-from pipeline.reporting.figure import Figure, of_models, window
-from pipeline.reporting.log_figures import log_figures
-from pipeline.reporting.paper_page import paper_page, table_1, table_2
-from pipeline.settings.logs import ROLES
-from pipeline.settings.models import CENTRES, SMOOTHING
-from pipeline.settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
-from pipeline.signals.differentiate import AlphaStudy, alpha_study
-from pipeline.store import layout, schemas
-from pipeline.store.lock import run_lock
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.units.units import ALPHA_UNIT
-from pipeline.workflow import stage_scores as scores
-from pipeline.workflow.engine import Observer, Task, TaskStatus, tasks_of
-from pipeline.workflow.report_data import read_run
-from pipeline.workflow.schedule import bring_up_to_date
-from pipeline.workflow.stages import STAGE_NAMES, Planned, of_stages, plan
-from pipeline.workflow.studies.study import study_task
+from ...device.device import device
+from ...device.parameter_sets import parameter_set
+from ...device.parameters import JointParameters
+from ...diagnostics.facts.run_data import RunData, wells_of_run
+from ...errors import InputError
+from ...models.analytical.bifurcation import characteristics
+from ...models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both
+from ...models.paper.model import RbfPaperModel
+from ...numerics.arrays import FloatArray
+from ...reporting.canvas import Format, paper_figure
+from ...reporting.figure import Figure, of_models, window
+from ...reporting.log_figures import log_figures
+from ...reporting.paper_page import paper_page, table_1, table_2
+from ...settings.logs import ROLES
+from ...settings.models import CENTRES, SMOOTHING
+from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
+from ...signals.differentiate import AlphaStudy, alpha_study
+from ...store import layout, schemas
+from ...store.lock import run_lock
+from ...store.run_folder import RunFolder, Written
+from ...units.units import ALPHA_UNIT
+from .. import stage_scores as scores
+from ..engine import Observer, Task, TaskStatus, tasks_of
+from ..report_data import read_run
+from ..schedule import bring_up_to_date
+from ..stages import STAGE_NAMES, Planned, of_stages, plan
+from .study import study_task
 
 ALGORITHM = "4"
 RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6)
@@ -164,7 +164,7 @@ def _task(prototype: Prototype, prototype_file: Path) -> Task:
 
 
 def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
-    from pipeline.reporting.joint_figures import COLOURED
+    from ...reporting.joint_figures import COLOURED
 
     data = read_run(run, prototype, scores.scored_models(run, prototype))
     figures: dict[str, tuple[Figure, Sequence[str]]] = {
@@ -186,7 +186,7 @@ def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> 
 
 def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
     """Figures 1b and 3 to 7: the analytical model of the parameter set."""
-    from pipeline.reporting import joint_figures as draw
+    from ...reporting import joint_figures as draw
 
     curves, motions = characteristics(parameters), simulate_both(parameters, *pulse_sequence())
     modes = beam_modes(motions.full.qm, parameters.l)
@@ -202,7 +202,7 @@ def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
 
 def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict[str, Figure]:
     """Figures 8 and 11 to 15, and the search for T_z: the recipe on the logs."""
-    from pipeline.reporting import recipe_figures as draw
+    from ...reporting import recipe_figures as draw
 
     training, network, settings = data.role("train")[0], data.models["rbf-paper"], prototype.identify
     assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it

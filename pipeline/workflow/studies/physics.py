@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import Field
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.settings.logs import SettingsTable, Whole
+from ...errors import InputError
+from ...numerics.arrays import FloatArray
+from ...settings.logs import SettingsTable, Whole
 
 if TYPE_CHECKING:
-    from pipeline.device.parameters import JointParameters
-    from pipeline.models.analytical.calibration import Calibration
-    from pipeline.models.analytical.reduced_order import Motions
-    from pipeline.signals.log import Log
-    from pipeline.store.tables import Table
+    from ...device.parameters import JointParameters
+    from ...models.analytical.calibration import Calibration
+    from ...models.analytical.reduced_order import Motions
+    from ...signals.log import Log
+    from ...store.tables import Table
 
 
 def energy_over_q(
@@ -26,8 +26,8 @@ def energy_over_q(
 
     None where the beam snaps although its tip is held: no curve over q exists then.
     """
-    from pipeline.models.analytical.bifurcation import SHOWN
-    from pipeline.models.analytical.statics import static_path
+    from ...models.analytical.bifurcation import SHOWN
+    from ...models.analytical.statics import static_path
 
     try:
         path = static_path(joint, SHOWN, np.array([v1, v2]))
@@ -38,7 +38,7 @@ def energy_over_q(
 
 def _columns(path: Path, *needed: str) -> "Table":
     """A table of a run that has these columns."""
-    from pipeline.store.tables import read_table
+    from ...store.tables import read_table
 
     if path.suffix != ".parquet" or not path.is_file():
         raise InputError(f"{path}: no table of a run; name one such as runs/P1/train/LOG/kinematics.parquet")
@@ -66,7 +66,7 @@ def simulate(parameters: "JointParameters", voltage: float, signals: Path | None
 
     The motion starts at rest: at the first measured q, or in the left well.
     """
-    from pipeline.models.analytical.reduced_order import pulse_sequence, simulate_both
+    from ...models.analytical.reduced_order import pulse_sequence, simulate_both
 
     if signals is None:
         return simulate_both(parameters, *pulse_sequence(voltage))
@@ -102,9 +102,9 @@ def calibrate(
     InputError
         A table lacks a column, or none has a stretch of motion.
     """
-    from pipeline.models.analytical.calibration import calibrate as fit
-    from pipeline.signals.log import log_of
-    from pipeline.workflow.logs import between
+    from ...models.analytical.calibration import calibrate as fit
+    from ...signals.log import log_of
+    from ..logs import between
 
     def motion(path: Path) -> "Log":
         """A log, with the voltages between its samples where the run's record is beside it."""
@@ -123,8 +123,8 @@ def calibrate(
 
 def write_parameters(fit: "Calibration", target: Path) -> None:
     """Write a calibrated set as TOML with its standard errors as comments; errors as for `new_outputs`."""
-    from pipeline.device.parameter_sets import parameter_file
-    from pipeline.store.outputs import new_outputs
+    from ...device.parameter_sets import parameter_file
+    from ...store.outputs import new_outputs
 
     errors = {name: f"± {error:.2g}" for name, error in zip(fit.names, fit.standard_errors, strict=True)}
     with new_outputs(target.parent, "physics calibrate", force=None, names=(target.name,)) as staged:
@@ -133,7 +133,7 @@ def write_parameters(fit: "Calibration", target: Path) -> None:
 
 def calibration_document(fit: "Calibration") -> dict[str, Any]:
     """The result of a calibration for `--json`: values and standard errors in SI units."""
-    from pipeline.device.parameters import QUANTITIES
+    from ...device.parameters import QUANTITIES
 
     rows = zip(fit.names, fit.values, fit.standard_errors, strict=True)
     return {

@@ -8,30 +8,30 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device.device import Device, device
-from pipeline.models.paper.model import identify_rbf_paper
-from pipeline.models.paper.online import drifted, follow, memories
-from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.reporting.canvas import paper_figure
-from pipeline.scoring.data_study import amount_study, held_out_error, noise_study
-from pipeline.settings.logs import Role
-from pipeline.settings.prototype import Prototype
-from pipeline.signals.differentiate import alpha_study, differentiate
-from pipeline.signals.log import Log, operating_range
-from pipeline.store import layout, schemas
-from pipeline.store.atomic import refuse_link, write_bytes
-from pipeline.store.columns import StudyName, Sweep
-from pipeline.store.lock import run_lock
-from pipeline.store.outputs import new_outputs
-from pipeline.store.run_folder import RunFolder, Written
-from pipeline.store.tables import Table
-from pipeline.system.isolation import in_processes
-from pipeline.units.units import ALPHA_UNIT
-from pipeline.workflow.engine import Observer, Task
-from pipeline.workflow.logs import load_logs, sources
-from pipeline.workflow.report_data import read_study
-from pipeline.workflow.schedule import bring_up_to_date
-from pipeline.workflow.steps.differentiate import differentiator
+from ...device.device import Device, device
+from ...models.paper.model import identify_rbf_paper
+from ...models.paper.online import drifted, follow, memories
+from ...numerics.arrays import FloatArray, sample_interval
+from ...reporting.canvas import paper_figure
+from ...scoring.data_study import amount_study, held_out_error, noise_study
+from ...settings.logs import Role
+from ...settings.prototype import Prototype
+from ...signals.differentiate import alpha_study, differentiate
+from ...signals.log import Log, operating_range
+from ...store import layout, schemas
+from ...store.atomic import refuse_link, write_bytes
+from ...store.columns import StudyName, Sweep
+from ...store.lock import run_lock
+from ...store.outputs import new_outputs
+from ...store.run_folder import RunFolder, Written
+from ...store.tables import Table
+from ...system.isolation import in_processes
+from ...units.units import ALPHA_UNIT
+from ..engine import Observer, Task
+from ..logs import load_logs, sources
+from ..report_data import read_study
+from ..schedule import bring_up_to_date
+from ..steps.differentiate import differentiator
 
 ALGORITHM = "2"
 
@@ -240,7 +240,7 @@ def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
 
 def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
     """The figure of a study, beside its table."""
-    from pipeline.reporting.recipe_figures import study_figure
+    from ...reporting.recipe_figures import study_figure
 
     target = root / layout.STUDIES / f"{name}.svg"
     refuse_link(target.parent)
