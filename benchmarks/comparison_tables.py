@@ -40,7 +40,8 @@ EXAMPLES = {
 }
 PAGE, FIGURES = ROOT / "docs" / "measured" / "comparison.md", ROOT / "docs" / "figures"
 MEANING = """Errors are NRMSE of q on the validation logs, which no fit has seen, in % of the measured range.
-P1 to P3 are simulated, the quarter drone is measured. [How models are compared](../explanation/comparison.md) defines the numbers.
+P1 to P3 are simulated, the quarter drone is measured. [How models are
+compared](../explanation/comparison.md) defines the numbers.
 """
 STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 MODELS = ("hybrid", "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
