@@ -1,7 +1,6 @@
 """The hybrid joint: planted parameters come back, runs are bounded, trees go round."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -11,11 +10,10 @@ from pipeline.device_facts.calibrated import calibrated
 from pipeline.errors import CorruptArtifactError, DataRefusedError
 from pipeline.models.base import predictor
 from pipeline.models.choose import choose
-from pipeline.models.hybrid import identify as identify_hybrid_module
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, identify_hybrid
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint, CondensedProblem
+from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.start import prior_root
 from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray
@@ -86,21 +84,6 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert run.status == "ok"
     assert np.ptp(unseen.q) > 0.03
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
-
-
-@pytest.mark.parametrize(
-    ("corrections", "follows", "centres"),
-    [pytest.param("none", False, 0, marks=pytest.mark.long), ("always", True, BASIS_FUNCTIONS)],
-)
-def test_corrections_are_fitted_as_asked_whatever_the_logs_say(
-    corrections: Any, follows: bool, centres: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(identify_hybrid_module._Search, "follows", lambda *_: follows)
-    monkeypatch.setattr(identify_hybrid_module._Search, "anew", lambda search, plain: identify_hybrid_module._Fitted(
-        plain, search.fit(plain, plain.start(), (0.0,), last=1)))  # fmt: skip
-    model = identify_hybrid([log(joint(PLANTED), 1, 4.0)], NOMINAL, corrections=corrections)
-    assert model.joint.centres == centres == model.describe()["basis_functions"]
-    assert model.describe()["physical_parameters"] == DEVIATION_COUNT
 
 
 def test_electrodes_that_charge_in_20_ms_are_seen() -> None:

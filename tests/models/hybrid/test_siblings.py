@@ -7,13 +7,12 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL, TABLE1
-from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
+from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.hybrid.identify import NOISE_INFLATION, _Search
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS, NAMES
 from pipeline.models.hybrid.problem import CondensedJoint
 from pipeline.models.hybrid.siblings import column, from_tree, information_of, learn, to_tree, usual_prior
-from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.start import prior_root
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.run_folder import RunFolder
@@ -70,18 +69,6 @@ def test_siblings_teach_what_they_share_and_an_odd_one_is_named() -> None:
     assert (odd.name, odd.quantity, odd.unit) == ("J1", "left capacitance", "%")
     truth = 100.0 * np.expm1(4.0 * DEVIATIONS[ODD].prior_std)
     assert odd.size == pytest.approx(truth, abs=4.0 * odd.error)
-
-
-def test_too_few_or_unlike_runs_teach_nothing() -> None:
-    some = siblings(5)
-    with pytest.raises(DataRefusedError, match="at least 5"):
-        learn(dict(list(some.items())[:4]))
-    other = replace(some["J2"], joint=replace(JOINT, parameters=TABLE1))
-    with pytest.raises(InputError, match="not one parameter set"):
-        learn(some | {"J2": other})
-    scaled = replace(some["J2"], joint=replace(JOINT, similarity=Similarity(length=1.1)))
-    with pytest.raises(InputError, match="J2: was scaled by its own logs"):
-        learn(some | {"J2": scaled})
 
 
 def test_the_prior_of_a_fit_is_the_population_of_its_siblings() -> None:
