@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
+from pipeline.device.parameter_sets import parameter_set
 from pipeline.loading.free_runs import free_run
-from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.trajectories import load_logs, training
 from pipeline.machine import one_thread
 from pipeline.models.kind import kind

@@ -1,37 +1,50 @@
-"""Whether the bands of the identified curves hold the truth: `python benchmarks/band_coverage.py FLEET RUNS`.
+"""Whether the 90 % bands of curves and facts hold the truth: `python benchmarks/band_coverage.py wells 10`.
 
-FLEET is a folder of `debist rig fleet`, RUNS what `debist batch FLEET -o RUNS` made of it. The true restoring force
-F(q) and slopes ∂C/∂q come from the simulated joint itself: its coordinates of least energy under a held tip. Where
-those jump (near q = 0 a beam has two mirrored S shapes of equal energy) there is no curve. Printed is
-for each curve the median error as a share of the curve's largest value, the share of points within the 95 % band of
-`hybrid`, and the factor by which the bands would have to be widened to hold 95 % of the points. Where the settings say
-nothing of the mass, curves are per unit mass and are compared as such. About ten seconds a joint.
+`wells N` draws N double wells of each kind (plain, with dry friction, with a relaxing spring), of any stiffness,
+damping, excitation, noise, and rate from 400 Hz to 2 kHz. It identifies `rbf` from one log of 24 s of each.
+
+`joints FLEET RUNS` compares `hybrid` and `rbf` with simulated joints. FLEET is a folder of `debist rig fleet`, RUNS
+what `debist batch FLEET -o RUNS` made of it. The true restoring force F(q) and slopes ∂C/∂q come from the joint
+itself: its coordinates of least energy under a held tip. Where those jump (near q = 0 a beam has two mirrored S
+shapes of equal energy) there is no curve. Curves of a joint whose settings give no mass are compared per unit mass.
+
+Facts follow from the true curves as those of the datasheet from the model's. Printed are for each curve the median
+error as a share of its largest value, the share of points within the band, and the factor by which the bands would
+have to be widened to hold 90 % of them.
 """
 
 import argparse
 import json
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize, root
 
+import debist
 from debist import open_run
-from pipeline.models.hybrid.model import HybridModel
+from pipeline.compiled import compiled
+from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, intervals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.fleet import Experiment, draw, moving_mass
 from pipeline.rig.joint import membrane_capacitances, potential, rest, tip_displacement
 from pipeline.rig.parameters import RigParameters
 
 POINTS, STEP = 33, 5e-5
-LEVEL = (2.5, 97.5)
+LEVEL = (5.0, 95.0)
 DRAWS = 200
+GRID = 401
 NUDGE, UNBALANCED = 1e-5, 1e-6
 """Step of the slopes of energy and tip; what may be left of their balance [mJ, mm]."""
 JUMP = 5.0
 """Times the usual move of the coordinates between neighbouring places that is a jump."""
 UNIT = 1e-9
 """Distance [kg] of a model's mass from 1 kg that says that no mass was given."""
-CURVES = {"F": "F", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
+CURVES = ("F", "d", "dC1_dq", "dC2_dq")
 
 
 def true_curves(joint: RigParameters, q: FloatArray) -> dict[str, FloatArray]:
@@ -83,40 +96,174 @@ def joint_of(path: Path) -> RigParameters:
     return draw(Experiment(**truth["experiment"]), np.random.default_rng(truth["seed"]))[0]
 
 
+@dataclass(frozen=True)
+class Well:
+    """ẍ = −k ((x/a)² − 1 + s x/a) x − (d + D (x/a)²) ẋ − f z − h e + c (v₁² − v₂²), per unit mass.
+
+    z is a state of Dahl, and ė = ẋ − r e. Wells are at about ± a [m]; `period` [s] of small vibrations there.
+    """
+
+    k: float
+    a: float
+    skew: float
+    damping: float
+    growth: float
+    gain: float
+    friction: float
+    spring: float
+    rate: float
+
+    @property
+    def period(self) -> float:
+        return float(2.0 * np.pi / np.sqrt(2.0 * self.k))
+
+    def curves(self, q: FloatArray) -> dict[str, FloatArray]:
+        """Planted F, d and slopes at q [m]."""
+        x, one = q / self.a, np.ones_like(q)
+        force = self.k * (x * x - 1.0 + self.skew * x) * q
+        slope = 2.0 * self.gain * one
+        return {"F": force, "d": self.damping + self.growth * x * x, "dC1_dq": slope, "dC2_dq": -slope}
+
+
+def drawn_well(kind: str, rng: np.random.Generator) -> Well:
+    """A double well of a kind."""
+    k, a = 10.0 ** rng.uniform(1.8, 2.95), 10.0 ** rng.uniform(-2.5, -1.7)
+    damping = 2.0 * 10.0 ** rng.uniform(-1.5, -0.4) * np.sqrt(2.0 * k)
+    largest = 2.0 * k * a / 3.0**1.5
+    friction = largest * rng.uniform(0.03, 0.15) * (kind == "friction")
+    spring = 2.0 * k * rng.uniform(0.1, 0.3) * (kind == "relaxation")
+    rate = np.sqrt(2.0 * k) * 10.0 ** rng.uniform(-1.2, 0.0)
+    skew, growth = rng.choice([0.0, 0.1]), damping * rng.choice([0.0, 0.5])
+    return Well(k, a, skew, damping, growth, largest * rng.uniform(1.3, 3.0) / 3000.0**2, friction, spring, rate)
+
+
+@compiled
+def _moved(u: FloatArray, h: float, w: FloatArray) -> FloatArray:
+    """Displacements under v₁² − v₂² at every half step, shape (2 N − 1,); w: fields of a `Well`."""
+    k, a, skew, damping, growth, gain, friction, spring, rate = w
+    q, state, slopes = np.empty(len(u) // 2 + 1), np.array([-a, 0.0, 0.0, 0.0]), np.zeros((5, 4))
+    for n in range(len(q)):
+        q[n] = state[0]
+        for stage in range(4):
+            part = (0.0, 0.5, 0.5, 1.0)[stage]
+            x, p, z, e = state + part * h * slopes[stage]
+            force = -k * ((x / a) ** 2 - 1.0 + skew * x / a) * x - (damping + growth * (x / a) ** 2) * p
+            push = gain * u[min(2 * n + int(2.0 * part), len(u) - 1)]
+            slopes[stage + 1] = p, force + push - friction * z - spring * e, (p - abs(p) * z) / (0.01 * a), p - rate * e
+        state += h / 6.0 * (slopes[1] + 2.0 * slopes[2] + 2.0 * slopes[3] + slopes[4])
+    return q
+
+
+def well_log(well: Well, rng: np.random.Generator) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Times, noisy displacements and voltages (N, 2) of a raw log: pulses, steps or long holds with edges of 2 ms."""
+    h, count = 1.0 / 8000.0, 24 * 8000
+    v, at, side = np.zeros((2, count)), 0.3, 0
+    low, high = ((0.4, 0.8), (0.5, 3.5), (2.0, 6.0))[rng.integers(3)]
+    while at < 24.0 - 1.5 * well.period:
+        width = well.period * rng.uniform(low, high)
+        v[side, int(at / h) : int((at + width) / h)] = 3000.0 * rng.uniform(0.5, 1.0)
+        at, side = at + width + well.period * rng.uniform(2.0, 4.0), side ^ (rng.random() < 0.8)
+    v = np.array([np.convolve(each, np.ones(16) / 16.0, "same") for each in v])
+    u = np.interp(np.arange(2 * count - 1) / 2.0, np.arange(count), v[0] ** 2 - v[1] ** 2)
+    kept = slice(None, None, 8000 // int(rng.choice([400, 1000, 2000])))
+    q = _moved(u, h, np.array(list(vars(well).values())))[kept]
+    noisy: FloatArray = q + well.a * rng.choice([2e-4, 5e-4, 2e-3]) * rng.standard_normal(len(q))
+    return np.asarray(h * np.arange(count)[kept], dtype=np.float64), noisy, v[:, kept].T
+
+
+class Tally:
+    """Errors, half widths and sizes of curves, and which facts lie within their intervals, by kind of device."""
+
+    def __init__(self) -> None:
+        self.errors: dict[str, list[FloatArray]] = defaultdict(list)
+        self.halves: dict[str, list[FloatArray]] = defaultdict(list)
+        self.sizes: dict[str, list[float]] = defaultdict(list)
+        self.facts: dict[str, list[bool]] = defaultdict(list)
+
+    def add(self, kind: str, model: Any, q: FloatArray, truth: dict[str, FloatArray], unit: float) -> None:
+        """Compare a model's curves at q [m], shape (`GRID`,), with the truth divided by `unit`."""
+        found, drawn = model.curves(q), model.curve_ensemble(q, DRAWS)
+        truth = {name: values / unit for name, values in truth.items()}
+        coarse = slice(None, None, GRID // POINTS)
+        for name in set(CURVES) & truth.keys() & drawn.keys():
+            low, high = np.percentile(drawn[name], LEVEL, axis=0)
+            self.errors[f"{kind} {name}"].append(np.abs(0.5 * (low + high) - truth[name])[coarse])
+            self.halves[f"{kind} {name}"].append((0.5 * (high - low))[coarse])
+            self.sizes[f"{kind} {name}"].append(float(np.nanmax(np.abs(truth[name]))))
+        if all(np.isfinite(values).all() for values in truth.values()):
+            true, own = (device_facts(_curves(values, q), joint=True) for values in (truth, found))
+            rows = [{name: drawn[name][i] for name in drawn} for i in range(DRAWS)]
+            limits = intervals(own, [device_facts(_curves(row, q), joint=True) for row in rows])
+            for name, value in true.items():
+                if name in limits and value is not None:
+                    group = f"{kind} {name.split('_')[0]}"
+                    self.facts[group].append(limits[name][0] <= value <= limits[name][1])
+
+    def show(self) -> None:
+        """Print the table."""
+        print(f"{'':24s}{'devices':>8s}{'median error %':>16s}{'within 90 % band':>18s}{'widen by':>10s}")
+        for key in sorted(self.errors):
+            error, half = np.array(self.errors[key]), np.array(self.halves[key])
+            share, kept = 100.0 * np.nanmedian(error / np.array(self.sizes[key])[:, None]), np.isfinite(error)
+            inside, factor = 100.0 * np.mean((error < half)[kept]), np.percentile((error / half)[kept], 90)
+            print(f"{key:24s}{len(error):8d}{share:16.2f}{inside:17.0f} %{factor:10.1f}")
+        for key, held in sorted(self.facts.items()):
+            print(f"{key:24s}{len(held):8d}{'':16s}{100.0 * np.mean(held):17.0f} %")
+
+
+def _curves(named: dict[str, FloatArray], q: FloatArray) -> Curves:
+    return curves_from({name: named.get(name, np.zeros_like(q)) for name in CURVES}, q)
+
+
+Compared = tuple[str, Any, FloatArray, dict[str, FloatArray], float]
+"""Kind of device, model, places, true curves, and the unit of the model's curves in theirs."""
+
+
+def joints(fleet: Path, runs: Path) -> Iterator[Compared]:
+    """The models of every run of a fleet."""
+    for path in sorted(fleet.glob("*/truth/truth.json")):
+        name = path.parent.parent.name
+        if not (runs / name).is_dir():
+            continue
+        run, joint = open_run(runs / name), joint_of(path)
+        least, most = np.percentile(run.log("train")["q_m"].dropna().to_numpy(), [1.0, 99.0])
+        q = np.linspace(least, most, GRID)
+        coarse = np.linspace(least, most, POINTS)
+        known = true_curves(joint, coarse)
+        # A jump leaves no facts, and lines between the points that there are; else a smooth curve has its slopes.
+        smooth = all(np.isfinite(values).all() for values in known.values())
+        truth = {
+            key: CubicSpline(coarse, values)(q) if smooth else np.interp(q, coarse, values)
+            for key, values in known.items()
+        }
+        for model in (run.model(each).core for each in ("hybrid", "rbf") if each in run.models):
+            unit = moving_mass(joint) if abs(getattr(model, "mass", 1.0) - 1.0) < UNIT else 1.0
+            yield f"{name.partition('-')[0]} {model.name}", model, q, truth, unit
+
+
+def wells(count: int) -> Iterator[Compared]:
+    """Double wells, identified one after the other."""
+    for kind in ("plain", "friction", "relaxation"):
+        for seed in range(count):
+            rng = np.random.default_rng([ord(kind[0]), seed])
+            well = drawn_well(kind, rng)
+            t, q, v = well_log(well, rng)
+            model = debist.identify(t, q, v[:, 0], v[:, 1], model="rbf").core
+            least, most = np.percentile(q, [1.0, 99.0])
+            places = np.linspace(least, most, GRID)
+            print(f"{kind} {seed}: {model.describe()['chosen']}", flush=True)
+            yield kind, model, places, well.curves(places), 1.0
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("fleet", type=Path)
-    parser.add_argument("runs", type=Path)
-    given = parser.parse_args()
-    errors: dict[str, list[FloatArray]] = {f"{kind} {name}": [] for kind in ("same", "foreign") for name in CURVES}
-    halves: dict[str, list[FloatArray]] = {name: [] for name in errors}
-    sizes: dict[str, list[float]] = {name: [] for name in errors}
-    for path in sorted(given.fleet.glob("*/truth/truth.json")):
-        name = path.parent.parent.name
-        run = open_run(given.runs / name)
-        model = run.model().core
-        if not isinstance(model, HybridModel):
-            continue
-        measured = run.log("train")["q_m"].dropna().to_numpy()
-        least, most = np.percentile(measured, [1.0, 99.0])
-        q = np.linspace(least, most, POINTS)
-        joint = joint_of(path)
-        truth, found, drawn = true_curves(joint, q), model.curves(q), model.curve_ensemble(q, DRAWS)
-        unit = moving_mass(joint) if abs(model.mass - 1.0) < UNIT else 1.0
-        truth = {curve: values / unit for curve, values in truth.items()}
-        for curve in CURVES:
-            key = f"{name.partition('-')[0]} {curve}"
-            low, high = np.nanpercentile(drawn[curve], LEVEL, axis=0)
-            errors[key].append(np.abs(found[curve] - truth[curve]))
-            halves[key].append(0.5 * (high - low))
-            sizes[key].append(float(np.nanmax(np.abs(truth[curve]))))
-    print(f"{'':16s}{'joints':>8s}{'median error %':>16s}{'within 95 % band':>18s}{'widen by':>10s}")
-    for key, misses in errors.items():
-        if misses:
-            error, half = np.array(misses), np.array(halves[key])
-            share, kept = 100.0 * np.nanmedian(error / np.array(sizes[key])[:, None]), np.isfinite(error)
-            inside, factor = 100.0 * np.mean((error < half)[kept]), np.percentile((error / half)[kept], 95)
-            print(f"{key:16s}{len(misses):8d}{share:16.2f}{inside:17.0f} %{factor:10.1f}")
+    parser.add_argument("what", choices=["wells", "joints"])
+    parser.add_argument("source", nargs="+")
+    given, tally = parser.parse_args(), Tally()
+    compared = wells(int(given.source[0])) if given.what == "wells" else joints(*map(Path, given.source))
+    for kind, model, q, truth, unit in compared:
+        tally.add(kind, model, q, truth, unit)
+    tally.show()
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ import numpy as np
 from measure import seconds
 from scipy.integrate import solve_ivp
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.generated import analytical_joint as kernels
 from pipeline.models.analytical.bifurcation import characteristics
 from pipeline.models.analytical.full_order import rest_state, simulate

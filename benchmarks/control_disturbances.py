@@ -97,8 +97,11 @@ def off(run: ClosedLoop, last: float = 1.0) -> FloatArray:
 
 
 def settling(run: ClosedLoop, part: BoolArray, target: float, distance: float) -> float:
-    """Settling time [s] in a part of a run; infinite if it does not settle."""
-    step = one_step(run.t[part], run.true_q[part], target, distance)
+    """Settling time [s] in a part of a run, to where the joint rests at its end; infinite if that is another well."""
+    rests = float(run.true_q[part][-100:].mean())
+    if abs(rests - target) > 0.25 * distance:
+        return np.inf
+    step = one_step(run.t[part], run.true_q[part], rests, distance)
     return np.inf if step.settling_s is None else step.settling_s
 
 

@@ -7,7 +7,7 @@ import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.fitting.coverage import Coverage
 from pipeline.reporting.legend import FIXED
 from pipeline.rig.excitation import Burst, alternating_pulses, command

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.errors import DataRefusedError
 from pipeline.loading.report_data import load_scores
 from pipeline.rig.bench import random_bench, record

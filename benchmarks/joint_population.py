@@ -9,6 +9,7 @@ time a joint.
 import argparse
 import os
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -40,7 +41,7 @@ Fitted = tuple[ParameterLayout, Information, FloatArray, FloatArray]
 
 
 def usual() -> Candidate:
-    structure = first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=True).structure
+    structure = replace(first_candidate(RbfChoice("lags+slip"), pair=True, angle=False, fine=True).structure, arc=True)
     return candidate(structure, SYMMETRIES[0])
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 import debist
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.models.analytical.reduced_order import beam_shapes
 from pipeline.models.analytical.statics import JointEquilibrium, equilibria
 from pipeline.reporting.legend import FIXED

@@ -15,6 +15,8 @@ from typer.testing import CliRunner
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from cli import app
+from pipeline.runs import schemas
+from pipeline.runs.columns import FACT_COLUMNS, SCHEMA_VERSION
 from pipeline.settings import Prototype, Quantity
 from pipeline.settings_logs import Channel, Channels
 
@@ -114,4 +116,35 @@ def mistakes_page() -> str:
     return page()
 
 
-PAGES = {"commands.md": commands_page, "settings.md": settings_page, "mistakes.md": mistakes_page}
+def tables() -> list[schemas.Schema]:
+    """The columns of every Parquet file, for a joint in m with two voltages."""
+    every = [value for value in vars(schemas).values() if isinstance(value, schemas.Schema)]
+    return [
+        schemas.resolve(schema, displacement="m", inputs=("V", "V"), phi=True, velocity=True, tubes=True)
+        for schema in (*every, *schemas.STUDIES.values())
+    ]
+
+
+def columns_page() -> str:
+    """Columns of every Parquet file, and the facts of `datasheet.json`."""
+    lines = [
+        f"# Columns (schema version {SCHEMA_VERSION})",
+        "",
+        "Types and units of the Parquet files; each file carries unit and meaning as metadata of its columns. For a "
+        "device that turns, `q` is in rad. A device with one input has no `v2`. `phi` needs a parameter set, "
+        "`velocity` a channel `qdot`.",
+    ]
+    for schema in tables():
+        lines += ["", f"## {schema.kind}", "", "| column | type | unit | meaning |", "|---|---|---|---|"]
+        lines += [f"| `{column.key}` | {column.dtype} | {column.unit} | {column.help} |" for column in schema.columns]
+    lines += ["", "## Facts of `datasheet.json`", "", "| key | title | unit | meaning |", "|---|---|---|---|"]
+    lines += [f"| `{fact.key}` | {fact.title} | {fact.unit} | {fact.help} |" for fact in FACT_COLUMNS]
+    return "\n".join(lines) + "\n"
+
+
+PAGES = {
+    "columns.md": columns_page,
+    "commands.md": commands_page,
+    "settings.md": settings_page,
+    "mistakes.md": mistakes_page,
+}

@@ -85,7 +85,7 @@ class Run:
         return self._figures.titles
 
     def scores(self) -> "pd.DataFrame":
-        """One row per log, model and signal; `nrmse` is a fraction (columns: `data/README.md`)."""
+        """One row per log, model and signal; `nrmse` is a fraction."""
         import pandas as pd
 
         from pipeline.loading.report_data import load_scores
@@ -94,7 +94,7 @@ class Run:
 
     @property
     def instruments(self) -> "pd.DataFrame":
-        """Errors of the instruments of each log, one row per log, model and quantity (columns: `data/README.md`)."""
+        """Errors of the instruments of each log, one row per log, model and quantity."""
         import pandas as pd
 
         from pipeline.loading.report_data import load_instruments

@@ -39,7 +39,7 @@ def read_log(log: str | Path, settings: str | Path) -> "pd.DataFrame":
     """
     import numpy as np
 
-    from pipeline.loading.device import device
+    from pipeline.device.device import device
     from pipeline.loading.si_log import read_si
     from pipeline.stages.run_place import load_settings
     from pipeline.tools.in_memory import frame, si_symbols

@@ -189,7 +189,7 @@ class Model:
         """
         import pandas as pd
 
-        from pipeline.loading.device import device
+        from pipeline.device.device import device
         from pipeline.tools.in_memory import score_table
 
         return pd.DataFrame(score_table(self.core, self._measured(t, q, v1, v2), device(self._prototype)))
@@ -271,7 +271,7 @@ class Model:
         import numpy as np
         import pandas as pd
 
-        from pipeline.loading.device import device
+        from pipeline.device.device import device
         from pipeline.models.base import HasCurves, real_numbers
         from pipeline.tools.in_memory import refuse_other_units
         from pipeline.units import column_suffix

@@ -38,7 +38,7 @@ def _compile(group: int) -> None:
 
 
 def _hybrid() -> None:
-    from pipeline.device_parameters import NOMINAL
+    from pipeline.device.parameters import NOMINAL
     from pipeline.models.hybrid.driving_voltages import DrivingVoltages
     from pipeline.models.hybrid.parameters import constants, instruments, nominal_deviations, static_slope_ratio
     from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
@@ -95,7 +95,7 @@ def _network() -> None:
 
 
 def _analytical() -> None:
-    from pipeline.device_parameters import NOMINAL
+    from pipeline.device.parameters import NOMINAL
     from pipeline.models.analytical.full_order import rest_state, simulate
     from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains, reduce_joint
     from pipeline.models.analytical.sensitivity import state_sensitivities
@@ -143,7 +143,7 @@ def _control() -> None:
     from pipeline.control.design import Settings, condensed_joint_law, design
     from pipeline.control.law import CONTROLLER_STATE
     from pipeline.control.plant import plant_of
-    from pipeline.device_parameters import NOMINAL
+    from pipeline.device.parameters import NOMINAL
     from pipeline.models.hybrid.model import HybridModel
     from pipeline.models.hybrid.parameters import static_slope_ratio
     from pipeline.models.hybrid.problem import CondensedJoint

@@ -103,18 +103,6 @@ def test_no_kernel_depends_on_a_room_that_the_state_of_the_sources_leaves_out() 
     assert not loaded & set(WITHOUT_KERNELS)
 
 
-def test_configuration_files_of_the_current_folder_have_no_effect(package: Path, tmp_path: Path) -> None:
-    """Neither when numba is imported nor when it compiles."""
-    folder = tmp_path / "logs"
-    folder.mkdir()
-    (folder / ".numba_config.yaml").write_text("disable_jit: 1\ncpu_name: generic\ncache_dir: planted\n")
-    (folder / "matplotlibrc").write_bytes(b"\xff\xfe no settings")
-    program = f"{_RUN}; from pipeline.compiled import numba; print(numba.config.DISABLE_JIT, numba.config.CPU_NAME)"
-    program += "; from pipeline.machine import import_configured; print(import_configured('matplotlib').__name__)"
-    assert _words(package, program, folder) == ["7.0", "0", "0", "None", "matplotlib"]
-    assert sorted(file.name for file in folder.iterdir()) == [".numba_config.yaml", "matplotlibrc"]
-
-
 _SYSTEM = """from typing import NamedTuple
 import numpy as np
 from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish, workspace
@@ -150,11 +138,6 @@ def test_the_integrator_is_compiled_anew_when_a_system_has_changed(package: Path
     assert (float(once), fresh) == (pytest.approx(0.3678794412), "0")
     assert again == [once, "1"]
     assert (float(twice), anew) == (pytest.approx(0.1353352832), "0")
-
-
-def test_without_a_place_for_them_kernels_are_compiled_in_each_process(package: Path) -> None:
-    (package.parent / "kernels").write_text("a file")
-    assert _words(package) == ["7.0", "0"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such modes")

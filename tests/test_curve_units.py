@@ -3,7 +3,7 @@
 import pint
 import pytest
 
-from pipeline.units import INPUT, column_suffix, curve_units
+from pipeline.units import INPUT, curve_units
 
 REGISTRY = pint.UnitRegistry()
 SPELT = {"·": "*", "²": "**2"}
@@ -31,18 +31,3 @@ def test_every_term_of_the_equation_of_motion_has_the_same_dimension(displacemen
         assert force == dimension(f"kg*({displacement}/s**2)")
     elif not mass_known:
         assert force == acceleration
-
-
-def test_names_are_those_of_the_field():
-    assert curve_units("m", "V", squared=True, mass_known=True) == {
-        "F": "N", "d": "N·s/m", "dC": "F/m", "g": "N/V²",
-    }  # fmt: skip
-    assert curve_units("rad", "1", squared=False, mass_known=True)["g"] == "N·m"
-
-
-@pytest.mark.parametrize(
-    ("symbol", "suffix"), [("N·s/m", "N_s_per_m"), ("m/(s²·V²)", "m_per_s2_V2"), ("1/s", "1_per_s"), ("N·m", "N_m")]
-)
-def test_a_unit_ends_a_column_name(symbol, suffix):
-    assert column_suffix(symbol) == suffix
-    assert f"F_{suffix}".isidentifier()

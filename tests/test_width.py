@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.commands.console import emit_table
-from tests.checks.first_hour import RUN, TOML, write_logs
+from tests.checks.first_hour import RUN, write_logs
 
 RUNNER = CliRunner()
 pytestmark = pytest.mark.usefixtures("read_once")
@@ -21,11 +21,9 @@ _WORDS = st.lists(st.sampled_from(["the", "damping", "ratio", "in", "left", "wel
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Two logs, a fleet of one, and a finished run with its report."""
+    """Two logs and a finished run with its report."""
     folder = tmp_path_factory.mktemp("width")
     write_logs(folder)
-    (folder / "fleet").mkdir()
-    (folder / "fleet" / "P.toml").write_text(TOML.replace('["', '["../'))
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
         patch.setenv("COLUMNS", "80")
@@ -33,27 +31,16 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         yield folder
 
 
-_JOINT = ("--parameters", "nominal")
 _COMMANDS = (
     ("run", "P.toml", "-o", "run", "-q"),
-    ("run", "P.toml", "-o", "run", "--dry-run"),
     ("check", "P.toml", "-q", "--details"),
-    ("check", "run", "-q"),
-    ("validate", "run", "-q"),
     ("validate", "run", "-q", "--details"),
     ("compare", "run", "-q", "--details"),
     ("show", "run"),
     ("status", "run"),
-    ("status", "run", "run"),
-    ("plot", "run"),
     ("inspect", "train.csv"),
-    ("inspect", "train.csv", "--settings", "P.toml"),
     ("diff", "run", "run"),
     ("verify", ".", "--all"),
-    ("study", "alpha", "run"),
-    ("batch", "P.toml", "-o", "batch", "--collect"),
-    ("physics", "equilibria", *_JOINT),
-    pytest.param(("physics", "curves", *_JOINT), marks=pytest.mark.long),
 )
 
 
@@ -63,14 +50,6 @@ def test_a_command_fits(command: tuple[str, ...], folder: Path) -> None:
     assert result.exit_code in (0, 6), result.output
     assert max(map(cell_len, result.stdout.splitlines())) <= 80
     assert "…" not in result.stdout.replace(" … ", "")
-
-
-@pytest.mark.parametrize("group", [[], ["control"], ["rig"], ["physics"]], ids=" ".join)
-def test_the_help_of_a_group_cuts_no_line(group: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("COLUMNS", "80")
-    lines = RUNNER.invoke(app, [*group, "--help"]).output.splitlines()
-    assert max(map(cell_len, lines)) <= 80
-    assert not [line for line in lines if line.endswith("...") and not line.startswith("Usage:")]
 
 
 @settings(max_examples=60, deadline=None)

@@ -6,7 +6,7 @@ from pipeline.checks import limits
 from pipeline.checks.declared import Declared
 from pipeline.checks.log_facts import LogFacts, Push
 from pipeline.checks.rows import CheckRow, State, in_si, short_quantity, times_text
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import Wells
 from pipeline.si_prefix import quantity, significant

@@ -15,7 +15,7 @@ from pipeline.units import parse_quantity
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from pipeline.device_parameters import JointParameters
+    from pipeline.device.parameters import JointParameters
     from pipeline.models.analytical.reduced_order import Motions
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
@@ -58,7 +58,7 @@ class JointSet:
 
     def joint(self) -> "JointParameters":
         """The parameters in SI units."""
-        from pipeline.loading.parameter_sets import joint_parameters
+        from pipeline.device.parameter_sets import joint_parameters
 
         return joint_parameters(self.parameters, overrides=self.overrides or ())
 
@@ -95,7 +95,7 @@ def equilibria(
     """
     import numpy as np
 
-    from pipeline.device_parameters import B_MAX
+    from pipeline.device.parameters import B_MAX
     from pipeline.models.analytical import bifurcation, statics
     from pipeline.tools import physics
 
@@ -259,8 +259,8 @@ def calibrate(
 
     Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
     """
-    from pipeline.device_parameters import QUANTITIES
-    from pipeline.loading.parameter_sets import joint_parameters
+    from pipeline.device.parameter_sets import joint_parameters
+    from pipeline.device.parameters import QUANTITIES
     from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
     from pipeline.settings_file import read_options
     from pipeline.tools import physics

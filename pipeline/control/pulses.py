@@ -17,25 +17,23 @@ from pipeline.numerics.progress import OnProgress, silent
 
 LENGTH = 1.2
 """Length [s] of the runs by which a pulse is judged."""
-PERMITTED = {"time": 1.0, "energy": 0.5, "voltage": 0.8}
-"""Settling time [s] that a pulse may take for each goal."""
+PERMITTED = {"energy": 0.5, "voltage": 0.8}
+"""Settling time [s] that a pulse may take for each goal beside time."""
 BANDS = (0.6, 0.8, 1.0)
 """Shares of the settling band over which the optimisation takes the mean: a narrow one alone asks a joint that creeps
 for what no pulse does (1 s where 0.18 s is possible), a wide one alone leaves nothing for draws that differ."""
 CHARGE_COST, SETTLING_COST, OVERTIME_COST = 0.5, 0.02, 2.0
 """Cost of a charge with the largest voltage, of a second of settling beside charge or voltage, and of one beyond
 `PERMITTED`, where a settling time in seconds, or the largest voltage's share, costs 1."""
-CHARGING = 5e-3
-"""Duration [s] of a segment from which on it charges its membrane wholly, about the converters' lag."""
-LATE = 0.2
-"""Last part of a run [s] whose distance from the target ranks pulses that do not settle."""
-_BOUNDS = ((0.02, 0.35), (0.05, 1.0), (0.0, 0.25), (-1.0, 0.0), (0.0, 0.25), (-0.6, 0.6))
+LONGEST = 0.35
+"""Longest segment of a pulse [s]."""
+_BOUNDS = ((0.0, LONGEST), (0.0, 1.0), (0.0, LONGEST), (-1.0, 0.0), (0.0, LONGEST), (-1.0, 1.0))
 """Durations [s] and efforts of push, brake and catch between which the optimisation looks."""
 _ROBUST = 5
 """Draws beside the estimate that judge a pulse."""
-_SEEDS = (7, 8, 9)
+_SEARCHES = 3
 _ROUNDS, _ROBUST_ROUNDS = 60, 30
-_RUNS = len(_SEEDS) * _ROUNDS + (1 + _ROBUST) * _ROBUST_ROUNDS
+_RUNS = _SEARCHES * _ROUNDS + (1 + _ROBUST) * _ROBUST_ROUNDS
 """Runs of each pulse in all rounds."""
 _FAILED = 10.0
 """Cost of a pulse that does not settle, which is above that of any that does."""
@@ -113,22 +111,24 @@ def design_pulse(
         on_progress("optimising", min(1.0, rounds / _RUNS))
         rounds += len(some.offsets)
         runs = some.run(commands(values.T, side, highest), start)
-        return np.asarray(judged(runs, start, target, distance, values.T, goal).mean(axis=1))
+        return np.asarray(judged(runs, start, target, distance, values.T, goal, float(joint.lags.mean())).mean(axis=1))
 
     bounds = np.array(_BOUNDS)
     alone, robust = joint.some(1), joint.some(1 + _ROBUST)
-    optima = np.array([_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in _SEEDS])
+    optima = np.array(
+        [_search(lambda v: cost(v, alone), _ROUNDS, _starts(bounds, s), bounds, s) for s in range(_SEARCHES)]
+    )
     first = optima[int(np.argmin(cost(optima.T, robust)))]
     near = 0.15 * (bounds[:, 1] - bounds[:, 0])
     about = np.clip(np.column_stack([first - near, first + near]), bounds[:, :1], bounds[:, 1:])
-    best = _search(lambda v: cost(v, robust), _ROBUST_ROUNDS, _spread(about, first, _SEEDS[0]), about, _SEEDS[0])
+    best = _search(lambda v: cost(v, robust), _ROBUST_ROUNDS, _spread(about, first, _SEARCHES), about, _SEARCHES)
     v = commands(best[None], side, highest)
     q = joint.run(v, start)[0]
     settling, overshoot = settling_times(q, target, distance), np.maximum((q - target) * np.sign(target - start), 0.0)
     right = np.abs(q[:, -1] - target) < np.abs(q[:, -1] - start)
     if not right[0]:
         raise InputError(
-            f"no push of at most {_BOUNDS[0][1]:g} s with {highest:.0f} V, brake and catch bring the model over its "
+            f"no push of at most {LONGEST:g} s with {highest:.0f} V, brake and catch bring the model over its "
             f"barrier and to rest within {LENGTH:g} s; allow a larger voltage, or take a controller (control design "
             "--max-voltage), which swings it up"
         )
@@ -159,20 +159,25 @@ def commands(values: FloatArray, side: int, highest: float) -> FloatArray:
     return voltages
 
 
-def judged(q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal) -> FloatArray:
-    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): the measure of the goal, far more without settling."""
+def judged(
+    q: FloatArray, start: float, target: float, distance: float, values: FloatArray, goal: Goal, lag: float
+) -> FloatArray:
+    """Cost of runs q (P, B, N) of pulses (P, 6), shape (P, B): the measure of the goal, far more without settling.
+
+    A segment that is shorter than the converters' `lag` [s] charges its membrane in part.
+    """
     times = [settling_times(q, target, share * distance) for share in BANDS]
     settling = np.mean(np.minimum(times, LENGTH), axis=0)
     over = np.maximum(((q - target) * np.sign(target - start)).max(axis=2), 0.0) / distance
-    late = np.abs(q[..., -round(LATE / INTERVAL) :] - target).mean(axis=2) / distance
+    late = np.abs(q[..., q.shape[-1] // 2 :] - target).mean(axis=2) / distance
     size = np.abs(values[:, 1::2])
-    spent = (size * np.minimum(values[:, 0::2] / CHARGING, 1.0)).sum(axis=1)
+    spent = (size * np.minimum(values[:, 0::2] / lag, 1.0)).sum(axis=1)
     cost = {
         "time": settling,
         "energy": CHARGE_COST * spent[:, None] + SETTLING_COST * settling,
         "voltage": size.max(axis=1)[:, None] + SETTLING_COST * settling,
     }[goal]
-    cost = cost + over + OVERTIME_COST * np.maximum(settling - PERMITTED[goal], 0.0)
+    cost = cost + over + OVERTIME_COST * np.maximum(settling - PERMITTED.get(goal, np.inf), 0.0)
     return np.asarray(np.where(np.isfinite(times[-1]), cost, _FAILED * (1.0 + late)))
 
 

@@ -18,7 +18,6 @@ REST = 1.6
 VOLTAGES, DURATIONS = 33, 41
 REACH = 3
 """Cells about the estimate's boundary in which the draws are run."""
-_AT_ONCE = 256
 LEAST_VOLTAGE, SHORTEST, LONGEST = 0.3, 0.02, 1.0
 """Bounds of the map: lowest voltage as a share of the largest, shortest and longest pulse [s]."""
 
@@ -80,10 +79,10 @@ def switching_map(
         """Whether one member of the ensemble ends in the other well, for each pulse (cells,)."""
         runs = joint.chosen(slice(which, which + 1))
         reached = np.empty(len(cells))
-        for part in range(0, len(cells), _AT_ONCE):
-            some = cells[part : part + _AT_ONCE]
+        for part in range(0, len(cells), DURATIONS):
+            some = cells[part : part + DURATIONS]
             ends = runs.run(pulses(voltages[some[:, 0]], durations[some[:, 1]], side), start)[:, 0, -1]
-            reached[part : part + _AT_ONCE] = (ends > saddle) == (to == "right")
+            reached[part : part + DURATIONS] = (ends > saddle) == (to == "right")
         return reached
 
     estimate = switched(everywhere, 0).reshape(VOLTAGES, DURATIONS)

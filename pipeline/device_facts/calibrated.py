@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_parameters import QUANTITIES, VECTOR_NAMES
+from pipeline.device.parameters import QUANTITIES, VECTOR_NAMES
 from pipeline.fitting.population import NormalPopulation
 from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid.model import HybridModel

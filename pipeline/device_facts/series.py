@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 
 from pipeline.device_facts.calibrated import calibrated
+from pipeline.diagnostics.instruments import Instruments
 from pipeline.fitting.trends import Trend, smoothed, trend
 from pipeline.models.base import DynamicModel, HasCurveDraws, HasCurves
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import NORMAL_90
+from pipeline.signals.log import Log
 
 ALARM = 0.05
 """Probability with which a series of an unchanged device has any change claimed."""
@@ -24,6 +26,9 @@ _QUANTITIES = {
     "laser offset, change": "zero of the laser",
 }
 """Quantities of `hybrid` that age, and what people call them."""
+
+READINGS = {"gain_v1": "gain of v1", "gain_v2": "gain of v2", "zero_q": "zero of q", "gain_q": "gain of q"}
+"""Names of readings for people, where they differ from those in files."""
 
 
 @dataclass(frozen=True)
@@ -109,6 +114,29 @@ def facts_of(
         if quantity.name in _QUANTITIES:
             key, title = quantity.name.partition(",")[0].replace(" ", "_"), _QUANTITIES[quantity.name]
             yield RunFact(key, title, quantity.unit, quantity.value, _error(quantity.low, quantity.high))
+
+
+def instrument_facts(instruments: Instruments, parts: Sequence[Log], displacement: str) -> Iterator[RunFact]:
+    """What the instruments of a later run read, beside those of the first run, by the first run's model.
+
+    Nothing where the device has changed so that no instrument explains it: that is for the facts to show.
+
+    Parameters
+    ----------
+    instruments : Instruments
+        Of the first run.
+    parts : sequence of Log
+        The parts of all training logs of the later run.
+    displacement : str
+        SI unit of q.
+    """
+    reading = instruments.of(parts)
+    if reading.status != "measured" or reading.exchange != "none":
+        return
+    units = {"zero_q": displacement, "delay": "s"}
+    for quantity, value, error in zip(instruments.quantities, reading.estimate, reading.standard_error, strict=True):
+        title = f"instruments: {READINGS.get(quantity.name, quantity.name)}, change since the first run"
+        yield RunFact(f"reading_{quantity.name}", title, units.get(quantity.name, "1"), float(value), float(error))
 
 
 def common_stroke(sheets: Sequence[Mapping[str, Any]]) -> tuple[float, float] | None:

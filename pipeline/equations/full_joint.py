@@ -6,7 +6,7 @@ reason stand beside the law.
 
 Symbols: ``qm`` = [q2, q3, q4, u0] Ritz coordinates [1/m, 1/m², 1/m³, m]; ``z`` = [e1, e2, ζ] internal states:
 Maxwell strains [1] and friction state [1]; ``v_squared`` = [v1², v2²] [V²]; ``p`` the parameters in the order of
-`pipeline.device_parameters.VECTOR_NAMES`.
+`pipeline.device.parameters.VECTOR_NAMES`.
 """
 
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline.device_parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
+from pipeline.device.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
 from pipeline.equations import elements
 from pipeline.equations.beam import Expression, Polynomial, Powers, bending_density, shortening_density
 from pipeline.equations.elements import dahl_rate, maxwell_rate

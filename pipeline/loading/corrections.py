@@ -1,7 +1,7 @@
 """Corrections of logs as the settings state them, and the raw signals with them."""
 
+from pipeline.device.device import device
 from pipeline.errors import InputError
-from pipeline.loading.device import device
 from pipeline.loading.si_log import SiLog
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_parameters import JointParameters
+from pipeline.device.device import Device, device
+from pipeline.device.parameters import JointParameters
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.fitting.population import NormalPopulation
-from pipeline.loading.device import Device, device
 from pipeline.numerics.arrays import FloatArray
 from pipeline.plain_files import LARGEST_SETTINGS, read_plain
 from pipeline.runs import layout

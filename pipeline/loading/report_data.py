@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device.device import Device, device
 from pipeline.device_facts.run_data import WHY, LogData, RunData, Study
 from pipeline.errors import DebistError
-from pipeline.loading.device import Device, device
 from pipeline.loading.documents import read_document
 from pipeline.loading.prior_knowledge import shown_siblings
 from pipeline.loading.run_models import CHOICE, identified_models
@@ -92,7 +92,7 @@ def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
 def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
     """A study in SI units, but for the regularisation parameter, which is in the unit that the settings take."""
     columns = run.read_table(layout.study(name))
-    units = {column.key: column.unit for column in plant.schema(schemas.STUDIES[name]).columns}
+    units = {column.key: column.unit for column in schemas.schema_of(schemas.STUDIES[name], plant).columns}
     if name == "alpha":
         symbol, factor = ALPHA_UNIT[plant.displacement.symbol]
         order = run.record(layout.study(name)).notes["order"]

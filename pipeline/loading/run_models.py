@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pipeline.device.device import device
 from pipeline.errors import InputError
-from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
 from pipeline.loading.free_runs import start_of
 from pipeline.loading.trajectories import load_logs, load_motion

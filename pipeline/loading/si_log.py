@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pipeline.checks.gates import judge
+from pipeline.device.device import Device
 from pipeline.errors import InputError
-from pipeline.loading.device import Device
 from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of
 from pipeline.rig_logs.channel_roles import clocks_beside, is_called, suggested_unit
 from pipeline.rig_logs.source import rates_beside, stated_rate

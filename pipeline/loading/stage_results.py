@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pipeline.loading.device import device
+from pipeline.device.device import device
 from pipeline.loading.run_models import CHOICE, IDENTIFIED
 from pipeline.names import log_title, true_name
 from pipeline.runs import layout

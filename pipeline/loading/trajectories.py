@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pipeline.device_parameters import JointParameters
-from pipeline.loading.device import device
+from pipeline.device.device import device
+from pipeline.device.parameters import JointParameters
 from pipeline.loading.prior_knowledge import PriorKnowledge
 from pipeline.models.kind import KnownCurves, Training
 from pipeline.numerics.arrays import FloatArray, sample_interval

@@ -19,7 +19,7 @@ from pipeline.settings import Compare, Identify
 from pipeline.signals.log import Log
 
 if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
+    from pipeline.device.parameters import JointParameters
     from pipeline.fitting.regression import InputLaw
 
 

@@ -8,6 +8,7 @@ attributes of each array, number and text.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
+from functools import partial
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
@@ -23,9 +24,12 @@ from pydantic import (
     model_validator,
 )
 
-from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
+from pipeline.device.device import Device
+from pipeline.device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
 from pipeline.errors import CorruptArtifactError
 from pipeline.numerics.arrays import FloatArray, IntArray
+from pipeline.runs.trees import Columns
+from pipeline.units import MASS
 
 LARGEST = 1e30
 """Largest magnitude of any number; products of a few of them are still finite."""
@@ -268,6 +272,22 @@ _DIAGNOSTICS = {
     "visits_per_centre": ("1", "training samples around each centre"),
 }
 """Entries on the course of a fit, for every model."""
+
+
+def columns_of(device: Device, files: Mapping[str, type[FilePart]]) -> Columns:
+    """Unit and meaning of each entry of a file of models by its path there.
+
+    Parameters
+    ----------
+    device : Device
+        Its units.
+    files : mapping of str to type
+        The declaration of each group of the file.
+    """
+    mass = MASS[device.displacement.symbol] if device.known_mass is not None else "1"
+    stiffness = {"N": "N/m", "N·m": "N·m/rad"}.get(device.curve_units["F"], "1/s²")
+    units = {"q": device.displacement.symbol, "v": device.inputs[0].symbol, "m": mass, "c": stiffness}
+    return partial(column_of, units=units | device.curve_units, files=files)
 
 
 def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[FilePart]]) -> tuple[str, str]:

@@ -94,6 +94,12 @@ def _quantities(members: Sequence[Summary]) -> list[FleetColumn]:
     columns = [
         FleetColumn(ERROR, "%", 100.0 * errors, unusual, scored=True),
         FleetColumn("switches correct", "%", 100.0 * switches, np.zeros_like(unusual), scored=True),
+        FleetColumn(
+            "largest instrument error over its limit",
+            "1",
+            np.array([m.instruments for m in members]),
+            np.array([m.off for m in members], dtype=np.bool_),
+        ),
     ]
     largest: dict[tuple[str, str], float] = {}
     for member in members:

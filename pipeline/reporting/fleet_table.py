@@ -45,6 +45,10 @@ class Summary:
         Value [SI] and unit of every known one of `FACTS`.
     validation : tuple of (str, float or None)
         Model and NRMSE of q of every validation log.
+    instruments : float
+        Largest error of an instrument of any log over its limit; NaN where none was measured.
+    off : bool
+        Whether one is beyond its limit, or a log is of another device.
     """
 
     name: str
@@ -60,6 +64,8 @@ class Summary:
     training: bool
     facts: dict[str, tuple[float, str]]
     validation: tuple[tuple[str, float | None], ...]
+    instruments: float = float("nan")
+    off: bool = False
 
 
 def failed(name: str, reason: str) -> Summary:
@@ -84,7 +90,15 @@ def summary(name: str, sheet: Mapping[str, Any], link: str | None) -> Summary:
         {s["role"] for s in _of_headline(scores, judged)} == {"train"},
         {fact["key"]: (_value(fact), str(fact["unit"])) for fact in sheet["facts"] if fact["key"] in FACTS},
         tuple((s["model"], s["nrmse"]) for s in scores if s["signal"] == "q" and s["role"] == "validation"),
+        *_instruments([row for row in sheet.get("instruments", ()) if row["model"] == judged]),
     )
+
+
+def _instruments(rows: Sequence[Mapping[str, Any]]) -> tuple[float, bool]:
+    """`Summary.instruments` and `Summary.off`."""
+    errors = [abs(row["estimate"]) / row["limit"] for row in rows if row["estimate"] is not None]
+    off = any(row["beyond"] or row["status"] == "another device" for row in rows)
+    return max(errors, default=float("nan")), off
 
 
 def _why(checks: Sequence[Mapping[str, Any]]) -> str:

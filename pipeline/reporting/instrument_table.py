@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device_facts.series import READINGS
 from pipeline.diagnostics.instruments import SIGNIFICANCE
 from pipeline.diagnostics.sentences import correction_text
 from pipeline.names import log_title
@@ -16,8 +17,6 @@ from pipeline.si_prefix import quantity
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]
 
-NAMES = {"gain_v1": "gain of v1", "gain_v2": "gain of v2", "zero_q": "zero of q", "gain_q": "gain of q"}
-"""Names of quantities for people, where they differ from those in files."""
 RELATIVE = "Errors are relative to the training logs: where one of those is wrong, correct it instead."
 
 
@@ -59,7 +58,7 @@ def instrument_table(rows: Sequence[Row], parts: Parts, displacement: str) -> In
 
 def _name(row: Row) -> str:
     quantity_name = str(row["quantity"])
-    return NAMES.get(quantity_name, quantity_name)
+    return READINGS.get(quantity_name, quantity_name)
 
 
 def _count(rows: Sequence[Row]) -> int:

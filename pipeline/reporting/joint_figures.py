@@ -8,7 +8,7 @@ from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.reporting.figure import Figure, Line, Panel, Points, Role
 
 if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
+    from pipeline.device.parameters import JointParameters
     from pipeline.models.analytical.bifurcation import Characteristics
     from pipeline.models.analytical.calibration import Calibration
     from pipeline.models.analytical.reduced_order import BeamModes, Motions
@@ -186,7 +186,7 @@ def calibration_figure(start: "JointParameters", fit: "Calibration") -> Any:
     """
     from matplotlib.figure import Figure as Canvas
 
-    from pipeline.device_parameters import VECTOR_NAMES
+    from pipeline.device.parameters import VECTOR_NAMES
 
     canvas = Canvas(figsize=(10.0, 4.5), layout="constrained")
     moved, matrix = canvas.subplots(1, 2)

@@ -4,8 +4,8 @@ import base64
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from pipeline.device.parameters import JointParameters
 from pipeline.device_facts.run_data import RunData
-from pipeline.device_parameters import JointParameters
 from pipeline.reporting.page import render
 from pipeline.units import SIGNALS
 

@@ -1,7 +1,6 @@
 """The columns of every table, each defined once: for the Parquet files, the terminal, the page, CSV and the docs.
 
-`data/README.md` publishes them. A test compares it with this list, and requires a new `SCHEMA_VERSION` when columns of
-a file change.
+The site publishes them. A test requires a new `SCHEMA_VERSION` when columns of a file change.
 """
 
 from collections.abc import Iterator

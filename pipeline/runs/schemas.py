@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
+from pipeline.device.device import Device
 from pipeline.errors import CorruptArtifactError
 from pipeline.runs.columns import (
     FLEET_COLUMNS,
@@ -46,6 +47,15 @@ FLEET = Schema("fleet", FLEET_COLUMNS)
 FLEET_FACTS = Schema("fleet-facts", FLEET_FACT_COLUMNS)
 STUDIES = {study: Schema(f"study-{study}", columns) for study, columns in STUDY_COLUMNS.items()}
 """The tables of the studies."""
+
+
+def schema_of(schema: Schema, device: Device, *, phi: bool = False, tubes: bool = False) -> Schema:
+    """The schema with a device's units and inputs, see `resolve`."""
+    inputs = tuple(unit.symbol for unit in device.inputs)
+    velocity = device.velocity is not None
+    return resolve(
+        schema, displacement=device.displacement.symbol, inputs=inputs, phi=phi, velocity=velocity, tubes=tubes
+    )
 
 
 def resolve(

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
+from pipeline.device.device import device
 from pipeline.errors import InputError
-from pipeline.loading.device import device
 from pipeline.names import log_title, true_name
 from pipeline.runs import layout
 from pipeline.runs.engine import Task

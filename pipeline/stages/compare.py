@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from pipeline.device_parameters import JointParameters
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import parameter_values
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import parameter_values
+from pipeline.device.parameters import JointParameters
 from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.model_list import ENTRIES
 from pipeline.models.kind import kind
-from pipeline.models.model_file import declaration
+from pipeline.models.model_file import columns_of, declaration
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
 from pipeline.runs.run_folder import RunFolder, Written
@@ -49,5 +49,5 @@ def _write_fit(
     model = kind(name).fit(training(load_logs(run, prototype, "train"), prototype, parameters))
     notes = {**model.describe(), TIMES: {"fit_s": time.process_time() - began}}
     tree = {name: model.to_tree(), "settings_json": json.dumps(settings, sort_keys=True)}
-    columns = device(prototype).model_columns({name: declaration(model)})
+    columns = columns_of(device(prototype), {name: declaration(model)})
     return {layout.baseline(name): run.write_tree(layout.baseline(name), tree, notes, columns)}

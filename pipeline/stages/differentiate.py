@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 
-from pipeline.loading.device import device
+from pipeline.device.device import device
 from pipeline.names import log_title, true_name
 from pipeline.runs import layout, schemas
 from pipeline.runs.engine import Task
@@ -37,4 +37,4 @@ def _differentiate(run: RunFolder, prototype: Prototype, role: Role, log: str) -
     fine = run.read_table(layout.record(role, log))
     columns, notes = kinematics(signals, fine, prototype)
     name = layout.kinematics(role, log)
-    return {name: run.write_table(name, device(prototype).schema(schemas.KINEMATICS), columns, notes)}
+    return {name: run.write_table(name, schemas.schema_of(schemas.KINEMATICS, device(prototype)), columns, notes)}

@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
-from pipeline.device_parameters import JointParameters
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import parameter_values
+from pipeline.device.parameters import JointParameters
 from pipeline.diagnostics.sentences import not_converged
 from pipeline.errors import DataRefusedError
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
 from pipeline.loading.run_models import CHOICE, EQUATIONS, IDENTIFIED
 from pipeline.loading.trajectories import load_logs, sources, training
 from pipeline.model_list import AUTO, ENTRIES
 from pipeline.models.kind import HEADLINE, StoredModel, Training, kind
-from pipeline.models.model_file import declaration
+from pipeline.models.model_file import columns_of, declaration
 from pipeline.numerics.progress import OnProgress, silent
 from pipeline.runs import layout
 from pipeline.runs.engine import TIMES, Task
@@ -81,7 +81,7 @@ def _identify(
     }
     if CHOICE in notes:
         tree["choice_json"] = json.dumps(notes[CHOICE], sort_keys=True)
-    columns = plant.model_columns({name: declaration(model) for name, model in models.items()})
+    columns = columns_of(plant, {name: declaration(model) for name, model in models.items()})
     return {layout.MODELS: run.write_tree(layout.MODELS, tree, notes, columns)}
 
 

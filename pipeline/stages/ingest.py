@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from pipeline.checks.gates import accepted_settings, judge
+from pipeline.device.device import device
 from pipeline.errors import DataRefusedError
 from pipeline.loading.corrections import corrected_log, corrections
-from pipeline.loading.device import device
 from pipeline.loading.si_log import SiLog, part_of_log, read_si
 from pipeline.names import log_title, true_name
 from pipeline.numerics.arrays import FloatArray
@@ -95,7 +95,7 @@ def _ingest(
     for (name, schema), resampling in zip(tables, resamplings(log_seen, prototype.ingest), strict=True):
         notes = asdict(resampling.report) | log_seen.notes
         written[name] = run.write_pieces(
-            name, plant.schema(schema), _pieces(resampling, tuple(signals.beside), on_progress), notes
+            name, schemas.schema_of(schema, plant), _pieces(resampling, tuple(signals.beside), on_progress), notes
         )
     return written
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pipeline.device_parameters import JointParameters
-from pipeline.loading.parameter_sets import parameter_values
+from pipeline.device.parameter_sets import parameter_values
+from pipeline.device.parameters import JointParameters
 from pipeline.loading.run_models import control_documents
 from pipeline.names import Typeface
 from pipeline.runs import layout, schemas

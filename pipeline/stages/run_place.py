@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from pipeline.device.device import device
 from pipeline.errors import InputError, SeveralMistakesError
-from pipeline.loading.device import device
 from pipeline.runs import layout
 from pipeline.runs.atomic import reading
 from pipeline.runs.engine import Task, missing_source, unreadable_source

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.device_parameters import JointParameters
-from pipeline.loading.device import Device, RotationMap, device, rotation_map
-from pipeline.loading.parameter_sets import parameter_values
+from pipeline.device.device import Device, device
+from pipeline.device.parameter_sets import parameter_values
+from pipeline.device.parameters import JointParameters
 from pipeline.loading.run_models import identified_models
+from pipeline.models.analytical.statics import RotationMap, rotation_map
 from pipeline.names import with_true_names
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs import layout, schemas

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
-from pipeline.loading.device import Device, device
+from pipeline.device.device import Device, device
 from pipeline.loading.prior_knowledge import MEANINGS, column_units, named_curves, read_measured_curves, read_siblings
 from pipeline.runs import layout
 from pipeline.runs.columns import Column

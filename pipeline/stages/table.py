@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from pipeline.device_parameters import JointParameters
-from pipeline.loading.parameter_sets import parameter_set
+from pipeline.device.parameter_sets import parameter_set
+from pipeline.device.parameters import JointParameters
 from pipeline.loading.run_models import identified_models, made_control
 from pipeline.names import Typeface
 from pipeline.runs import layout

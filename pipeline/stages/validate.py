@@ -11,12 +11,13 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device.device import Device, device
+from pipeline.device.parameter_sets import parameter_values
+from pipeline.device.parameters import JointParameters
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
-from pipeline.device_parameters import JointParameters
-from pipeline.loading.device import Device, RotationMap, device, rotation_map
 from pipeline.loading.free_runs import DRAWS, drawn_runs, free_run, tube_columns, tubes_of
-from pipeline.loading.parameter_sets import parameter_values
 from pipeline.loading.trajectories import load_motion, sources
+from pipeline.models.analytical.statics import RotationMap, rotation_map
 from pipeline.models.base import DynamicModel, FreeRun, HasTubes, predictor
 from pipeline.models.kind import model_from_tree
 from pipeline.numerics.arrays import FloatArray
@@ -124,7 +125,7 @@ def _write(
     if rotation is not None:
         columns["phi"] = rotation(result.q)
     outcome = {"status": result.status, "diverged_at_s": result.diverged_at_s}
-    schema = plant.schema(schemas.PREDICTIONS, phi=rotation is not None, tubes=tubes is not None)
+    schema = schemas.schema_of(schemas.PREDICTIONS, plant, phi=rotation is not None, tubes=tubes is not None)
     return run.write_table(artifact, schema, columns, {**outcome, **notes})
 
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.loading.device import device
+from pipeline.device.device import device
 from pipeline.numerics.arrays import FloatArray, sample_interval
 from pipeline.runs.tables import Table
 from pipeline.settings import Differentiate, Prototype

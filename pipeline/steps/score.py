@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.loading.device import Device
+from pipeline.device.device import Device
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import signal_range
 from pipeline.runs.columns import NOTED_COLUMNS

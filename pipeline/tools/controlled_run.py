@@ -8,9 +8,9 @@ from typing import Any
 
 from pipeline.control.ensemble import Converters
 from pipeline.control.plant import ASSUMED_LAG, ControlledJoint, plant_of
+from pipeline.device.device import device
 from pipeline.device_facts.converters import converter_lag
 from pipeline.errors import DataRefusedError, InputError
-from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
 from pipeline.loading.run_models import WORST, controlled_model, failed_validations, load_run_model
 from pipeline.models.hybrid.model import HybridModel
@@ -25,7 +25,7 @@ from pipeline.scoring.wells import Wells, wells_of
 from pipeline.settings import Prototype
 from pipeline.signals.log import log_of
 
-ALGORITHM = "20"
+ALGORITHM = "21"
 _MISSED, _UNSEEN = 0.09, 2e-3
 """RMS residual on the training logs above which no control is designed on a model: a share of the wells' distance, or
 [m] where the logs show no wells."""

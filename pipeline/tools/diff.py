@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.loading.device import device
+from pipeline.device.device import device
 from pipeline.loading.run_models import identified_models, load_run_model
 from pipeline.loading.trajectories import load_logs
 from pipeline.models.base import HasCurves

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from pipeline.device_parameters import JointParameters
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import joint_parameters
+from pipeline.device.parameters import JointParameters
 from pipeline.errors import InputError
 from pipeline.export.subject import Subject
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.loading.run_models import subject
 from pipeline.model_list import CENTRES
 from pipeline.models.analytical.reduced_order import reduce_joint, simulate_reduced

@@ -162,8 +162,8 @@ def export_crate(run: RunFolder, prototype: Prototype, folder: Path) -> "Exporte
 
 def _recorded_parameters(run: RunFolder, name: str) -> str:
     """A file of the parameter set that the run was made with, from its recipes: of the set's file they hold no hash."""
-    from pipeline.device_parameters import NOMINAL, VECTOR_NAMES
-    from pipeline.loading.parameter_sets import parameter_file
+    from pipeline.device.parameter_sets import parameter_file
+    from pipeline.device.parameters import NOMINAL, VECTOR_NAMES
 
     recipes = (record.recipe.settings for record in run.manifest.artifacts.values())
     values = next((recipe["parameters"] for recipe in recipes if recipe.get("parameters")), None)

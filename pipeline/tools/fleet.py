@@ -8,12 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.series import Series, common_stroke, facts_of, facts_over_time
+from pipeline.device.device import device
+from pipeline.device_facts.series import Series, common_stroke, facts_of, facts_over_time, instrument_facts
+from pipeline.diagnostics.instruments import Instruments, ObservedModel
 from pipeline.errors import DataRefusedError, DebistError, InputError
-from pipeline.loading.device import device
 from pipeline.loading.documents import read_document
 from pipeline.loading.prior_knowledge import read_siblings
 from pipeline.loading.run_models import load_run_model, model_artifact
+from pipeline.loading.trajectories import fitted_parts, load_logs
 from pipeline.models.base import DynamicModel
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.siblings import Learnt, column, learn, to_tree
@@ -23,6 +25,7 @@ from pipeline.runs import layout
 from pipeline.runs.manifest import MANIFEST
 from pipeline.runs.run_folder import RunFolder, in_snapshot
 from pipeline.runs.trees import write_tree
+from pipeline.signals.log import Log
 
 
 @dataclass(frozen=True)
@@ -132,17 +135,27 @@ def series_of(roots: Sequence[Path], at: str | None) -> Series:
         if run.sheet["facts"] in [other.sheet["facts"] for other in runs[:i]]:
             raise InputError(f"{roots[order[i]]}: has the facts of another run here; name each recording once")
     ascending, between = times[order].tolist(), common_stroke([run.sheet for run in runs])
-    facts = facts_over_time(ascending, [list(facts_of(r.sheet, r.model, between, r.gain_unit)) for r in runs])
+    of_runs = [list(facts_of(r.sheet, r.model, between, r.gain_unit)) for r in runs]
+    first = runs[0]
+    if isinstance(first.model, ObservedModel):
+        instruments = Instruments(first.model, first.training)
+        for run, own in zip(runs[1:], of_runs[1:], strict=True):
+            own += instrument_facts(instruments, [part for parts in run.training for part in parts], run.displacement)
+    facts = facts_over_time(ascending, of_runs)
     return Series(tuple(roots[i].name for i in order), tuple(ascending), "run" if at is None else "day", facts)
 
 
 @dataclass(frozen=True)
 class _Run:
-    """Datasheet of a run, the model of its facts, and the unit of the slopes of its capacitances."""
+    """Datasheet of a run, the model of its facts, the unit of the slopes of its capacitances, the parts of its training
+    logs, and the unit of q.
+    """
 
     sheet: dict[str, Any]
     model: DynamicModel
     gain_unit: str
+    training: list[list[Log]]
+    displacement: str
 
 
 def _times(text: str, count: int) -> FloatArray:
@@ -166,4 +179,7 @@ def _read(run: RunFolder) -> _Run:
     sheet, prototype = read_document(run, layout.DATASHEET), run.prototype
     if sheet["facts_from"] is None:
         raise InputError(f"{run.root}: no model has curves, so there are no facts to follow; identify hybrid or rbf")
-    return _Run(sheet, load_run_model(run, prototype, sheet["facts_from"]), device(prototype).curve_units["dC"])
+    plant = device(prototype)
+    training = [fitted_parts(log) for log in load_logs(run, prototype, "train")]
+    model = load_run_model(run, prototype, sheet["facts_from"])
+    return _Run(sheet, model, plant.curve_units["dC"], training, plant.displacement.symbol)

@@ -9,12 +9,12 @@ from typing import Any, Literal
 
 import numpy as np
 
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import parameter_set, parameter_values
+from pipeline.device.parameters import JointParameters
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
-from pipeline.device_parameters import JointParameters
 from pipeline.errors import DataRefusedError, DebistError, InputError
 from pipeline.isolation import in_processes
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import parameter_set, parameter_values
 from pipeline.loading.prior_knowledge import PriorKnowledge, known_inputs, prior_knowledge_of
 from pipeline.loading.run_models import identified_models
 from pipeline.loading.trajectories import load_logs, sources, training
@@ -166,7 +166,7 @@ def _work(
     if all(why for _, why, _ in results):
         raise DataRefusedError(f"none of {split.count} folds can be judged: {results[0][1]}; give fewer (--folds)")
     rows = [{"model": model, "fold": k, **row} for k, (row, _, _) in enumerate(results)]
-    schema = device(prototype).schema(schemas.STUDIES["folds"])
+    schema = schemas.schema_of(schemas.STUDIES["folds"], device(prototype))
     columns = {column.key: [row[column.key] for row in rows] for column in schema.columns}
     warnings = [f"fold {k} was refused: {why}" for k, (_, why, _) in enumerate(results) if why]
     notes = {"warnings": warnings, TIMES: {"fit_s": sum(seconds for _, _, seconds in results)}}
@@ -225,7 +225,9 @@ def _joined(prototype: Prototype, split: Folds, models: Sequence[str]) -> Task:
         tables = [run.read_table(layout.folds(model)) for model in models]
         columns = {key: [value for table in tables for value in table[key]] for key in tables[0]}
         notes = {**vars(split), "summary": _summary(dict(zip(models, tables, strict=True)))}
-        return {name: run.write_table(name, device(prototype).schema(schemas.STUDIES["folds"]), columns, notes)}
+        return {
+            name: run.write_table(name, schemas.schema_of(schemas.STUDIES["folds"], device(prototype)), columns, notes)
+        }
 
     settings = {"folds": vars(split), "models": list(models)}
     inputs = tuple(map(layout.folds, models))

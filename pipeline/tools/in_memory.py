@@ -11,11 +11,11 @@ from pipeline.checks.check import check_logs
 from pipeline.checks.copies import shared_recordings, shared_rows
 from pipeline.checks.rows import findings, remarks
 from pipeline.checks.weak_form import LogSignals
+from pipeline.device.device import Device, device
+from pipeline.device.parameter_sets import parameter_set
 from pipeline.device_facts.characteristics import believed_wells, stable_rests
 from pipeline.errors import DataRefusedError, InputError, warn_user
-from pipeline.loading.device import Device, device
 from pipeline.loading.free_runs import free_run
-from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.prior_knowledge import prior_knowledge_in
 from pipeline.loading.si_log import SiLog, on_uniform_clocks
 from pipeline.loading.trajectories import load_motion, motion, training

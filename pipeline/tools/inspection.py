@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import ValidationError
 
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import parameter_set
 from pipeline.errors import DebistError, InputError
 from pipeline.fitting.coverage import FEW
 from pipeline.fitting.excitation import Excitation, examine_excitation
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.si_log import read_si
 from pipeline.names import shell_word
 from pipeline.numerics.arrays import runs_of

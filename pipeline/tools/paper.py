@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import parameter_set
+from pipeline.device.parameters import JointParameters
 from pipeline.device_facts.run_data import RunData, wells_of_run
-from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import parameter_set
 from pipeline.loading.report_data import read_run
 from pipeline.model_list import CENTRES, SMOOTHING
 from pipeline.models.analytical.bifurcation import characteristics
@@ -213,7 +213,7 @@ def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict
         if (logs := data.role(role))
     }
     study = schemas.STUDIES["basis"], (settings.basis_functions, settings.smoothing)
-    units = {column.key: column.unit for column in device(prototype).schema(study[0]).columns}
+    units = {column.key: column.unit for column in schemas.schema_of(study[0], device(prototype)).columns}
     begin = float(training.kinematics["t"][0])
     shown = {name: data.models[name] for name in DRAWN if name in data.models}
     figures = {

@@ -12,7 +12,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.settings_logs import SettingsTable, Whole
 
 if TYPE_CHECKING:
-    from pipeline.device_parameters import JointParameters
+    from pipeline.device.parameters import JointParameters
     from pipeline.models.analytical.calibration import Calibration
     from pipeline.models.analytical.reduced_order import Motions
     from pipeline.runs.tables import Table
@@ -123,7 +123,7 @@ def calibrate(
 
 def write_parameters(fit: "Calibration", target: Path) -> None:
     """Write a calibrated set as TOML with its standard errors as comments; errors as for `new_outputs`."""
-    from pipeline.loading.parameter_sets import parameter_file
+    from pipeline.device.parameter_sets import parameter_file
     from pipeline.runs.outputs import new_outputs
 
     errors = {name: f"± {error:.2g}" for name, error in zip(fit.names, fit.standard_errors, strict=True)}
@@ -133,7 +133,7 @@ def write_parameters(fit: "Calibration", target: Path) -> None:
 
 def calibration_document(fit: "Calibration") -> dict[str, Any]:
     """The result of a calibration for `--json`: values and standard errors in SI units."""
-    from pipeline.device_parameters import QUANTITIES
+    from pipeline.device.parameters import QUANTITIES
 
     rows = zip(fit.names, fit.values, fit.standard_errors, strict=True)
     return {

@@ -8,13 +8,13 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
+from pipeline.device.device import device
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.export.subject import Exported, Subject, Validity
 from pipeline.former_settings import translated
-from pipeline.loading.device import device
 from pipeline.loading.run_models import subject_on
 from pipeline.models.kind import StoredModel, model_from_tree
-from pipeline.models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, declaration
+from pipeline.models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, columns_of, declaration
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.hashing import tree_hash
 from pipeline.runs.outputs import new_outputs, rebased
@@ -72,7 +72,7 @@ def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
     }  # fmt: skip
 
     files: dict[str, type[FilePart]] = {_CHECK: _File, subject.name: declaration(subject.model)}
-    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, plant.model_columns(files))
+    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, columns_of(plant, files))
 
 
 def load_saved(path: Path) -> tuple[Subject, Prototype]:

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from pipeline.device.device import Device, device
 from pipeline.isolation import in_processes
-from pipeline.loading.device import Device, device
 from pipeline.loading.report_data import read_study
 from pipeline.loading.trajectories import load_logs, sources
 from pipeline.models.paper.model import identify_rbf_paper
@@ -118,7 +118,9 @@ def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mappi
         run, prototype, plant, jobs
     )
     return {
-        layout.study(name): run.write_table(layout.study(name), plant.schema(schemas.STUDIES[name]), columns, notes)
+        layout.study(name): run.write_table(
+            layout.study(name), schemas.schema_of(schemas.STUDIES[name], plant), columns, notes
+        )
     }
 
 

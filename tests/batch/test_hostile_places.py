@@ -13,8 +13,8 @@ from pipeline.batch.fleet import write_fleet_tables
 from pipeline.batch.members import FLEET_CSV, members, prototype_files
 from pipeline.batch.progress import fleet_progress, is_fleet
 from pipeline.batch.worker import Outcome, Worker, reason_of
+from pipeline.device.parameter_sets import joint_parameters
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.plain_files import read_plain
 from pipeline.runs.manifest import MANIFEST, load_manifest
 from pipeline.settings import load_prototype

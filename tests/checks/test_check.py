@@ -133,20 +133,6 @@ def test_an_input_that_is_not_named_shows_by_starts_from_rest(pair: list[LogSign
         assert any(row.values["starts"] >= 2 for row in rows if row.what == "leaves rest though no input changes")
 
 
-def test_an_input_that_does_nothing_is_said_by_what_it_does(pair: list[LogSignals]) -> None:
-    log, other = pair[0], replace(JOINT, inputs=("V",), squared=False)
-    noise = np.random.default_rng(0).normal(0.0, 3.0, log.t.size)
-    states = {}
-    for name, v in (("steady", np.full_like(noise, 4.0)), ("off", 0.0 * noise), ("noise", noise)):
-        (row,) = (r for r in check_logs([replace(log, v=v[:, None])], other) if r.what == "push of v1")
-        states[name] = (row.found, row.state)
-    assert states == {
-        "steady": ("hardly ever changes", "not seen"),
-        "off": ("never on", "note"),
-        "noise": ("nothing but noise", "note"),
-    }
-
-
 def test_a_command_has_no_noise_and_a_measurement_has_its_own(pair: list[LogSignals]) -> None:
     measured = replace(pair[0], v=pair[0].v + np.random.default_rng(1).normal(0.0, 4.0, pair[0].v.shape))
     for log, noise in ((pair[0], None), (measured, 4.0)):
@@ -236,12 +222,3 @@ def test_samples_that_are_held_are_counted(every: int, noise: float, step: float
     held = np.repeat(q[::every], every)[: t.size]
     held = held if step is None else np.round(held / step) * step
     assert held_samples(held, step) == every
-
-
-def test_noise_that_an_encoders_steps_hide_is_told_so() -> None:
-    t, step = np.arange(0.0, 20.0, 0.01), 2.0 * np.pi / 4096.0
-    q = step * np.round(np.sin(3.0 * t) / step)
-    log = LogSignals("train/a", t, q, np.sin(t)[:, None], 0.01, 4e-15, step)
-    rotary = Declared(squared=False, displacement="rad", inputs=("V",), mass=None, sample_interval=0.01)
-    (row,) = (row for row in check_logs([log], rotary) if row.what == "resolution of q")
-    assert row.more == "noise below that"

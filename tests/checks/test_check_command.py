@@ -74,9 +74,3 @@ def test_what_is_accepted_by_name_runs_and_is_shown_in_the_report(logs: Path, tm
     assert "Logs against settings" in page and "(accepted: sides)" in page
     again = RUNNER.invoke(app, ["check", str(run)])
     assert again.exit_code == 0 and "(!)" in again.stdout
-
-
-def test_the_table_fits_eighty_columns(logs: Path) -> None:
-    result = RUNNER.invoke(app, ["check", str(logs / "P.toml"), "-q"])
-    assert result.exit_code == 0
-    assert max(len(line.rstrip()) for line in result.stdout.splitlines()) <= 92

@@ -9,7 +9,7 @@ from pipeline.control.design import Settings, design
 from pipeline.control.ensemble import Converters
 from pipeline.control.law import CONTROLLER_STATE, Law
 from pipeline.control.plant import ControlledJoint, plant_of
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.problem import CondensedJoint

@@ -10,9 +10,7 @@ from pipeline.fitting.population import NormalPopulation
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.models.hybrid.siblings import usual_prior
-from pipeline.reporting.canvas import page_chart
-from pipeline.reporting.device_figures import siblings_figure
-from tests.export.joints import hybrid, paper
+from tests.export.joints import hybrid
 
 ODD, SURE = NAMES.index("left.log C0"), NAMES.index("log charging time")
 
@@ -45,14 +43,3 @@ def test_what_the_siblings_know_best_comes_first_and_what_is_odd_lies_apart(popu
     assert distances.pop("left capacitance") == pytest.approx(5.0)
     assert max(map(abs, distances.values())) < 1e-9
     np.testing.assert_allclose([place.error for place in places], 0.5)
-
-
-def test_without_siblings_or_without_the_joint_there_is_nothing_to_show(population: NormalPopulation) -> None:
-    assert places_among(joint(population), None) == []
-    assert places_among(paper(), population) == []
-
-
-def test_the_figure_names_its_quantities(population: NormalPopulation) -> None:
-    places = places_among(joint(population), population)
-    (drawing,) = page_chart(siblings_figure(places), ())
-    assert all(f">{place.name}<" in drawing for place in places)

@@ -7,13 +7,11 @@ import pytest
 
 from pipeline.device_facts.calibrated import calibrated
 from pipeline.device_facts.characteristics import intervals, shares
-from pipeline.device_facts.datasheet import DatasheetFact, distance, fact_checks, make_datasheet
+from pipeline.device_facts.datasheet import DatasheetFact, distance, fact_checks
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS
 from pipeline.numerics.metrics import NORMAL_90
-from pipeline.reporting.datasheet_rows import sheet_rows, show_datasheet
 from tests.export.joints import hybrid
-from tests.reporting.synthetic import run_data
 
 
 def fact(value, measured, spread, events=13, low=None, high=None):
@@ -37,12 +35,6 @@ def test_the_same_events_of_the_free_run_tell_the_size_of_motion_from_an_error()
     assert other.grade == "fair" and "0.150 in the model's free runs, but was measured as 0.095" in other.statement
     # The model's posterior says nothing of a free run: only the spread of what was measured counts there.
     assert distance(replace(of_small_motion, low=0.0, high=0.3, free_run=0.125)) == pytest.approx(2.0)
-
-
-def test_what_agrees_is_one_good_check_and_what_cannot_be_compared_none():
-    (check,) = fact_checks([fact(0.10, 0.095, 0.015), fact(0.11, 0.095, 0.015)])
-    assert check.grade == "good" and "1.0 standard deviations" in check.statement
-    assert fact_checks([fact(0.3, None, None), fact(0.3, 0.1, None, 1), fact(0.3, 0.1, 0.01, 2)]) == []
 
 
 def test_the_distance_counts_both_uncertainties_and_no_spread_below_five_percent():
@@ -72,18 +64,6 @@ def test_a_fact_that_many_draws_lack_says_so_in_place_of_an_interval():
     assert not replace(unsure, low=0.0, high=0.2, in_draws=0.95).doubt and not replace(unsure, in_draws=None).doubt
 
 
-def test_the_doubt_stands_on_page_and_terminal_where_the_interval_would():
-    data = run_data()
-    sheet = make_datasheet(data)
-    assert {f.in_draws for f in sheet.facts if f.low is not None} == {1.0}
-    facts = tuple(replace(f, low=None, high=None, in_draws=0.62) if f.key == "saddle" else f for f in sheet.facts)
-    unsure = replace(sheet, facts=facts)
-    (row,) = (row for row in sheet_rows(unsure) if row.title == "unstable equilibrium")
-    assert row.cells[0].value.endswith(" (not certain: in 62 % of the draws)")
-    (shown,) = (fact for fact in show_datasheet(unsure.to_json(data)).facts if fact[0] == "unstable equilibrium")
-    assert shown[2] == "not certain: in 62 % of the draws"
-
-
 def test_calibrated_quantities_are_physical_values_around_which_their_intervals_lie():
     joint = hybrid()
     theta, spread = joint.theta.copy(), np.zeros((len(joint.theta), len(joint.theta)))
@@ -104,27 +84,3 @@ def test_calibrated_quantities_are_physical_values_around_which_their_intervals_
     share = found["weight, share of the nominal value"]
     assert share.value == pytest.approx(np.exp(theta[weight] * DEVIATIONS[weight].prior_std))
     assert calibrated(None) == []
-
-
-def test_calibrated_quantities_are_those_of_the_device_whichever_way_its_size_is_told():
-    joint = hybrid()
-    names, theta, none = [entry.name for entry in DEVIATIONS], joint.theta.copy(), np.zeros((len(joint.theta), 1))
-    at = [names.index(f"log {unit}") for unit in ("length", "time", "voltage")]
-    theta[at] = [0.4, -0.3, 0.8]
-    scales = {names[i].removeprefix("log "): np.exp(theta[i] * DEVIATIONS[i].prior_std) for i in at}
-    told = HybridModel(joint.joint, theta, none, none)
-    other = replace(joint.joint, similarity=replace(joint.joint.similarity, **scales))
-    theta = theta.copy()
-    theta[at] = 0.0
-    found, expected = calibrated(told), calibrated(HybridModel(other, theta, none, none))
-    np.testing.assert_allclose(told.joint.constants(told.theta), other.constants(theta), rtol=1e-12)
-    for one, like in zip(found, expected, strict=True):
-        if not one.name.startswith(("laser", "delay", "charging", "probe")):  # these are told in units of readings
-            assert (one.name, one.value) == (like.name, pytest.approx(like.value))
-    capacitance = next(one.value for one in found if one.name == "left.C0, share of the nominal value")
-    at_size = np.exp(theta[names.index("left.log C0")] * DEVIATIONS[names.index("left.log C0")].prior_std)
-    assert capacitance == pytest.approx(at_size * (scales["length"] / scales["time"] / scales["voltage"]) ** 2)
-    assert {one.name: one for one in found}["E"].value == pytest.approx(
-        joint.joint.parameters.E * np.exp(theta[names.index("log E")] * DEVIATIONS[names.index("log E")].prior_std)
-        / scales["length"] / scales["time"] ** 2
-    )  # fmt: skip

@@ -6,12 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, equilibria, intervals, outer_wells
+from pipeline.device_facts.characteristics import Curves, device_facts, equilibria, intervals
 from pipeline.device_facts.datasheet import make_datasheet
-from pipeline.device_facts.events import MOST_STEPS, input_steps, rest_facts, ring_down, voltage_switches
-from pipeline.device_facts.grades import Check
+from pipeline.device_facts.events import rest_facts, ring_down, voltage_switches
 from pipeline.device_facts.model_quality import model_checks
-from pipeline.device_facts.phase_plane import basins, moves_unforced
+from pipeline.device_facts.phase_plane import basins
 from pipeline.device_facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from tests.reporting.synthetic import (
@@ -20,10 +19,7 @@ from tests.reporting.synthetic import (
     PUSH,
     STIFFNESS,
     WELL,
-    double_well,
     run_data,
-    run_sheet,
-    without_models,
 )
 
 Q = np.linspace(-0.02, 0.02, 4001)
@@ -76,21 +72,6 @@ def test_the_lowest_switching_voltage_is_where_the_loaded_well_vanishes() -> Non
         assert sum(e.stable for e in equilibria(Q, loaded)) == wells
 
 
-def test_one_well_has_a_rest_and_none_has_nothing() -> None:
-    none = np.zeros((0, Q.size))
-    facts = device_facts(Curves(Q, STIFFNESS * (Q - 1e-3), None, none, True), joint=True)
-    assert facts == {"rest": pytest.approx(1e-3), "stiffness": pytest.approx(STIFFNESS)}
-    assert device_facts(Curves(Q, np.ones_like(Q), None, none, True), joint=True) == {}
-
-
-def test_a_models_own_names_become_forces_per_input() -> None:
-    named = {"F": FORCE, "dC1_dq": np.full_like(Q, 2 * PUSH)}
-    curves = curves_from(named, Q)
-    assert curves.squared
-    np.testing.assert_allclose(curves.pushes, PUSH)
-    assert not curves_from({"F": FORCE, "g1": np.full_like(Q, PUSH)}, Q).squared
-
-
 def test_intervals_hold_nine_draws_in_ten_and_leave_out_what_most_draws_lack() -> None:
     draws = [{"a": float(x), "b": 1.0 if x < 50 else None} for x in range(101)]
     limits = intervals({}, draws)
@@ -130,36 +111,6 @@ def test_switches_and_snaps_are_found_where_they_are() -> None:
     np.testing.assert_allclose(voltage_switches(t, v), [2.0, 3.0, 6.0, 7.0], atol=0.011)
     np.testing.assert_allclose(t[snaps(q, Wells(-0.011, 0.011, 0.0))], [2.1, 6.1], atol=0.011)
     assert snaps(q, NoWells("none")).size == 0
-
-
-def test_steps_between_levels_are_marked_and_what_changes_all_the_time_is_not() -> None:
-    t = np.arange(0.0, 20.0, 0.02)
-    stairs = np.floor(t / 2.0) % 4.0
-    np.testing.assert_allclose(input_steps(t, stairs[:, None]), np.arange(2.0, 20.0, 2.0), atol=0.021)
-    noisy = stairs + 0.01 * np.random.default_rng(3).standard_normal(t.size)
-    np.testing.assert_allclose(input_steps(t, noisy[:, None]), np.arange(2.0, 20.0, 2.0), atol=0.021)
-    for steady in (np.sin(t), np.sin(3.0 * t) + np.cos(7.0 * t), t, np.zeros_like(t)):
-        assert input_steps(t, steady[:, None]).size == 0
-    many = (np.arange(t.size) // 10 % 2).astype(float)
-    assert many.size / 10 > MOST_STEPS
-    assert input_steps(t, many[:, None]).size == 0
-
-
-def test_a_steady_signal_without_rests_has_no_phase_portrait() -> None:
-    data = run_data()
-
-    def driven(log: LogData, signal: np.ndarray) -> LogData:
-        table = {k: v for k, v in log.kinematics.items() if k != "v2"} | {"v1": signal}
-        return replace(log, kinematics=table, record=table)
-
-    t = data.logs[0].kinematics["t"]
-    steady = replace(data, voltage="N", logs=tuple(driven(log, 3e3 * np.sin(9.0 * t)) for log in data.logs))
-    pulsed = replace(steady, logs=tuple(driven(log, log.kinematics["v1"]) for log in data.logs))
-    assert not moves_unforced(steady)
-    assert moves_unforced(pulsed)
-    still = {"q": np.full_like(t, 0.01), "qdot": np.zeros_like(t)}
-    resting = [replace(log, kinematics=log.kinematics | still) for log in pulsed.logs[:1]]
-    assert not moves_unforced(replace(pulsed, logs=(*resting, *steady.logs)))
 
 
 def test_measured_rests_and_rings_are_those_of_the_truth() -> None:
@@ -202,43 +153,6 @@ def test_rests_that_have_not_settled_are_judged_by_those_of_a_free_run_not_by_th
     assert graded(followed=False) == "poor"
 
 
-def test_without_a_model_the_datasheet_holds_what_was_measured() -> None:
-    sheet = make_datasheet(without_models(run_data()))
-    facts = {fact.key: fact for fact in sheet.facts}
-    assert sheet.model is None
-    assert facts["well_left"].value is None
-    assert facts["well_left"].measured == pytest.approx(-WELL, rel=0.1)
-    assert "barrier_left" not in facts
-
-
-def test_one_rest_in_the_data_is_not_set_beside_two_modelled_wells() -> None:
-    def resting(log: LogData) -> LogData:
-        k = log.kinematics
-        driven = (k["v1"] > 0.0) | (k["v2"] > 0.0)
-        return replace(log, kinematics={**k, "q": np.where(driven, 0.02 * np.sin(9.0 * k["t"]), -WELL)})
-
-    data = replace(run_data(), logs=tuple(resting(log) for log in run_data().logs))
-    sheet = make_datasheet(data)
-    assert isinstance(sheet.wells, NoWells)
-    facts = {fact.key: fact for fact in sheet.facts}
-    assert facts["well_right"].value == pytest.approx(WELL, rel=0.01)
-    assert "rest" not in facts
-    assert make_datasheet(without_models(data)).facts[0].key == "rest"
-
-
-def test_a_drive_that_stays_where_it_is_left_has_no_measured_rest() -> None:
-    def left_anywhere(log: LogData) -> LogData:
-        k = log.kinematics
-        driven = (k["v1"] > 0.0) | (k["v2"] > 0.0)
-        place = WELL * np.sin(1.7 * np.cumsum(np.diff(driven, prepend=False)))
-        return replace(log, kinematics={**k, "q": np.where(driven, 0.02 * np.sin(9.0 * k["t"]), place)})
-
-    data = without_models(run_data())
-    sheet = make_datasheet(replace(data, logs=tuple(left_anywhere(log) for log in data.logs)))
-    assert isinstance(sheet.wells, NoWells)
-    assert "rest" not in {fact.key for fact in sheet.facts}
-
-
 def test_basins_are_those_of_every_cell_at_a_fraction_of_the_simulations() -> None:
     places, speeds = np.linspace(-1.0, 1.0, 49), np.linspace(-1.0, 1.0, 33)
     calls = []
@@ -274,33 +188,6 @@ def test_outcomes_that_hinge_and_states_outside_the_training_are_graded() -> Non
 
 
 @pytest.mark.parametrize(
-    ("ratio", "surely", "grade"), [(1.2, 0.01, "fair"), (2.0, 0.01, "fair"), (9.0, 0.01, "poor"), (9.0, 1e-3, None)]
-)
-def test_a_baseline_that_is_surely_nearer_is_part_of_the_verdict(
-    ratio: float, surely: float, grade: str | None
-) -> None:
-    data = run_data()
-    (own,) = (
-        row for row in data.scores if row["model"] == "rbf" and row["signal"] == "q" and row["role"] == "validation"
-    )
-    rows = [row for row in data.scores if row is not own] + [
-        own | {"above_lowest_low": surely},
-        own | {"model": "sindy", "nrmse": own["nrmse"] / ratio},
-    ]
-    found = {check.name: check for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
-    assert (found["rival"].grade if "rival" in found else None) == grade
-    assert grade is None or "sindy predicts" in found["rival"].statement
-
-
-def test_a_fit_that_did_not_converge_is_part_of_the_verdict() -> None:
-    data = run_data()
-    for converged in (True, False):
-        told = {"rbf": {**data.descriptions["rbf"], "converged": converged}}
-        checks = model_checks(replace(data, descriptions=told), "rbf", None, NoWells("none"))
-        assert [check.grade for check in checks if check.name == "converged"] == ["fair"] * (not converged)
-
-
-@pytest.mark.parametrize(
     ("displacement", "mass_known", "force", "energy"),
     [
         ("m", True, "N", "J"),
@@ -316,65 +203,6 @@ def test_an_energy_is_a_force_times_what_q_is(displacement: str, mass_known: boo
     units = {fact.key: fact.unit for fact in make_datasheet(data).facts}
     assert units["barrier_left"] == energy
     assert units["stiffness_left"] == (f"{force}/{displacement}" if mass_known else "1/s²")
-
-
-def test_a_model_that_a_constant_beats_is_said_to_be_one() -> None:
-    data = run_data()
-
-    def told(error: float) -> set[str]:
-        rows = tuple({**row, "nrmse": error} if row["model"] == "rbf" else row for row in data.scores)
-        return {check.name for check in model_checks(replace(data, scores=rows), "rbf", None, NoWells("none"))}
-
-    q = data.role("validation")[0].kinematics["q"]
-    spread = float(np.nanstd(q) / (np.nanmax(q) - np.nanmin(q)))
-    assert "constant" in told(1.01 * spread) and "constant" not in told(0.99 * spread)
-
-
-def test_a_jump_of_the_force_is_neither_a_well_nor_a_way_between_wells() -> None:
-    """As of a beam whose shape snaps while its tip is held: other curves beyond, here 2 N higher and lower."""
-    curves = _curves()
-    outside, between = Q < -1.4 * WELL, np.abs(Q) < 0.2 * WELL
-    far = device_facts(replace(curves, force=curves.force + 100.0 * np.abs(curves.force).max() * outside), joint=True)
-    usual = device_facts(curves, joint=True)
-    assert far == pytest.approx(usual)
-    near = device_facts(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between), joint=True)
-    assert near["well_left"] == pytest.approx(usual["well_left"])
-    assert near["stiffness_right"] == pytest.approx(usual["stiffness_right"])
-    assert not near.keys() & {"saddle", "barrier_left", "switch_v1_to_right"}
-    assert (
-        outer_wells(replace(curves, force=curves.force - 0.3 * np.abs(curves.force).max() * between), joint=True)
-        is None
-    )
-
-
-def test_a_barrier_is_the_highest_of_several() -> None:
-    """Two low wells and a shallow one in the middle."""
-    q = np.linspace(-1.3, 1.3, 1201)
-    force = 40.0 * (q + 1.0) * (q + 0.7) * (q + 0.05) * (q - 0.6) * (q - 1.0)
-    facts = device_facts(Curves(q, force, None, np.zeros((0, q.size)), True), joint=True)
-    energy = Curves(q, force, None, np.zeros((0, q.size)), True).energy
-    inside = (q > -1.0) & (q < 1.0)
-    assert facts["barrier_left"] == pytest.approx(energy[inside].max() - np.interp(-1.0, q, energy), rel=1e-4)
-    assert facts["barrier_right"] > 0.0
-    assert outer_wells(Curves(q, force, None, np.zeros((0, q.size)), True), joint=True)[1].q == facts["saddle"]
-
-
-def test_a_device_with_one_input_that_nothing_restores_has_no_wells() -> None:
-    """It rests in two places, as the double well does, and its model has no restoring force."""
-    data = run_data()
-
-    def single(log: LogData) -> LogData:
-        kept = [{k: v for k, v in columns.items() if k != "v2"} for columns in (log.record, log.kinematics)]
-        return replace(log, record=kept[0], kinematics=kept[1])
-
-    model = double_well()
-    weights = np.delete(model.weights, 3, axis=0) * np.array([[0.0], [1.0], [1.0]])
-    free = model.model_copy(update={"weights": weights, "spread": np.zeros((weights.size, 1))})
-    alone = replace(data, logs=tuple(map(single, data.logs)), models={"rbf": free})
-    assert not alone.joint
-    sheet = make_datasheet(alone)
-    assert not any(check.name == "switches" for check in sheet.checks)
-    assert not {"well_left", "frequency_left"} & {fact.key for fact in sheet.facts}
 
 
 def _pulsed(step: float, damping: float, frequency: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -399,23 +227,3 @@ def test_hum_is_no_ring_down_where_it_is_aliased_to_either() -> None:
     assert rest_facts([(t, drifting, v)], NoWells("none"), joint=True).rings_left
     assert not rest_facts([(t, drifting, v)], NoWells("none"), [60.0], joint=True).rings_left
     assert rest_facts([(t, q, v)], NoWells("none"), [60.0], joint=True).rings_left
-
-
-def test_many_stable_states_are_two_wells_of_the_joint_only() -> None:
-    q = np.linspace(-1.3, 1.3, 1201)
-    curves = Curves(
-        q, 40.0 * (q + 1.0) * (q + 0.7) * (q + 0.05) * (q - 0.6) * (q - 1.0), None, np.zeros((0, 1201)), True
-    )
-    facts = device_facts(curves, joint=False)
-    assert facts == pytest.approx({"stable_1": -1.0, "stable_2": -0.05, "stable_3": 1.0}, abs=1e-5)
-    assert outer_wells(curves, joint=False) is None
-    assert "barrier_left" in device_facts(curves, joint=True)
-    assert "barrier_left" in device_facts(_curves(), joint=False)
-
-
-def test_a_model_that_a_constant_beats_is_named_so_beside_its_facts() -> None:
-    sheet = run_sheet()
-    assert not sheet.refused
-    worse = replace(sheet, checks=(*sheet.checks, Check("model", "constant", "poor", "", "do not use this model")))
-    assert worse.refused
-    assert not replace(worse, model="another").refused

@@ -33,26 +33,8 @@ def test_what_masked_the_rows_is_named_with_its_advice() -> None:
     assert "samples that are not finite" in _masked(0.05, gaps=1).statement
 
 
-def test_what_costs_no_row_is_no_fault() -> None:
-    assert _masked(0.0).statement == "no gaps"
-    spikes = _masked(0.0, masked_spikes=7)
-    assert spikes.statement == "7 spikes left out, and no row masked" and spikes.grade == "good"
-
-
 def test_what_was_cut_off_at_the_ends_of_a_log_is_masked_as_well() -> None:
     """6 s of 60 s are left in neither of two records of 30 s."""
     cut = _masked(0.0, masked_without_target=6000, cut_off_s=6.0)
     assert cut.grade == "fair"
     assert float(cut.statement.split(" %")[0]) == pytest.approx(100.0 * 6.0 / 66.0, abs=0.06)
-
-
-def test_rails_that_the_settings_keep_are_no_fault() -> None:
-    data = run_data()
-    logs = tuple(replace(log, record={**log.record, "q": np.clip(log.record["q"], -0.01, 0.01)}) for log in data.logs)
-    found = {}
-    for kept in (False, True):
-        checks = data_checks(replace(data, logs=logs, rails_kept=kept), NoWells("not looked for"))
-        found[kept] = next(check for check in checks if check.name == "rails")
-    assert found[False].grade == "poor" and 'rails = "keep"' in found[False].advice
-    assert found[True].grade == "good" and "record again" not in found[True].advice + found[True].statement
-    assert found[True].statement.startswith(found[False].statement)

@@ -37,19 +37,6 @@ def test_a_headline_that_diverged_has_the_best_that_did_not_for_a_rival() -> Non
     assert check.grade == "poor" and "--model narx" in check.advice
 
 
-def test_nothing_is_named_that_a_constant_beats_or_that_diverged_too() -> None:
-    assert not _rival(rbf=None, sindy=None)
-    assert not _rival(rbf=None, sindy=1.6)
-    assert not _rival(rbf=0.05, sindy=0.04)  # not surely nearer
-
-
-def test_a_model_that_another_surely_beats_is_not_good_at_that() -> None:
-    (check,) = _rival(surely=0.003, rbf=0.05, narx=0.04)
-    assert "surely better" in check.statement and check.grade == "fair"
-    (check,) = _rival(surely=0.003, rbf=0.05, narx=0.01)
-    assert check.grade == "poor"
-
-
 def test_where_free_runs_are_lost_what_follows_a_measured_state_counts() -> None:
     """Free runs of a chaotic device are equally wrong; the better model shows after a tenth of a second."""
     (check,) = _rival(**{"rbf": 0.4, "rbf-paper": 0.4}, soon={"rbf": 0.08, "rbf-paper": 0.01})

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.diagnostics.instruments import SIGNIFICANCE, Instruments, Reading
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import NAMES as DEVIATIONS

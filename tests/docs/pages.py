@@ -11,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 _MARK = re.compile(r"<!-- (?P<kind>not run|file|copy): (?P<text>.+) -->$")
-GENERATED = {f"docs/reference/{name}.md" for name in ("commands", "settings", "mistakes")}
+GENERATED = {f"docs/reference/{name}.md" for name in ("columns", "commands", "settings", "mistakes")}
 """Pages that are made while the site is built (docs/hooks.py)."""
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from typer.exceptions import TyperException
 from typer.main import get_command
 
 from cli import app
@@ -48,18 +49,26 @@ def parse(arguments: list[str]) -> None:
         assert any(arguments[0] in option.opts for option in command.params), f"no such option: {arguments[0]}"
         return
     context = command.make_context("debist", list(arguments))
+    rest = list(arguments)
     while hasattr(command, "commands"):
-        rest = [*context._protected_args, *context.args]
         if not rest:
             return
         name, command, rest = command.resolve_command(context, rest)
-        context = command.make_context(name, rest, parent=context)
+        context = command.make_context(name, list(rest), parent=context)
 
 
-def test_the_check_notices_what_does_not_exist() -> None:
-    for wrong in (["rn", "P1.toml"], ["run", "P1.toml", "--outptu", "x"], ["rig", "excite", "-o"], ["show"]):
-        with pytest.raises(Exception, match=r"."):
-            parse(wrong)
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        (["rn", "P1.toml"], "No such command 'rn'"),
+        (["run", "P1.toml", "--outptu", "x"], "No such option: --outptu"),
+        (["rig", "excite", "-o"], "Option '-o' requires an argument"),
+        (["show"], "Missing parameter"),
+    ],
+)
+def test_the_check_notices_what_does_not_exist(wrong: list[str], message: str) -> None:
+    with pytest.raises(TyperException, match=message):
+        parse(wrong)
 
 
 @pytest.mark.parametrize("page", pages())

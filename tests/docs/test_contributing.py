@@ -127,7 +127,7 @@ from pipeline.generated.condensed_joint_jacobian import JACOBIAN, PREPARE
 from pipeline.models.hybrid import parameters
 from pipeline.models.hybrid.kernels import INDEX
 from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 
 samples, steps = 51, 4
 u = np.zeros((1, 2 * steps * (samples - 1) + 1, 2))
@@ -177,13 +177,3 @@ def test_new_elements_on_the_tip(generated: Path) -> None:
     # The exact Jacobian has the new state's law.
     assert found["relaxes"] == pytest.approx(-found["rate"])
     assert found["follows"] == pytest.approx(1.0)
-
-
-def test_the_new_baseline_has_all_that_a_model_has(tree: Path) -> None:
-    program = """if True:
-    from pipeline.models.base import DynamicModel
-    from pipeline.models.rest import RestModel
-    model = RestModel(input_count=2)
-    print([name for name in vars(DynamicModel) if not name.startswith("_") and not hasattr(model, name)])
-    """
-    assert _python(tree, "-c", program) == "[]\n"

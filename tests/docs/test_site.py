@@ -49,7 +49,7 @@ def test_files_that_a_page_links_to_exist(page: str) -> None:
             assert made or place.exists(), f"{page} links to {target}, which is not there"
 
 
-def test_the_pages_that_are_made_have_every_command_and_every_setting(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_pages_that_are_made_have_every_command_setting_and_column(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.syspath_prepend(str(ROOT / "docs"))
     import hooks
 
@@ -59,3 +59,6 @@ def test_the_pages_that_are_made_have_every_command_and_every_setting(monkeypatc
     assert "Example: debist run P1.toml -o runs/P1" in commands
     rows = [line for line in hooks.settings_page().splitlines() if line.startswith("| `")]
     assert len(rows) > 50 and not [row for row in rows if row.split("|")[4].strip() == ""]
+    columns = hooks.columns_page()
+    assert all(f"## {table.kind}\n" in columns for table in hooks.tables())
+    assert "| `nrmse` | float64 | 1 |" in columns

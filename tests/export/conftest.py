@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from joints import hybrid, paper, pulses
 
-from pipeline.loading.device import device
-from pipeline.loading.parameter_sets import parameter_set
+from pipeline.device.device import device
+from pipeline.device.parameter_sets import parameter_set
 from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
@@ -48,7 +48,7 @@ def planted_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
             (layout.record(role, name), schemas.RECORD, signals),
             (layout.kinematics(role, name), schemas.KINEMATICS, motion),
         ):
-            written[artifact] = run.write_table(artifact, plant.schema(schema), columns, {})
+            written[artifact] = run.write_table(artifact, schemas.schema_of(schema, plant), columns, {})
     tree = {"headline": "hybrid", "hybrid": truth.to_tree(), "rbf-paper": paper().to_tree()}
     written[layout.MODELS] = run.write_tree(
         layout.MODELS, tree, {"identified": ["hybrid", "rbf-paper"], "hybrid": {}, "rbf-paper": {}}

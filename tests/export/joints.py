@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.export.sources import c_sources
 from pipeline.export.subject import Subject, Validity, realise
 from pipeline.models.base import DynamicModel

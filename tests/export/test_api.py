@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from debist import open_run
-from pipeline.errors import InputError
 
 GALLERY = sorted((Path(__file__).resolve().parents[2] / "docs" / "gallery").glob("*.py"))
 
@@ -35,27 +34,6 @@ def test_figures_are_axes_of_matplotlib(planted_run):
     assert axes[0].get_xlim() == pytest.approx((1.0, 3.0))
     assert axes[0].figure.number in matplotlib.pyplot.get_fignums()
     matplotlib.pyplot.close("all")
-
-
-def test_figures_are_made_once(planted_run, monkeypatch):
-    run = open_run(planted_run)
-    assert run.figures
-    monkeypatch.setattr("pipeline.tools.plot.prepare", None)
-    assert run.plot("excitation")
-    matplotlib.pyplot.close("all")
-
-
-def test_what_is_not_there_is_said_by_name(planted_run, tmp_path):
-    with pytest.raises(InputError, match="no run here"):
-        open_run(tmp_path)
-    run = open_run(planted_run)
-    for call in (lambda: run.log("c"), lambda: run.model("sindy"), lambda: run.plot("nothing")):
-        with pytest.raises(InputError, match=r"it (has|holds)"):
-            call()
-    with pytest.raises(InputError, match=r"shape \(2, 3\)"):
-        run.model("hybrid").curves(np.zeros((2, 3)))
-    with pytest.raises(InputError, match="no export 'simulink'; there are c, controller"):
-        run.export("simulink")
 
 
 def test_opening_loads_nothing_heavy():

@@ -10,7 +10,6 @@ from joints import (
     CompiledModel,
     data_driven,
     half_steps,
-    held_slider,
     hybrid,
     overdamped,
     paper,
@@ -84,15 +83,6 @@ def test_steps_of_the_target_follow_the_model(tmp_path):
     assert np.sqrt(np.mean((q[::10] - run.q) ** 2)) < 1e-3 * np.ptp(run.q)
 
 
-def test_the_bounds_of_the_training_logs_are_told(tmp_path):
-    what = subject(hybrid())
-    compiled = CompiledModel(what, tmp_path)
-    compiled.call("start", 0.01, 0.0, compiled.array([0.0, 100.0]))
-    assert compiled.call("check") == 0
-    compiled.call("start", 0.0201, 0.0, compiled.array([0.0, 3001.0]))
-    assert compiled.call("check") == 3
-
-
 def test_nothing_is_allocated_and_nothing_is_global(tmp_path):
     what = subject(hybrid())
     CompiledModel(what, tmp_path)
@@ -105,9 +95,3 @@ def test_nothing_is_allocated_and_nothing_is_global(tmp_path):
     assert {name for kind, name in symbols if kind == "T"} == {
         f"{what.identifier}_{name}" for name in ("start", "step", "advance", "read", "check")
     }
-
-
-def test_a_held_input_is_held(tmp_path):
-    what = subject(held_slider(), inputs=1, peak=1.0)
-    run = what.model.simulate(what.t, what.v, *what.start)
-    assert np.abs(CompiledModel(what, tmp_path).free_run(half_steps(what))[:, 0] - run.q).max() < 1e-9 * np.ptp(run.q)

@@ -35,10 +35,3 @@ def test_the_bounds_are_those_of_the_training_logs_alone(planted_run, tmp_path):
     assert held["validity"]["q"] == [log.q_m.min(), log.q_m.max()]
     assert held["validity"]["v"] == [[log.v1_V.min(), log.v1_V.max()], [log.v2_V.min(), log.v2_V.max()]]
     np.testing.assert_array_equal(held["check"]["t_s"], open_run(planted_run).log("b").t_s[:500])
-
-
-def test_a_model_that_is_not_there_is_answered_with_those_that_are(planted_run, tmp_path):
-    result = RUNNER.invoke(app, ["export", str(planted_run), "--to", "c", "--model", "sindi", "-o", str(tmp_path)])
-    assert result.exit_code == 2
-    assert "'sindi'" in result.stderr and "hybrid, rbf-paper" in result.stderr
-    assert list(tmp_path.iterdir()) == []

@@ -8,17 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.io import loadmat
-from scipy.signal import lfilter
 from typer.testing import CliRunner
 
-import debist
 from cli import app
 from pipeline.control.ensemble import ensemble_of
 from pipeline.control.switching_map import lowest_voltage
-from pipeline.errors import InputError
-from pipeline.loading.device import device
-from pipeline.runs import layout, schemas
-from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.controlled_run import ControlSettings, control_run
 from tests.export.conftest import hybrid
@@ -59,66 +53,6 @@ def test_a_design_is_kept_exported_and_made_again_only_when_asked_otherwise(plan
     assert names == {f"controller.{ending}" for ending in ("h", "c", "m", "fmu")}
 
 
-@pytest.mark.long
-def test_limits_on_rate_and_mean_are_kept_in_the_design_and_its_exports(planted_run: Path, tmp_path: Path) -> None:
-    shutil.copytree(planted_run, tmp_path / "run")
-    limits = ("--slew", "0.2kV/ms", "--average-voltage", "150V")
-    told = call("design", tmp_path / "run", "-q", *limits)
-    assert "margins at the unstable equilibrium: 0." in told
-    assert "with --average-voltage 150 V it may be lost" in told
-    document = json.loads(call("design", tmp_path / "run", "--json", "-q", *limits))
-    assert (document["slew_V_s"], document["average_V"]) == (pytest.approx(200e3), pytest.approx(150.0))
-    assert document["margins"]["gain_low"] < 0.77 < 1.3 < document["margins"]["gain_high"]
-    CliRunner().invoke(app, ["export", str(tmp_path / "run"), "--to", "controller", "-o", str(tmp_path)])
-    header = (tmp_path / "controller.h").read_text(encoding="utf-8")
-    assert "by at most 200000 V/s" in header and "is at most 150 V" in header
-
-
-def test_a_lost_design_is_struck_off_and_the_command_that_makes_it_is_named(planted_run: Path, tmp_path: Path) -> None:
-    run = tmp_path / "run"
-    shutil.copytree(planted_run, run)
-    call("design", run, "-q")
-    (run / layout.control("design")).unlink()
-    told = CliRunner().invoke(app, ["identify", str(run)])
-    assert "`debist control design` makes it anew" in told.stderr
-    assert CliRunner().invoke(app, ["verify", str(run)]).exit_code == 0
-    call("design", run, "-q")
-    assert (run / layout.control("design")).is_file()
-
-
-@pytest.mark.long
-def test_the_converters_lag_is_that_of_the_logs_the_one_given_or_assumed(planted_run: Path, tmp_path: Path) -> None:
-    told = json.loads(call("design", planted_run, "--json", "-q"))
-    assert (told["lags_s"], told["lags_known"]) == ([4e-3, 4e-3], "assumed")  # its pulses have soft edges
-    told = json.loads(call("map", planted_run, "--lag", "2.5 ms", "--json", "-q"))
-    assert (told["lags_s"], told["lags_known"]) == ([2.5e-3, 2.5e-3], "given")
-    lowest = told["maps"][0]["lowest"]
-    assert all(each["low"] < each["voltage"] < each["high"] for each in lowest)
-    assert f"0.2 s switch from {1e-3 * lowest[-2]['voltage']:.3f} kV (" in call(
-        "map", planted_run, "--lag", "2.5 ms", "-q"
-    )
-    run, planted = lagging(planted_run, tmp_path / "run"), (14e-3, 18e-3)
-    told = json.loads(call("design", run.root, "--json", "-q"))
-    np.testing.assert_allclose(told["lags_s"], planted, rtol=0.02)
-    assert "voltage steps of the training logs" in told["lags_known"]
-    assert "the converters' lags: 14.0 and 18.0 ms, from" in call("design", run.root, "-q")
-
-
-def lagging(planted_run: Path, root: Path) -> RunFolder:
-    """The run with records of hard pulses behind converters of 14 and 18 ms."""
-    shutil.copytree(planted_run, root)
-    run = RunFolder.open(root)
-    name = layout.record("train", "a")
-    table = run.read_table(name)
-    for side, lag in (("v1", 14e-3), ("v2", 18e-3)):
-        kept = np.exp(-(table["t"][1] - table["t"][0]) / lag)
-        hard = np.where(table[side] > 1200.0, 2500.0, 0.0)
-        table[side] = np.asarray(lfilter([1.0 - kept], [1.0, -kept], hard))
-    schema = device(run.prototype).schema(schemas.RECORD)
-    run.commit(Recipe("test", "2", {}, {}), {name: run.write_table(name, schema, table, {})})
-    return run
-
-
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
@@ -150,54 +84,3 @@ def test_no_voltage_of_control_is_above_what_the_film_stands(planted_run: Path, 
     limited = control_run(root).converters(ControlSettings(lag=3e-3))[0]
     assert ensemble_of(hybrid(), 0, limited).highest == pytest.approx(2400.0)
     assert lowest_voltage(hybrid(), replace(limited, highest=300.0), (-0.011, 0.0, 0.011), "right", 0.5) is None
-
-
-def test_a_folder_without_a_run_is_one_line(tmp_path: Path) -> None:
-    assert call("map", tmp_path, code=2).count("\n") == 1
-
-
-def test_a_model_without_the_joints_equations_and_one_that_validation_refuses_are_one_line(
-    planted_run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from pipeline.loading import run_models
-    from pipeline.tools import controlled_run
-
-    monkeypatch.setattr(run_models, "WORST", -1.0)
-    told = call("design", planted_run, "-q", code=3)
-    assert "control on it would be a guess" in told
-    assert (
-        CliRunner()
-        .invoke(app, ["export", str(planted_run), "--to", "json", "-o", str(tmp_path)])
-        .stderr.count("on the validation log b: do not trust its free runs")
-    )
-    monkeypatch.setattr(controlled_run, "load_run_model", lambda *_: None)
-    assert "the model 'hybrid'" in call("design", planted_run, "-q", code=2)
-
-
-@pytest.mark.filterwarnings("ignore:debist.*results are older")
-def test_control_is_designed_on_the_joint_where_the_headline_is_a_network(planted_run: Path, tmp_path: Path) -> None:
-    shutil.copytree(planted_run, tmp_path / "run")
-    run = RunFolder.open(tmp_path / "run")
-    tree = {name: run.read_tree(layout.MODELS, name) for name in ("hybrid", "rbf-paper")}
-    notes = {"identified": ["rbf-paper"], "equations": "hybrid", "rbf-paper": {}}
-    written = {layout.MODELS: run.write_tree(layout.MODELS, {"headline": "rbf-paper", **tree}, notes)}
-    run.commit(Recipe("test", "2", {}, {}), written)
-    assert call("design", run.root, "-q").startswith("model hybrid: wells at")
-    assert debist.open_run(run.root).models[0] == "rbf-paper"
-
-
-def test_equilibria_of_an_earlier_call_do_not_stay_beside_those_of_this_one(planted_run: Path, tmp_path: Path) -> None:
-    call("linearise", planted_run, "-q", "-o", tmp_path)
-    (tmp_path / "linear-3.csv").write_text("mine", encoding="utf-8")
-    call("linearise", planted_run, "--v1", "3kV", "-q", "-o", tmp_path)
-    assert sorted(path.name for path in tmp_path.glob("linear-*")) == ["linear-1.csv", "linear-3.csv"]
-    assert (tmp_path / "linear-3.csv").read_text(encoding="utf-8") == "mine"
-
-
-def test_linear_models_of_a_run_in_python(planted_run: Path) -> None:
-    left, saddle, right = debist.open_run(planted_run).linear_models()
-    assert (left.stable, saddle.stable, right.stable) == (True, False, True)
-    assert len(debist.open_run(planted_run).linear_models(3000, 0)) == 1
-    for voltage in (-1000.0, 1e4, float("nan")):
-        with pytest.raises(InputError, match="outside the trained range"):
-            debist.open_run(planted_run).linear_models(voltage)

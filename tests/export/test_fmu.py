@@ -7,7 +7,7 @@ import zipfile
 
 import numpy as np
 import pytest
-from fmpy import read_model_description, simulate_fmu
+from fmpy import simulate_fmu
 from fmpy.fmi2 import FMU2Slave
 from fmpy.validation import validate_fmu
 from fmu_runs import Opened, co_simulated, exchanged
@@ -16,7 +16,6 @@ from scipy.interpolate import CubicSpline
 
 from pipeline.export import fmu
 from pipeline.export.fmu import write_fmu
-from pipeline.export.subject import realise
 
 MODELS = {
     "hybrid": hybrid(),
@@ -57,17 +56,6 @@ def test_co_simulation_is_the_models_own_run(name, tmp_path):
     # debist tells the data-driven joint's acceleration with the friction of half a step later.
     loose = 0.02 if name.startswith("data-driven") else 1e-9
     assert np.abs(found[:, 2] - run.qddot).max() < loose * np.ptp(run.qddot)
-
-
-@pytest.mark.usefixtures("compiled_once")
-@needs_compiler
-def test_co_simulation_follows_a_spline_by_its_three_derivatives(tmp_path):
-    what = subject(hybrid(delay=0.0))
-    step = realise(what.model, INTERVAL).step
-    nodes = np.linspace(0.0, what.t[-1], round(what.t[-1] / step) + 1)
-    pieces = [CubicSpline(what.t, what.v)(nodes, order) for order in range(4)]
-    found, run = co_simulated(what, tmp_path, pieces), what.model.simulate(what.t, what.v, *what.start)
-    assert np.abs(found[:, 0] - run.q).max() < 1e-10 * np.ptp(run.q)
 
 
 @pytest.mark.usefixtures("compiled_once")
@@ -131,16 +119,6 @@ def test_fmpy_finds_nothing_wrong_and_equal_models_give_equal_bytes(name, tmp_pa
     assert write_fmu(what, tmp_path / "again").written[0].read_bytes() == path.read_bytes()
 
 
-def test_an_angle_and_one_input_have_their_units(tmp_path):
-    for model, inputs in ((data_driven("linear", 1), 1), (sindy(), 2)):
-        path = write_fmu(subject(model, inputs=inputs, unit="rad"), tmp_path).written[0]
-        assert validate_fmu(str(path)) == []
-        units = {v.name: v.unit for v in read_model_description(path).modelVariables}
-        assert (units["q"], units["qddot"], units["q_min"]) == ("rad", "rad/s2", "rad")
-        assert ("v2" in units) == (inputs == 2)
-        assert units.get("lagged_velocity", "rad/s") == "rad/s"
-
-
 @pytest.mark.usefixtures("compiled_once")
 @pytest.mark.skipif(shutil.which("x86_64-w64-mingw32-gcc") is None, reason="no cross compiler for Windows here")
 @needs_compiler
@@ -156,13 +134,3 @@ def test_the_binary_for_windows_has_the_functions_of_that_for_linux(tmp_path):
         if binary == "win64":
             assert set(re.findall(r"DLL Name: (\S+)", listed)) <= {"KERNEL32.dll", "msvcrt.dll"}  # on every Windows
     assert names[0] == names[1] and "fmi2DoStep" in names[0]
-
-
-def test_without_a_compiler_the_source_is_exported_and_said_so(tmp_path, monkeypatch):
-    monkeypatch.setattr("shutil.which", lambda name: None)
-    made = write_fmu(subject(hybrid()), tmp_path)
-    assert [system for system in ("linux64", "win64") for note in made.notes if f"only for {system}" in note]
-    names = zipfile.ZipFile(made.written[0]).namelist()
-    assert {"modelDescription.xml", "sources/fmu.c"} <= set(names)
-    assert not [name for name in names if name.startswith("binaries")]
-    assert validate_fmu(str(made.written[0])) == []

@@ -7,15 +7,12 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from joints import COMPILER, STRICT, sindy, subject
 
 from pipeline.export import fmu
 from pipeline.export import sources as texts
 from pipeline.export.crate import environment_text
 from pipeline.export.subject import Subject, Variable, realise
-from pipeline.export.templates import words
 from pipeline.reporting.tables import disarmed, nrmse_table, render
 
 HOSTILE = (
@@ -35,7 +32,8 @@ ALLOWED = re.compile(r"[\n\t -~]*")
 
 def hostile(text: str) -> Subject:
     """A model whose every text is this one."""
-    what = subject(replace(sindy(), diagnostics={"structure": text, "equations": text}, units=(text, text)), 1.0)
+    told = {"structure": text, "equations": text}
+    what = subject(sindy().model_copy(update={"diagnostics": told, "units": (text, text)}), 1.0)
     return replace(what, prototype=text, origin=text, validity=replace(what.validity, q_unit=text, v_units=(text,) * 2))
 
 
@@ -71,13 +69,6 @@ def test_no_text_leaves_its_comment_or_attribute(text: str, tmp_path: Path) -> N
         subprocess.run(
             [COMPILER, *STRICT, "-trigraphs", "-fsyntax-only", f"{what.identifier}.c"], cwd=tmp_path, check=True
         )
-
-
-@given(st.text())
-def test_words_are_one_line_that_ends_nothing(text: str) -> None:
-    found = words(text)
-    assert re.fullmatch(r"[ -~]*", found)
-    assert not re.search(r'\*/|/\*|\?\?|["\\]', found) and words(found) == found
 
 
 def test_an_environment_holds_no_option_of_pip() -> None:

@@ -1,7 +1,6 @@
 """MATLAB: the function and the lookup tables, run under GNU Octave where it is installed."""
 
 import subprocess
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -76,9 +75,3 @@ def test_the_mat_file_carries_units_range_and_the_models_own_run(tmp_path):
     np.testing.assert_array_equal(held["validity"]["q"], what.validity.q)
     np.testing.assert_array_equal(held["check"]["q"], what.model.simulate(what.t, what.v, *what.start).q)
     assert write_matlab(what, tmp_path / "again").written[1].read_bytes() == data.read_bytes()
-
-
-def test_a_name_that_matlab_would_cut_is_short_and_its_own():
-    what = subject(paper(), 0.5)
-    names = {replace(what, prototype=f"{'long ' * 11}{end}").identifier for end in "ab"}
-    assert len(names) == 2 and all(len(name) <= 63 for name in names)

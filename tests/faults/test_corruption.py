@@ -86,17 +86,6 @@ def test_a_forged_key_is_named(bench, key, value, said):
         load_manifest(bench.run)
 
 
-def test_a_note_that_is_missing_is_named_by_who_asks_for_it(bench):
-    bench.start("intact")
-    name = next(name for name in bench.expected if "predictions" in name)
-    _forged(bench.run / MANIFEST, lambda document: document["artifacts"][name]["notes"]["horizons"].update(one_step={}))
-    notes = load_manifest(bench.run).artifacts[name].notes
-    with pytest.raises(
-        CorruptArtifactError, match=rf"{MANIFEST}: artifacts\.{name}\.notes\.horizons\.one_step: nrmse is"
-    ):
-        notes["horizons"]["one_step"]["nrmse"]
-
-
 def test_what_is_damaged_is_set_aside_named_and_rebuilt(bench):
     bench.start("intact")
     rng = random.Random(7)

@@ -10,8 +10,7 @@ from pathlib import Path
 import pytest
 
 from pipeline import isolation
-from pipeline.batch.worker import Worker
-from pipeline.isolation import Isolated, death, in_processes
+from pipeline.isolation import Isolated, death
 from tests.prototypes import SMALL_CSV
 
 PLANTED = ("cli", "typer", "numpy", "struct", "json", "pipeline", "multiprocessing", "pyarrow", "sitecustomize")
@@ -36,11 +35,6 @@ def fails(send):
 def sleeps(send, *_):
     send(os.getpid())
     time.sleep(120)
-
-
-def pid_of(_):
-    time.sleep(0.1)
-    return os.getpid()
 
 
 @pytest.fixture
@@ -96,14 +90,6 @@ def test_a_script_needs_no_guard(tmp_path, method):
     assert ended.stdout == "script\n('time', 'q', 'u')\n", ended.stderr
 
 
-def test_messages_come_from_the_current_folder_and_another_main_module(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys.modules["__main__"], "SCRIPT", True, raising=False)
-    with Isolated(greets, "you") as process:
-        assert list(process) == [{"hello": "you", "here": str(tmp_path.resolve()), "main": False}]
-        assert (process.exit_code(), process.words(), process.late) == (0, "", False)
-
-
 def test_a_death_has_the_name_of_its_signal_and_a_failure_its_words():
     with Isolated(crashes) as process:
         assert list(process) == [] and death(process.exit_code()) == "SIGSEGV"
@@ -118,12 +104,6 @@ def test_a_time_limit_ends_a_process():
     with Isolated(sleeps, time_limit=1.0) as process:
         assert len(list(process)) <= 1 and process.exit_code() == -signal.SIGKILL and process.late
     assert time.monotonic() - began < 60.0
-
-
-def test_whoever_leaves_ends_the_process():
-    with Isolated(sleeps) as process:
-        pid = next(iter(process))
-    assert not _runs(pid)
 
 
 @METHODS
@@ -141,19 +121,8 @@ def test_a_process_ends_with_its_killed_parent(method):
     assert not _runs(pid)
 
 
-def test_a_worker_that_is_left_ends(tmp_path):
-    with Worker(_sleeping, "x", Path("x.toml"), tmp_path) as worker:
-        pid = worker._process.pid
-    assert pid is not None and not _runs(pid)
-
-
 def _sleeping(command: list[str]) -> None:
     time.sleep(120)
-
-
-def test_results_of_several_processes_come_in_order():
-    assert list(in_processes(abs, [-3, 2, -1], 2)) == [3, 2, 1]
-    assert os.getpid() not in set(in_processes(pid_of, range(4), 2))
 
 
 def test_a_temporary_folder_of_a_long_name_takes_new_interpreters(tmp_path, monkeypatch):

@@ -10,7 +10,6 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.errors import InputError
 from pipeline.stages.run import run_stage
-from pipeline.tools.verify import verify_everything
 from tests.prototypes import Silent
 
 MINE = "a file of the user\n"
@@ -84,10 +83,3 @@ def test_no_hard_link_leads_a_write_out(bench, victim, name):
     except InputError as refused:
         assert "is missing" in str(refused)
     assert _state(victim) == before
-
-
-def test_the_run_folder_itself_may_be_named_by_a_link(bench, tmp_path):
-    bench.start("changed")
-    (tmp_path / "latest").symlink_to(bench.run)
-    run_stage(tmp_path / "latest", "differentiate", Silent())
-    assert not verify_everything(bench.run).problems

@@ -1,6 +1,5 @@
 """Where a command meets the world: full outputs, odd names, other people's caches, what the environment says."""
 
-import errno
 import json
 import os
 import shutil
@@ -14,12 +13,9 @@ from typer.testing import CliRunner
 
 import debist as library
 from cli import app
-from pipeline.commands import boundary
 from pipeline.errors import InputError
 from pipeline.kernel_cache import check_private
 from pipeline.machine import ONE_THREAD
-from pipeline.settings import parse_prototype
-from tests.faults.test_names import _document
 
 DEBIST = [sys.executable, "-P", "-c", "from cli import app; app()"]
 
@@ -60,21 +56,6 @@ def test_an_output_that_takes_nothing_is_a_line(bench, arguments):
     assert "the output cannot be written: No space left on device" in lines[0]
 
 
-@pytest.mark.parametrize(("may_read", "said"), [(False, "cannot be read"), (True, "cannot be written")])
-def test_what_is_denied_is_named(tmp_path, monkeypatch, may_read, said):
-    monkeypatch.setattr("os.access", lambda *_: may_read)
-    told = boundary._told(PermissionError(errno.EACCES, "denied", str(tmp_path)))
-    assert told is not None and f"{tmp_path}: {said}: Permission denied" in told
-
-
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-def test_messages_that_cannot_be_written_fail_no_command(bench):
-    bench.start("intact")
-    with Path("/dev/full").open("w") as full:
-        command = [*DEBIST, "run", str(bench.prototype), "-o", str(bench.run), "--no-report"]
-        assert subprocess.run(command, stdout=subprocess.DEVNULL, stderr=full, check=False).returncode == 0
-
-
 @pytest.mark.skipif(os.name == "nt", reason="the shell's redirections")
 @pytest.mark.parametrize(
     ("closed", "code"),
@@ -87,13 +68,6 @@ def test_streams_that_are_closed_change_no_exit_code(bench, closed, code):
         ["sh", "-c", f'"$@" {closed}', "sh", *DEBIST, "verify", str(bench.run)], capture_output=True, check=False
     )
     assert ended.returncode == code, ended.stderr
-
-
-def test_a_parent_that_ignores_the_end_of_processes_changes_nothing(bench):
-    log = bench.prototype.with_name("train.csv")
-    script = f'trap "" CHLD; exec "$@" inspect {log}'
-    ended = subprocess.run(["sh", "-c", script, "sh", *DEBIST], capture_output=True, check=False)
-    assert ended.returncode == 0, ended.stderr
 
 
 @pytest.mark.parametrize("command", [pytest.param("run", marks=pytest.mark.long), "batch"])
@@ -166,23 +140,6 @@ def test_an_output_that_is_a_file_is_a_line(bench, tmp_path, command):
     assert str(place) in lines[0] and place.read_text() == "mine"
 
 
-def test_a_disk_that_is_full_where_nobody_names_a_file_is_a_line(monkeypatch):
-    """Kernels are saved by numba, which names none."""
-
-    def full(_: object) -> None:
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-
-    monkeypatch.setattr("pipeline.warmup.warm_up", full)
-    done = CliRunner().invoke(app, ["warmup"])
-    assert done.exit_code == 2
-    assert "No space left on device; make room" in done.stderr and "Traceback" not in done.stderr
-
-
-def test_logs_that_some_disks_take_for_one_are_refused():
-    with pytest.raises(InputError, match="two logs are named"):
-        parse_prototype(_document(logs={"train": ["a/Log.csv", "b/log.csv"]}), "P.toml")
-
-
 def _told(program: str, **environment: str) -> str:
     done = subprocess.run(
         [sys.executable, "-P", "-c", program],
@@ -194,27 +151,6 @@ def _told(program: str, **environment: str) -> str:
     )
     assert done.returncode == 0, done.stderr
     return done.stdout
-
-
-def test_threads_of_blas_are_set_whatever_the_environment_says():
-    program = (
-        "from pipeline.machine import settle_machine; settle_machine(); import os, hashlib, numpy as np; "
-        "a = np.random.default_rng(1).normal(size=(400, 400)); q, r = np.linalg.qr(a @ a.T); "
-        "print(hashlib.sha256(q.tobytes() + r.tobytes()).hexdigest(), os.environ['OMP_NUM_THREADS'])"
-    )
-    assert _told(program) == _told(program, **dict.fromkeys(ONE_THREAD, "2"))
-
-
-def test_figures_and_the_compiler_are_settled_whatever_the_environment_says(tmp_path):
-    (tmp_path / "matplotlibrc").write_text("axes.xmargin: 0.4\ntext.usetex: True\n")
-    program = (
-        "from pipeline.machine import import_configured, settle_machine; settle_machine(); import os; "
-        "rc = import_configured('matplotlib').rcParams; print(rc['axes.xmargin'], rc['text.usetex']); "
-        "print(import_configured('numba').config.DISABLE_JIT)"
-    )
-    own = {"MPLBACKEND": "none such", "MPLCONFIGDIR": f"{tmp_path}", "NUMBA_DISABLE_JIT": "1"}
-    for named in (own, own | {"MATPLOTLIBRC": str(tmp_path / "matplotlibrc")}):
-        assert _told(program, **named).split() == ["0.05", "False", "0"]
 
 
 def test_threads_of_a_program_that_imports_debist_change_no_result_and_stay_its_own():
@@ -243,10 +179,3 @@ def test_kernels_are_loaded_from_nobody_elses_folder(tmp_path, owner, mode):
     (tmp_path / "theirs").chmod(mode)
     with pytest.raises(InputError, match="others can write into"):
         check_private(tmp_path / "theirs")
-
-
-def test_no_container_file_makes_a_cache_that_everybody_can_write():
-    text = (Path(__file__).parents[2] / "Containerfile").read_text()
-    assert "1777" not in text and "0777" not in text
-    bases = [line.split()[1] for line in text.splitlines() if line.startswith("FROM ")]
-    assert bases and all("@sha256:" in base for base in bases), bases

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pipeline.fitting import descent
 from pipeline.fitting.descent import ParallelDescent, Prior
 from pipeline.fitting.homotopy import Callbacks, Schedule, fit_homotopy
 from pipeline.numerics.arrays import FloatArray
@@ -33,32 +32,6 @@ def test_the_minimum_of_a_curved_valley_is_found(start: tuple[float, float]) -> 
     )  # fmt: skip
     np.testing.assert_allclose(fit.theta, [1.0, 1.0], atol=1e-3)
     assert fit.reached_last
-
-
-def test_bent_steps_go_further_along_the_valley(monkeypatch: pytest.MonkeyPatch) -> None:
-    def left(bend: float) -> float:
-        monkeypatch.setattr(descent, "LARGEST_BEND", bend)
-        weak = Prior(1e-6 * np.eye(2), np.zeros(2))
-        start = np.array([-1.2, 1.0])
-        return fit_homotopy(
-            Valley(), start, weak, Schedule((0.0,), last_iterations=3), descent=ParallelDescent
-        ).levels[-1].rms  # fmt: skip
-
-    assert left(0.75) < 0.5 * left(0.0)
-
-
-def test_no_damping_is_tried_twice(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Steps of nothing lower no cost, so every damping is tried."""
-    tried: list[float] = []
-
-    def bent(state: ParallelDescent, damped: descent._Damped, slope: FloatArray) -> FloatArray:
-        tried.extend(damped.dampings.tolist())
-        return np.tile(state.theta, (len(damped.dampings), 1))
-
-    monkeypatch.setattr(ParallelDescent, "_bent", bent)
-    fit_homotopy(Valley(), np.zeros(2), Prior(np.eye(2), np.zeros(2)), Schedule((0.0,)), descent=ParallelDescent)
-    assert len(tried) > 8
-    np.testing.assert_allclose(np.diff(np.log(tried)), np.log(descent.APART))
 
 
 def test_the_prior_decides_where_data_say_nothing() -> None:

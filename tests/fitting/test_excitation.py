@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from pipeline.errors import InputError
 from pipeline.fitting.excitation import examine_excitation
 from pipeline.rig.bench import Bench, record
 from pipeline.rig.excitation import Burst, alternating_pulses, command
@@ -36,14 +35,6 @@ def test_full_pulses_lack_levels_bandwidth_and_both_sides() -> None:
     assert max(found.bandwidth) < found.ringing and "rings at" in text  # type: ignore[operator]
 
 
-def test_what_is_added_is_no_longer_missing() -> None:
-    chirp = Burst("chirp", 14.5, 6.0, 3000.0, 3000.0, np.array([0.5, 10.0]), NONE)
-    both = Burst("pulse", 21.0, 1.5, 2000.0, 2600.0, NONE, NONE)
-    found, text = examined([*alternating_pulses(duration=14.0), chirp, both])
-    assert "either off or full" not in text and "never act together" not in text
-    assert min(found.bandwidth) > 2.0 * max(examined(alternating_pulses(duration=24.0))[0].bandwidth)
-
-
 def test_one_side_alone_leaves_one_well_and_a_silent_input() -> None:
     pulses = [Burst("pulse", start, 1.0, 3000.0, 0.0, NONE, NONE) for start in (1.0, 3.0, 5.0)]
     q, v = played(pulses, 8.0)
@@ -51,52 +42,6 @@ def test_one_side_alone_leaves_one_well_and_a_silent_input() -> None:
     text = " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm"))
     assert "no two wells" in text and "V2 never acts" in text
     assert found.conditioning.silent == len(found.centres)
-
-
-def test_weaker_inputs_and_thin_places_are_told() -> None:
-    t = np.arange(3000) * 0.01
-    q = 0.01 * np.sign(np.sin(0.7 * t)) + 1e-4 * np.sin(9 * t)
-    v = np.stack([3000.0 * (np.sin(0.7 * t) > 0), 1500.0 * (np.sin(0.7 * t) < 0)], axis=1)
-    found = examine_excitation(q, v, np.zeros(t.size, dtype=np.int64), 0.01, joint=True)
-    text = " | ".join(each.finding for each in shortfalls(found, ("V1", "V2"), 1e3, "mm"))
-    assert "V2 reaches 50 % of the other input only" in text
-    assert "0 samples, below 20" in text
-    assert found.visits.visits.sum() == t.size
-
-
-def test_gaps_are_left_out_and_an_empty_record_is_refused() -> None:
-    q, v = played(alternating_pulses(duration=10.0), 10.0)
-    segment = np.where(np.arange(q.size) < 500, 0, 1)
-    segment[495:520] = -1
-    masked = np.where(segment < 0, np.nan, q)
-    found = examine_excitation(masked, v, segment, 0.01, joint=True)
-    assert found.visits.visits.sum() == q.size - 25
-    with pytest.raises(InputError, match="no gap-free stretch"):
-        examine_excitation(np.full(50, np.nan), v[:50], np.full(50, -1), 0.01, joint=True)
-
-
-def test_another_device_than_the_joint_needs_no_two_wells() -> None:
-    t = np.arange(3000) * 0.01
-    found = examine_excitation(
-        np.sin(t) ** 3,
-        np.sign(np.sin(3.0 * t))[:, None],
-        np.zeros(t.size, dtype=np.int64),
-        0.01,
-        inputs="linear",
-        joint=True,
-    )
-    assert any("no two wells" in each.finding for each in shortfalls(found, ("u",), 1.0, "rad"))
-    told = shortfalls(found, ("u",), 1.0, "rad", joint=False)
-    twice = examine_excitation(
-        np.sign(np.sin(0.3 * t)),
-        (np.sin(0.3 * t) > 0.0)[:, None] * 1.0,
-        np.zeros(t.size, dtype=np.int64),
-        0.01,
-        joint=True,
-    )
-    told += shortfalls(twice, ("u",), 1.0, "rad", joint=False)
-    assert not any("well" in each.finding or "well" in each.add for each in told)
-    assert not any("snap" in each.finding for each in told)
 
 
 def _rings(q: np.ndarray, interval: float, v: np.ndarray) -> float | None:

@@ -40,10 +40,3 @@ def test_a_column_that_was_never_excited_gets_the_weight_zero_and_an_infinite_co
     assert fit.weights.tolist() == pytest.approx([1.0, 0.0])
     assert fit.rank == 1
     assert fit.condition == np.inf
-
-
-def test_fewer_rows_than_columns_give_the_solution_of_least_norm():
-    matrix = np.array([[3.0, 4.0, 0.0]])
-    fit = pseudo_inverse_fit(*triangular_factor([np.column_stack((matrix, [10.0]))]))
-    scaled = np.linalg.pinv(matrix / np.array([3.0, 4.0, 1.0])) @ [10.0] / np.array([3.0, 4.0, 1.0])
-    assert fit.weights == pytest.approx(scaled)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.fitting.trends import Trend, smoothed, trend
+from pipeline.fitting.trends import smoothed, trend
 
 T = np.array([0.0, 2.0, 3.0, 7.0, 12.0, 13.0, 20.0, 30.0])
 ERRORS = np.array([1.0, 0.5, 2.0, 1.0, 1.0, 5.0, 1.0, 0.7])
@@ -35,12 +35,6 @@ def test_a_step_is_claimed_with_its_size_and_its_place() -> None:
     assert len(stepped) > 90
     assert np.mean([abs(each.step - 15.0) < each.step_error for each in stepped]) >= 0.9
     assert np.mean([each.after <= 3.0 and each.before >= 7.0 for each in stepped]) >= 0.9
-
-
-def test_of_three_measurements_nothing_is_said_and_of_five_no_step() -> None:
-    assert trend(T[:3], 1e3 * T[:3], ERRORS[:3], 0.05) == Trend("unknown")
-    five = trend(T[:5], 1e3 * T[:5], ERRORS[:5], 0.05)
-    assert five.kind == "line" and five.step is None and five.slope == pytest.approx(1e3)
 
 
 def test_all_measurements_together_are_surer_of_what_does_not_change_and_follow_what_does() -> None:

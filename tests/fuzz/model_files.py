@@ -14,7 +14,7 @@ import h5py
 import numpy as np
 from hypothesis import strategies as st
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.errors import DebistError
 from pipeline.export import fmu, sources
 from pipeline.export.templates import words

@@ -35,13 +35,6 @@ def test_voltages_keep_the_time_that_stands_beside_them(tmp_path):
     np.testing.assert_allclose(record["v1"][far], wanted[far], atol=1e-6)
 
 
-def test_times_of_a_table_without_a_common_one(tmp_path):
-    both = [f'{k} = {{ channel = "{k[0]}", unit = "{u}", time = {{ channel = "t_{k[0]}", unit = "s" }} }}'
-            for k, u in (("q", "mm"), ("v1", "V"))]  # fmt: skip
-    _, record = ingested(tmp_path, {"t_q": T, "q": Q, "t_v": T + 0.5, "v": V}, "\n".join(both))
-    assert record["t"][0] == pytest.approx(0.5)
-
-
 def test_a_signed_monitor_of_both_membranes(tmp_path):
     halves = "\n".join(
         f'{key} = {{ channel = "v", unit = "V", part = "{part}" }}'
@@ -74,15 +67,6 @@ def test_codes_in_an_input_are_masked_and_told(tmp_path, code, declared):
     assert record["v1"].min() > -50.0 and record["v1"].max() < 3000.0
 
 
-def test_rows_that_are_left_out_where_time_steps_back_are_counted(tmp_path):
-    restarted = np.concatenate((T[:3000], T[:5000]))
-    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
-    more = '[ingest]\ntime_reversal = "split"\n'
-    warnings, _ = ingested(tmp_path, {"t": restarted, "q": Q, "v": np.abs(V)}, channels, more)
-    (told,) = [warning for warning in warnings if "steps back" in warning]
-    assert "3000 of 8000 rows (38 %) are left out" in told and "logs of their own" in told
-
-
 @pytest.mark.parametrize("period", [0.65536, 4.0, 7.9])
 def test_a_counter_that_begins_anew_is_unwrapped(tmp_path, period):
     channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
@@ -101,15 +85,6 @@ def test_one_stamp_far_ahead_is_refused_before_a_record_of_that_length_is_made(t
     assert "holds 8 s of samples within 1e+12 s" in told
 
 
-def test_spikes_have_no_part_in_advice(tmp_path):
-    spoilt = Q.copy()
-    spoilt[50::100] = 999.0
-    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
-    warnings, _ = ingested(tmp_path, {"t": T, "q": spoilt, "v": np.abs(V)}, channels)
-    assert any("80 single-sample spikes masked" in warning for warning in warnings)
-    assert not any("sample_interval" in warning or "looks" in warning for warning in warnings)
-
-
 @pytest.mark.parametrize("names", [("X_Value", "X_Value"), ("t_q", "t_v"), ("Time", "v time")])
 def test_each_channel_is_on_the_clock_beside_it(tmp_path, names):
     """As LabVIEW, ControlDesk and INCA write them; the settings name the time of one channel."""
@@ -126,19 +101,6 @@ def test_each_channel_is_on_the_clock_beside_it(tmp_path, names):
     record = RunFolder.open(tmp_path / "run").read_table("train/log/record.parquet")
     rises = record["t"][np.argmax(record["v1"] > 1400.0)] - T[np.argmax(V > 1400.0)]
     assert rises == pytest.approx(0.012, abs=2e-3) and "a clock of its own" in result.output
-
-
-def test_a_second_clock_that_counts_from_elsewhere_is_named_and_not_used(tmp_path):
-    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
-    warnings, record = ingested(tmp_path, {"t": T, "q": Q, "t_v": T + 5000.0, "v": V}, channels)
-    assert any("'t_v', which differs from 't'" in text for text in warnings) and record["t"][-1] < 10.0
-
-
-def test_a_temperature_is_no_clock(tmp_path):
-    channels = TIME + 'q = { channel = "q", unit = "mm" }\nv1 = { channel = "v", unit = "V" }'
-    warm = 4.0 + np.sin(T)
-    warnings, _ = ingested(tmp_path, {"t": T, "q": Q, "T": warm, "v": V}, channels)
-    assert not warnings
 
 
 def test_a_rate_that_the_log_states_against_that_of_the_settings(tmp_path):

@@ -13,7 +13,6 @@ from pipeline.loading.documents import read_document
 from pipeline.runs import layout
 from pipeline.runs.schemas import misfit
 
-ROW = {"log": "training log", "what": "range of q", "found": "1 mm", "limit": "", "state": "ok", "gate": None}
 MAP = {
     "maps": [{"to": "right", "voltages": [1.0], "durations": [0.1], "probability": [[0.5]], "lowest": []}],
     "more": 1.5,
@@ -35,11 +34,6 @@ class Held:
 
 def read(name: str, content: bytes) -> dict:
     return read_document(Held(content), name)  # type: ignore[arg-type]
-
-
-def test_documents_are_read_as_they_are() -> None:
-    assert read(layout.CHECK, json.dumps({"rows": [ROW]}).encode()) == {"rows": [ROW]}
-    assert read(layout.control("map"), json.dumps(MAP).encode()) == MAP
 
 
 @pytest.mark.parametrize(

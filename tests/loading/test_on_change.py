@@ -59,19 +59,6 @@ def test_without_the_setting_the_log_is_refused_with_it_named(tmp_path, form):
     assert "on_change = true" in " ".join(result.output.split())
 
 
-@pytest.mark.parametrize("form", ["csv", "mf4"])
-def test_a_first_settings_file_proposes_it(tmp_path, form):
-    write(tmp_path, form)
-    told = RUNNER.invoke(app, ["init", str(tmp_path / f"log.{form}")]).output
-    (line,) = [line for line in told.splitlines() if line.startswith("v1 = ")]
-    assert "on_change = true" in line and "on_change" not in told.replace(line, "")
-
-
-def test_a_displacement_moves_between_its_samples(tmp_path):
-    result = ingested(tmp_path, "csv", of="q")
-    assert result.exit_code == 2 and "q cannot be recorded on change" in result.output
-
-
 def test_held_samples_are_the_last_finite_ones():
     rng = np.random.default_rng(0)
     time = np.cumsum(rng.uniform(0.5, 1.5, CHUNK + 999))

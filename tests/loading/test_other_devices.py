@@ -1,16 +1,13 @@
 """Logs of other devices: in volts of their data acquisition, without a time channel, of an electronic circuit."""
 
-import json
 import re
 
 import numpy as np
 import pytest
-from scipy.io import savemat
 from typer.testing import CliRunner
 
 from cli import app
 from pipeline.runs.run_folder import RunFolder
-from tests.prototypes import settings
 
 RUNNER = CliRunner()
 RATE = 200.0
@@ -49,24 +46,6 @@ def test_a_log_without_time_is_read_at_its_sample_rate_and_refused_without_one(t
     assert t[-1] == pytest.approx(799 / RATE, abs=0.011)
 
 
-def test_channels_of_different_length_are_not_put_on_one_sample_rate(tmp_path):
-    columns = {"multisine": np.arange(900.0), "sweep": np.arange(1200.0)}
-    savemat(tmp_path / "log.mat", columns)
-    settings = """name = "P"
-[logs]
-train = ["log.mat"]
-[channels]
-q = { channel = "multisine", unit = "mm" }
-v1 = { channel = "sweep", unit = "V" }
-[ingest]
-sample_rate = 100.0
-"""
-    (tmp_path / "P.toml").write_text(settings, encoding="utf-8")
-    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "P.toml")])
-    assert result.exit_code == 2
-    assert "'multisine' 900 samples, 'sweep' 1200 samples" in result.output
-
-
 def test_a_log_of_two_megahertz_is_read_in_stretched_time(tmp_path):
     """The way out that the refusal of such an interval names."""
     t = np.arange(800) / 2e6
@@ -82,22 +61,6 @@ def test_a_log_of_two_megahertz_is_read_in_stretched_time(tmp_path):
         assert (result.exit_code == 2) == bool(told) and told in result.output
     table = RunFolder.open(tmp_path / "run").read_table("train/log/signals.parquet")
     assert np.diff(table["t"]) == pytest.approx(5e-3) and table["t"].size >= 799
-
-
-def test_a_circuit_has_its_displacement_in_volts(tmp_path):
-    channels = 'q = { channel = "q", unit = "V" }\nv1 = { channel = "v", unit = "V" }'
-    result, run = ingested(tmp_path, channels, f"[ingest]\nsample_rate = {RATE}")
-    assert result.exit_code == 0, result.output
-    assert RUNNER.invoke(app, ["differentiate", str(run)]).exit_code == 0
-    table = RunFolder.open(run).read_table("train/log/kinematics.parquet")
-    assert np.nanmax(np.abs(table["qdot"])) == pytest.approx(0.2 * 2 * np.pi, rel=0.02)
-    json.loads(result.stdout)
-
-
-def test_a_scale_of_zero_is_refused(tmp_path):
-    result, _ = ingested(tmp_path, 'q = { channel = "q", unit = "mm", scale = 0 }\nv1 = { channel = "v", unit = "V" }')
-    assert result.exit_code == 2
-    assert "scale" in result.output
 
 
 def shaken(folder, velocity_unit="mm/s", acceleration='unit = "m/s^2", scale = 9.81', inputs="linear"):
@@ -149,24 +112,6 @@ def test_what_no_velocity_and_no_acceleration_can_be_is_refused(tmp_path, change
     result = shaken(tmp_path, **changes)
     assert result.exit_code == 2
     assert said in result.output.replace("\n", " ")
-
-
-@pytest.mark.parametrize(
-    ("q", "plant", "said"),
-    [
-        ("deg", 'mass = { value = 40, unit = "g" }', "plant.mass.unit"),
-        ("mm", 'mass = { value = 40, unit = "g m^2" }', "plant.mass.unit"),
-        ("deg", 'parameters = "nominal"', "plant.parameters: q of the joint is a length"),
-    ],
-)
-def test_mass_and_parameter_set_must_suit_what_q_is(tmp_path, q, plant, said):
-    """Else torques would be off by the mass's unit, and angles be taken for metres."""
-    text = settings(f"[plant]\n{plant}\n").replace('"mm"', f'"{q}"')
-    (tmp_path / "P.toml").write_text(text, encoding="utf-8")
-    (tmp_path / "log.csv").write_text("time,q,v1,v2\n0,0,0,0\n", encoding="utf-8")
-    result = RUNNER.invoke(app, ["run", str(tmp_path / "P.toml"), "-o", str(tmp_path / "run")])
-    assert result.exit_code == 2
-    assert said in result.output and not (tmp_path / "run").exists()
 
 
 @pytest.mark.parametrize(("unit", "factor"), [("mm/s", None), ("cm/s", 0.1), ("m/s", 0.001)])

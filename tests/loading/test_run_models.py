@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.loading.report_data import choice_facts
 from pipeline.loading.run_models import compared_models, identified_models, model_artifact, subject_on
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.runs.manifest import Recipe
@@ -29,12 +28,6 @@ def _commit(folder: RunFolder, name: str, notes: dict[str, object]) -> None:
     folder.commit(Recipe("test", "1", {}, {}), {name: folder.write_tree(name, {"x": 1.0}, notes)})
 
 
-def test_the_settings_stand_until_there_is_a_model(run: tuple[RunFolder, Prototype]) -> None:
-    assert identified_models(*run) == ("auto", "rbf", "rbf-paper")
-    with pytest.raises(InputError, match="holds no model yet; `debist identify"):
-        model_artifact(*run, None)
-
-
 def test_the_chosen_model_has_its_true_name_and_is_the_headline(run: tuple[RunFolder, Prototype]) -> None:
     _commit(run[0], "model.h5", {"identified": ["rbf", "rbf-paper"]})
     _commit(run[0], "baselines/sindy.h5", {})
@@ -44,20 +37,6 @@ def test_the_chosen_model_has_its_true_name_and_is_the_headline(run: tuple[RunFo
     assert model_artifact(*run, "sindy") == ("sindy", "baselines/sindy.h5")
     with pytest.raises(InputError, match=r"no model 'hybrid'; it holds rbf, rbf-paper, sindy"):
         model_artifact(*run, "hybrid")
-
-
-def test_the_report_says_why_with_its_interval() -> None:
-    choice = {
-        "chosen": "rbf",
-        "reason": "smaller error",
-        "held_out_error": {"hybrid": 0.03, "rbf": 0.01},
-        "excess_of_the_other": {"low": 0.01, "high": 0.03, "level": 0.95},
-    }
-    told = choice_facts(choice, "rbf")
-    assert told["chosen because"] == "smaller error"
-    assert told["held-out error of hybrid [%]"] == pytest.approx(3.0)
-    assert "1.00 to 3.00 % of the range" in told.values()
-    assert choice_facts(choice, "rbf-paper") == {} == choice_facts(None, "rbf")
 
 
 def test_an_export_does_not_depend_on_the_clock_of_its_log(run: tuple[RunFolder, Prototype]) -> None:

@@ -25,7 +25,3 @@ def known():
 
 def test_the_velocity_is_that_with_which_the_model_follows():
     assert abs(followed_velocity(known(), np.zeros((200, 2)), Line(1.0)) - 0.3) < 1e-9
-
-
-def test_a_model_that_starts_from_rest_keeps_the_measured_velocity():
-    assert followed_velocity(known(), np.zeros((200, 2)), Line(0.0)) == 0.2

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from pipeline.loading.trajectories import load_motion, training
+from pipeline.loading.trajectories import load_motion
 from pipeline.runs import layout
 from pipeline.runs.tables import Table
 from pipeline.settings import Prototype, parse_prototype
@@ -79,19 +79,6 @@ def test_parts_and_segments_carry_them_along() -> None:
         assert segment.v.shape[1:] == (2,)
 
 
-def test_segments_that_meet_are_parted_by_a_row() -> None:
-    kinematics = shelf(1).kinematics | {"segment": np.repeat([0, 1], ROWS // 2)}
-    log = log_of(kinematics | {"q": kinematics["t"], "qdot": kinematics["t"], "qddot": kinematics["t"]})
-    assert [len(segment.t) for segment in log.segments()] == [ROWS // 2, ROWS // 2 - 1]
-    assert np.flatnonzero(log.segment < 0).tolist() == [ROWS // 2]
-
-
-def test_a_record_as_coarse_as_the_samples_adds_nothing() -> None:
-    log = motion_of(shelf(1, more=1))
-    assert log.drive.shape == (ROWS, 2)
-    assert log.fine is None
-
-
 def test_inputs_that_were_zero_before_the_log_begin_at_zero_for_every_model() -> None:
     log = motion_of(shelf(REFINED))
     begun = motion_of(shelf(REFINED), settings(plant={"inputs_before": "zero"}))
@@ -117,16 +104,6 @@ def test_a_log_that_begins_in_motion_is_learned_from_where_its_velocity_is_known
     np.testing.assert_array_equal(whole.past[:, 0], t[:EDGE])
 
 
-def test_first_samples_that_go_where_no_others_do_are_kept() -> None:
-    """A motor that was off before its log: it runs up within ten samples and never comes back down."""
-    t = 0.01 * np.arange(40 * EDGE)
-    q = 10.0 * (1.0 - np.exp(-t / 0.03)) + 2.0 * np.sin(9.0 * t)
-    rates = {"qdot": np.gradient(q, t), "qddot": np.gradient(np.gradient(q, t), t)}
-    log = log_of({"t": t, "segment": np.zeros(t.size, dtype=np.int32), "v1": t, "q": q} | rates)
-    assert log.begins_in_motion
-    assert log.to_fit().known_q.min() == q[0]
-
-
 def test_a_log_without_its_inputs_for_a_while_is_trained_on_in_parts() -> None:
     whole = shelf(1)
     t = whole.kinematics["t"]
@@ -138,16 +115,3 @@ def test_a_log_without_its_inputs_for_a_while_is_trained_on_in_parts() -> None:
     nothing = motion_of(replace(whole, unknown=tuple((t[k], t[k + 2]) for k in range(0, ROWS - 2, 3))))
     assert nothing.part_rows() == [slice(4, ROWS)]
     assert motion_of(whole).recorded.all() and motion_of(whole).part_rows() == [slice(4, ROWS)]
-
-
-def test_parts_that_hold_no_more_than_a_beginning_teach_nothing() -> None:
-    rows = 4 * ROWS
-    t = 0.01 * np.arange(rows)
-    q = np.sin(t)
-    segment = np.where(np.arange(rows) < 20, 0, 1)
-    kinematics = {"t": t, "q": q, "qdot": q, "qddot": q, "v1": t, "v2": -t, "segment": segment}
-    stored = Shelf(kinematics, {"t": t, "v1": t, "v2": -t}, ((t[19], t[31]), (t[120], t[131])))
-    found = training([motion_of(stored)], settings(), None).records
-    assert [float(each.t[-1]) for each in found] == [t[120], t[-1]]
-    (short,) = training([motion_of(shelf(1))], settings(), None).records  # a log is taken however short it is
-    assert len(short.t) == ROWS - 4

@@ -6,8 +6,6 @@ import h5py
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
-from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.runs.hashing import flatten
 from pipeline.runs.trees import read_tree, write_tree
@@ -30,12 +28,3 @@ def test_units_and_meanings_stand_beside_the_numbers_and_do_not_count_in_the_has
     assert told["rbf-paper/width"] == ("m", "Width σ of the basis functions")
     assert told["rbf-paper/lag_s"][0] == "s"
     assert read_tree(tmp_path / "a.h5")["rbf-paper"]["width"] == pytest.approx(model.width)
-
-
-def test_a_joints_parameters_have_the_units_of_the_parameter_set() -> None:
-    model = AnalyticalModel(parameters=NOMINAL)
-    tree = {"analytical": model.to_tree()}
-    told = {path: columns(model)(path) for path, _ in flatten(tree)}
-    assert told["analytical/parameters/left.Y"][0] == "Pa"
-    assert told["analytical/parameters/kappa0"][0] == "1/m"
-    assert all(meaning for _, meaning in told.values())

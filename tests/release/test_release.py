@@ -57,35 +57,6 @@ def test_what_the_package_imports_is_declared_explained_and_locked() -> None:
             assert entry and "debist (pyproject.toml)" in entry[0], f"{name} in {lock.name}"
 
 
-def test_the_container_runs_a_supported_python_and_copies_what_exists() -> None:
-    text = (ROOT / "Containerfile").read_text(encoding="utf-8")
-    supported = {entry.rpartition(" ")[2] for entry in PROJECT["classifiers"] if ":: 3." in entry}
-    assert set(re.findall(r"python:(\d\.\d+)-slim", text)) <= supported
-    allowed = {line[1:] for line in (ROOT / ".containerignore").read_text().splitlines() if line.startswith("!")}
-    copied = [word for line in re.findall(r"^COPY (?!--from)(.+) \S+$", text, re.MULTILINE) for word in line.split()]
-    assert copied and set(copied) == allowed and all((ROOT / name).exists() for name in copied)
-
-
-def test_completion_knows_commands_and_options_and_is_quick() -> None:
-    def complete(words: str) -> tuple[list[str], float]:
-        environment = os.environ | {
-            "_DEBIST_COMPLETE": "complete_bash",
-            "COMP_WORDS": words,
-            "COMP_CWORD": str(len(words.split(" ")) - 1),
-        }
-        before = os.times()
-        script = Path(sys.executable).with_name("debist")
-        done = subprocess.run([script], env=environment, capture_output=True, text=True)
-        after = os.times()
-        return done.stdout.split(), sum(after[2:4]) - sum(before[2:4])
-
-    offered, _ = complete("debist i")
-    assert {"init", "inspect", "ingest", "identify"} <= set(offered) and all(word[0] == "i" for word in offered)
-    results = [complete("debist rig excite --max-") for _ in range(3)]
-    assert set(results[0][0]) == {"--max-voltage"}
-    assert min(seconds for _, seconds in results) < 0.6, "the Tab key must not import the numerics"
-
-
 @pytest.mark.long
 def test_two_builds_are_equal_and_own_three_names(tmp_path: Path) -> None:
     built = []

@@ -35,21 +35,3 @@ def test_every_document_has_its_figure_and_each_is_drawn() -> None:
     assert (volts.y.max(), volts.y[-1], volts.x[-1]) == (3000.0, 0.0, motion.x[-1])
     for figure in found.values():
         assert len(paper_figure(figure, ("hybrid",), "svg")[0]) > 1000
-
-
-def test_a_sharp_edge_of_the_map_is_a_band_that_is_seen() -> None:
-    chances = (np.arange(12)[:, None] + np.arange(10) > 9).astype(float).tolist()
-    durations, voltages = np.geomspace(0.02, 1.0, 10).tolist(), np.linspace(1e3, 3e3, 12).tolist()
-    made = {"to": "right", "probability": chances, "durations": durations, "voltages": voltages}
-    figure = control_figures({"map": {"maps": [made]}})["control-map-right"]
-    assert figure.x_log
-    cells = figure.panels[0].cells
-    assert cells is not None
-    shown = {cells.labels[number] for number in np.unique(cells.index)}
-    assert shown == {"hardly ever switches", "nearly always switches", "may switch: 10 to 90 % of the draws"}
-    assert np.all((cells.index == 3).any(axis=0))  # at every duration
-    assert cells.index[0, 0] == 0 and cells.index[-1, -1] == 2
-
-
-def test_nothing_made_is_no_figure() -> None:
-    assert control_figures({}) == {}

@@ -1,6 +1,5 @@
 """Paper figures: the same bytes for the same figure, and names that are no mathtext."""
 
-import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from importlib.resources import as_file, files
@@ -14,7 +13,7 @@ from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.figure import Figure, Line, Panel
 from pipeline.reporting.plotted import FONT, SANS
 from tests.reporting.figure_font import write_subset
-from tests.reporting.synthetic import HOSTILE, run_data, run_figures
+from tests.reporting.synthetic import HOSTILE
 
 T = np.linspace(0.0, 10.0, 5000)
 NAMED = Figure(
@@ -57,21 +56,6 @@ def test_equal_figures_give_equal_bytes(kind: str) -> None:
     assert first.startswith({"svg": b"<?xml", "pdf": b"%PDF", "png": b"\x89PNG"}[kind])
 
 
-def test_figures_of_a_run_are_drawn_with_embedded_outlines() -> None:
-    figures = run_figures()
-    for name in ("validation-other-models", "curves", "phase-portrait", "excitation"):
-        (drawn,) = paper_figure(figures[name], run_data().model_names, "pdf")
-        assert b"/Type3" not in drawn  # journals refuse bitmap-like Type 3 fonts
-        assert len(drawn) < 400_000
-
-
-def test_powers_of_ten_are_labelled_without_mathtext() -> None:
-    x = np.logspace(-6, 0, 50)
-    figure = Figure("p", "", "", "alpha", "1", (Panel("error", "1", (Line("a", "v1", x, x),), log=True),), x_log=True)
-    (drawn,) = paper_figure(figure, (), "svg")
-    assert not re.search(r"mathdefault|\\times|\$", drawn.decode())
-
-
 def test_the_figure_font_is_todays_subset(tmp_path: Path) -> None:
     write_subset(tmp_path / FONT)
     with (
@@ -82,10 +66,3 @@ def test_the_figure_font_is_todays_subset(tmp_path: Path) -> None:
         assert asset.getBestCmap() == made.getBestCmap()
         assert not {"GSUB", "GPOS"} & set(asset.keys())
         assert asset["name"].getDebugName(1) == SANS[0]
-
-
-def test_a_letter_that_the_figure_font_lacks_comes_from_the_whole_font() -> None:
-    panel = Panel("Ж", "m", (Line("Ж", "rbf", T, np.sin(T)), Line("other", "sindy", T, np.cos(T))))
-    (drawn,) = paper_figure(Figure("f", "", "", "t", "s", (panel,)), ("rbf", "sindy"), "pdf")
-    assert b"DejaVuSansFigures" in drawn
-    assert b"+DejaVuSans " in drawn or b"+DejaVuSans\n" in drawn

@@ -8,10 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.batch.fleet import write_fleet
-from pipeline.batch.worker import Outcome
+from pipeline.device.device import device
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.loading.device import device
 from pipeline.loading.report_data import load_datasheet
 from pipeline.reporting.datasheet_rows import show_datasheet
 from pipeline.reporting.log_figures import LOG_FIGURES
@@ -19,12 +17,9 @@ from pipeline.runs import layout, schemas
 from pipeline.runs.manifest import Recipe
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schedule import bring_up_to_date
-from pipeline.runs.tables import read_table
 from pipeline.settings import Prototype, parse_prototype
 from pipeline.stages import check, report
-from pipeline.tools import plot
-from pipeline.tools.plot import Excerpt, plot_figure, plot_runs, run_figures
-from tests.faults.small_run import drawn_once, once
+from tests.faults.small_run import drawn_once
 from tests.prototypes import Silent
 from tests.reporting.synthetic import HOSTILE, double_well, log_data
 
@@ -61,7 +56,7 @@ def unreported(tmp_path_factory: pytest.TempPathFactory) -> RunFolder:
             (layout.kinematics(role, name), schemas.KINEMATICS, log.kinematics, log.kinematics_notes),
             (layout.predictions(role, name, "rbf-paper"), schemas.PREDICTIONS, free, log.outcomes["rbf"]),
         ):
-            written[artifact] = folder.write_table(artifact, plant.schema(schema), columns, notes)
+            written[artifact] = folder.write_table(artifact, schemas.schema_of(schema, plant), columns, notes)
         score = {column.key: None for column in schemas.SCORES.columns}
         score |= {"log": name, "role": role, "model": "rbf-paper", "signal": "q", "nrmse": 0.01, "rmse": 1e-4}
         rows.append(score | {"unit": "m", "n": 3000, "status": "ok", "switch_accuracy": 1.0})
@@ -119,10 +114,6 @@ def _check_figures_are_made_once(run: RunFolder) -> None:
     assert [status.up_to_date for status in _report(run)] == [True, False]
 
 
-def test_a_report_makes_figures_on_request_only(reported: RunFolder) -> None:
-    assert not (reported.root / "figures").exists()
-
-
 def test_the_same_run_gives_the_same_bytes(reported: RunFolder, tmp_path: Path) -> None:
     run = _copy(reported, tmp_path)
     outputs = [name for name, record in run.manifest.artifacts.items() if record.recipe.stage == "report"]
@@ -153,38 +144,3 @@ def test_show_prints_the_datasheet_and_finds_damage(unreported: RunFolder, repor
     run.path(layout.DATASHEET).write_text("{}", encoding="utf-8")
     with pytest.raises(CorruptArtifactError):
         load_datasheet(run.root)
-
-
-def test_plot_draws_one_figure_of_a_stretch(
-    unreported: RunFolder, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(plot, "prepare", once(plot.prepare, {}))
-    root = unreported.root
-    target = plot_figure(root, "validation-b-signals", tmp_path / "out" / "a.svg", Excerpt(2.0, 5.0))
-    assert target.read_text(encoding="utf-8").startswith("<?xml")
-    assert plot_runs([root], "curves", tmp_path / "many")[0].name == "P1-curves.svg"
-    with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
-        plot_figure(root, "curves", tmp_path / "a.exe")
-    with pytest.raises(InputError, match=r"\.svg, \.pdf, \.png"):
-        plot_runs([root], "curves", tmp_path / "a.jpg")
-    figures = run_figures(root)
-    for name, start, told in (
-        ("curvs", None, "did you mean 'curves'.*it has validation-b-overlay, train-a-signals"),
-        ("nothing", None, "it has validation-b-overlay, train-a-signals"),
-        ("curves", 99.0, "spans"),
-    ):
-        with pytest.raises(InputError, match=told):
-            figures.figure(name, Excerpt(start))
-
-
-def test_a_fleet_page_links_what_is_there_and_says_what_failed(reported: RunFolder, tmp_path: Path) -> None:
-    _copy(reported, tmp_path)
-    members = [("run", 0, ""), ("lost", 0, ""), ("../x", 2, f"no log {HOSTILE}")]
-    write_fleet(tmp_path, [Outcome(name, tmp_path, code, reason) for name, code, reason in members])
-    page = (tmp_path / "fleet.html").read_text(encoding="utf-8")
-    facts = read_table(tmp_path / "fleet-facts.parquet")
-    assert set(facts["prototype"]) == {"run"} and "well_left" in facts["fact"]
-    assert 'href="./run/report.html"' in page
-    assert page.count('href="./') == 1
-    assert "no run here" in page
-    assert "no log $\\frac{1}{$ &lt;script&gt;" in page

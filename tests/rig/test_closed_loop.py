@@ -9,7 +9,6 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.errors import InputError
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.rig.bench import Bench
 from pipeline.rig.joint import potential, rest, saddle, simulate, tip_displacement, wells
@@ -61,19 +60,6 @@ def test_a_controller_is_told_readings_and_targets_once_a_period_and_its_answer_
     assert (run.commands_not_finite, run.commands_clipped) == (200, 400)
 
 
-def test_pushes_drifts_and_factors_act() -> None:
-    idle = python_controller(lambda _q: lambda _q, _target: (0.0, 0.0))
-    calm = run_loop(nominal(), Bench(), STILL, idle).true_q
-    assert np.ptp(calm) < 1e-6
-    pushed = run_loop(nominal(), Bench(), replace(STILL, pushes=((0.1, 20e-3, 0.05),)), idle).true_q
-    assert pushed[200] == pytest.approx(calm[200], abs=1e-6)
-    assert pushed[320] > calm[320] + 0.3e-3
-    higher = run_loop(nominal(), Bench(), replace(STILL, barrier=0.5, duration=2.0), idle).true_q
-    assert higher[-1] < calm[-1] - 0.3e-3  # a higher barrier has its wells farther apart
-    heavier = run_loop(nominal(), Bench(), replace(STILL, mass=1.05), idle).true_q
-    assert heavier[0] < calm[0] - 0.05e-3
-
-
 def test_a_hand_a_shaking_table_and_a_wire_act() -> None:
     idle = python_controller(lambda _q: lambda _q, _target: (0.0, 0.0))
     scenario = replace(STILL, hands=((0.05, 20e-3, 0.3),))
@@ -84,15 +70,6 @@ def test_a_hand_a_shaking_table_and_a_wire_act() -> None:
     pushed = run_loop(nominal(), Bench(), replace(STILL, hands=((0.1, 5e-3, 0.025),)), idle).true_q
     np.testing.assert_allclose(shaken[:240], pushed[:240], atol=1e-7)
     assert np.ptp(shaken[250:]) > 5e-6
-
-
-def test_without_friction_a_joint_rings_longer_and_a_frozen_laser_gives_its_last_value() -> None:
-    idle = python_controller(lambda _q: lambda _q, _target: (0.0, 0.0))
-    p = nominal()._replace(slip_force=np.array([2e-3]), slip_stiffness=np.array([20.0]))
-    knocked = replace(STILL, pushes=((0.0, 0.1, 0.02),), duration=2.0, frozen=((0.1, 0.05),))
-    runs = [run_loop(p, Bench(), replace(knocked, friction=factor), idle) for factor in (1.0, 0.1)]
-    assert np.ptp(runs[1].true_q[-400:]) > 1.5 * np.ptp(runs[0].true_q[-400:])
-    assert np.ptp(runs[0].q[199:300]) == 0.0 < np.ptp(runs[0].q[300:400])
 
 
 @pytest.mark.parametrize(
@@ -115,19 +92,6 @@ def test_a_saddle_is_an_equilibrium_between_the_wells_and_the_truth_comes_back_f
     assert as_json(from_json(json.loads(json.dumps(as_json(p))))) == as_json(p)
 
 
-def test_the_truth_of_an_earlier_version_is_read_and_one_that_lacks_a_number_is_not() -> None:
-    written = as_json(nominal())
-    later = ("plastic_share", "plastic_yield", "softening", "softening_time")
-    assert as_json(from_json({key: x for key, x in written.items() if key not in later})) == written
-    with pytest.raises(KeyError, match="mass"):
-        from_json({key: x for key, x in written.items() if key != "mass"})
-
-
-def test_the_failure_of_a_controller_in_python_is_told() -> None:
-    with pytest.raises(InputError, match="the controller failed: ZeroDivisionError"):
-        run_loop(nominal(), Bench(), STILL, python_controller(lambda _q: lambda _q, _target: (1 / 0, 0.0)))
-
-
 @pytest.fixture
 def still(tmp_path: Path) -> Path:
     """Voltages that do nothing, to play."""
@@ -147,17 +111,6 @@ def test_the_command_writes_a_log_that_can_be_read_with_the_reference_in_it(tmp_
     assert 2.8 < log.channel("HV1_meas").samples.max() < 3.0
     assert [step["t_s"] for step in told["steps"]] == [0.0, pytest.approx(0.1)]
     assert Path(told["files"][1]).read_text(encoding="utf-8").count("run.mat") == 1
-
-
-def test_errors_of_a_moving_reference_and_of_steps_that_do_not_settle_are_printed(tmp_path: Path, still: Path) -> None:
-    t = np.arange(0.0, 1.0, 0.01)
-    rows = [f"{at},{1e-3 * np.sin(6.0 * at)}" for at in t]
-    (tmp_path / "sine.csv").write_text("\n".join(["time [s],target [m]", *rows]))
-    loop = ["rig", "closed-loop", "nominal", "--play", str(still), "--duration", "1s"]
-    moving = CliRunner().invoke(app, [*loop, "--target", str(tmp_path / "sine.csv"), "-o", str(tmp_path / "a")])
-    steps = CliRunner().invoke(app, [*loop, "--target", "0.1s:right", "-o", str(tmp_path / "b")])
-    assert "moving reference: RMS error 11." in moving.output, moving.output  # the joint stays in its well
-    assert "did not settle, then RMS" in steps.output, steps.output
 
 
 def _loop(folder: Path, still: Path, scenario: str, *options: str, joint: str = "nominal") -> str:
@@ -186,28 +139,6 @@ def _loop(folder: Path, still: Path, scenario: str, *options: str, joint: str = 
 def test_a_scenario_that_cannot_be_is_one_line(tmp_path: Path, still: Path, scenario: str, said: str) -> None:
     printed = _loop(tmp_path, still, scenario)
     assert said in printed and printed.count("\n") == 1
-
-
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        (["--target", "3"], "no unit"),
-        (["--controller", "missing"], "either --controller or --play"),
-        (["--target", "0s:left,1s:60mm"], "make sense"),
-        (["--target", "0s:left,5s:right"], "the run is over; raise --duration"),
-    ],
-)
-def test_bad_options_are_one_line(tmp_path: Path, still: Path, options: list[str], said: str) -> None:
-    assert said in _loop(tmp_path, still, "", *options)
-
-
-@pytest.mark.parametrize("joint", ["nowhere", "foreign3"])
-def test_a_mistyped_joint_is_refused(joint: str, tmp_path: Path, still: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also in a folder that holds a joint of its own, which is not the one that was named."""
-    (tmp_path / "truth").mkdir()
-    (tmp_path / "truth" / "truth.json").write_text("{}", encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    assert "no joint of the virtual rig" in _loop(tmp_path, still, "", joint=joint)
 
 
 def test_a_scenario_is_what_its_file_states() -> None:

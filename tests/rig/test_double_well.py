@@ -33,15 +33,6 @@ def test_simulation_agrees_with_an_independent_solver() -> None:
     assert q.max() > 0.01  # it did snap over
 
 
-def test_wells_are_equilibria_and_the_middle_is_not() -> None:
-    truth = DoubleWell()
-    q = np.array([-truth.left_well, truth.right_well])
-    np.testing.assert_allclose(truth.curves(q)["c"], 0.0, atol=1e-12)
-    assert truth.curves(np.zeros(1))["c"][0] == pytest.approx(-truth.stiffness)
-    resting = truth.simulate(np.zeros((3000, 2)), 1e-3)
-    np.testing.assert_allclose(resting, -truth.left_well, rtol=1e-6)
-
-
 def test_converter_keeps_its_limits_and_reaches_its_command() -> None:
     converter, dt = Converter(), 1e-5
     u = np.where(np.arange(6000) < 4000, 3000.0, 0.0)

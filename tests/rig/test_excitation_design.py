@@ -9,11 +9,10 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.errors import InputError
 from pipeline.fitting.information import ScaledRegressor, conditioning, log_information
 from pipeline.rig.excitation import (
-    Burst,
     Sequence,
     alternating_pulses,
     command,
@@ -22,11 +21,9 @@ from pipeline.rig.excitation import (
     save_sequence,
 )
 from pipeline.rig.fleet import Experiment, write_prototype
-from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import parse_prototype
 from pipeline.settings_file import read_options
 from pipeline.tools.excitation import DesignFile, ExcitationLimits, ExcitationSource, drawn_simulators, film
-from pipeline.tools.excitation_design import Design, Requirements, assess, design_excitation, probed_wells
+from pipeline.tools.excitation_design import Design, Requirements, assess, design_excitation
 
 WANTED = Requirements(duration=14.0, candidates=6)
 
@@ -62,14 +59,6 @@ def test_information_adds_up_and_does_not_care_for_units() -> None:
     assert conditioning(rows.T @ rows).condition == pytest.approx(1.0)
 
 
-def test_what_a_motion_never_touches_is_silent() -> None:
-    q, qdot, v = motion(0)
-    weights = ScaledRegressor.over(q, qdot, v.max(axis=0))
-    one_sided = weights.information(q, qdot, v * [1.0, 0.0], 0.01)
-    assert conditioning(one_sided).silent == len(weights.centres)
-    assert log_information(one_sided) < log_information(weights.information(q, qdot, v, 0.01)) - 1.0
-
-
 def test_a_design_beats_plain_pulses_and_random_programmes(design, simulators) -> None:
     assert design.efficiency > 1.5
     random = [
@@ -81,34 +70,6 @@ def test_a_design_beats_plain_pulses_and_random_programmes(design, simulators) -
     assert design.designed.criterion > max(each.criterion for each in random)
     assert design.designed.covered > design.plain.covered
     assert min(design.designed.crossings) >= 4, "both wells, on every joint"
-
-
-def test_passages_are_counted_in_a_sequence_that_never_rests(design, simulators) -> None:
-    none = np.empty(0)
-    sides = [(3000.0, 0.0), (0.0, 3000.0)]
-    restless = [Burst("pulse", 1.0 + k, 1.0, *sides[k % 2], none, none) for k in range(13)]
-    found = assess(simulators, design.weights, design.wells, restless, 14.0)
-    assert min(found.crossings) >= 10
-
-
-def back_after_long_pulses(t, v):
-    """A joint that a pulse of up to 0.5 s takes to the other well, and a longer one back to where it was."""
-    on = v.max(axis=1) > 1500.0
-    q, well, began = np.empty(t.size), -0.01, 0
-    for i in range(t.size):
-        if i and on[i] and not on[i - 1]:
-            began = i
-        if i and on[i - 1] and not on[i] and t[i] - t[began] < 0.5:
-            well = 0.01 if v[i - 1, 0] > v[i - 1, 1] else -0.01
-        q[i] = well
-    return q, np.zeros(t.size)
-
-
-def test_the_wells_need_no_certain_length_of_pulse(simulators) -> None:
-    found = probed_wells(back_after_long_pulses, 3000.0)
-    assert (found.left, found.right) == (-0.01, 0.01)
-    with pytest.raises(InputError, match="do not take the joint from well to well"):
-        probed_wells(simulators[0], 300.0)
 
 
 def test_a_design_keeps_the_limits_and_follows_the_seed(design, simulators) -> None:
@@ -131,15 +92,6 @@ def test_the_field_limits_the_voltage() -> None:
     assert ExcitationLimits().largest(*film(ExcitationSource(), thin)) == pytest.approx(1800.0)
 
 
-def test_the_film_of_a_runs_settings_limits_the_voltage(tmp_path: Path) -> None:
-    channels = {key: {"channel": key, "unit": unit} for key, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}
-    plant = {"film_thickness": {"value": 40, "unit": "um"}, "field_limit": {"value": 50, "unit": "MV/m"}}
-    settings = {"name": "P", "logs": {"train": ["a.csv"]}, "channels": channels, "plant": plant}
-    prototype = parse_prototype(settings, "P.toml")
-    run = RunFolder.create(tmp_path / "run", prototype.model_dump(mode="json"), tmp_path / "P.toml")
-    assert film(ExcitationSource(run=run.root), NOMINAL) == pytest.approx((40e-6, 50e6))
-
-
 @pytest.mark.parametrize("ending", [".csv", ".mat"])
 def test_a_sequence_is_read_back_as_it_was_written(ending: str, tmp_path: Path) -> None:
     t = np.arange(4000) / 1e3
@@ -151,18 +103,6 @@ def test_a_sequence_is_read_back_as_it_was_written(ending: str, tmp_path: Path) 
     fine = np.arange(40_000) / 1e4
     held = found.at(fine)
     assert (held == np.repeat(found.u, 10, axis=0)).all()
-
-
-def test_simulink_finds_a_structure_with_time(tmp_path: Path) -> None:
-    from scipy.io import loadmat
-
-    t = np.arange(100) / 1e3
-    u = np.stack([t, 2 * t], axis=1)
-    save_sequence(tmp_path / "s.mat", Sequence(t, u), {})
-    structure = loadmat(tmp_path / "s.mat", simplify_cells=True)["excitation"]
-    np.testing.assert_array_equal(structure["time"], t)
-    np.testing.assert_array_equal(structure["signals"]["values"], u)
-    assert structure["signals"]["dimensions"] == 2
 
 
 def test_the_virtual_rig_plays_a_sequence(tmp_path: Path) -> None:
@@ -193,25 +133,6 @@ def test_the_command_designs_writes_and_says_what_it_gains(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        (["--max-voltage", "0.8 kV"], "800 V do not take the joint from well to well"),
-        (["-o", "x.txt"], r"x\.txt.*\.csv or \.mat"),
-        (["--max-voltage", "3"], "no unit"),
-        (["--duration", "3 s"], "5 to 3600 s"),
-        (["--parameters", "nomial"], "did you mean 'nominal'"),
-        (["--run", "nowhere"], "nowhere"),
-    ],
-)
-def test_what_cannot_be_designed_is_one_line(options: list[str], words: str, tmp_path: Path) -> None:
-    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), *options])
-    assert result.exit_code == 2
-    import re
-
-    assert re.search(words, result.stderr) and "Traceback" not in result.stderr
-
-
-@pytest.mark.parametrize(
     ("text", "words"),
     [
         ('kinds = ["fire"]', "kinds"),
@@ -224,9 +145,3 @@ def test_a_mistake_in_the_file_of_a_design_is_one_line(text: str, words: str, tm
     (tmp_path / "d.toml").write_text(text)
     with pytest.raises(InputError, match=words):
         read_options(tmp_path / "d.toml", DesignFile)
-
-
-def test_a_damaged_sequence_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "s.csv").write_text("time [s],v1 [V],v2 [V]\n0,0,0\n1,5,0\n1,6,0\n2,0,0\n")
-    with pytest.raises(InputError, match="times that advance"):
-        load_sequence(tmp_path / "s.csv")

@@ -9,14 +9,13 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-import pipeline.rig.random_joint
 from pipeline.commands.rig import app
 from pipeline.errors import InputError
 from pipeline.rig.excitation import MAX_VOLTAGE, SHARES, command, random_excitation
-from pipeline.rig.fleet import Experiment, draw, simulate_fleet, write_prototype
-from pipeline.rig.joint import simulate, wells
+from pipeline.rig.fleet import Experiment, draw, write_prototype
+from pipeline.rig.joint import simulate
 from pipeline.rig.log import KINDS, LAYOUTS, RawLog, inject_faults
-from pipeline.rig.parameters import CHAIN, RigParameters, as_json, from_json, nominal, sized
+from pipeline.rig.parameters import CHAIN, RigParameters, as_json, nominal, sized
 from pipeline.rig_logs import read_recording
 
 SHORT = Experiment(kind="nominal", rate=2000.0, duration=4.0, format="parquet")
@@ -62,14 +61,6 @@ def test_a_joint_of_another_size_moves_alike_and_slower(kind: RigParameters, siz
     np.testing.assert_allclose(other / size, drawn, atol=1e-4 * np.ptp(drawn))
 
 
-def test_logs_of_another_size_come_without_the_drawing(tmp_path: Path) -> None:
-    toml = write_prototype(tmp_path, "X", replace(SHORT, size=2.0), seed=2)
-    truth = truth_of(toml)
-    assert max(truth["wells_m"]) == pytest.approx(2.0 * max(wells(nominal())), rel=1e-3)
-    assert truth["bench"]["laser"]["rail"] == pytest.approx(50e-3)
-    assert "parameters" not in tomllib.loads(toml.read_text(encoding="utf-8"))["plant"]
-
-
 def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None:
     from pyarrow import parquet
 
@@ -82,34 +73,6 @@ def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None
     for stem, found in records.items():
         written = parquet.read_table(tmp_path / "truth" / f"{stem}.parquet").to_pydict()
         np.testing.assert_array_equal(found.true_q[::2], written["q"])
-
-
-def test_a_seed_decides_everything_and_logs_differ(tmp_path: Path) -> None:
-    folders = [tmp_path / name for name in "abc"]
-    for folder, seed in zip(folders, (5, 5, 6), strict=True):
-        write_prototype(folder, "X", replace(SHORT, training_logs=2), seed=seed)
-    files = ["train.parquet", "train-2.parquet", "validation.parquet", "truth/truth.json"]
-    for name in files:
-        assert (folders[0] / name).read_bytes() == (folders[1] / name).read_bytes()
-        assert (folders[0] / name).read_bytes() != (folders[2] / name).read_bytes()
-    assert len({(folders[0] / name).read_bytes() for name in files}) == 4
-
-
-def test_drawn_prototypes_have_two_wells_and_switch(tmp_path: Path) -> None:
-    from pyarrow import parquet
-
-    for toml in simulate_fleet(tmp_path, 2, Experiment(rate=2000.0, duration=12.0, format="parquet"), seed=3):
-        truth = truth_of(toml)
-        left, right = truth["wells_m"]  # type: ignore[misc]
-        assert -14e-3 < left < -5e-3 < 5e-3 < right < 14e-3
-        q = np.array(parquet.read_table(toml.parent / "truth" / "validation.parquet")["q"])
-        assert q[0] == pytest.approx(left, abs=1e-5), "it starts at rest on the left"
-        assert q.min() < 0.8 * left and q.max() > 0.8 * right
-        ramp = np.minimum(np.arange(0.0, 12.0, 1e-3) / 10.0, 1.0) * 0.8 * MAX_VOLTAGE
-        sent = simulate(from_json(truth["joint"]), np.column_stack([ramp, 0.0 * ramp]), 1e-3, stride=1)  # type: ignore[arg-type]
-        assert sent.q[-1] > 0.0, "80 % of the converters' voltage switches it without overshoot"
-    assert {path.name for path in tmp_path.iterdir()} == {"same-00", "foreign-01"}
-    assert truth["joint"]["beam"] == "chain" and truth["joint"]["rubber"] != "neo-hookean"  # type: ignore[index]
 
 
 @pytest.mark.parametrize("excitation", SHARES)
@@ -145,21 +108,6 @@ def test_faults_are_put_where_they_are_said_to_be() -> None:
 
 
 @pytest.mark.parametrize(
-    ("settings", "words"),
-    [
-        ({"format": "tdms"}, "--format tdms.*mf4"),
-        ({"kind": "spring"}, "--kind spring.*foreign"),
-        ({"excitation": "noise"}, "excitation = noise.*chirps"),
-        ({"rate": 9000.0}, "multiples of 2000 Hz"),
-        ({"duration": 1.0}, "2 to 3600 s"),
-    ],
-)
-def test_what_the_rig_cannot_do_is_said(settings: dict[str, object], words: str) -> None:
-    with pytest.raises(InputError, match=words):
-        Experiment(**settings)  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize(
     ("text", "said"),
     [
         ('fault = ["gaps"]', "did you mean 'faults'"),
@@ -187,11 +135,3 @@ def test_commands_write_and_say_where(tmp_path: Path) -> None:
     assert len(many.stderr.splitlines()) == 2
     quiet = CliRunner().invoke(app, ["fleet", "2", "-o", str(tmp_path / "more"), "-q", *options])
     assert (quiet.exit_code, quiet.stderr) == (0, "")
-
-
-def test_a_joint_that_switches_is_found_behind_many_that_do_not(monkeypatch: pytest.MonkeyPatch) -> None:
-    answers = iter([*[False] * 120, True])
-    monkeypatch.setattr(pipeline.rig.random_joint, "_tuned", lambda p, target: p)
-    monkeypatch.setattr(pipeline.rig.random_joint, "_switches", lambda p: next(answers))
-    assert pipeline.rig.random_joint.random_joint(np.random.default_rng(1), "same").mass > 0.0
-    assert next(answers, None) is None

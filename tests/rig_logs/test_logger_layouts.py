@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from pipeline.device.device import device
 from pipeline.errors import InputError
-from pipeline.loading.device import device
 from pipeline.loading.si_log import read_si
 from pipeline.rig_logs.source import UnreadableLogError
 from pipeline.settings import parse_prototype

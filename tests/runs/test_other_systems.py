@@ -1,8 +1,6 @@
 """What Windows and other disks do differently, by stand-ins: files that are open elsewhere, long paths, names."""
 
 import errno
-import os
-import stat
 from pathlib import Path
 
 import pytest
@@ -10,7 +8,7 @@ import pytest
 from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.names import check_name
 from pipeline.runs import atomic, layout
-from pipeline.runs.atomic import reading, write_text
+from pipeline.runs.atomic import write_text
 from pipeline.runs.manifest import MANIFEST, Recipe, load_manifest
 from pipeline.runs.run_folder import RunFolder
 
@@ -71,34 +69,6 @@ def test_a_commit_that_meets_an_open_file_is_completed_by_the_next_run(tmp_path,
     assert (run.root / "one.json").read_text() == "new" and again.problem("one.json") is None
 
 
-@pytest.mark.parametrize("code", [errno.ENAMETOOLONG, errno.ENOENT])
-def test_a_path_that_is_too_long_is_a_line(tmp_path, monkeypatch, code):
-    """Windows says of a path of 260 characters that it does not exist."""
-    target = tmp_path / ("a" * 120) / ("b" * 120) / "c.json"
-    write_text(target, "whole")
-
-    def too_long(path, *_, **__):
-        raise OSError(code, os.strerror(code), str(path))
-
-    monkeypatch.setattr(Path, "write_bytes", too_long)
-    with pytest.raises(InputError, match=r"c\.json: cannot be written: the path is too long") as caught:
-        write_text(target, "more")
-    assert "\n" not in str(caught.value) and target.read_text() == "whole"
-
-
-def test_folders_are_not_synced_where_they_cannot_be(tmp_path, monkeypatch):
-    sync = os.fsync
-
-    def refused(descriptor):
-        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
-            raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))
-        sync(descriptor)
-
-    monkeypatch.setattr(os, "fsync", refused)
-    write_text(tmp_path / "a.json", "x")
-    assert (tmp_path / "a.json").read_text() == "x"
-
-
 @pytest.mark.parametrize("name", ["C:/x.json", "C:x.json", "//host/share/x", "a\\b.json", "..\\x", "a/../../x", "/x"])
 def test_no_name_of_an_artifact_leaves_the_run_on_any_system(tmp_path, name):
     assert not layout.inside(name)
@@ -116,13 +86,3 @@ def test_no_name_of_an_artifact_leaves_the_run_on_any_system(tmp_path, name):
 def test_names_that_windows_reserves_or_changes_are_refused(name):
     with pytest.raises(ValueError, match="rename it"):
         check_name(name)
-
-
-@pytest.mark.parametrize(
-    ("named", "told"),
-    [("run/scores.parquet", "run/scores.parquet"), ("predictions", "run"), (7, "run"), (None, "run")],
-    ids=["a file within", "a bare name", "a descriptor", "nothing"],
-)
-def test_what_cannot_be_read_is_named_whatever_the_system_named(named, told):
-    with pytest.raises(InputError, match=f"^{told}: cannot be read: Input/output error"), reading(Path("run")):
-        raise OSError(errno.EIO, "Input/output error", named)

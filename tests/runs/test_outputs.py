@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.runs.outputs import WRITTEN, check_places, new_outputs
+from pipeline.runs.outputs import WRITTEN, new_outputs
 
 MINE = "measured for a week\n"
 SETTINGS = 'name = "P"\n[logs]\ntrain = ["rig/train.mat"]\nvalidation = ["rig/validation.mat"]\n'
@@ -62,14 +62,6 @@ def test_after_an_interruption_while_files_move_the_same_command_starts_again(tm
         _write(tmp_path, "four")
 
 
-def test_a_file_that_was_not_announced_is_refused_too_and_nothing_else_is_written(tmp_path):
-    (tmp_path / "truth").mkdir()
-    (tmp_path / "truth" / "truth.json").write_text(MINE)
-    with pytest.raises(InputError, match=r"truth\.json: is there already"):
-        _write(tmp_path, "one")
-    assert not (tmp_path / "train.mat").exists() and (tmp_path / "truth/truth.json").read_text() == MINE
-
-
 def test_a_raw_log_of_settings_is_never_replaced(tmp_path, monkeypatch):
     """Whether the settings lie beside it, above it, or in the current folder; links do not hide it."""
     rig, elsewhere = tmp_path / "rig", tmp_path / "else" / "where"
@@ -93,14 +85,6 @@ def test_a_failure_leaves_what_was_there(tmp_path):
         raise ValueError("stop")
     assert (tmp_path / "train.mat").read_text() == "one"
     assert not [path for path in tmp_path.iterdir() if path.name.endswith(".debist-tmp")]
-
-
-def test_a_list_that_somebody_spoilt_counts_for_nothing(tmp_path):
-    _write(tmp_path, "one")
-    for content in ("{", "[" * 100_000, '{"files": 3}', '{"files": {"train.mat": 1}}'):
-        (tmp_path / WRITTEN).write_text(content)
-        with pytest.raises(InputError, match="is there already"):
-            check_places(tmp_path, ["train.mat"], "test", force=False)
 
 
 @pytest.mark.parametrize(

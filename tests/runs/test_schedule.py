@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.errors import InputError, SeveralMistakesError, warn_user
+from pipeline.errors import InputError, SeveralMistakesError
 from pipeline.runs.engine import After, Task
 from pipeline.runs.run_folder import RunFolder, Written
 from pipeline.runs.schedule import bring_up_to_date
@@ -43,11 +43,6 @@ def _write(run: RunFolder, name: str, inputs: tuple[str, ...], seconds: float) -
 def _fail(run: RunFolder, seconds: float, text: str) -> Mapping[str, Written]:
     time.sleep(seconds)
     raise SeveralMistakesError(text, ["one", "two"])
-
-
-def _warn(run: RunFolder) -> Mapping[str, Written]:
-    warn_user("look at this")
-    return {"w": run.write_text("w", "w", {})}
 
 
 def _task(name: str, *inputs: str, seconds: float = 0.0) -> Task:
@@ -93,9 +88,3 @@ def test_the_first_error_of_the_plan_is_raised_and_earlier_tasks_are_kept(tmp_pa
         assert "a" in run.manifest.artifacts
         assert not {"x", "y"} & run.manifest.artifacts.keys()
         assert not list(run.root.glob(".*staged*"))
-
-
-def test_warnings_of_other_processes_reach_the_user(tmp_path):
-    task = Task("stage", "w", "1", {}, (), ("w",), _warn)
-    with pytest.warns(UserWarning, match="look at this"):
-        bring_up_to_date(_folder(tmp_path), [task], Silent(), jobs=2)

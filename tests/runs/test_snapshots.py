@@ -114,12 +114,3 @@ def test_a_log_that_changes_between_its_hash_and_its_reading_is_refused(tmp_path
         bring_up_to_date(run, [task], Silent())
     assert not RunFolder.open(run.root).manifest.artifacts
     assert not [path for path in run.root.iterdir() if path.name != "manifest.json"]
-
-
-def test_a_log_that_is_left_alone_is_read(tmp_path):
-    (tmp_path / "log.csv").write_text("first")
-    run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
-    work = lambda run: {"one.json": run.write_text("one.json", "x", {})}  # noqa: E731
-    task = Task("ingest", "log", "1", {}, (), ("one.json",), work, sources={"log.csv": tmp_path / "log.csv"})
-    assert not bring_up_to_date(run, [task], Silent())[0].up_to_date
-    assert bring_up_to_date(RunFolder.open(run.root), [task], Silent())[0].up_to_date

@@ -10,7 +10,6 @@ from pipeline.numerics.arrays import FloatArray, IntArray
 from pipeline.scoring.cross_validation import (
     block_folds,
     fold_score,
-    free_run_error,
     held_out_blocks,
     kept_segments,
     log_folds,
@@ -79,21 +78,6 @@ def test_no_model_is_scored_on_what_it_has_seen(deal) -> None:  # type: ignore[n
         assert sum(len(x.t) for x in train + test) == 900
 
 
-def test_blocks_hold_equally_many_rows_and_no_fold_all_the_starts() -> None:
-    masked = np.zeros(100, dtype=np.int64)
-    masked[:40] = -1
-    folds = block_folds([np.zeros(100, dtype=np.int64), masked], 5)
-    assert [int(np.sum(folds[0] == k)) for k in range(5)] == [20] * 5
-    assert [int(np.sum(folds[1] == k)) for k in range(5)] == [12] * 5 and np.all(folds[1][:40] == -1)
-    assert folds[0][0] != folds[1][40]
-
-
-def test_what_is_left_of_a_stretch_on_both_sides_of_a_cut_is_two() -> None:
-    segment = np.array([-1, 0, 0, 0, 0, -1, 1, 1, 1])
-    keep = np.array([True, True, False, True, True, True, True, True, False])
-    np.testing.assert_array_equal(kept_segments(segment, keep), [-1, 0, -1, 1, 1, -1, 2, 2, -1])
-
-
 def test_a_divergence_counts_as_a_missed_fold_in_the_wrong_well() -> None:
     x = square(100)
 
@@ -141,10 +125,3 @@ def test_the_simplest_within_one_standard_error_is_chosen() -> None:
     }
     assert simplest_within_one_standard_error(errors, {"rich": 40, "lean": 12, "poor": 3}) == "lean"
     assert simplest_within_one_standard_error(errors, {"rich": 12, "lean": 12, "poor": 3}) == "rich"
-
-
-def test_a_diverged_block_counts_as_one_and_no_more() -> None:
-    measured = np.array([0.0, 1.0, 0.0])
-    assert free_run_error(measured, np.array([0.0, np.nan, np.nan]), 1.0) == 1.0
-    assert free_run_error(measured, measured + 100.0, 1.0) == 1.0
-    assert free_run_error(measured, measured + 0.1, 1.0) == pytest.approx(0.1)

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from pipeline.errors import DataRefusedError
 from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.data_study import amount_study, held_out_error, noise_study
+from pipeline.scoring.data_study import amount_study, noise_study
 from pipeline.signals.trajectory import Trajectory
 
 
@@ -66,14 +65,6 @@ def test_stretches_differ_between_repeats_and_repeat_with_the_seed() -> None:
     assert starts(1) == starts(1)
 
 
-def test_refusals_are_counted_and_leave_no_error() -> None:
-    def refuse(data: Sequence[Trajectory]) -> Offset:
-        raise DataRefusedError("only one well is visited")
-
-    (point,) = amount_study([sine(500)], [sine(100)], refuse, [100], repeats=4, rng=np.random.default_rng(0))
-    assert (point.errors, point.refused, point.median) == ((), 4, None)
-
-
 def test_noise_is_added_before_differentiation_and_only_to_training_data() -> None:
     def identify(data: Sequence[Trajectory]) -> Offset:
         return Offset(float(np.std(data[0].q - np.sin(data[0].t))))
@@ -87,9 +78,3 @@ def test_noise_is_added_before_differentiation_and_only_to_training_data() -> No
     span = np.ptp(np.sin(0.01 * np.arange(1000)))
     assert points[0].errors == (0.0,)
     assert points[1].median == pytest.approx(0.1 / span, rel=0.05)
-
-
-def test_divergence_counts_as_one() -> None:
-    assert held_out_error(Offset(np.nan), [sine(1000)]) == 1.0
-    half = held_out_error(Offset(0.0), [sine(1000)])
-    assert half == 0.0

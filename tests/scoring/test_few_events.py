@@ -15,14 +15,6 @@ def test_the_share_has_the_interval_of_jeffreys(right: int) -> None:
     assert (band.low, band.high) == (pytest.approx(low), pytest.approx(high))
 
 
-def test_fourteen_of_fourteen_is_no_certainty() -> None:
-    perfect, never = share_interval(14, 14), share_interval(0, 14)
-    assert perfect is not None and never is not None
-    assert perfect.high == 1.0 and 0.8 < perfect.low < 0.9
-    assert never.low == 0.0 and never.high == pytest.approx(1.0 - perfect.low)
-    assert share_interval(0, 0) is None
-
-
 def test_coverage_of_a_share() -> None:
     """Averaged over true shares, 95 % nominal covers 93 to 97 % of the outcomes of 12 pulses (Brown et al. 2001)."""
     bands = [share_interval(k, 12) for k in range(13)]
@@ -42,7 +34,3 @@ def test_median_interval_covers_the_true_median() -> None:
     bands = [median_interval(rng.exponential(size=11).tolist(), rng) for _ in range(300)]
     covered = [band.low <= np.log(2.0) <= band.high for band in bands if band is not None]
     assert len(covered) == 300 and 0.88 < np.mean(covered) < 0.99
-
-
-def test_three_switches_have_no_interval() -> None:
-    assert median_interval([0.1, 0.2, 0.3], np.random.default_rng(0)) is None

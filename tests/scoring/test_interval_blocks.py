@@ -46,17 +46,3 @@ def test_a_lead_that_slow_errors_make_by_chance_is_none() -> None:
         assert band is not None
         sure += band.low > 0.0
     assert sure <= 15
-
-
-def test_a_log_of_milliseconds_has_an_interval() -> None:
-    error = first_order(5.0, 1000, np.random.default_rng(4))
-    rng = np.random.default_rng(0)
-    assert rms_interval(error, block_of((error,), 1e-5, joint=True), rng) is None
-    assert rms_interval(error, block_of((error,), 1e-5, joint=False), rng) is not None
-
-
-def test_a_block_is_no_shorter_than_two_seconds_and_no_longer_than_an_eighth_of_the_log() -> None:
-    white, slow = (first_order(memory, 4000, np.random.default_rng(5)) for memory in (0.1, 3000.0))
-    assert block_of((white,), 0.01, joint=False) == block_of((slow,), 0.01, joint=True) == 200
-    assert block_of((slow,), 0.01, joint=False) == block_of((slow, white), 0.01, joint=False) == 500
-    assert block_of((white[:4],), 1.0, joint=False) == 3  # too few for any interval

@@ -41,15 +41,6 @@ def test_blocks_keep_the_dependence_that_single_rows_lose() -> None:
     assert wide.high - wide.low > 4 * (narrow.high - narrow.low)
 
 
-def test_masked_rows_count_in_no_mean() -> None:
-    squares = np.where(np.arange(1000) % 3 == 0, np.nan, 4.0)
-    np.testing.assert_array_equal(block_means(squares, 50, np.random.default_rng(5)), 4.0)
-
-
-def test_a_record_shorter_than_three_blocks_has_no_interval() -> None:
-    assert rms_interval(np.ones(250), 100, np.random.default_rng(6)) is None
-
-
 def test_pairing_sees_a_difference_that_hides_between_separate_intervals() -> None:
     rng = np.random.default_rng(7)
     shared = np.repeat(rng.exponential(size=40), 100) * rng.normal(size=4000)

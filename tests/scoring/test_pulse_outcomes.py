@@ -14,12 +14,6 @@ def test_shares_become_probabilities_and_a_split_ensemble_hinges():
     assert found.ambiguous.tolist() == [False, True]
 
 
-def test_diverged_members_count_for_neither_well():
-    ensemble = np.ones((12, 4))
-    ensemble[:6, 2:] = np.nan
-    assert pulse_outcomes(ensemble, [slice(0, 4)], WELLS).probability_right == pytest.approx([7 / 8])
-
-
 def test_calibrated_probabilities_score_better_than_overconfident_ones():
     rng = np.random.default_rng(1)
     truth = rng.uniform(size=400)

@@ -22,15 +22,3 @@ def test_a_lead_by_one_event_is_none() -> None:
     lucky[3000:3100] += 2.9
     band = excess_over_lowest({"lucky": lucky, "unlucky": unlucky}, 0.01, 0, joint=True)["unlucky"]
     assert band is not None and band.low < 0.0 < band.high
-
-
-def test_equal_models_differ_by_nothing_and_one_alone_by_no_other() -> None:
-    band = excess_over_lowest({"a": SHARED, "b": SHARED.copy()}, 0.01, 0, joint=True)["b"]
-    assert band is not None and band.low == band.high == 0.0
-    assert excess_over_lowest({"a": SHARED}, 0.01, 0, joint=True) == {}
-
-
-def test_masked_rows_are_left_out_and_short_records_have_no_interval() -> None:
-    masked = np.where(np.arange(4000) % 7 == 0, np.nan, SHARED)
-    assert excess_over_lowest({"a": masked, "b": 1.1 * masked}, 0.01, 0, joint=True)["b"] is not None
-    assert excess_over_lowest({"a": SHARED[:300], "b": SHARED[:300]}, 0.01, 0, joint=True)["b"] is None

@@ -5,7 +5,7 @@ import pytest
 
 from pipeline.numerics.metrics import nrmse
 from pipeline.scoring.scores import Score, score_run
-from pipeline.scoring.wells import NoWells, Wells
+from pipeline.scoring.wells import Wells
 
 DT = 0.01
 T = DT * np.arange(2000)
@@ -50,26 +50,6 @@ def test_shares_carry_intervals_that_hold_them() -> None:
     assert row.switch_accuracy_interval.low < row.switch_accuracy < row.switch_accuracy_interval.high
 
 
-def test_agreement_throughout_is_known_as_well_as_so_many_blocks_tell() -> None:
-    """20 s are ten blocks of 2 s: Jeffreys' interval of ten out of ten."""
-    row = scored(Q)["q"]
-    assert row.well_agreement_interval is not None
-    assert (row.well_agreement_interval.low, row.well_agreement_interval.high) == (pytest.approx(0.783, abs=1e-3), 1.0)
-
-
-def test_a_few_wrong_samples_make_no_surer_agreement_than_none() -> None:
-    nearly = Q.copy()
-    nearly[1000:1004] *= -1.0
-    sure, unsure = (scored(run)["q"].well_agreement_interval for run in (nearly, Q))
-    assert sure is not None and unsure is not None
-    assert sure.low <= unsure.low and sure.high <= unsure.high
-
-
-def test_wells_belong_to_q_only() -> None:
-    assert scored(Q)["qdot"].well_agreement is None
-    assert scored(Q)["qdot"].switch_accuracy is None
-
-
 def test_a_diverged_run_is_not_flattered_by_the_part_before() -> None:
     calculated = Q.copy()
     calculated[1500:] = np.nan
@@ -77,13 +57,3 @@ def test_a_diverged_run_is_not_flattered_by_the_part_before() -> None:
     assert (row.nrmse, row.rmse, row.nrmse_interval) == (None, None, None)
     assert (row.status, row.diverged_at_s, row.n) == ("diverged", 15.0, 1500)
     assert row.well_agreement == pytest.approx(0.75, abs=0.01)
-
-
-def test_unknown_wells_leave_their_columns_empty() -> None:
-    row = scored(Q, wells=NoWells("one cluster"))["q"]
-    assert row.well_agreement is None and row.switch_accuracy is None
-    assert row.nrmse == 0.0
-
-
-def test_the_same_seed_gives_the_same_interval() -> None:
-    assert scored(1.01 * Q)["q"] == scored(1.01 * Q)["q"]

@@ -7,15 +7,12 @@ from scipy.signal import lfilter
 from pipeline.device_facts.events import rest_facts
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import (
-    SHORT_PAUSE,
     NoWells,
     Wells,
     find_wells,
     in_same_well,
-    outermost_pair,
     places_of_rest,
     rests,
-    snaps,
     switch_accuracy,
 )
 
@@ -58,49 +55,10 @@ def test_pauses_in_which_the_joint_still_swings_hide_no_wells() -> None:
     assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
 
 
-def test_slow_passages_between_the_wells_hide_none() -> None:
-    q, v = record("lrlrrlll", rest=2.0)
-    found = rests(v, DT, joint=True)
-    for rest, end in ((found[3], -0.003), (found[4], 0.005), (found[6], 0.001)):
-        q[rest] = np.linspace(end + 0.010, end, rest.stop - rest.start)  # 2 mm in the last 0.4 s
-    wells = find_wells([(q, v, DT)], joint=True)
-    assert isinstance(wells, Wells)
-    assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=5e-4), pytest.approx(0.012, abs=5e-4))
-
-
-def test_a_pause_in_which_the_joint_passes_over_is_no_well() -> None:
-    q, v = record("llll")
-    q[-80:] = np.linspace(0.014, -0.014, 80)  # from far on the right, where it never rested
-    assert isinstance(find_wells([(q, v, DT)], joint=True), NoWells)
-
-
-def test_short_pauses_tell_of_a_well_in_which_nothing_rested() -> None:
-    (q, v), (brief, more) = record("lll"), record("lrlrl", rest=0.2)
-    log = (np.concatenate([q, brief]), np.concatenate([v, more]), DT)
-    assert isinstance(find_wells([log], joint=True), NoWells)
-    wells = find_wells([log], SHORT_PAUSE, joint=True)
-    assert isinstance(wells, Wells)
-    assert (wells.left, wells.right) == (pytest.approx(-0.010, abs=3e-3), pytest.approx(0.012, abs=3e-3))
-
-
-def test_wells_of_two_logs_that_visit_one_each() -> None:
-    logs = [(*record("ll"), DT), (*record("rrr"), DT)]
-    assert isinstance(find_wells(logs, joint=True), Wells)
-    assert all(isinstance(find_wells([log], joint=True), NoWells) for log in logs)
-
-
 @pytest.mark.parametrize("q_of_t", [lambda t: np.sin(t), lambda t: np.full_like(t, 0.01)], ids=["linear", "still"])
 def test_a_device_without_two_wells_has_none(q_of_t) -> None:  # type: ignore[no-untyped-def]
     q, v = record("lrlr")
     assert isinstance(find_wells([(q_of_t(DT * np.arange(q.size)), v, DT)], joint=True), NoWells)
-
-
-def test_a_voltage_that_is_never_off_leaves_no_rest() -> None:
-    q, _ = record("lr")
-    always_on = np.full((q.size, 1), 40.0)
-    assert rests(always_on, DT, joint=True) == []
-    found = find_wells([(q, always_on, DT)], joint=True)
-    assert isinstance(found, NoWells) and "never at rest" in found.reason
 
 
 def test_a_chirp_counts_as_one_pulse() -> None:
@@ -145,11 +103,6 @@ def test_no_pulse_is_undefined_and_not_perfect() -> None:
     assert switch_accuracy(q, q, np.zeros((300, 2)), DT, WELLS, joint=True).share is None
 
 
-def test_a_snap_is_no_row_that_is_masked() -> None:
-    q = np.array([0.012, 0.012, np.nan, 0.008, -0.010, np.nan, -0.010, 0.012])
-    assert snaps(q, WELLS).tolist() == [4, 7]
-
-
 def heater(pause: int, memory: float = 400.0) -> tuple[FloatArray, FloatArray]:
     """A first-order device, a sample every 2 s: heating of so many samples and pauses as long, and noise."""
     v = np.repeat(1 - np.arange(3000 // pause) % 2, pause)[:, None].astype(np.float64)
@@ -176,20 +129,6 @@ def test_a_device_that_comes_to_rest_rests_there() -> None:
 def test_the_wells_of_another_bistable_device_are_found_too() -> None:
     q, v = record("lrlr")
     assert isinstance(find_wells([(q, v, DT)], joint=False), Wells)
-
-
-def test_an_input_in_small_numbers_is_on_all_the_same() -> None:
-    v = np.zeros((2000, 2))
-    v[200:500, 0], v[700:1000, 1] = 100.0, 1.0  # percent and ampere
-    assert rests(v, DT, joint=False) == [slice(0, 200), slice(500, 700), slice(1000, 2000)]
-    v[:, 1] = np.random.default_rng(0).normal(0.0, 0.1, 2000)  # an input that is never used
-    assert rests(v, DT, joint=False) == [slice(0, 200), slice(500, 2000)]
-
-
-def test_of_several_passes_the_highest_is_the_saddle() -> None:
-    stable = [True, False, True, False, True]
-    assert outermost_pair(stable, [0.0, 1.0, 0.2, 3.0, 0.1]) == (0, 3, 4)
-    assert outermost_pair([True, False], [0.0, 1.0]) is None and outermost_pair([True, True], [0.0, 1.0]) is None
 
 
 def test_a_rest_at_the_barrier_among_many_does_not_hide_the_wells() -> None:

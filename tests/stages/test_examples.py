@@ -7,7 +7,6 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.settings import load_prototype
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
@@ -25,8 +24,3 @@ def test_its_logs_are_written_and_are_what_it_says(name: str, tmp_path: Path, mo
     result = CliRunner().invoke(app, ["check", f"examples/{name}.toml", "-q"])
     assert result.exit_code == 0, result.output
     assert "no contradiction" in result.stdout
-
-
-@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
-def test_it_is_a_settings_file(path: Path) -> None:
-    assert load_prototype(path).name == path.stem

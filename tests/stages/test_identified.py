@@ -6,12 +6,10 @@ from typing import Any
 
 import pytest
 
-from pipeline.errors import DataRefusedError
-from pipeline.model_list import ENTRIES
 from pipeline.models.choose import Choice
 from pipeline.models.kind import Training
-from pipeline.settings import Identify, Quantity, parse_prototype
-from pipeline.stages import compare, identify
+from pipeline.settings import Identify, parse_prototype
+from pipeline.stages import identify
 
 CHANNELS = {key: {"channel": key, "unit": unit} for key, unit in (("q", "mm"), ("v1", "kV"), ("v2", "kV"))}
 PROTOTYPE = parse_prototype({"name": "P", "logs": {"train": ["a.csv"]}, "channels": CHANNELS}, "P.toml")
@@ -72,28 +70,3 @@ def test_the_network_has_a_row_and_is_fitted_once(
     assert fitted == Counter({"rbf": networks, "rbf-paper": 1})
     assert notes["identified"] == [name for name in models if (name, model) != ("hybrid", "rbf")]
     assert notes.get("equations") == (other if other == "hybrid" else None)
-
-
-def test_logs_that_refuse_the_network_leave_a_warning_and_the_other_models(
-    fitted: Counter[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def refused(*_: object) -> None:
-        raise DataRefusedError("training logs: only one well")
-
-    monkeypatch.setattr(identify, "_network", refused)
-    models, notes = chosen(monkeypatch, "hybrid", None)
-    assert models == ["hybrid", "rbf-paper"] == notes["identified"]
-    assert notes["warnings"] == ["rbf is not among the models: training logs: only one well"]
-
-
-def test_the_mass_alone_fits_again_what_depends_on_it():
-    heavy = PROTOTYPE.model_copy(
-        update={"plant": PROTOTYPE.plant.model_copy(update={"mass": Quantity(value=1.0, unit="kg")})}
-    )
-    again = {
-        model.name
-        for model in ENTRIES
-        if model.part == "compare"
-        and compare.task(PROTOTYPE, None, model.name).settings != compare.task(heavy, None, model.name).settings
-    }
-    assert again == {"sindy", "sindy-default"}

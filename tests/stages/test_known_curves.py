@@ -1,14 +1,11 @@
 """Curves from a test stand through the commands: the identified joint keeps them; the settings must make sense."""
 
 import numpy as np
-import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.errors import InputError
 from pipeline.models.rbf.model import RbfModel
 from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import parse_prototype
 from tests.double_well import DoubleWell
 from tests.prototypes import motion, settings, write_csv
 
@@ -41,10 +38,3 @@ def test_the_model_keeps_the_curves_of_the_file(tmp_path):
     found = model.curves(q)
     for name, measured in stand.items():
         assert np.abs(found[name] - measured).max() < 0.03 * np.abs(measured).max(), name
-
-
-def test_curves_need_a_mass():
-    channels = {name: {"channel": name, "unit": unit} for name, unit in (("q", "mm"), ("v1", "V"), ("v2", "V"))}
-    document = {"name": "x", "logs": {"train": ["a.csv"]}, "channels": channels, "plant": {"curves": "a.csv"}}
-    with pytest.raises(InputError, match=r"plant\.mass"):
-        parse_prototype(document, "x.toml")

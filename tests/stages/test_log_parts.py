@@ -10,7 +10,6 @@ from cli import app
 from pipeline.runs import layout
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import load_prototype
-from pipeline.tools.export import _relocated
 from tests.prototypes import motion, settings, write_csv
 
 RUNNER = CliRunner()
@@ -55,9 +54,6 @@ def test_parts_of_one_recording_train_and_validate(folder: Path) -> None:
     assert "long from 0.3 min" in RUNNER.invoke(app, ["validate", str(run), "--details"]).stdout
     recipe = RunFolder.open(run).record(layout.signals("train", names[0])).recipe
     assert list(recipe.inputs) == ["long.csv"] and recipe.settings["part"] == {"stop_s": 9.0}
-    moved, inputs = _relocated(RunFolder.open(run), load_prototype(prototype))
-    assert [log["file"] for log in moved["logs"]["train"]] == ["inputs/train/long.csv"] * 2
-    assert set(inputs) == {"inputs/train/long.csv", "inputs/validation/long.csv"}
     _settings(folder, f"{TRAIN}, {TWO}", LAST.replace("0.3 min", "0.35 min"))
     assert "part" in RUNNER.invoke(app, ["status", str(run)]).output
 
@@ -81,11 +77,3 @@ def test_what_cannot_be_meant_is_refused(folder: Path, train: str, validation: s
     prototype = _settings(folder, train, validation, name="refused")
     result = RUNNER.invoke(app, ["ingest", str(prototype), "-o", str(folder / "refused")])
     assert result.exit_code == 2 and text in result.stderr, result.stderr
-
-
-def test_a_copy_of_a_part_is_no_validation(folder: Path) -> None:
-    lines = (folder / "long.csv").read_text().splitlines(keepends=True)
-    (folder / "copy.csv").write_text("".join([lines[0], *lines[801:4801]]))
-    prototype = _settings(folder, '{ file = "long.csv", stop = "14 s" }', '"copy.csv"', name="copied")
-    result = RUNNER.invoke(app, ["run", str(prototype), "-o", str(folder / "copied"), "--no-report"])
-    assert result.exit_code == 2 and "holds the recording of the training log" in result.stderr, result.stderr

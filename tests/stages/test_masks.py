@@ -44,23 +44,6 @@ def test_a_saturated_span_is_masked_counted_and_told(tmp_path):
     assert np.abs(table["q"][known] - 0.01 * np.sin(2 * np.pi * 0.8 * table["t"][known])).max() < 2e-5
 
 
-def test_the_settings_can_keep_all_samples(tmp_path):
-    run = _ingested(tmp_path, '[ingest]\nrails = "keep"\nspikes = "keep"\n')
-    notes = run.record("train/log/signals.parquet").notes
-    assert notes["masked_at_rails"] == notes["masked_spikes"] == notes["masked_rows"] == 0
-
-
-def test_a_gap_is_told_with_its_place(tmp_path):
-    t = np.delete(np.arange(6000) / 1000.0, slice(3000, 3500))
-    table = np.column_stack([t, 10.0 * np.sin(2 * np.pi * 0.8 * t), 3.0 * (np.sin(t) > 0)])
-    np.savetxt(tmp_path / "log.csv", table, fmt="%.6f", delimiter=",", header="time,q,v1", comments="")
-    (tmp_path / "p.toml").write_text(settings(inputs=["v1"]), encoding="utf-8")
-    result = RUNNER.invoke(app, ["ingest", str(tmp_path / "p.toml"), "-o", str(tmp_path / "run")])
-    assert result.exit_code == 0, result.output
-    notes = RunFolder.open(tmp_path / "run").record("train/log/signals.parquet").notes
-    assert any("1 gap in time, from 2.999 to 3.5 s" in text for text in notes["warnings"])
-
-
 def test_rows_cut_off_at_the_ends_of_a_log_are_masked_rows(tmp_path):
     """A target that is lost until the end leaves a shorter record, of which little is masked."""
     t = np.arange(6000) / 1000.0
@@ -73,13 +56,3 @@ def test_rows_cut_off_at_the_ends_of_a_log_are_masked_rows(tmp_path):
     assert "% of the rows are masked (gaps, rails, spikes, lost target) (at most 50 %)" in " ".join(
         result.stderr.split()
     )
-
-
-def test_the_lines_of_the_mains_are_noted(tmp_path):
-    t = np.arange(12_000) / 1000.0
-    q = 5.0 * np.sin(2 * np.pi * 0.8 * t) + 0.01 * np.sin(2 * np.pi * 60.0 * t)
-    q += 1e-3 * np.random.default_rng(1).standard_normal(t.size)
-    np.savetxt(tmp_path / "log.csv", np.column_stack([t, q, np.sin(t)]), "%.6f", ",", header="time,q,v1", comments="")
-    (tmp_path / "p.toml").write_text(settings(inputs=["v1"]), encoding="utf-8")
-    assert RUNNER.invoke(app, ["ingest", str(tmp_path / "p.toml"), "-o", str(tmp_path / "run")]).exit_code == 0
-    assert RunFolder.open(tmp_path / "run").record("train/log/record.parquet").notes["hum"] == [60.0]

@@ -1,7 +1,5 @@
 """The whole run on the demo's raw logs: recovered truth, reruns, corruption found, JSON as in the contract."""
 
-import csv
-import io
 import json
 import shutil
 from pathlib import Path
@@ -45,12 +43,6 @@ def copy(demo: tuple[Path, Path], tmp_path: Path) -> tuple[Path, Path]:
     """A copy of the run that a test may spoil."""
     shutil.copytree(demo[1], tmp_path / "run")
     return demo[0], tmp_path / "run"
-
-
-def _rerun(prototype: Path, run: Path, *options: str) -> list[str]:
-    result = RUNNER.invoke(app, ["run", str(prototype), "-o", str(run), *options])
-    assert result.exit_code == 0, result.output
-    return [line.split(":")[0] for line in result.stderr.splitlines() if line.split(": ")[-1].startswith("done in")]
 
 
 def test_the_planted_curves_are_recovered(demo: tuple[Path, Path]) -> None:
@@ -115,39 +107,6 @@ def test_scores_are_as_the_contract_says(demo: tuple[Path, Path]) -> None:
         assert row["nrmse_low"] <= row["nrmse"] <= row["nrmse_high"]
 
 
-@pytest.mark.parametrize(
-    ("form", "mark"), [("text", "95 % intervals"), ("latex", r"\toprule"), ("markdown", "| --- |")]
-)
-def test_the_tables_in_other_forms(demo: tuple[Path, Path], form: str, mark: str) -> None:
-    """Errors by signal and errors by horizon, each model on each of the two logs."""
-    result = RUNNER.invoke(app, ["validate", str(demo[1]), "--format", form, "-q", "--details"])
-    assert result.exit_code == 0, result.output
-    assert mark in result.stdout
-    assert result.stdout.count("rbf-paper ") + result.stdout.count("rbf-paper}") == 4
-
-
-def test_the_csv_holds_the_numbers_of_the_scores(demo: tuple[Path, Path]) -> None:
-    result = RUNNER.invoke(app, ["validate", str(demo[1]), "--format", "csv", "-q"])
-    rows = list(csv.DictReader(io.StringIO(result.stdout)))
-    table = pq.read_table(demo[1] / "scores.parquet")
-    assert [float(row["nrmse"]) for row in rows] == table["nrmse"].to_pylist()
-    assert all(float(row["fit_s"]) > 0.0 for row in rows)
-
-
-def test_shares_and_horizons_carry_intervals_and_the_models_are_compared_in_pairs(demo: tuple[Path, Path]) -> None:
-    rows = pq.read_table(demo[1] / "scores.parquet").to_pylist()
-    for row in (row for row in rows if row["signal"] == "q"):
-        for key in ("well_agreement", "switch_accuracy", "nrmse_one_step", "nrmse_100ms"):
-            assert row[f"{key}_low"] <= row[key] <= row[f"{key}_high"]
-    for log in ("train", "validation"):
-        field = {r["model"]: r for r in rows if r["role"] == log and r["signal"] == "q"}
-        lowest = min(field, key=lambda m: field[m]["nrmse"])
-        for model, row in field.items():
-            low, high = row["above_lowest_low"], row["above_lowest_high"]
-            assert (low is None) == (model == lowest)
-            assert model == lowest or low <= row["nrmse"] - field[lowest]["nrmse"] <= high
-
-
 def test_the_stages_one_by_one_come_to_the_same(demo: tuple[Path, Path], tmp_path: Path) -> None:
     prototype, whole = demo
     run = tmp_path / "run"
@@ -161,13 +120,6 @@ def test_the_stages_one_by_one_come_to_the_same(demo: tuple[Path, Path], tmp_pat
     reference = RunFolder.open(whole).manifest.artifacts
     for name in ("model.h5", "validation/validation/predictions/rbf-paper.parquet"):
         assert made[name].content_hash == reference[name].content_hash
-
-
-def test_a_stage_out_of_turn_says_what_is_missing(demo: tuple[Path, Path], tmp_path: Path) -> None:
-    run = tmp_path / "run"
-    assert RUNNER.invoke(app, ["ingest", str(demo[0]), "-o", str(run)]).exit_code == 0
-    result = RUNNER.invoke(app, ["identify", str(run)])
-    assert (result.exit_code, "kinematics.parquet" in result.stderr) == (2, True)
 
 
 @pytest.mark.parametrize("study", ["alpha", "basis", "data"])
@@ -212,25 +164,3 @@ def test_folds_are_fitted_once_and_judged_on_what_they_left_out(copy: tuple[Path
     quiet = RUNNER.invoke(app, ["study", "folds", str(copy[1]), "--folds", "2", "--model", "rbf-paper", "-q"])
     assert "2 folds over blocks" in quiet.stdout and "folds" not in quiet.stderr
     assert RUNNER.invoke(app, ["verify", str(copy[1])]).exit_code == 0
-
-
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [(["--folds", "1"], "1 fold"), (["--by", "logs", "--folds", "3"], "2 logs"), (["--model", "lstm"], "'lstm'")],
-)
-def test_folds_that_cannot_be_are_refused_in_a_line(copy: tuple[Path, Path], options: list[str], said: str) -> None:
-    result = RUNNER.invoke(app, ["study", "folds", str(copy[1]), *options])
-    assert (result.exit_code, said in result.stderr) == (2, True), result.stderr
-    assert len(result.stderr.splitlines()) == 1
-
-
-def test_measured_curves_are_drawn_and_refit_nothing(demo: tuple[Path, Path], copy: tuple[Path, Path]) -> None:
-    prototype, run = demo[0].with_name("with-curves.toml"), copy[1]
-    (demo[0].parent / "curves.csv").write_text("q [mm],F [mN]\n-5,-20\n0,0\n5,20\n")
-    prototype.write_text(demo[0].read_text().replace("[compare]", '[compare]\ncurves = "curves.csv"'))
-    done = _rerun(prototype, run)
-    assert set(done) == {"ingest measured curves", "report page"}
-    assert pq.read_table(run / "curves.parquet")["F"].to_pylist() == [-0.02, 0.0, 0.02]
-    assert "Circles: measured" in (run / "report.html").read_text(encoding="utf-8")
-    (demo[0].parent / "curves.csv").write_text("q [mm],F [mN]\n-5,-21\n0,0\n5,20\n")
-    assert _rerun(prototype, run, "--no-report") == ["ingest measured curves"]

@@ -1,8 +1,6 @@
 """A run folder belongs to a prototype; what is wrong is known before any work; an edit is told by every command."""
 
-import errno
 import json
-import os
 import shutil
 from pathlib import Path
 
@@ -10,9 +8,6 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.errors import InputError
-from pipeline.settings import load_prototype
-from pipeline.stages.run_place import refuse_training_as_validation
 from tests.faults.small_run import write_prototype
 
 RUNNER = CliRunner()
@@ -58,26 +53,6 @@ def test_another_prototypes_folder_is_refused(copy: tuple[Path, Path]) -> None:
     assert RUNNER.invoke(app, ["run", str(prototype), "-o", str(run), "--replace", "--no-report"]).exit_code == 0
 
 
-def test_other_logs_under_the_same_name_are_refused(copy: tuple[Path, Path], tmp_path: Path) -> None:
-    prototype, run = copy
-    elsewhere = tmp_path / "elsewhere"
-    elsewhere.mkdir()
-    for log in ("train.csv", "validation.csv"):
-        lines = (prototype.parent / log).read_text().splitlines()
-        (elsewhere / log).write_text("\n".join(lines[:-1]) + "\n")
-    shutil.copy(prototype, elsewhere)
-    result = RUNNER.invoke(app, ["run", str(elsewhere / prototype.name), "-o", str(run)])
-    assert (result.exit_code, "from other logs" in result.stderr) == (2, True), result.output
-
-
-def test_a_moved_prototype_goes_on_with_its_run(copy: tuple[Path, Path], tmp_path: Path) -> None:
-    prototype, run = copy
-    moved = tmp_path / "moved"
-    shutil.copytree(prototype.parent, moved)
-    result = RUNNER.invoke(app, ["run", str(moved / prototype.name), "-o", str(run), "--no-report", "-q"])
-    assert "everything is up to date" in result.stdout, result.output
-
-
 def test_status_and_dry_run_say_what_an_edit_would_redo(copy: tuple[Path, Path]) -> None:
     prototype, run = copy
     prototype.write_text(prototype.read_text() + "[differentiate]\norder = 2\n")
@@ -92,24 +67,6 @@ def test_status_and_dry_run_say_what_an_edit_would_redo(copy: tuple[Path, Path])
     assert stale["differentiate"] == ["setting differentiate.order changed from 3 to 2"]
     result = RUNNER.invoke(app, ["identify", str(run)])
     assert "was edited since (setting differentiate.order changed from 3 to 2)" in result.stderr
-
-
-def test_a_dry_run_without_a_run_plans_everything_and_writes_nothing(small: tuple[Path, Path], tmp_path: Path) -> None:
-    result = RUNNER.invoke(app, ["run", str(small[0]), "-o", str(tmp_path / "new"), "--dry-run", "--json"])
-    assert result.exit_code == 0, result.output
-    assert not any(task["up_to_date"] for task in json.loads(result.stdout)["tasks"])
-    assert not (tmp_path / "new").exists()
-
-
-def test_a_stage_on_a_damaged_model_is_never_up_to_date(copy: tuple[Path, Path]) -> None:
-    _, run = copy
-    assert RUNNER.invoke(app, ["validate", str(run), "-q"]).exit_code == 0
-    model = run / "model.h5"
-    model.write_bytes(model.read_bytes()[:-8] + b"damaged!")
-    for stage in ("validate", "report"):
-        result = RUNNER.invoke(app, [stage, str(run)])
-        assert result.exit_code == 4, result.output
-        assert "model.h5: does not have the bytes that were written" in result.stderr
 
 
 def test_all_missing_logs_are_told_before_any_work(copy: tuple[Path, Path], tmp_path: Path) -> None:
@@ -142,29 +99,6 @@ def test_the_training_log_validates_nothing_under_another_name(copy: tuple[Path,
     assert "the training log 'train.csv'" in result.stderr
 
 
-def test_commands_take_the_run_or_its_settings(small: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch) -> None:
-    prototype, run = small
-    result = RUNNER.invoke(app, ["run", str(run), "--no-report", "-q"])
-    assert "everything is up to date" in result.stdout, result.output
-    monkeypatch.chdir(prototype.parent)
-    Path("runs").mkdir(exist_ok=True)
-    shutil.copytree(run, "runs/small", dirs_exist_ok=True)
-    for command in ("status", "validate", "verify"):
-        result = RUNNER.invoke(app, [command, prototype.name])
-        assert result.exit_code == 0, result.output
-
-
-def test_a_run_without_a_report_is_up_to_date_in_brief(
-    copy: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    prototype, run = copy
-    monkeypatch.chdir(run.parent)
-    result = RUNNER.invoke(app, ["status", "--brief", run.name])
-    assert "up to date" in result.stdout and f"debist report {run.name}" in " ".join(result.stdout.split())
-    (prototype.parent / "train.csv").write_text("changed")
-    assert "stale" in RUNNER.invoke(app, ["status", "--brief", run.name]).stdout
-
-
 def test_names_of_any_script_work_end_to_end(small: tuple[Path, Path], tmp_path: Path) -> None:
     folder = tmp_path / "Prüfstand (neu)"
     folder.mkdir()
@@ -184,18 +118,3 @@ def test_names_of_any_script_work_end_to_end(small: tuple[Path, Path], tmp_path:
     assert "Prüflauf [2]" in shown and "Prueflauf-2" not in shown
     shown = RUNNER.invoke(app, ["validate", str(run), "-q", "--details"]).stdout
     assert "Training α (1)" in shown and "Training-alpha-1" not in shown
-
-
-def test_a_log_whose_disk_fails_before_any_work_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    prototype_file = write_prototype(tmp_path)
-
-    def failing(path: Path, other: Path) -> bool:
-        raise OSError(errno.EIO, os.strerror(errno.EIO), str(path))
-
-    monkeypatch.setattr(Path, "samefile", failing)
-    prototype = load_prototype(prototype_file)
-    prototype = prototype.model_copy(
-        update={"logs": prototype.logs.model_copy(update={"validation": prototype.logs.train})}
-    )
-    with pytest.raises(InputError, match=r"train\.csv: cannot be read: Input/output error"):
-        refuse_training_as_validation(prototype, prototype_file)

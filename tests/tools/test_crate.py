@@ -1,7 +1,6 @@
 """A crate holds all that another machine needs: it checks there, and repeats to the same content hashes."""
 
 import json
-import shutil
 import tomllib
 import zipfile
 from pathlib import Path
@@ -13,14 +12,13 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from cli import app
+from pipeline.device.parameter_sets import joint_parameters
 from pipeline.errors import InputError
-from pipeline.loading.parameter_sets import joint_parameters
 from pipeline.runs.hashing import file_sha256
 from pipeline.runs.manifest import load_manifest
 from pipeline.runs.run_folder import RunFolder
 from pipeline.settings import load_prototype
 from pipeline.settings_file import toml_text
-from pipeline.tools.diff import Comparison, compare_runs
 from pipeline.tools.export import export_crate
 from tests.batch.test_batch import _prototype
 
@@ -111,37 +109,6 @@ def test_a_crate_is_of_the_files_that_the_run_was_made_from(made: tuple[Path, Pa
         assert "is gone" in _invoke("export", str(made[1]), "--to", "crate", code=2)
     finally:
         log.write_bytes(whole)
-
-
-def test_a_damaged_run_is_not_packed(made: tuple[Path, Path]) -> None:
-    artifact = made[1] / "model.h5"
-    whole = artifact.read_bytes()
-    try:
-        artifact.write_bytes(whole[:-1] + bytes([whole[-1] ^ 1]))
-        assert "model.h5: does not have the bytes" in _invoke("export", str(made[1]), "--to", "crate", code=4)
-    finally:
-        artifact.write_bytes(whole)
-
-
-def test_runs_of_other_settings_are_told_apart(made: tuple[Path, Path], tmp_path: Path) -> None:
-    other = tmp_path / "a.toml"
-    shutil.copy(made[0].parent / "stand.csv", tmp_path)
-    other.write_text(
-        made[0].read_text().replace('"logs/a.csv"', f'"{made[0].parent}/logs/a.csv"')
-        + "\n[differentiate]\nalpha = 0.001\n"
-    )
-    _invoke("run", str(other), "-o", str(tmp_path / "run"), "--no-report")
-    by_name = {comparison.artifact: comparison for comparison in compare_runs(made[1], tmp_path / "run")}
-    assert by_name["train/a/record.parquet"] == Comparison("train/a/record.parquet", "equal", 0.0)
-    kinematics = by_name["train/a/kinematics.parquet"]
-    assert kinematics.state == "differs" and kinematics.column in ("qdot", "qddot") and kinematics.deviation > 1e-6
-    assert "not the content of" in _invoke("verify", str(made[1]), "--against", str(tmp_path / "run"), code=4)
-
-
-def test_settings_survive_as_toml(made: tuple[Path, Path], tmp_path: Path) -> None:
-    prototype = load_prototype(made[0])
-    (tmp_path / "again.toml").write_text(toml_text(prototype.model_dump(mode="json")), encoding="utf-8")
-    assert load_prototype(tmp_path / "again.toml") == prototype
 
 
 _TEXTS = st.text(st.sampled_from("aß𝛼 \"'\\#=[]{}\n\t\r\x00\x1f\x7f"))

@@ -17,7 +17,6 @@ from pipeline.tools.diff import diff_runs, paired_logs
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
-from tests.tools.test_series import planted
 
 
 @pytest.fixture
@@ -44,13 +43,6 @@ def test_a_run_beside_itself_is_equal(planted_run):  # noqa: F811
     result = CliRunner().invoke(app, ["diff", str(planted_run), str(planted_run)])
     assert result.exit_code == 0
     assert "equal: settings, versions, raw logs (SHA-256), NRMSE of free runs, facts, artifacts" in result.stdout
-
-
-@pytest.mark.filterwarnings("ignore:debist.*results are older")
-def test_a_fraction_is_not_called_a_percentage(planted_run, tmp_path):  # noqa: F811
-    runs = [planted(planted_run, tmp_path, f"run{i}", barrier) for i, barrier in enumerate((1e-4, 2e-4))]
-    facts = {fact.key: fact.values for fact in diff_runs(runs).facts}
-    assert facts == {"barrier_left [J]": (1e-4, 2e-4), "asymmetry_wells [1]": (300.0 * 1e-4, 300.0 * 2e-4)}
 
 
 def test_equal_hashes_of_a_damaged_artifact_are_not_called_equal(planted_run, tmp_path):  # noqa: F811
@@ -86,31 +78,3 @@ def test_logs_stand_beside_those_of_their_content_then_of_their_name_then_in_ord
     assert paired_logs(first, {("train", "a"): "7", ("train", "c"): "2"}) == {("train", "c"): "b", ("train", "a"): "a"}
     more = {("validation", "x"): "5", ("validation", "y"): "6"}
     assert paired_logs(first, more) == {("validation", "x"): "v"}, "one that is left over has none beside it"
-
-
-def test_a_folder_without_a_run_is_one_line(planted_run, tmp_path):  # noqa: F811
-    result = CliRunner().invoke(app, ["diff", str(planted_run), str(tmp_path)])
-    assert result.exit_code == 2
-    assert "no run here" in result.stderr
-
-
-def test_one_run_alone_is_refused(planted_run):  # noqa: F811
-    result = CliRunner().invoke(app, ["diff", str(planted_run)])
-    assert result.exit_code == 2 and "name a second run" in result.stderr
-
-
-def test_a_page_has_what_differs_the_curves_and_the_free_runs_over_one_another(planted_run, twin, tmp_path):  # noqa: F811
-    page = tmp_path / "diff.html"
-    result = CliRunner().invoke(app, ["diff", str(planted_run), str(twin), "--page", str(page), "--format", "csv"])
-    assert result.exit_code == 0, result.output
-    assert "settings,identify.basis_functions,10,12" in result.stdout.splitlines()
-    text = page.read_text(encoding="utf-8")
-    assert "identify.basis_functions" in text and text.count('class="chart"') == 4 + 2
-    for title in (
-        "restoring force F",
-        "∂C₂/∂q",
-        "Free runs of the training log a",
-        "Free runs of the validation log b",
-    ):
-        assert title in text
-    assert text.count(">twin</li>") == 3

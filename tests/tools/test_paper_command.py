@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 from pipeline.commands.console import Progress
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.joint_figures import COLOURED
-from pipeline.reporting.paper_page import table_1, table_2, table_2_row
 from pipeline.runs.engine import tasks_of
 from pipeline.runs.run_folder import RunFolder
 from pipeline.runs.schedule import bring_up_to_date
@@ -59,24 +58,6 @@ def test_the_recipe_meets_the_printed_errors_on_a_training_log(shared_folder: Pa
         if model == "rbf-paper"
     }
     assert {name: pytest.approx(value, abs=0.4) for name, value in PRINTED.items()} == errors
-
-
-def test_printed_errors_stand_beside_training_rows_alone() -> None:
-    """The paper prints errors of its training log."""
-    scores = [
-        {"role": role, "log": "a", "model": "rbf-paper", "signal": "q", "nrmse": nrmse}
-        for role, nrmse in (("validation", None), ("train", 0.03))
-    ]
-    rows = table_2(scores)
-    assert [table_2_row(row)["cells"][0] for row in rows] == [("3.00", "2.1"), ("diverged", "")]
-
-
-def test_table_1_names_every_value_as_printed_and_as_used() -> None:
-    rows = {row["name"]: row for row in table_1(NOMINAL)}
-    assert rows["E"] == {"name": "E", "unit": "GPa", "printed": "1.62 MPa", "used": "1.76"}
-    same = [row for row in rows.values() if row["printed"].replace(".", "").isdigit()]
-    assert len(same) >= 18
-    assert all(float(row["used"]) == pytest.approx(float(row["printed"]), rel=1e-4) for row in same)
 
 
 def test_the_figures_of_the_joint_are_drawn_and_the_same_twice() -> None:

@@ -101,24 +101,6 @@ def test_a_planted_drift_is_claimed_and_nothing_else(drifting, tmp_path):
     assert text.count('class="chart"') == len(facts) and "µJ a day" in text
 
 
-def test_dates_are_days_and_without_times_runs_are_in_order(drifting):
-    dates = ",".join(f"2026-03-{1 + day:02d}" for day in DAYS)
-    assert invoke(*drifting, "--at", dates, "--json").stdout == invoke(*drifting, *AT, "--json").stdout
-    made = json.loads(invoke(*drifting, "--json").stdout)
-    assert made["unit"] == "run" and made["at"] == [1, 2, 3, 4, 5, 6] and made["names"][1] == "day10"
-
-
-def test_of_three_runs_nothing_is_said(drifting):
-    shown = " ".join(invoke(*drifting[:3]).stdout.split())
-    assert "3 runs: too few to show a drift; it takes 4" in shown and " a run" not in shown
-
-
-def test_runs_of_several_devices_are_remarked_on(planted_run, tmp_path):  # noqa: F811
-    runs = [str(planted(planted_run, tmp_path, f"run{i}", 3e-4 + d)) for i, d in enumerate((0.0, 5e-5, -5e-5, 1e-6))]
-    shown = " ".join(invoke(*runs).stdout.split())
-    assert "no fact changed" in shown and "barrier_left; are these runs of one device?" in shown
-
-
 def test_a_series_that_is_none_is_refused(drifting, planted_run, tmp_path):  # noqa: F811
     other = str(planted(planted_run, tmp_path, "other", 3e-4, "rbf-paper"))
     for arguments, message in (

@@ -10,7 +10,6 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.runs.lock import run_lock
-from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.verify import Verified, verify_all, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once
@@ -57,12 +56,6 @@ def test_a_stage_manifest_that_is_not_as_written_is_a_problem(bench, run, how):
     assert result.exit_code == 4 and "stages/identify.json (stage identify)" in result.stderr
     bench.make()
     assert verify_everything(run).intact
-
-
-def test_an_invented_stage_manifest_is_named(run):
-    (run / "stages" / "simulate.json").write_text('{"stage": "simulate", "content": {}}')
-    result = debist("verify", run)
-    assert result.exit_code == 4 and "does not belong to the run: stages/simulate.json" in result.stderr
 
 
 def test_figures_of_studies_and_exports_are_checked(run):
@@ -148,24 +141,3 @@ def test_a_run_sets_aside_what_is_damaged_and_makes_it_anew(bench, run):
     assert (found.problems, found.unknown) == ([], [])
     assert content(run) == bench.expected
     assert len(list(run.rglob("*.corrupt-*"))) == 2
-
-
-def test_no_stage_manifest_outlives_its_content(run):
-    """Before other content becomes valid, the stage manifest that says otherwise is withdrawn."""
-    folder = RunFolder.open(run)
-    recipe = folder.record("scores.parquet").recipe
-    written = {"scores.parquet": folder.write_bytes("scores.parquet", b"other", {})}
-    folder.commit(recipe, written)
-    assert not (run / "stages" / f"{recipe.stage}.json").exists()
-    assert verify_everything(run).problems == []
-
-
-def test_what_a_task_notes_reads_the_same_after_the_run_was_opened_anew(tmp_path):
-    """Or a page that is drawn after an interruption has its rows in another order."""
-    run = RunFolder.create(tmp_path / "run", {}, tmp_path / "P.toml")
-    from pipeline.runs.manifest import Recipe
-
-    notes = {"b": 1, "a": {"z": 1, "y": [{"q": 1, "p": 2}]}}
-    run.commit(Recipe("s", "1", {}, {}), {"one.json": run.write_text("one.json", "x", notes)})
-    assert json.dumps(run.record("one.json").notes) == json.dumps(notes)
-    assert json.dumps(RunFolder.open(run.root).record("one.json").notes) == json.dumps(notes)

@@ -27,25 +27,6 @@ def _lines(*arguments: object) -> list[str]:
     return result.stdout.splitlines()
 
 
-def test_stages_end_with_what_they_found(small: Path) -> None:
-    lines = _lines("ingest", small.parent / "small.toml", "-o", small)
-    assert lines[0] == "training log: 1000 rows every 10.0 ms; 0 gaps"
-    lines = _lines("differentiate", small)
-    assert lines[0].startswith("training log: tvregdiff, α = ") and lines[0].endswith(" mm")
-    lines = _lines("identify", small)
-    assert lines[0].startswith("rbf-paper: identified in ") and lines[0].endswith("the headline")
-    (result,) = json.loads("\n".join(_lines("identify", small, "--json")))["results"]
-    assert result["model"] == "rbf-paper" and result["headline"] is True
-
-
-def test_studies_end_with_a_conclusion(small: Path) -> None:
-    alpha = "\n".join(_lines("study", "alpha", small))
-    assert "by the noise of train/train, alpha is " in alpha and "mm·s^3, without reweighting" in alpha
-    online = _lines("study", "online", small)
-    assert len(online) < 20
-    assert any(line.startswith("without drift, λ = 1 follows the curve best: ") for line in online)
-
-
 @pytest.mark.parametrize(
     ("arguments", "text", "code"),
     [

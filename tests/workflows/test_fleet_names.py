@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 
-from pipeline.stages.run import STAGE_NAMES
 from pipeline.stages.run_place import run_folder
 
 WORKFLOWS = Path(__file__).resolve().parents[2] / "workflows"
@@ -45,12 +44,6 @@ def test_a_prototype_is_found_where_debist_runs_it(name: str, tmp_path: Path) ->
     allowed = re.search(r'name="(.*?)"', (WORKFLOWS / "Snakefile").read_text(encoding="utf-8"))
     assert allowed and re.fullmatch(allowed[1], wildcard)
     assert found["raw_logs"](wildcard) == [str(tmp_path / "Training α (1).csv")]
-
-
-def test_every_stage_of_a_run_is_watched(tmp_path: Path) -> None:
-    (tmp_path / "P.toml").write_text(f'name = "P"\n{TOML}', encoding="utf-8")
-    assert set(_fleet(tmp_path)["STAGES"]) == set(STAGE_NAMES)
-    assert "report" not in _fleet(tmp_path, report=False)["STAGES"]
 
 
 def test_parts_a_mark_of_utf_8_and_a_broken_file_are_met_as_by_batch(

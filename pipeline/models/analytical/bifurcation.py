@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_parameters import B_MAX, VECTOR_NAMES, JointParameters
+from pipeline.device.parameters import B_MAX, VECTOR_NAMES, JointParameters
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import capacitance, static_sensitivity, statics
 from pipeline.models.analytical.statics import (

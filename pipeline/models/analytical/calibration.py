@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_parameters import JointParameters
+from pipeline.device.parameters import JointParameters
 from pipeline.models.analytical.calibration_problem import (
     LOSS_SCALE,
     RESOLUTION,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_parameters import VECTOR_NAMES, JointParameters, quantity_of
+from pipeline.device.parameters import VECTOR_NAMES, JointParameters, quantity_of
 from pipeline.errors import InputError
 from pipeline.models.analytical.windows import WindowRuns, Windows, error_derivatives, simulate_windows
 from pipeline.numerics.arrays import FloatArray

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pipeline.compiled import compiled, part
-from pipeline.device_parameters import JointParameters
+from pipeline.device.parameters import JointParameters
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import dissipation, motion, motion_slopes, statics
 from pipeline.models.analytical.statics import StaticPath, equilibria, hold_tip, length_scales, unactuated_path

@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, TypeAdapter
 
-from pipeline.device_parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from pipeline.device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
 from pipeline.errors import InputError
 from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.reduced_order import CURVES, accelerate, reduce_joint

@@ -19,7 +19,7 @@ import numpy as np
 
 from pipeline.codegen.numba_writer import formula, kernel
 from pipeline.compiled import compiled
-from pipeline.device_parameters import JointParameters
+from pipeline.device.parameters import JointParameters
 from pipeline.generated.analytical_joint import dissipation, dynamics
 from pipeline.generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
 from pipeline.models.analytical.full_order import FullOrderMotion, rest_state, simulate

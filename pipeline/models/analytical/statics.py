@@ -5,14 +5,15 @@ solution of eq. 15 for every q, stable or not, with F as the unknown. It carries
 φ(q), the reduction of § 3.4 and the initial state of a simulation of which only q and q̇ are given.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
 from pipeline.compiled import compiled, inner
-from pipeline.device_parameters import NOMINAL, VECTOR_NAMES, JointParameters
+from pipeline.device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from pipeline.errors import InputError
 from pipeline.generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
 from pipeline.numerics.arrays import BoolArray, FloatArray
@@ -372,6 +373,15 @@ def _dynamic_values() -> dict[str, float]:
     operations = (operation for graph in (STATICS, TIP, CAPACITANCE) for operation in graph.operations)
     read = {operation.place[1] for operation in operations if operation.place[0] == "p"}
     return {name: NOMINAL.value(name) for i, name in enumerate(VECTOR_NAMES) if i not in read}
+
+
+RotationMap = Callable[[FloatArray], FloatArray]
+"""φ [rad] of q [m]."""
+
+
+def rotation_map(parameters: JointParameters | None) -> RotationMap | None:
+    """φ of q on the static path, NaN where q is NaN; None for a device without a parameter set."""
+    return None if parameters is None else partial(static_rotation, parameters=parameters)
 
 
 def static_rotation(q: FloatArray, parameters: JointParameters) -> FloatArray:

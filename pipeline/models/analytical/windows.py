@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device_parameters import JointParameters
+from pipeline.device.parameters import JointParameters
 from pipeline.errors import InputError
 from pipeline.models.analytical.full_order import REACH, Inputs, integrate, no_solution, rest_states, state_scale
 from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains

@@ -6,7 +6,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from pipeline.device_parameters import NOMINAL, JointParameters
+from pipeline.device.parameters import NOMINAL, JointParameters
 from pipeline.errors import DataRefusedError, InputError
 from pipeline.fitting.descent import ParallelDescent, Prior
 from pipeline.fitting.homotopy import Callbacks, HomotopyFit, Level, Schedule, fit_homotopy

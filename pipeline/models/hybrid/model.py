@@ -12,7 +12,7 @@ import numpy as np
 from pydantic import Field, model_validator
 from scipy.interpolate import CubicSpline
 
-from pipeline.device_parameters import NOMINAL, VECTOR_NAMES
+from pipeline.device.parameters import NOMINAL, VECTOR_NAMES
 from pipeline.errors import CorruptArtifactError
 from pipeline.fitting.posterior import first_order_curves, posterior_draws
 from pipeline.generated.condensed_joint import CONSTANTS

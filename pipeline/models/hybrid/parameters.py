@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_parameters import BEAM_DAMPING_FACTOR, JointParameters, Membrane
+from pipeline.device.parameters import BEAM_DAMPING_FACTOR, JointParameters, Membrane
 from pipeline.generated.condensed_joint import (
     BENDS,
     CONSTANTS,

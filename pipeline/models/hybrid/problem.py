@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.device_parameters import JointParameters
+from pipeline.device.parameters import JointParameters
 from pipeline.generated.condensed_joint import CONSTANTS
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.columns import INSTRUMENTS

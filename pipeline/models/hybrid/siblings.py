@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from pipeline.device_parameters import NOMINAL, VECTOR_NAMES, JointParameters
+from pipeline.device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
 from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
 from pipeline.fitting.population import (
     Information,

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_parameters import JointParameters
+from pipeline.device.parameters import JointParameters
 from pipeline.fitting.population import NormalPopulation
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES, INDEX

@@ -150,7 +150,11 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
     if not (structure.force != "curve" and structure.constant_damping and structure.constant_gain):
         words += [f"M = {structure.basis_functions}", f"sigma_n = {structure.smoothing:g}"]
     words += {"curve": [], "polynomial": ["polynomial force"], "offset": ["no restoring force"]}[structure.force]
-    words += ["constant damping"] * structure.constant_damping + ["constant gain"] * structure.constant_gain
+    words += (
+        ["tip on an arc"] * structure.arc
+        + ["constant damping"] * structure.constant_damping
+        + ["constant gain"] * structure.constant_gain
+    )
     words += ["drag"] * structure.drag + ["end stops"] * structure.stops
     words += (
         ["overdamped"] * structure.overdamped
@@ -168,15 +172,15 @@ def candidate(structure: JointStructure, symmetry: float | None = None) -> Candi
 def first_candidate(choice: RbfChoice, *, pair: bool, angle: bool, fine: bool) -> Candidate:
     """First candidate of the search: the user's settings, and the usual ones for the rest.
 
-    It has as few elements as can be. A `pair` of inputs pulls at the two sides of a bistable joint, whose tip moves on
-    an arc unless q is an angle. All else is an actuated arm or slider, whose weight turns with it where q is an angle.
-    With `fine` the inputs are known between the samples.
+    It has as few elements as can be. A `pair` of inputs pulls at the two sides of a bistable joint. All else is an
+    actuated arm or slider, whose weight turns with it where q is an angle. With `fine` the inputs are known between the
+    samples.
     """
     usual: dict[str, Any] = {
         **FRICTION["viscous"],
         "basis_functions": 12 if pair else 8,
         "smoothing": 1.0,
-        "arc": pair and not angle,
+        "arc": False,
         "turning_arm": not pair and angle,
         "constant_damping": not pair,
         "constant_gain": not pair,
@@ -211,7 +215,9 @@ class _Change:
         return self.to(*({name: value} for value in values))
 
 
-def joint_offers(choice: RbfChoice, *, mirrored: bool, knows: Callable[[JointStructure], bool]) -> list[Offer]:
+def joint_offers(
+    choice: RbfChoice, *, angle: bool, mirrored: bool, knows: Callable[[JointStructure], bool]
+) -> list[Offer]:
     """Offers to a bistable joint in turn: friction or relaxation, hidden shapes, both, and sides that are alike.
 
     Elements are offered with any sides: sides that are taken for too much alike would ask for elements.
@@ -220,13 +226,15 @@ def joint_offers(choice: RbfChoice, *, mirrored: bool, knows: Callable[[JointStr
     ----------
     choice : RbfChoice
         What is decided and not offered.
+    angle : bool
+        Whether q is an angle: else the tip may move on an arc, as that of a beam with hidden shapes does.
     mirrored : bool
         Whether q = 0 is within its range and so may be its mirror plane.
     knows : callable
         Whether simulated joints teach a prior of a structure.
     """
     change = _Change(choice)
-    shapes = change.to(FRICTION["lags+slip"])
+    shapes = change.to(FRICTION["lags+slip"] | {"arc": not angle})
 
     def taught(best: Candidate) -> list[Candidate]:
         """Hidden shapes, or what is decided, as simulated joints have them."""
@@ -243,7 +251,7 @@ def joint_offers(choice: RbfChoice, *, mirrored: bool, knows: Callable[[JointStr
         return [candidate(best.structure, symmetry) for symmetry in SYMMETRIES if free]
 
     elements = change.to(FRICTION["coulomb"], FRICTION["lag"])
-    return [elements, taught, untaught, change.to(FRICTION["lag+slip"]), alike]
+    return [elements, taught, untaught, change.to(FRICTION["lag+slip"]), change.to({"arc": not angle}), alike]
 
 
 def offers(

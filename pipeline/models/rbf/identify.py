@@ -114,7 +114,7 @@ def identify_rbf(
     complete = True
     first = candidates[0] if candidates else first_candidate(wanted, pair=pair, angle=angle, fine=fine)
     if pair and not candidates:
-        fitted, tried = _fit_joint(records, setting, wanted, first)
+        fitted, tried = _fit_joint(records, setting, wanted, first, angle=angle)
     else:
         slow, driven = looks_overdamped(records, inputs), _begins_driven(records)
         usual = offers(wanted, fine=fine, slow=slow, driven=driven, squared=inputs == "squared")
@@ -169,7 +169,7 @@ class _Fitted:
 
 
 def _fit_joint(
-    records: Sequence[Record], setting: Setting, choice: RbfChoice, first: Candidate
+    records: Sequence[Record], setting: Setting, choice: RbfChoice, first: Candidate, *, angle: bool
 ) -> tuple[_Fitted, dict[str, float]]:
     """A bistable joint of the elements and the prior that its logs show; and the residual of each that was tried.
 
@@ -178,7 +178,9 @@ def _fit_joint(
     low, high = operating_range(records)
     mirrored = low < 0.0 < high
     taught = choice.population and not setting.measured
-    offered = joint_offers(choice, mirrored=mirrored, knows=lambda structure: taught and population().knows(structure))
+    offered = joint_offers(
+        choice, angle=angle, mirrored=mirrored, knows=lambda structure: taught and population().knows(structure)
+    )
     best, trials = search_by_evidence(records, setting, first, offered)
     gains = GAINS[1:] if best.fit.levels else GAINS
     fitted = _fit_to_all(records, setting, best.option, best.begun, gains, TOLERANCE)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from pipeline.device_parameters import JointParameters
+from pipeline.device.parameters import JointParameters
 from pipeline.equations.beam import Expression
 from pipeline.equations.full_joint import (
     FullSymbols,

@@ -3,16 +3,15 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL, JointParameters
+from pipeline.device.parameters import NOMINAL, JointParameters
 from pipeline.errors import InputError
-from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES, calibrate
+from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, PAPER_NAMES, calibrate
 from pipeline.models.analytical.calibration_problem import PRIORS, prior_of
 from pipeline.models.analytical.full_order import rest_state, simulate
-from pipeline.models.analytical.model import ANALYTICAL, calibrate_analytical
 from pipeline.models.analytical.reduced_order import pulse_sequence
 from pipeline.models.analytical.statics import equilibria
 from pipeline.models.analytical.windows import cut_windows, error_derivatives, simulate_windows
-from pipeline.signals.trajectory import Trajectory, within
+from pipeline.signals.trajectory import Trajectory
 
 
 def log_of(joint: JointParameters, noise: float = 0.0, seed: int = 0, count: int = 6, dt: float = 0.01) -> Trajectory:
@@ -83,16 +82,6 @@ def test_what_a_log_does_not_tell_stays_where_it_was() -> None:
     assert fit.standard_errors[1] / NOMINAL.E < 0.3 * np.log(1.1)
 
 
-def test_the_calibrated_model_is_a_model() -> None:
-    motion = log_of(NOMINAL.with_values({"right.Y": 1.17e6}))
-    model = calibrate_analytical([motion], NOMINAL)
-    run = model.simulate(motion.t, motion.v, float(motion.q[0]), 0.0)
-    assert np.sqrt(np.mean((run.q - motion.q) ** 2)) / np.ptp(motion.q) < 0.02
-    again = ANALYTICAL.read(model.to_tree())
-    assert (again.name, again.parameters) == ("analytical-calibrated", model.parameters)
-    assert len(again.describe()["standard_errors"]) == len(ASYMMETRIC_NAMES) + len(FRICTION_NAMES)
-
-
 def test_names_that_cannot_be_calibrated_are_refused() -> None:
     assert all(prior_of(name) in PRIORS.values() for name in PAPER_NAMES + ASYMMETRIC_NAMES)
     with pytest.raises(InputError, match="cannot be calibrated"):
@@ -101,12 +90,3 @@ def test_names_that_cannot_be_calibrated_are_refused() -> None:
         prior_of("left.Z")
     with pytest.raises(InputError, match="both voltages"):
         cut_windows([Trajectory(*(np.arange(5.0) for _ in range(4)), np.zeros((5, 1)))], 1.0)
-
-
-def test_a_long_log_is_cut_to_what_bounds_the_work() -> None:
-    t = 0.01 * np.arange(9_000)
-    logs = [Trajectory(t[:n], *np.zeros((3, n)), np.zeros((n, 2))) for n in (9_000, 3_000, 4)]
-    taken = within(logs, 6_000)
-    assert [one.t.size for one in taken] == [4_498, 1_499, 4]
-    assert taken[0].v.shape == (4_498, 2)
-    assert [one.t.size for one in within(logs[:2], 12_000)] == [9_000, 3_000]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL, TABLE1, JointParameters
+from pipeline.device.parameters import NOMINAL, TABLE1, JointParameters
 from pipeline.generated.analytical_joint import motion, motion_slopes
 from pipeline.models.analytical.bifurcation import (
     bistable_from,

@@ -5,20 +5,12 @@ import pytest
 from energy_balance import energy_balance
 from scipy.integrate import solve_ivp
 
-from pipeline.device_parameters import NOMINAL, VECTOR_NAMES
-from pipeline.errors import InputError
+from pipeline.device.parameters import NOMINAL
 from pipeline.generated import analytical_joint as kernels
 from pipeline.models.analytical.full_order import (
-    MOST_TRIES,
-    REACH,
-    Inputs,
-    integrate,
-    no_solution,
     rest_state,
     simulate,
-    state_scale,
 )
-from pipeline.models.analytical.model import ANALYTICAL, AnalyticalModel
 from pipeline.models.analytical.reduced_order import (
     accelerate,
     beam_modes,
@@ -26,10 +18,9 @@ from pipeline.models.analytical.reduced_order import (
     maxwell_strains,
     pulse_sequence,
     reduce_joint,
-    simulate_both,
     simulate_reduced,
 )
-from pipeline.models.analytical.statics import equilibria, static_path, unactuated_path
+from pipeline.models.analytical.statics import equilibria, unactuated_path
 from pipeline.numerics.arrays import FloatArray
 
 UNEQUAL = NOMINAL.with_values({"left.b": 23.2e-3, "right.Y": 1.15e6, "right.eps_r": 2.9, "kappa0": 0.02})
@@ -59,14 +50,6 @@ def test_full_order_motion_agrees_with_lsoda() -> None:
     assert motion.q_ddot[0] == pytest.approx(0.0, abs=1e-6)
 
 
-def test_default_tolerance_keeps_its_promise_at_both_sample_rates() -> None:
-    for dt in (1e-2, 1e-3):
-        t, v = pulse_sequence(count=4, dt=dt)
-        start = rest_state(UNEQUAL, START, 0.0, v[0])
-        tight, default = (simulate(UNEQUAL, t, v, start, tolerance=tolerance) for tolerance in (1e-8, 1e-5))
-        assert np.abs(default.q - tight.q).max() < 1e-6
-
-
 def test_local_error_estimate_gives_fourth_order() -> None:
     t, v = pulse_sequence(count=2, dt=0.01)
     start = rest_state(UNEQUAL, START, 0.0, v[0])
@@ -87,15 +70,6 @@ def test_energy_balance_closes() -> None:
     assert np.abs(balance.defect).max() < 2e-4 * balance.dissipated[-1]
 
 
-def test_a_joint_at_rest_stays_at_rest() -> None:
-    t = np.linspace(0.0, 1.0, 101)
-    for well in equilibria(UNEQUAL, np.array([1000.0, 0.0])):
-        if well.stable:
-            v = np.tile([1000.0, 0.0], (t.size, 1))
-            motion = simulate(UNEQUAL, t, v, rest_state(UNEQUAL, well.q, 0.0, v[0]))
-            assert np.abs(motion.q - well.q).max() < 1e-10
-
-
 def test_divergence_is_reported_not_raised() -> None:
     t = np.linspace(0.0, 1.0, 101)
     push = np.where(t > 0.3, 5.0, 0.0)
@@ -110,13 +84,6 @@ def test_friction_stops_the_ring_down() -> None:
     rough = NOMINAL.with_values({"F_c": 5e-3})
     ends = [np.ptp(simulate(joint, t, v, rest_state(joint, 0.014, 0.0, v[0])).q[-60:]) for joint in (NOMINAL, rough)]
     assert ends[1] < 0.2 * ends[0]
-
-
-def test_reduced_model_follows_the_full_one() -> None:
-    t, v = pulse_sequence(count=4)
-    both = simulate_both(NOMINAL, t, v)
-    assert all(value is not None and value < 0.05 for value in both.nrmse.values())
-    assert (both.full.q[-1] > 0) == (both.reduced.q[-1] > 0)
 
 
 def test_reduced_model_equals_the_full_one_when_quasi_static() -> None:
@@ -166,19 +133,6 @@ def test_modes_rebuild_the_motion() -> None:
     assert np.abs(modes.shapes).max(axis=1) == pytest.approx(1.0)
 
 
-def test_the_model_interface_starts_where_it_is_told() -> None:
-    t, v = pulse_sequence(count=1, dt=0.01)
-    model = AnalyticalModel(parameters=UNEQUAL)
-    run = model.simulate(t, v, -0.009, 0.05)
-    assert (run.status, run.q[0], run.qdot[0]) == ("ok", pytest.approx(-0.009), pytest.approx(0.05))
-    again = ANALYTICAL.read(model.to_tree())
-    assert again.parameters == model.parameters
-    assert "E [Pa]" in model.describe()["parameters"]
-    assert np.isfinite(model.accelerate(t, v, run.q, run.qdot)).all()
-    with pytest.raises(InputError, match="cannot be held"):
-        model.simulate(t, v, 11.0, 0.0)
-
-
 def test_reduced_mass_contains_the_tip_mass() -> None:
     reduced = reduce_joint(NOMINAL)
     assert (reduced.curves[:, 0] > NOMINAL.m).all() and (reduced.curves[:, 0] < 1.3 * NOMINAL.m).all()
@@ -186,25 +140,3 @@ def test_reduced_mass_contains_the_tip_mass() -> None:
     value, slope = reduced.evaluate(path.q)
     assert value[:, 2] == pytest.approx(path.force, abs=1e-9)
     assert slope[:, 2] == pytest.approx(path.stiffness, rel=1e-4, abs=1e-3)
-
-
-def test_the_models_curves_are_those_of_the_held_joint() -> None:
-    q = np.linspace(-0.02, 0.02, 41)
-    curves, held = AnalyticalModel(parameters=NOMINAL).curves(q), static_path(NOMINAL, q, np.zeros(2))
-    np.testing.assert_allclose(curves["F"], held.force, atol=1e-5 * np.abs(held.force).max())
-    for side in range(2):
-        slope = held.capacitance_slope[:, side]
-        np.testing.assert_allclose(curves[f"dC{side + 1}_dq"], slope, atol=1e-3 * np.abs(slope).max())
-    assert np.all(curves["d"] > 0.0)
-
-
-def test_a_joint_that_blows_up_ends_its_run() -> None:
-    """Negative damping of the beam: no parameter set has it, and no number of steps would do."""
-    t, v = pulse_sequence(count=1, dt=0.01)
-    p = UNEQUAL.vector()
-    p[VECTOR_NAMES.index("eta")] *= -1.0
-    solution = no_solution(len(t))
-    scale, start = 1e-6 * state_scale(UNEQUAL), rest_state(UNEQUAL, START, 0.0, v[0])
-    valid = integrate(Inputs(t, v, np.zeros(len(t))), start, p, scale, REACH, solution)
-    assert 0 < valid < len(t)
-    assert solution.steps.sum() < MOST_TRIES * (valid + 1)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL, VACUUM_PERMITTIVITY, VECTOR_NAMES, JointParameters
+from pipeline.device.parameters import NOMINAL, VACUUM_PERMITTIVITY, VECTOR_NAMES, JointParameters
 from pipeline.equations.full_joint import BEAM_DAMPING_FACTOR
 from pipeline.generated import analytical_joint as kernels
 from pipeline.models.analytical.statics import length_scales

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL, TABLE1
-from pipeline.errors import InputError
+from pipeline.device.parameters import NOMINAL, TABLE1
 from pipeline.models.analytical.bifurcation import (
     EquilibriumBranch,
     bistable_from,
@@ -18,7 +17,7 @@ from pipeline.models.analytical.bifurcation import (
     with_screw_height,
 )
 from pipeline.models.analytical.full_order import rest_state
-from pipeline.models.analytical.statics import equilibria, static_path, static_rotation, unactuated_path
+from pipeline.models.analytical.statics import equilibria, static_path, unactuated_path
 from pipeline.numerics.arrays import FloatArray
 from pipeline.solvers.continuation import trace_branch
 
@@ -56,25 +55,6 @@ def test_zeros_of_the_holding_force_are_the_equilibria() -> None:
     assert np.array_equal(path.stable, path.stiffness > 0.0)
 
 
-def test_voltage_pulls_towards_the_other_side() -> None:
-    path = unactuated_path(NOMINAL)
-    assert (path.capacitance_slope[:, 0] > 0.0).all() and (path.capacitance_slope[:, 1] < 0.0).all()
-
-
-def test_the_map_of_the_tip_rotation_interpolates_the_path_and_continues_it() -> None:
-    q = np.array([[-0.0123, 0.0], [0.0071, 0.0401]])
-    phi = static_rotation(q, NOMINAL)
-    fine = static_path(NOMINAL, np.linspace(-0.0123, 0.0071, 98), np.zeros(2))
-    assert phi[0, 0] == pytest.approx(fine.phi[0], abs=1e-7) and phi[1, 0] == pytest.approx(fine.phi[-1], abs=1e-7)
-    assert phi[0, 1] == pytest.approx(0.0, abs=1e-12) and phi[1, 1] > static_rotation(np.array(0.03), NOMINAL)
-
-
-def test_a_joint_without_static_path_says_so() -> None:
-    for snapping in ({"E": 0.9e9}, {"b": 20e-3}):
-        with pytest.raises(InputError, match="snaps although its tip is held"):
-            unactuated_path(NOMINAL.with_values(snapping))
-
-
 def test_a_snapping_joint_still_has_curves_equilibria_and_motions() -> None:
     snapping = NOMINAL.with_values({"b": 20e-3})
     result = characteristics(snapping)
@@ -94,10 +74,6 @@ def test_asymmetry_turns_the_pitchfork_into_a_fold() -> None:
     assert (bistable_from(unequal) or 0.0) > (bistable_from(symmetric) or 1.0)
     voltages = switching_voltage(unequal)
     assert voltages.left is not None and voltages.right is not None and voltages.left < voltages.right
-
-
-def test_no_second_well_no_switching_voltage() -> None:
-    assert switching_voltage(NOMINAL.with_values({"b": 28e-3})).both_ways is None
 
 
 def test_force_branch_passes_both_folds_of_the_double_well() -> None:
@@ -145,19 +121,6 @@ def _distance(branches: list[EquilibriumBranch], z_b: float, q: float, phi: floa
         feet = x[:-1] + np.clip(share, 0.0, 1.0)[:, None] * along
         nearest = min(nearest, float(np.min(np.linalg.norm(feet - target, axis=1))))
     return nearest
-
-
-def test_branches_that_hang_together_with_no_other_are_drawn() -> None:
-    """3 kV on the left of `table1`: two equilibria at z_b = 9.5 mm that begin in a fold at z_b,max = 8.947 mm."""
-    diagram = equilibrium_diagram(over_screw(TABLE1, np.array([3000.0, 0.0])), (0.0, 0.01))
-    assert _distance(diagram, 0.0095, -11.24e-3, np.nan_to_num(_phi(-11.24e-3))) < 0.02
-    folds = [point.parameter for branch in diagram for point in branch.special if point.kind == "fold"]
-    assert min(abs(fold - 8.947e-3) for fold in folds) < 2e-6
-
-
-def _phi(q: float) -> float:
-    states = equilibria(with_screw_height(TABLE1, 0.0095), np.array([3000.0, 0.0]))
-    return min(states, key=lambda e: abs(e.q - q)).phi
 
 
 @pytest.mark.parametrize("count", [5, pytest.param(200, marks=pytest.mark.long)])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.analytical.statics import equilibria
 from pipeline.models.analytical.windows import BENT, voltage_knots

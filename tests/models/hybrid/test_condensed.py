@@ -1,50 +1,34 @@
 """The condensed joint against the energies and the full-order simulation, and its own promises."""
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import numba
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
 from pipeline.codegen.numba_writer import kernel
-from pipeline.device_parameters import NOMINAL, TABLE1, JointParameters
-from pipeline.equations.elements import power
+from pipeline.device.parameters import NOMINAL, TABLE1, JointParameters
 from pipeline.generated import analytical_joint as kernels
 from pipeline.generated import condensed_joint as generated
 from pipeline.generated.condensed_joint import (
     AT_REST,
-    BRANCHES,
-    CONSTANTS,
-    ELEMENT_STATES,
     FIRST_ELEMENT,
     STATES,
     STOP_ELEMENTS,
     STOPS,
 )
-from pipeline.generated.terms import BELL
 from pipeline.models.analytical import full_order
-from pipeline.models.analytical.reduced_order import CURVES, reduce_joint
 from pipeline.models.hybrid import parameters as condensed_parameters
+from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
 from pipeline.models.hybrid.kernels import (
-    CURVED,
     INDEX,
     VALUES,
     corrections_at,
     joint_rates,
-    look_up,
     mass_matrix,
     prepare,
-    rest_forces,
-    table_span,
-    tabulate,
 )
-from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS
-from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, Stepping, follow_path, run_joints
-from pipeline.models.hybrid.statics import rest_state, static_curves, substeps
+from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, Stepping, run_joints
+from pipeline.models.hybrid.statics import static_curves, substeps
 from pipeline.numerics.arrays import FloatArray
 
 UNEQUAL = NOMINAL.with_values(
@@ -148,30 +132,6 @@ def test_a_switching_pulse_is_that_of_the_full_order_model() -> None:
     assert np.sqrt(np.mean((q - full.q) ** 2)) < 0.025 * np.ptp(full.q)
 
 
-@pytest.mark.parametrize("coordinate", range(3))
-@pytest.mark.parametrize("end", [-1.5, -1.0, 1.0, 1.5])
-def test_the_added_terms_of_the_beam_level_off_without_a_jump_of_force(coordinate: int, end: float) -> None:
-    k = deviating(1)
-    shape = np.array([0.25 * k[INDEX["l"]], 0.4, 0.9])
-    shape[coordinate] = end * (0.35 * k[INDEX["l"]], 0.6, 1.6)[coordinate]
-    found = []
-    for side in (-1e-9, 1e-9):
-        x, forces = np.zeros(STATES), np.empty(3)
-        x[[0, 2, 4]] = shape
-        x[2 * coordinate] *= 1.0 + side
-        rest_forces(x, np.array([4e6, 1e6]), np.zeros(VALUES), prepared(k), forces, np.empty(6))
-        found.append(forces)
-    np.testing.assert_allclose(found[0], found[1], rtol=1e-6)
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_a_joint_that_leaves_the_range_of_its_added_terms_comes_to_rest_too(seed: int) -> None:
-    k, samples = deviating(seed), 1501
-    steps = substeps(k, NO_BASIS, NO_WEIGHTS, 0.01)
-    still = np.zeros((2 * steps * (samples - 1) + 1, 2))
-    assert np.abs(run(k, still, 0.022, np.zeros(samples), steps)[-50:, 1]).max() < 1e-4
-
-
 @pytest.mark.parametrize("seed", range(4, 8))  # those whose wells are near the drawing's
 @pytest.mark.parametrize("corrected", [False, True])
 def test_without_voltage_every_motion_ends_at_rest(seed: int, corrected: bool) -> None:
@@ -203,23 +163,6 @@ def test_no_motion_in_any_direction_gains_energy_however_low_its_losses_are_corr
         assert speeds @ odd < 0.0
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_a_cycle_of_motion_takes_work_and_gives_none(seed: int) -> None:
-    k = deviating(seed)
-    k[INDEX["offset"]] = 0.0
-    samples, dt, steps = 1001, 0.01, 8
-    fine = np.linspace(0.0, dt * (samples - 1), 2 * steps * (samples - 1) + 1)
-    omega, amplitude = 2.0 * np.pi, 0.012
-    path = np.column_stack([amplitude * np.sin(omega * fine), amplitude * omega * np.cos(omega * fine)])
-    free = follow_path(np.zeros((len(fine), 2)), path, dt, steps, k, NO_BASIS, NO_WEIGHTS, 0.0)
-    q, p = path[:: 2 * steps].T
-    # Whoever holds the path gives its q̈ more than the joint's own; what the shape does besides is its own affair.
-    inertia = np.array([inertia_at(k, x, 0.0)[0, 0] for x in q])
-    holding = inertia * (-(omega**2) * q - free)
-    power = (holding * p)[500:900]  # four whole periods, after the transient
-    assert power.sum() * dt > 0.0
-
-
 @pytest.mark.parametrize("seed", [5, 9, 10, 14])  # those which stay within their range, as a joint on a rig does
 def test_the_step_is_fine_enough(seed: int) -> None:
     k, samples = deviating(seed), 301
@@ -229,18 +172,6 @@ def test_the_step_is_fine_enough(seed: int) -> None:
         u[:, 0] = 2500.0**2
         runs.append(run(k, u, -0.011, np.zeros(samples), steps)[:, 0])
     assert np.abs(runs[0] - runs[1]).max() < 2e-4 * np.ptp(runs[1])
-
-
-def test_the_observer_holds_a_wrong_joint_to_the_measurement() -> None:
-    k, samples, steps = deviating(3), 401, 4
-    fine = np.linspace(0.0, 4.0, 2 * steps * (samples - 1) + 1)
-    followed = 0.012 * np.sin(3.0 * fine)
-    errors = []
-    for pole in (10.0, 40.0):
-        u, poles = np.zeros((len(fine), 2)), np.full(samples, pole)
-        q = run(k, u, 0.0, poles, steps, followed)[:, 0]
-        errors.append(np.abs(q - followed[:: 2 * steps]).max())
-    assert errors[1] < 0.25 * errors[0]
 
 
 @pytest.mark.parametrize("pole", [5.0, 20.0])
@@ -309,74 +240,6 @@ def test_joints_side_by_side_move_as_each_alone() -> None:
     together = moved(slice(None))
     for j in range(len(k)):
         np.testing.assert_allclose(together[j], moved(slice(j, j + 1))[0], rtol=1e-9, atol=1e-12)
-
-
-def test_a_softening_joint_moves_as_one_with_so_much_less_modulus() -> None:
-    """At once, and after a wait of ln 2 over the rate with half of it."""
-    k = deviating(4, 0.5)
-    k[INDEX["softening"]], k[INDEX["softening_rate"]] = 0.1, 1e-9
-    u, poles, softer = np.zeros((1201, 2)), np.zeros(201), k.copy()
-    u[60:600, 0] = 2800.0**2
-    softer[[INDEX["left_elastic"], INDEX["right_elastic"]]] *= 0.95
-
-    def q(joint: FloatArray, age: float) -> FloatArray:
-        return run_joints(
-            Laws(joint[None], NO_WEIGHTS[None], BASIS),
-            Driving(u[None], np.zeros(1, dtype=np.int64), np.zeros(1), np.array([-0.011, 0.0, age])),
-            Followed(NOTHING, poles),
-            Stepping(0.01, 3, 0.045, 14.0),
-        )[0, :, 0]
-
-    softer[INDEX["softening"]] = 0.0
-    firm = q(k, 0.0)
-    assert q(k, np.log(2.0) / 1e-9) == pytest.approx(q(softer, 0.0), abs=1e-9)
-    assert np.abs(firm - q(softer, 0.0)).max() > 1e-4
-    k[INDEX["softening_rate"]] = 1e3
-    softer[[INDEX["left_elastic"], INDEX["right_elastic"]]] *= 0.9 / 0.95
-    assert q(k, 1.0) == pytest.approx(q(softer, 0.0), abs=1e-7)
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_a_held_shape_is_a_stable_equilibrium_near_the_joint(seed: int) -> None:
-    k, weights = deviating(seed, 0.5), drawn_weights(seed)
-    u = np.array([0.0, 4e6])
-    for q in k[INDEX["l"]] * np.linspace(-0.25, 0.25, 9):
-        x, _ = rest_state(float(q), u, k, prepared(k), BASIS, weights, 0.0)
-        forces, by = np.empty(3), np.empty(6)
-        rest_forces(x, u, corrections(q, BASIS, weights), prepared(k), forces, by)
-        slopes = by.reshape(3, 2)[1:]
-        assert abs(x[2]) < 1.0
-        assert abs(x[4]) < 2.5
-        if abs(x[2]) < 0.55 and abs(x[4]) < 1.5:  # beyond, the added terms have a kink; a shape may rest there
-            np.testing.assert_allclose(forces[1:] / k[INDEX["bending"]], 0.0, atol=1e-8)
-            assert np.all(np.linalg.eigvalsh(slopes) < 0.0)
-
-
-def test_corrections_are_sums_of_the_gaussians_of_the_equations() -> None:
-    """The recurrence over equidistant centres against the generated law, value and slope."""
-    weights = drawn_weights(4)
-    centres = BASIS[0] + BASIS[1] * np.arange(weights.shape[1])
-    for q in np.linspace(-0.06, 0.06, 41):
-        bell = BELL.evaluate(inside=np.full((len(centres), 1), q), centre=centres[:, None], bend=0.5 / BASIS[2:] ** 2)
-        value, slope = bell["value"][:, 0], bell["slopes"][:, 0]
-        expected = np.concatenate([weights @ value, weights[CURVED] @ slope])
-        sizes = np.concatenate([np.abs(weights) @ value, np.abs(weights[CURVED]) @ np.abs(slope)])
-        assert np.all(np.abs(corrections(q, BASIS, weights) - expected) <= 1e-12 * sizes)
-
-
-def test_tables_are_the_corrections() -> None:
-    weights, out = drawn_weights(3), np.zeros((VALUES, 2))
-    table, span = tabulate(BASIS, weights[None])[0], table_span(BASIS, weights.shape[1])
-    places = np.linspace(-0.08, 0.08, 1001)
-    exact = np.array([corrections(q, BASIS, weights) for q in places])
-    found = np.empty_like(exact)
-    for i, q in enumerate(places):
-        look_up(q, span, table, out.ravel(), 1, 2)
-        found[i] = out[:, 1]
-    size = np.abs(exact).max(axis=0)
-    assert np.all(np.abs(found - exact).max(axis=0)[:CORRECTIONS] < 1e-8 * size[:CORRECTIONS])
-    assert np.all(np.abs(found - exact).max(axis=0)[CORRECTIONS:] < 1e-6 * size[CORRECTIONS:])
-    np.testing.assert_array_equal(out[:, 0], 0.0)
 
 
 def test_corrections_of_the_shape_are_gradients_of_a_potential() -> None:
@@ -453,14 +316,6 @@ def test_the_mass_matrix_is_that_of_the_frame_as_a_rigid_body(seed: int) -> None
     np.testing.assert_allclose(v @ inertia_at(k, *place) @ v, twice, rtol=1e-7)
 
 
-def test_powers_of_the_stretch_are_those_of_the_laws() -> None:
-    """C as λ^γ and Hencky strain in place of λ3, to 0.1 % at all stretches that joints reach."""
-    stretch = np.linspace(1.2, 1.6, 9)
-    for exponent in (0.3, -0.3, 0.5):  # γ − 1; dλ3 goes as λ^(−3/2), Hencky's strain as 1/λ
-        found = power(exponent / 1.4, stretch - 1.4, 1.4)
-        np.testing.assert_allclose(found, (stretch / 1.4) ** exponent, rtol=1e-3)
-
-
 @pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
 def test_curves_are_those_of_the_energies(joint: JointParameters) -> None:
     k = condensed_parameters.constants(joint, FRICTIONLESS, RATIO)
@@ -477,55 +332,3 @@ def test_curves_are_those_of_the_energies(joint: JointParameters) -> None:
     at_well = static_curves(np.array([well]), k, NO_BASIS, NO_WEIGHTS)[0][0]
     slope = (np.interp(well + 1e-3, q, restoring) - np.interp(well - 1e-3, q, restoring)) / 2e-3
     assert abs(at_well / slope) < 0.15e-3
-
-
-@pytest.mark.parametrize("joint", [NOMINAL, TABLE1])
-def test_electrostatic_curves_are_slopes_of_the_capacitances(joint: JointParameters) -> None:
-    """They are ½ dC/dq along the path of rest, with all of the beam's shape (eqs. 26, 33)."""
-    k = condensed_parameters.constants(joint, FRICTIONLESS, condensed_parameters.static_slope_ratio(joint))
-    q = np.linspace(-0.017, 0.017, 18)
-    _, _, left, right = static_curves(q, k, NO_BASIS, NO_WEIGHTS)
-    _, slopes = reduce_joint(joint).evaluate(q)
-    for found, name in ((left, "C_1"), (right, "C_2")):
-        exact = slopes[:, CURVES.index(name)]
-        assert np.abs(2.0 * found - exact).max() < 0.04 * np.abs(exact).max()
-
-
-def test_every_constant_is_set() -> None:
-    k = deviating(0)
-    assert len(k) == len(CONSTANTS) == len(set(CONSTANTS))
-    assert np.all(np.isfinite(k))
-    assert FIRST_ELEMENT == 2 * BRANCHES + 6
-    assert len(AT_REST) == len(ELEMENT_STATES) == STATES - FIRST_ELEMENT
-
-
-SHORT_RUN = """
-import hashlib
-import numpy as np
-from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
-from pipeline.device_parameters import NOMINAL
-
-k = condensed_parameters.constants(NOMINAL, np.zeros(len(condensed_parameters.NAMES)), 1.26)
-u = np.zeros((1, 1201, 2))
-u[0, 60:600, 0] = 2800.0**2
-weights = np.full((1, 9, 5), 0.5) * condensed_parameters.correction_prior_std(NOMINAL)[:, None]
-q = run_joints(
-    Laws(k[None], weights, np.array([-0.02, 0.01, 0.008])),
-    Driving(u, np.zeros(1, dtype=np.int64), np.zeros(1), np.array([-0.011, 0.0, 0.0])),
-    Followed(np.zeros(0), np.zeros(201)), Stepping(0.01, 3, 0.045, 14.0),
-)
-print(hashlib.sha256(q.tobytes()).hexdigest())
-"""
-
-
-@pytest.mark.long
-def test_a_process_that_compiles_the_kernels_gets_the_bits_of_one_that_loads_them(tmp_path: Path) -> None:
-    # Callees that are no part of their caller's code were linked to another version of themselves in the first one.
-    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
-    first, second = (
-        subprocess.run([sys.executable, "-c", SHORT_RUN], env=environment, capture_output=True, text=True, check=True)
-        for _ in range(2)
-    )
-    assert any(tmp_path.rglob("*.nbc"))
-    assert first.stdout == second.stdout

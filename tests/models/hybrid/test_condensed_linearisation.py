@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.generated.condensed_joint import SLIPS, STATES, STOP_ELEMENTS, STOPS
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES as CORRECTIONS

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.similarity import Similarity
@@ -53,12 +53,3 @@ def test_derivatives_of_a_run_are_those_of_differences(
     wrong = np.maximum(np.abs(jacobian - differences).max(axis=0) - ROUNDING, 0.0) / np.abs(differences).max(axis=0)
     assert wrong.max() < 1e-3  # single precision, where a number hardly acts or a stop operator turns in a difference
     assert np.median(wrong) < 1e-6
-
-
-def test_derivatives_of_two_logs_stand_one_behind_the_other() -> None:
-    made, theta = problem(0, Similarity(), fine=True, seed=3)
-    both = CondensedProblem(made.joint, [])
-    both.logs = made.logs * 2
-    (one, rows), (errors, jacobian) = made.jacobian(theta, 8.0), both.jacobian(theta, 8.0)
-    assert np.array_equal(errors, np.tile(one, 2))
-    assert np.array_equal(jacobian, np.tile(rows, (2, 1)))

@@ -1,29 +1,25 @@
 """The hybrid joint: planted parameters come back, runs are bounded, trees go round."""
 
-from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 
+from pipeline.device.parameters import NOMINAL
 from pipeline.device_facts.calibrated import calibrated
-from pipeline.device_parameters import NOMINAL
-from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
-from pipeline.models.base import FreeRun, predictor
-from pipeline.models.choose import JUDGED_TIME, NETWORK_ERROR, QUICK_TIME, choose
-from pipeline.models.hybrid import identify as identify_hybrid_module
+from pipeline.errors import CorruptArtifactError, DataRefusedError
+from pipeline.models.base import predictor
+from pipeline.models.choose import choose
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.identify import BASIS_FUNCTIONS, identify_hybrid
 from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint, CondensedProblem
+from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.start import prior_root
-from pipeline.models.kind import FITTED_SHARE, Training
+from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray
 from pipeline.settings import Identify
 from pipeline.signals.trajectory import Record
 from tests.export.joints import hybrid
-from tests.file_columns import unknown_entries
 
 PLANTED = {
     "left.log C0": 0.67,
@@ -90,21 +86,6 @@ def test_planted_joint_is_followed_on_a_log_it_has_not_seen(
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
 
 
-@pytest.mark.parametrize(
-    ("corrections", "follows", "centres"),
-    [pytest.param("none", False, 0, marks=pytest.mark.long), ("always", True, BASIS_FUNCTIONS)],
-)
-def test_corrections_are_fitted_as_asked_whatever_the_logs_say(
-    corrections: Any, follows: bool, centres: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(identify_hybrid_module._Search, "follows", lambda *_: follows)
-    monkeypatch.setattr(identify_hybrid_module._Search, "anew", lambda search, plain: identify_hybrid_module._Fitted(
-        plain, search.fit(plain, plain.start(), (0.0,), last=1)))  # fmt: skip
-    model = identify_hybrid([log(joint(PLANTED), 1, 4.0)], NOMINAL, corrections=corrections)
-    assert model.joint.centres == centres == model.describe()["basis_functions"]
-    assert model.describe()["physical_parameters"] == DEVIATION_COUNT
-
-
 def test_electrodes_that_charge_in_20_ms_are_seen() -> None:
     slow = joint({"log charging time": 2.0})
     truth = slow.joint.instruments(slow.theta).charging
@@ -125,24 +106,6 @@ def test_recorders_that_began_15_ms_apart_are_seen() -> None:
     unseen = log(late, 2)
     run = model.simulate(unseen.t, unseen.v, float(unseen.q[0]), 0.0)
     assert np.sqrt(np.mean((run.q - unseen.q) ** 2)) < 0.01 * np.ptp(unseen.q)
-
-
-def test_a_fit_that_loses_its_logs_starts_anew(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As if the fit to whole logs had ended in another well: a second one, from the set, takes its place."""
-    fit, asked = identify_hybrid_module._Search.fit, list[Sequence[float]]()
-
-    def losing(search: Any, joint: Any, start: Any, poles: Sequence[float], **steps: int) -> Any:
-        asked.append(poles)
-        found = fit(search, joint, start, poles, **steps)
-        lost = replace(found.levels[-1], rms=10.0)
-        return replace(found, levels=(*found.levels[:-1], lost)) if poles == identify_hybrid_module.WHOLE else found
-
-    monkeypatch.setattr(identify_hybrid_module._Search, "fit", losing)
-    record = log(joint(PLANTED), 1)
-    model = identify_hybrid([record], NOMINAL)
-    assert asked[-3:] == [getattr(identify_hybrid_module, name) for name in ("WHOLE", "COUPLED", "FREE")]
-    assert model.diagnostics["training_rms_m"] < 1e-3 * np.ptp(record.q)
-    assert model.early is not None
 
 
 def test_bands_of_curves_leave_force_and_damping_open_where_no_correction_acts(
@@ -263,32 +226,6 @@ def test_a_joint_softens_from_the_beginning_of_a_recording_whatever_its_clock_co
     assert one is not None and other == pytest.approx(one, abs=1e-4)  # mm
 
 
-def test_corrections_act_on_the_force() -> None:
-    corrected, plain = joint({}, centres=5), joint({})
-    corrected.theta[DEVIATION_COUNT : DEVIATION_COUNT + 5] = 1.0
-    q = np.linspace(-0.015, 0.015, 7)
-    difference = corrected.curves(q)["F"] - plain.curves(q)["F"]
-    bells = np.exp(-0.5 * ((q[:, None] - (-0.02 + 0.01 * np.arange(5))) / 0.008) ** 2)
-    width = condensed_parameters.correction_prior_std(NOMINAL)[0]
-    np.testing.assert_allclose(difference, -width * bells.sum(axis=1), rtol=1e-6)
-
-
-def test_draws_are_repeatable_and_spread(identified: tuple[HybridModel, HybridModel]) -> None:
-    _, model = identified
-    np.testing.assert_array_equal(model.draws(3), model.draws(3))
-    bands = model.curve_ensemble(np.array([0.01]), 8)
-    assert np.std(bands["F"]) > 0.0
-
-
-def test_one_voltage_is_refused() -> None:
-    record = log(joint({}), 6, 3.0)
-    one = Record(record.t, record.q, record.qdot, record.qddot, record.v[:, :1], record.valid)
-    with pytest.raises(InputError, match="two membranes"):
-        identify_hybrid([one], NOMINAL)
-    with pytest.raises(InputError, match="no training data"):
-        identify_hybrid([], NOMINAL)
-
-
 WRONG = {"left.log C0": 5.0, "log E": 5.0}
 """So far off that the joint no longer follows a log of the drawing."""
 
@@ -335,74 +272,6 @@ def test_a_network_that_is_not_surely_nearer_does_not_replace_the_equations() ->
         assert choice.excess is not None and choice.excess.low < 0.0 < choice.excess.high
 
 
-def test_without_an_interval_a_network_must_err_by_less_than_half() -> None:
-    truth, near, wrong = joint({}), joint({"log E": 0.02}), joint({"log E": 0.03})
-    training = given(log(truth, 1, 12.0))
-    choice = choose(training, lambda _: wrong, lambda _: near)
-    assert choice.excess is None
-    assert 0.5 * choice.held_out["hybrid"] < choice.held_out["rbf"] < choice.held_out["hybrid"]
-    assert choice.model is wrong
-    assert choose(training, lambda _: wrong, lambda _: truth).model is truth
-
-
-def test_equations_that_follow_the_training_logs_but_predict_badly_are_compared() -> None:
-    truth, asked = joint({}), list[float]()
-
-    def alone(part: Training) -> HybridModel:
-        asked.append(part.identify.time_limit)
-        return truth
-
-    lucky = replace(truth, early=joint(WRONG))
-    assert choose(given(log(truth, 1)), lambda _: lucky, alone).model is truth
-    assert asked == [QUICK_TIME, JUDGED_TIME, Identify().time_limit - QUICK_TIME - JUDGED_TIME]
-
-
-class Follower(HybridModel):
-    """Follows a log of the drawing's joint up to the share `until` of it, and is a tenth of a metre off behind."""
-
-    until = FITTED_SHARE
-
-    def simulate(self, t: FloatArray, v: FloatArray, q0: float, qdot0: float) -> FreeRun:
-        run = super().simulate(t, v, q0, qdot0)
-        whole = len(log(joint({}), 1).t)
-        return replace(run, q=run.q + 0.1 * (np.arange(len(t)) >= round(self.until * whole)))
-
-
-@pytest.mark.parametrize(("until", "limits"), [(FITTED_SHARE, [QUICK_TIME]), (0.0, [QUICK_TIME, JUDGED_TIME])])
-def test_a_network_that_follows_its_data_and_predicts_badly_gets_no_more_time(
-    until: float, limits: list[float]
-) -> None:
-    truth, asked = joint({}), list[float]()
-
-    def alone(part: Training) -> HybridModel:
-        asked.append(part.identify.time_limit)
-        network = Follower(truth.joint, truth.theta, truth.spread, truth.band_spread)
-        object.__setattr__(network, "until", until)
-        return network
-
-    stiff = joint({"log E": 0.3})
-    choice = choose(given(log(truth, 1)), lambda _: stiff, alone)
-    assert choice.model is stiff
-    assert choice.held_out["hybrid"] > NETWORK_ERROR
-    assert asked == limits
-
-
-def test_a_network_of_all_data_that_follows_them_less_well_does_not_replace_the_equations() -> None:
-    """A quick fit that happens to predict the last quarter, where the fit of all data ends badly."""
-    truth, limits = joint({}), list[float]()
-    training = given(log(truth, 1))
-
-    def alone(part: Training) -> HybridModel:
-        limits.append(part.identify.time_limit)
-        return joint(WRONG) if len(part.records[0].t) == len(training.records[0].t) else truth
-
-    equations = replace(truth, early=joint(WRONG))
-    choice = choose(training, lambda _: equations, alone)
-    assert choice.model is equations
-    assert choice.other is not None and choice.other is not equations and "less well" in choice.reason
-    assert limits == [QUICK_TIME, JUDGED_TIME, Identify().time_limit - QUICK_TIME - JUDGED_TIME]
-
-
 def test_data_alone_where_no_hybrid_joint_can_be_tied_to_the_logs() -> None:
     def refused(_: object) -> HybridModel:
         raise DataRefusedError("no simulation follows")
@@ -426,28 +295,6 @@ def test_hidden_states_come_from_the_measurement_before_a_restart() -> None:
     after, rested = np.median(errors, axis=0)
     assert after < 0.02 * rested
     assert np.max(errors, axis=0)[0] < 1e-3 * np.ptp(moving.q)
-
-
-def test_a_restart_is_the_same_whatever_other_restarts_there_are(identified: tuple[HybridModel, HybridModel]) -> None:
-    model, unseen, starts = identified[1], log(identified[0], 2), np.array([0, 40, 300, 301])
-    path = unseen.t, unseen.v, unseen.q, unseen.qdot
-    runs = [*model.predict(*path, starts, np.array([5, 400, 0, 20]))]
-    assert [len(run) for run in runs] == [6, 401, 1, 21]
-    (alone,) = model.predict(*path, starts[-1:], np.array([20]))
-    np.testing.assert_allclose(runs[-1], alone, atol=1e-9)
-
-
-def test_equations_that_miss_one_passage_stay_before_a_network_that_follows_less_well() -> None:
-    truth, near = joint({}), joint({"log E": 0.05})
-    missed = Follower(truth.joint, truth.theta, truth.spread, truth.band_spread)
-    choice = choose(given(log(truth, 1)), lambda _: missed, lambda _: near)
-    assert choice.model is missed
-    assert choice.held_out["rbf"] < choice.held_out["hybrid"]
-    assert "follows" in choice.reason
-
-
-def test_its_file_tells_unit_and_meaning_of_every_entry(identified: tuple[HybridModel, HybridModel]) -> None:
-    assert not unknown_entries(identified[1])
 
 
 @pytest.mark.parametrize("step", [0.03, 0.05, 0.1, 0.25])

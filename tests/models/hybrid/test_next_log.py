@@ -1,29 +1,22 @@
 """What a further log would show of a joint: derivatives, expected errors, and a log designed by them."""
 
-import json
-import shutil
 import sys
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
-from cli import app
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.next_log import slopes, uncertainty
 from pipeline.models.hybrid.parameters import NAMES
 from pipeline.numerics.arrays import FloatArray
-from pipeline.runs import layout
-from pipeline.runs.manifest import Recipe
-from pipeline.runs.run_folder import RunFolder
 from pipeline.tools.excitation_design import Requirements
 from pipeline.tools.next_log import design_next_log
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture
-from tests.export.joints import hybrid, paper, pulses
+from tests.export.joints import hybrid, pulses
 
 START = -0.0105
 UNSURE = ("left.log C0", "right.log C0", "log E", "log eta", "log charging time")
@@ -59,40 +52,8 @@ def test_the_expected_error_is_the_spread_of_runs_of_the_posterior(model: Hybrid
     assert unsure.error() == pytest.approx(1e-3 * np.sqrt(np.mean(np.var(runs, axis=0))), rel=0.15)
 
 
-def test_a_log_of_the_programme_brings_more_than_a_rest_and_two_bring_more_than_one(model: HybridModel) -> None:
-    t, v = pulses(6.0)
-    unsure = uncertainty(model, t, v, START, 0.01)
-    moved, still = (unsure.shown(slopes(model, t, u, START), 0.01) for u in (v, 0.0 * v))
-    assert unsure.error(2.0 * moved) < unsure.error(moved) < 0.5 * unsure.error()
-    assert unsure.error(moved) < unsure.error(still) <= unsure.error()
-    # without a prior to speak of, twice the samples leave half the variance
-    assert unsure.error(2e6 * moved) == pytest.approx(unsure.error(1e6 * moved) / np.sqrt(2.0), rel=0.1)
-
-
 def test_a_designed_log_is_expected_to_beat_usual_ones_within_the_voltage(model: HybridModel) -> None:
     wanted = Requirements(duration=8.0, candidates=4, voltage=2900.0)
     made = design_next_log(model, START, 0.01, "validation", np.random.default_rng(2), wanted)
     assert made.designed < made.usual < made.now
     assert max(max(burst.left, burst.right) for burst in made.bursts) <= 2900.0
-
-
-def test_a_programme_needs_a_run(tmp_path: Path) -> None:
-    result = CliRunner().invoke(app, ["rig", "excite", "-o", str(tmp_path / "e.csv"), "--programme", "validation"])
-    assert result.exit_code == 2 and "only the model hybrid of a run" in " ".join(result.stderr.split())
-
-
-def test_the_command_states_what_the_log_is_expected_to_bring(planted_run, model, tmp_path) -> None:  # noqa: F811
-    run = RunFolder.open(shutil.copytree(planted_run, tmp_path / "run"))
-    tree = {"headline": "hybrid", "hybrid": model.to_tree(), "rbf-paper": paper().to_tree()}
-    notes = {"identified": ["hybrid", "rbf-paper"], "hybrid": {}, "rbf-paper": {}}
-    run.commit(Recipe("test", "1", {}, {}), {layout.MODELS: run.write_tree(layout.MODELS, tree, notes)})
-    design = tmp_path / "design.toml"
-    design.write_text("candidates = 2\n")
-    excite = ["rig", "excite", "-o", str(tmp_path / "next.csv"), "--run", str(run.root), "--duration", "8s"]
-    result = CliRunner().invoke(app, [*excite, "--design", str(design), "--programme", "pulses", "--json"])
-    assert result.exit_code == 0, result.output
-    stated = json.loads(result.stdout)["free_run_standard_deviation_m"]
-    assert stated["with_the_designed_log"] < stated["now"]
-    assert (tmp_path / "next.csv").is_file()
-    refused = CliRunner().invoke(app, [*excite, "--programme", "tango"])
-    assert refused.exit_code == 2 and "no such file" in refused.stderr

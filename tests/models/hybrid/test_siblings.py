@@ -1,24 +1,18 @@
 """Siblings of a joint: what their fits show, what they teach, which one is odd, and how a run takes them over."""
 
-import shutil
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
-from cli import app
-from pipeline.device_parameters import NOMINAL, TABLE1
-from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
+from pipeline.device.parameters import NOMINAL, TABLE1
+from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.models.hybrid.identify import NOISE_INFLATION, _Search
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.parameters import DEVIATIONS, NAMES
 from pipeline.models.hybrid.problem import CondensedJoint
 from pipeline.models.hybrid.siblings import column, from_tree, information_of, learn, to_tree, usual_prior
-from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.start import prior_root
 from pipeline.numerics.arrays import FloatArray
 from pipeline.runs.run_folder import RunFolder
@@ -66,13 +60,6 @@ def test_a_fit_is_taken_apart_into_its_logs_and_its_prior() -> None:
     assert np.all(np.abs(best - 0.5)[well] < 4.5 * error[well])  # the truth, and not what the prior pulls it to
 
 
-def test_corrections_are_integrated_out() -> None:
-    alone = information_of(fitted(np.full(COUNT, 0.5), 1))
-    with_corrections = information_of(fitted(np.append(np.full(COUNT, 0.5), np.zeros(9 * 6)), 1, centres=6))
-    assert with_corrections.precision.shape == alone.precision.shape
-    assert np.linalg.eigvalsh(with_corrections.precision).min() > -1e-6
-
-
 def test_siblings_teach_what_they_share_and_an_odd_one_is_named() -> None:
     usual, with_odd = learn(siblings(9)), learn(siblings(9, odd=4.0))
     assert not usual.odd and np.median(list(usual.gains.values())) > 5.0
@@ -82,18 +69,6 @@ def test_siblings_teach_what_they_share_and_an_odd_one_is_named() -> None:
     assert (odd.name, odd.quantity, odd.unit) == ("J1", "left capacitance", "%")
     truth = 100.0 * np.expm1(4.0 * DEVIATIONS[ODD].prior_std)
     assert odd.size == pytest.approx(truth, abs=4.0 * odd.error)
-
-
-def test_too_few_or_unlike_runs_teach_nothing() -> None:
-    some = siblings(5)
-    with pytest.raises(DataRefusedError, match="at least 5"):
-        learn(dict(list(some.items())[:4]))
-    other = replace(some["J2"], joint=replace(JOINT, parameters=TABLE1))
-    with pytest.raises(InputError, match="not one parameter set"):
-        learn(some | {"J2": other})
-    scaled = replace(some["J2"], joint=replace(JOINT, similarity=Similarity(length=1.1)))
-    with pytest.raises(InputError, match="J2: was scaled by its own logs"):
-        learn(some | {"J2": scaled})
 
 
 def test_the_prior_of_a_fit_is_the_population_of_its_siblings() -> None:
@@ -138,25 +113,3 @@ def test_a_run_files_its_siblings_and_the_fit_takes_them(tmp_path: Path) -> None
     (tmp_path / "P.toml").write_text(text + '[plant]\nsiblings = "siblings.h5"\n')
     with pytest.raises(InputError, match=r"give plant\.parameters too"):
         load_prototype(tmp_path / "P.toml")
-
-
-@pytest.mark.long
-def test_a_batch_with_siblings_of_another_batch(tmp_path: Path) -> None:
-    """Five joints of 8 s teach a sixth one, by the commands that a user gives."""
-
-    def debist(*arguments: str) -> str:
-        code = "from cli import app; app()"
-        return subprocess.run(
-            [sys.executable, "-c", code, *arguments], cwd=tmp_path, check=True, capture_output=True, text=True
-        ).stdout
-
-    debist("rig", "fleet", "6", "-o", "fleet", "--rate", "2000", "--duration", "8", "--seed", "3")
-    for path in tmp_path.glob("fleet/*/*.toml"):
-        path.write_text(path.read_text() + '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n')
-    shutil.move(tmp_path / "fleet/same-00", tmp_path / "new")
-    debist("batch", "fleet", "-o", "runs", "--no-report")
-    said = debist("fleet", "learn", "runs", "-o", "siblings.h5")
-    assert "5 siblings" in said and "less than half the prior's spread" in said
-    debist("batch", "new", "-o", "taught", "--no-report", "--siblings", "siblings.h5")
-    refused = CliRunner().invoke(app, ["fleet", "learn", str(tmp_path / "taught"), "-o", str(tmp_path / "x.h5")])
-    assert refused.exit_code == 3 and "was identified with siblings" in refused.stderr

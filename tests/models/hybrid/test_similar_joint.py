@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.models.hybrid.similarity import Similarity
 from pipeline.models.hybrid.start import NoJoint, similar_joint
 from pipeline.numerics.arrays import FloatArray

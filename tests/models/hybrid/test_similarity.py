@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.device_parameters import NOMINAL
+from pipeline.device.parameters import NOMINAL
 from pipeline.generated.condensed_joint import STATES, STOPS
 from pipeline.models.hybrid import parameters as condensed_parameters
 from pipeline.models.hybrid.kernels import CURVES, VALUES, corrections_at, joint_rates, prepare
@@ -76,8 +76,3 @@ def test_free_runs_and_curves_scale() -> None:
     np.testing.assert_allclose(theirs["d"], UNITS.mass / UNITS.time * force["d"], rtol=2e-3)
     np.testing.assert_allclose(theirs["dC1_dq"], newton / UNITS.voltage**2 * force["dC1_dq"], rtol=1e-4)
     assert other.mass == pytest.approx(3.0 * ours.mass)
-
-
-def test_similarity_survives_the_tree() -> None:
-    other = pair()[1]
-    assert HybridModel.from_tree(other.to_tree()).joint.similarity == UNITS

@@ -2,7 +2,6 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pipeline.errors import CorruptArtifactError, InputError
 from pipeline.fitting.regression import basis_centres
 from pipeline.models.kind import model_from_tree
 from pipeline.models.paper.model import RbfPaperModel, identify_rbf_paper
@@ -128,18 +127,3 @@ def test_tree_round_trip(log):
     assert (before == after).all()
     assert again.describe().keys() == model.describe().keys()
     assert model.describe()["visits_per_centre"].sum() == len(log.t)
-
-
-def test_a_tree_without_weights_is_a_corrupt_artifact():
-    tree = planted_model().to_tree()
-    del tree["weights"]
-    with pytest.raises(CorruptArtifactError, match="weights"):
-        model_from_tree("rbf-paper", tree)
-
-
-def test_no_data_and_constant_data_are_refused(log):
-    with pytest.raises(InputError, match="no training data"):
-        identify_rbf_paper([])
-    flat = Trajectory(log.t, 0 * log.q, log.qdot, log.qddot, log.v)
-    with pytest.raises(InputError, match="constant"):
-        identify_rbf_paper([flat])

@@ -1,11 +1,10 @@
 """Extrapolation confines: a run of any parameters, state and input stays near the data, and rests there."""
 
 import numpy as np
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pipeline.models.rbf.coefficients import FORCE, POLYNOMIALS
+from pipeline.models.rbf.coefficients import POLYNOMIALS
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.observed_run import WALL
 from pipeline.models.rbf.parameter_layout import OVERHANG, ParameterLayout
@@ -31,7 +30,7 @@ def drawn(seed, force):
     return RbfModel(p, theta, np.zeros((p.count, 1)), np.zeros((p.count, 1)))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(
     seed=st.integers(0, 10**6), force=st.sampled_from(["curve", "polynomial", "offset"]), x=st.floats(-3.0, 3.0),
     speed=st.floats(-50.0, 50.0), drive=st.floats(0.0, 2.0),
@@ -44,17 +43,3 @@ def test_no_run_passes_the_wall_and_all_return_at_rest(seed, force, x, speed, dr
     away = np.abs(run.q - MIDDLE) / HALF
     assert away.max() <= WALL + 1e-9
     assert away[-1] <= RESTS or np.abs(run.qdot[-500:]).max() > 1e-3 * HALF  # or it is still on its way
-
-
-@pytest.mark.parametrize(("slope", "turns"), [(3.0, True), (-3.0, False)])
-def test_a_force_that_leads_away_turns_back_and_one_that_restores_is_left(slope, turns):
-    model = drawn(0, "polynomial")
-    p, theta = model.parameters, model.theta.copy()
-    theta[p.slices["force"]] = [0.0, slope, 0.0, -30.0]
-    c = p.coefficients(theta)
-    x = np.concatenate([np.linspace(1.31, 2.5, 20), -np.linspace(1.31, 2.5, 20)])
-    force = model._curves_at(c, x)[:, FORCE]
-    if turns:
-        assert (force * x < 0.0).all()
-    else:
-        np.testing.assert_allclose(force, slope * x, rtol=1e-6)

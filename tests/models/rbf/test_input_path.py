@@ -2,11 +2,10 @@ import numpy as np
 import pytest
 from scipy.integrate import simpson, solve_ivp
 
-from pipeline.generated.terms import BENT
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem
-from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes, lagged
+from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes
 from pipeline.signals.trajectory import Record
 
 INTERVAL = 0.1
@@ -39,45 +38,6 @@ def test_steps_lose_nothing_of_the_finer_record_wherever_a_pulse_begins(steps, s
         assert area == pytest.approx(np.trapezoid(v**power, fine))
     ramp = drive_at_nodes(fine.reshape(40, 5, 1), 0.7, steps, "record")[:, 0]
     assert ramp[2:-2] == pytest.approx(0.7 / (2 * steps) * np.arange(len(ramp))[2:-2])
-
-
-def test_a_delay_shifts_the_drive_and_holds_its_first_value_before():
-    t = INTERVAL * np.arange(40)
-    drive = drive_at_nodes(wave(t), INTERVAL, 1, "linear", delay=2 * INTERVAL)
-    assert drive[4:] == pytest.approx(drive_at_nodes(wave(t), INTERVAL, 1, "linear")[:-4])
-    assert drive[0] == pytest.approx(wave(t)[0])
-
-
-def test_a_held_drive_moves_smoothly_with_its_delay_and_keeps_its_area():
-    v, steps = np.random.default_rng(3).standard_normal((40, 1)), 3
-    same = drive_at_nodes(v, INTERVAL, steps, "zero")
-    assert drive_at_nodes(v, INTERVAL, steps, "zero", delay=3 * INTERVAL)[18:] == pytest.approx(same[:-18])
-    delays = INTERVAL * np.linspace(0.3, 2.7, 200)
-    drives = np.array([drive_at_nodes(v, INTERVAL, steps, "zero", delay=d)[:-1:2, 0] for d in delays])
-    step = np.diff(delays)[0] * steps / INTERVAL  # of a step, at most this share of a jump comes in
-    assert np.abs(np.diff(drives, axis=0)).max() <= step * np.abs(np.diff(v[:, 0])).max() + 1e-12
-    early = v[0, 0] * delays + INTERVAL * np.interp(39.0 - delays / INTERVAL, range(41), np.append(0.0, np.cumsum(v)))
-    assert drives.sum(axis=1) * INTERVAL / steps == pytest.approx(early)
-
-
-def test_a_lag_from_rest_without_input_takes_a_held_input_up_exponentially():
-    half, lag = 0.01, 0.05
-    z, _ = lagged(np.ones((50, 1)), half, lag, held=True, rest_at_zero=True)
-    assert z[:, 0] == pytest.approx(1.0 - np.exp(-half * np.arange(50) / lag))
-    still, _ = lagged(np.ones((50, 1)), half, lag, held=True, rest_at_zero=False)
-    assert still == pytest.approx(1.0)
-
-
-@pytest.mark.parametrize("bend", [-1.0, 0.0, 1.5])
-def test_a_bent_drive_rises_monotonously_through_its_ends_and_goes_on_beyond_them(bend):
-    drive = np.linspace(-3.0, 3.0, 601)
-    found = BENT.evaluate(drive=drive[:, None], bend=np.array([bend]))
-    value, slope = found["value"][:, 0], found["slopes"][:, 0]
-    assert value[[200, 300, 400]] == pytest.approx([-1.0, 0.0, 1.0])
-    assert slope[300] == pytest.approx(np.exp(bend))
-    assert (np.diff(value) > 0.0).all()
-    assert np.diff(value[400:]) == pytest.approx(0.01)
-    assert value == pytest.approx(-value[::-1])
 
 
 def mass(**changes):
@@ -127,20 +87,6 @@ def test_an_effect_behind_a_lag_moves_a_mass_as_an_integrator_says():
         )  # fmt: skip
         state = step.y[:, -1]
         assert run.q[n + 1] == pytest.approx(state[0], abs=2e-5)
-
-
-def test_thinning_keeps_what_a_slow_device_does():
-    model = mass(hold="linear")
-    t = 0.002 * np.arange(4000)
-    v = np.sin(2.0 * t)[:, None]
-    run = model.simulate(t, v, 0.0, 0.0)
-    log = Record(t, run.q, run.qdot, run.qddot, v, np.ones(len(t), dtype=bool))
-    for thinning in (2, 3, 20):
-        problem = JointProblem(model.parameters, [log], thinning=thinning)
-        error = problem.residual(model.theta, 0.0)
-        assert error.size == -(-len(t) // min(thinning, problem.logs[0].every))
-        assert np.abs(error).max() < 2e-4, thinning
-    assert error.size < 0.1 * len(t)
 
 
 @pytest.mark.parametrize("every", [2, 3])

@@ -5,7 +5,7 @@ from scipy.integrate import solve_ivp
 from pipeline.codegen.graph import trace
 from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
 from pipeline.models.rbf.coefficients import FORCE, basis_rows, no_sensitivities
-from pipeline.models.rbf.dynamics import free_rates, slide
+from pipeline.models.rbf.dynamics import free_rates
 from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.problem import JointProblem
@@ -124,24 +124,6 @@ def test_sensitivities_are_the_exact_derivatives_of_the_scheme(gain, changes):
         assert jacobian[:, i] == pytest.approx(difference, abs=2e-6 + 2e-4 * np.abs(difference).max()), i
 
 
-def test_sensitivities_are_exact_where_the_extrapolation_confines():
-    """The force leads away on the right of the data, where the run begins, and turns back."""
-    p = parameters(force="polynomial")
-    theta = double_well(p, np.random.default_rng(2))
-    log = record(p, theta, n=100)
-    theta[p.slices["force"]] = 0.0, 20.0, 10.0, np.log(3.0)
-    outside = Record(log.t, log.q + 0.016, log.qdot, log.qddot, 0.0 * log.v, log.valid)
-    problem = JointProblem(p, [outside])
-    errors, jacobian = problem.jacobian(theta, 0.0)
-    x = problem.logs[0].measured + errors
-    assert (x > 1.15).mean() > 0.3
-    step = 1e-6 * np.eye(p.count)
-    for i in (*range(p.slices["force"].start, p.slices["force"].stop), p.slices["damping"].start + 5):
-        above, below = (problem.residual(theta + s * step[i], 0.0) for s in (1, -1))
-        difference = (above - below) / 2e-6
-        assert jacobian[:, i] == pytest.approx(difference, abs=2e-6 + 1e-3 * np.abs(difference).max()), i
-
-
 def test_agrees_with_an_adaptive_integrator_of_the_equations_as_written():
     p = parameters()
     theta = double_well(p, np.random.default_rng(4))
@@ -210,17 +192,6 @@ def test_a_turning_arm_is_a_pendulum_inside_the_data_and_a_wall_outside():
     theta[at["force"]][3] = np.log(5.0)
     outside = basis_rows(np.array([1.0, 1.1, 1.3]), p.coefficients(theta))[:, 3]
     assert outside == pytest.approx([1.0, 1.1**3 + 1.0, 1.3**3 + 27.0])
-
-
-def test_friction_states_do_not_depend_on_how_fast_the_way_is_travelled():
-    p = parameters()
-    c = p.coefficients(double_well(p, np.random.default_rng(5)))
-    wrt, nothing = no_sensitivities(), np.empty(0)
-    once, thrice = np.array([[0.3]]), np.array([[0.3]])
-    slide(once, 1.0, 0.03, nothing, c, wrt, once)
-    for _ in range(3):
-        slide(thrice, 0.5, 0.02, nothing, c, wrt, thrice)
-    assert once[0, 0] == pytest.approx(thrice[0, 0], rel=1e-12)
 
 
 def test_a_gap_is_bridged_and_left_out_of_the_residual():

@@ -33,26 +33,6 @@ def test_mains_hum_is_found_at_fifty_hertz() -> None:
     assert reading.mean() == pytest.approx(1000.0, rel=1e-9)
 
 
-def test_a_joint_without_excitation_rests() -> None:
-    bench = Bench(rate=2000.0, laser=IDEAL)
-    t = bench.clock(3.0)
-    log = record(nominal(), bench, t, np.zeros((t.size, 2)), np.random.default_rng(3))
-    assert np.ptp(log.q) < 1e-8
-    assert np.abs(log.true_qdot).max() < 1e-7
-
-
-@pytest.mark.long
-def test_a_log_of_the_size_of_a_real_one_takes_less_than_five_seconds(tmp_path) -> None:  # type: ignore[no-untyped-def]
-    import time
-
-    from pipeline.rig.fleet import Experiment, write_prototype
-
-    write_prototype(tmp_path, "warm", Experiment(kind="nominal", duration=2.0), seed=1)
-    begin = time.process_time()
-    write_prototype(tmp_path, "full", Experiment(kind="nominal"), seed=1)
-    assert (time.process_time() - begin) / 2 < 5.0
-
-
 def test_membranes_charge_behind_their_electrodes_and_probes_see_the_converters() -> None:
     p, t = nominal(), np.arange(8000) / 4000.0
     u = np.zeros((t.size, 2))

@@ -1,32 +1,14 @@
-"""What the settings say of the device: units, inputs and mass, in SI, and its tables' schemas."""
+"""The device by its settings: units, law of the inputs, mass and limits, in SI."""
 
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Literal
 
 import numpy as np
 
-from pipeline.device_parameters import JointParameters
 from pipeline.errors import InputError
-from pipeline.models.model_file import FilePart, column_of
-from pipeline.numerics.arrays import FloatArray
-from pipeline.runs.schemas import Schema, resolve
-from pipeline.runs.trees import Columns
 from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
 from pipeline.settings_logs import LogColumn
 from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
-
-RotationMap = Callable[[FloatArray], FloatArray]
-
-
-def rotation_map(parameters: JointParameters | None) -> RotationMap | None:
-    """φ [rad] of q [m], NaN where q is NaN; None for a device without a parameter set."""
-    if parameters is None:
-        return None
-    from pipeline.models.analytical.statics import static_rotation
-
-    return lambda q: static_rotation(q, parameters)
 
 
 @dataclass(frozen=True)
@@ -83,21 +65,6 @@ class Device:
         """Whether it can be the bistable joint."""
         units = [unit.symbol for unit in self.inputs]
         return of_joint(self.displacement.symbol, units, squared=self.action == "squared")
-
-    def schema(self, schema: Schema, *, phi: bool = False, tubes: bool = False) -> Schema:
-        """The schema with this device's units and inputs."""
-        inputs = tuple(unit.symbol for unit in self.inputs)
-        return resolve(
-            schema, displacement=self.displacement.symbol, inputs=inputs, phi=phi, velocity=self.velocity is not None,
-            tubes=tubes,
-        )  # fmt: skip
-
-    def model_columns(self, files: Mapping[str, type[FilePart]]) -> Columns:
-        """Unit and meaning of each entry of a file of models by its path there; `files` declares the groups."""
-        mass = MASS[self.displacement.symbol] if self.known_mass is not None else "1"
-        stiffness = {"N": "N/m", "N·m": "N·m/rad"}.get(self.curve_units["F"], "1/s²")
-        units = {"q": self.displacement.symbol, "v": self.inputs[0].symbol, "m": mass, "c": stiffness}
-        return partial(column_of, units=units | self.curve_units, files=files)
 
 
 def device(prototype: Prototype) -> Device:

@@ -1,0 +1,1 @@
+"""The device: units, law of the inputs, mass and limits by the settings; parameter sets of the joint."""
