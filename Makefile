@@ -31,7 +31,7 @@ test-long: $(VENV)/.dev-ready
 	$(BIN)/python -m pytest -n auto --maxprocesses 8 --dist loadfile -m "long or not long"
 
 # 10,000 damaged logs of every format and 500 changed files of every model; faults at many calls of a run that change a
-# file (Linux), which renews the counts in docs/reference/faults.md
+# file (Linux)
 fuzz: $(VENV)/.dev-ready
 	$(BIN)/python -m tests.fuzz
 	$(BIN)/python -m pytest -m long tests/fuzz/test_model_files.py

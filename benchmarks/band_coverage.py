@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize, root
 
 import debist
@@ -228,7 +229,13 @@ def joints(fleet: Path, runs: Path) -> Iterator[Compared]:
         least, most = np.percentile(run.log("train")["q_m"].dropna().to_numpy(), [1.0, 99.0])
         q = np.linspace(least, most, GRID)
         coarse = np.linspace(least, most, POINTS)
-        truth = {key: np.interp(q, coarse, values) for key, values in true_curves(joint, coarse).items()}
+        known = true_curves(joint, coarse)
+        # A jump leaves no facts, and lines between the points that there are; else a smooth curve has its slopes.
+        smooth = all(np.isfinite(values).all() for values in known.values())
+        truth = {
+            key: CubicSpline(coarse, values)(q) if smooth else np.interp(q, coarse, values)
+            for key, values in known.items()
+        }
         for model in (run.model(each).core for each in ("hybrid", "rbf") if each in run.models):
             unit = moving_mass(joint) if abs(getattr(model, "mass", 1.0) - 1.0) < UNIT else 1.0
             yield f"{name.partition('-')[0]} {model.name}", model, q, truth, unit

@@ -28,10 +28,7 @@ settle_machine()
 
 from bench_batch import batch, write_fleet  # noqa: E402
 from bench_compilation import costs  # noqa: E402
-from bench_fleet_page import members  # noqa: E402
 from measure import Cost, adopt_orphans, cost, fits, has_logs  # noqa: E402
-
-from pipeline.reporting.fleet_report import fleet_report  # noqa: E402
 
 P1 = HOME / "benchmarks" / "prototypes" / "P1.toml"
 BEGIN, END = "<!-- table: benchmarks/bench_speed.py -->\n", "<!-- end of table -->\n"
@@ -207,10 +204,6 @@ class Bench:
         manifests = [json.loads(path.read_text(encoding="utf-8")) for path in self.folder.glob("light/*/manifest.json")]
         return (float(made["whole"]) - sum(fits(manifests))) / len(manifests)
 
-    def fleet_page(self) -> float:
-        """Size [MB] of the page of 100,000 prototypes."""
-        return len(fleet_report(list(members(100_000)), "fleet").encode()) / 1e6
-
 
 Row = tuple[str, Callable[[Bench], float], float, str, Callable[[Bench], float] | None]
 ROWS: list[Row] = [
@@ -242,7 +235,6 @@ ROWS: list[Row] = [
     ("light prototype in a batch, beyond its fit [s]", Bench.light_prototype, 0.6, "", None),
     ("prototype of a fleet, default model [s]", lambda b: b.prototype_of_a_fleet, 9.0, "", None),
     ("100,000 prototypes [core hours]", lambda b: b.prototype_of_a_fleet / 0.036, 250.0, "", None),
-    ("page of 100,000 prototypes [MB]", Bench.fleet_page, 15.0, "", None),
 ]  # fmt: skip
 
 

@@ -39,13 +39,9 @@ EXAMPLES = {
     "quarter-drone": "Quarter drone, measured",
 }
 PAGE, FIGURES = ROOT / "docs" / "measured" / "comparison.md", ROOT / "docs" / "figures"
-MEANING = """Rows are of the validation logs, which no fit has seen.
-[How models are compared](../explanation/comparison.md) defines the numbers.
-`debist validate RUN --details` prints more, and `debist study folds RUN` fits anew without each fold.
-
-- NRMSE is in % of the measured range, with its 95 % interval: in free run, and 1 s after a measured state.
-- Switches: share of pulses after which both rest in the same well.
-- Fit is in seconds of processor time on one core.
+MEANING = """Errors are NRMSE of q on the validation logs, which no fit has seen, in % of the measured range.
+P1 to P3 are simulated, the quarter drone is measured. [How models are
+compared](../explanation/comparison.md) defines the numbers.
 """
 STYLE: Any = {"svg.hashsalt": "debist", "font.size": 8, "axes.spines.top": False, "axes.spines.right": False}
 MODELS = ("hybrid", "rbf", "rbf-paper", "sindy", "sindy-default", "narx", "analytical", "analytical-calibrated")
@@ -73,40 +69,42 @@ def page(runs: Path) -> Iterator[str]:
     yield f"({date.today():%-d %B %Y}, commit {commit.strip()}) from:\n\n"
     yield "<!-- not run: minutes, and logs that lie elsewhere -->\n```sh\n"
     yield "".join(f"debist {' '.join(c)}\n" for name in EXAMPLES for c in commands(name, "RUNS"))
-    yield f"```\n\n{MEANING}"
-    for name, title in EXAMPLES.items():
-        yield f"\n## {title}\n\n"
-        yield from table(runs / name)
+    yield f"```\n\n{MEANING}\n## Free run, with its 95 % interval\n\n"
+    rows = {name: validation_rows(runs / name) for name in EXAMPLES}
+    yield from table({name: {model: free_run(row) for model, row in of.items()} for name, of in rows.items()})
+    yield "\n## 1 s after a measured state\n\n"
+    yield from table(
+        {name: {model: percent(row["nrmse_1s"]) for model, row in of.items()} for name, of in rows.items()}
+    )
+    yield "\n## Fit, in seconds of processor time on one core\n\n"
+    yield from table({name: fit_times(runs / name) for name in EXAMPLES})
 
 
-def table(root: Path) -> Iterator[str]:
-    """One row for each model on the validation log."""
-    yield "| model | free run [%] | after 1 s [%] | switches [%] | fit [s] |\n| --- | ---: | ---: | ---: | ---: |\n"
-    seconds = fit_times(root)
-    for model, row in validation_rows(root).items():
-        free = with_interval(row, "nrmse") if row["status"] == "ok" else f"diverged at {row['diverged_at_s']:.1f} s"
-        cells = (model, free, with_interval(row, "nrmse_1s"), percent(row["switch_accuracy"]), f"{seconds[model]:.2g}")
-        yield f"| {' | '.join(cells)} |\n"
+def table(cells: dict[str, dict[str, str]]) -> Iterator[str]:
+    """One row for each model, one column for each example."""
+    titles = [title.split(",")[0] for title in EXAMPLES.values()]
+    yield f"| model | {' | '.join(titles)} |\n| --- | {' | '.join(['---:'] * len(titles))} |\n"
+    for model in MODELS:
+        yield f"| {model} | {' | '.join(cells[name].get(model, '–') for name in EXAMPLES)} |\n"
 
 
-def with_interval(row: dict[str, Any], key: str) -> str:
-    if row[key] is None:
-        return "–"
-    low, high = row[f"{key}_low"], row[f"{key}_high"]
-    return f"{100 * row[key]:.2f} [{100 * low:.2f}, {100 * high:.2f}]"
+def free_run(row: dict[str, Any]) -> str:
+    if row["status"] != "ok":
+        return f"diverged at {row['diverged_at_s']:.1f} s"
+    return f"{percent(row['nrmse'])} [{percent(row['nrmse_low'])}, {percent(row['nrmse_high'])}]"
 
 
 def percent(share: float | None) -> str:
-    return "–" if share is None else f"{100 * share:.0f}"
+    return "–" if share is None else f"{100 * share:.2f}"
 
 
-def fit_times(root: Path) -> dict[str, float]:
+def fit_times(root: Path) -> dict[str, str]:
     """Processor time [s] of the fit of each model."""
     run = RunFolder.open(root)
     notes = run.record(layout.MODELS).notes
     fits = {model: notes[model] for model in notes["identified"]}
     fits |= {model: run.record(layout.baseline(model)).notes for model in run.prototype.baselines}
-    return {model: float(fit["processor_time"]["fit_s"] or 0.0) for model, fit in fits.items()}
+    return {model: f"{fit['processor_time']['fit_s'] or 0.0:.2g}" for model, fit in fits.items()}
 
 
 def save(figure: Figure, name: str) -> None:

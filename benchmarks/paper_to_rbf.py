@@ -116,8 +116,7 @@ STEPS: dict[str, Callable[[Logs], DynamicModel]] = {
     "§ 4.2 with derivatives as published codes shift them": lambda x: RBF_PAPER.fit(shifted(x.printed)),
     "derivatives at the samples (`rbf-paper` of `debist paper`)": lambda x: RBF_PAPER.fit(x.printed),
     "derivatives of order 3, α from the record (`rbf-paper` of `debist run`)": lambda x: RBF_PAPER.fit(x.usual),
-    "a ridge on columns of norm 1": lambda x: linear(x.usual, functions=10, smoothing=0.5),
-    "12 wider basis functions, σ_n = 1": lambda x: linear(x.usual, functions=FUNCTIONS, smoothing=SMOOTHING),
+    "12 wider basis functions, σ_n = 1, a ridge": lambda x: linear(x.usual, functions=FUNCTIONS, smoothing=SMOOTHING),
     "damping ≥ 0, gains of one sign": lambda x: linear(x.usual, functions=FUNCTIONS, smoothing=SMOOTHING, bounded=True),
     "the equation of `rbf` without hidden states, simulated with an observer of gain 3": lambda x: simulated(
         x.usual, candidate(NO_MEMORY), 3.0
@@ -169,7 +168,7 @@ def errors(file: Path, runs: Path) -> dict[str, float]:
 def page(examples: dict[str, dict[str, float]], fleet: dict[str, dict[str, float]], drawn: int, seed: str) -> str:
     """The page: a row for each step, each with all changes of the rows above it."""
     commit = subprocess.run(["git", "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True, check=True)
-    kinds = {kind: [e for name, e in fleet.items() if name.startswith(kind)] for kind in ("same", "foreign")}
+    kinds = {kind: [e for name, e in fleet.items() if name.startswith(kind)] for kind in ("foreign",)}
     heading = ["", *examples, *(f"{kind}, {len(joints)} joints" for kind, joints in kinds.items())]
     lines = [heading, ["---", *["---:"] * (len(heading) - 1)]]
     for step in STEPS:
@@ -179,7 +178,7 @@ def page(examples: dict[str, dict[str, float]], fleet: dict[str, dict[str, float
     return f"""# Measured: from `rbf-paper` to `rbf`
 
 Written by `python benchmarks/paper_to_rbf.py RUNS P1.toml P2.toml P3.toml FLEET` ({date.today():%-d %B %Y}, commit
-{commit.stdout.strip()}). FLEET was drawn for this page. The table has its first joints of either physics.
+{commit.stdout.strip()}). FLEET was drawn for this page. The table has its first joints of foreign physics.
 
 <!-- not run: an hour -->
 ```sh

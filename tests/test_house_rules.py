@@ -54,7 +54,7 @@ def test_the_makefile_names_files_that_are_there() -> None:
 
 
 def test_the_package_imports_itself_by_relative_imports_alone() -> None:
-    """Installed it is called `debist`: an absolute import would work in a checkout alone, or find a user's own module."""
+    """An absolute import works in a checkout alone: installed, the package is called `debist`."""
     for path in (ROOT / "pipeline").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             modules = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []

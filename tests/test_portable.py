@@ -12,6 +12,7 @@ import sys
 
 import pytest
 
+from pipeline.rig.log import LAYOUTS, RawLog
 from tests.prototypes import motion, settings, write_csv
 
 TAKEN = """
@@ -26,6 +27,7 @@ NAMES = {
     "socket": {"AF_UNIX", "send_fds", "recv_fds", "socketpair"},
     "select": {"poll", "epoll"},
     "time": {"tzset"},
+    "mmap": {"MADV_DONTNEED", "MADV_SEQUENTIAL", "MADV_WILLNEED"},
     "mmap": {"MADV_DONTNEED", "MADV_SEQUENTIAL", "MADV_WILLNEED"},
 }
 """
@@ -100,6 +102,15 @@ def test_every_module_can_be_imported(surroundings):
     command = [sys.executable, "-P", "-c", program]
     ended = subprocess.run(command, env=surroundings, capture_output=True, text=True, check=False)
     assert ended.returncode == 0, ended.stderr
+
+
+@pytest.mark.parametrize("layout", ["mat", "mf4"])
+def test_a_log_is_read(surroundings, tmp_path, layout):
+    t, q, v = motion(10.0, 200.0, 1)
+    name = f"log{LAYOUTS[layout].suffix}"
+    LAYOUTS[layout].save(RawLog(t, q, *v.T), tmp_path / name)
+    ended = _debist(surroundings, tmp_path, "inspect", name)
+    assert ended.returncode == 0 and "2000" in ended.stdout, ended.stderr
 
 
 @pytest.mark.long

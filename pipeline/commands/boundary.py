@@ -185,7 +185,7 @@ class ErrorBoundary(WholeLines):
             raise
         except Exception as error:
             if isinstance(error, OSError) and _stdout_fails():
-                if isinstance(error, BrokenPipeError):
+                if _reader_has_gone(error):
                     raise _unread() from error
                 raise
             if _of_typer(error):
@@ -282,6 +282,11 @@ def _told(error: Exception) -> str | None:
         unreadable = denied and Path(place).exists() and not os.access(error.filename, os.R_OK)
         return f"{place}: cannot be {'read' if unreadable else 'written'}: {why}; choose another place, or see to it"
     return None
+
+
+def _reader_has_gone(error: OSError) -> bool:
+    """Whether nobody reads standard output any more, which Windows calls an invalid argument."""
+    return isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL)
 
 
 def _stdout_fails() -> bool:

@@ -45,7 +45,7 @@ sample interval is less than the filter before the sampler leaves uncertain; a c
 FARTHEST = 150.0
 """Limits beyond which no correction goes: inputs off by 75 %, a delay of eight sample intervals."""
 
-STEPS, STILL = 5, 0.1
+STEPS, STILL = 10, 0.1
 """Gauss–Newton steps at most, and the standard errors below which a step is the last."""
 
 EXPLAINED = 1.0 / 3.0
@@ -154,8 +154,13 @@ class Instruments:
         self._training = [self._linearised(parts, np.zeros(len(self._limits))) for parts in self._logs]
 
     def of_training(self, number: int) -> Reading:
-        """Errors of one of several training logs, compared with the others."""
-        return self._reading(self._logs[number], self._training[:number] + self._training[number + 1 :])
+        """Errors of one of several training logs, compared with the others.
+
+        The model was fitted to all of them, so unlike residuals show its own errors, which then hide the instruments.
+        """
+        reading = self._reading(self._logs[number], self._training[:number] + self._training[number + 1 :])
+        alike = 1.0 / UNLIKE < reading.residual_ratio < UNLIKE
+        return reading if alike else self._not_measured(reading.exchange)
 
     def of(self, parts: Sequence[Log]) -> Reading:
         """Errors of the parts of another log, compared with the training logs."""
@@ -173,9 +178,12 @@ class Instruments:
             if np.all(np.abs(fit.step) < STILL * fit.error):
                 break
             log = self._linearised(parts, delta)
+        alike, astray = fit.residual_ratio <= UNLIKE, np.abs(fit.step) > fit.error
+        if alike and (np.any(np.abs(delta) >= FARTHEST) or np.any(astray)):
+            return self._not_measured(exchange)
         errors = np.sqrt(np.sum(fit.spread() ** 2, axis=1))
         ahead, behind = (self._errors(delta + side * errors) for side in (1.0, -1.0))
-        status: Status = "another device" if fit.residual_ratio > UNLIKE else "measured"
+        status: Status = "measured" if alike else "another device"
         corrections = _corrections(delta * self._limits)
         estimate, standard_error = self._errors(delta), 0.5 * np.abs(ahead - behind)
         return Reading(status, exchange, corrections, estimate, standard_error, fit.residual_ratio)

@@ -291,5 +291,5 @@ def _kernel(
 if __name__ == "__main__":
     sys.setrecursionlimit(100_000)  # a chain of operations is walked by recursion
     for file_name, text in texts().items():
-        with open(f"{generated.__path__[0]}/{file_name}", "w", encoding="utf-8") as target:  # noqa: PTH123 - no paths here
+        with open(f"{generated.__path__[0]}/{file_name}", "w", encoding="utf-8", newline="\n") as target:  # noqa: PTH123 - no paths here
             target.write(text)

@@ -9,6 +9,7 @@ import hashlib
 import os
 import stat
 import sys
+from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -62,14 +63,17 @@ def has_kernels() -> bool:
 
 
 def certify() -> None:
-    """Write the digest of each file that is newer than its digest; called after a compilation."""
+    """Write the digest of each file that is newer than its digest, where that succeeds; called after a compilation."""
     folder = kernel_folder()
     for file in _kernels(folder) if folder else ():
         digest = file.with_name(file.name + _DIGEST)
         if not digest.exists() or digest.stat().st_mtime_ns < file.stat().st_mtime_ns:
             beside = digest.with_name(f"{digest.name}.{os.getpid()}")
-            beside.write_text(hashlib.sha256(file.read_bytes()).hexdigest())
-            beside.replace(digest)
+            with suppress(OSError):  # as on Windows, where another process reads the old one; or the disk is full
+                beside.write_text(hashlib.sha256(file.read_bytes()).hexdigest(), encoding="ascii")
+                beside.replace(digest)
+            with suppress(OSError):
+                beside.unlink(missing_ok=True)
 
 
 def check_private(folder: Path) -> None:

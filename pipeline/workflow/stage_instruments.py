@@ -19,7 +19,7 @@ from .corrections import corrections
 from .engine import Task
 from .logs import fitted_parts, load_motion, sources
 
-ALGORITHM = "1"
+ALGORITHM = "2"
 
 Logs = Mapping[tuple[Role, str], Log]
 """Logs by role and name."""
@@ -97,6 +97,15 @@ def instrument_rows(
                     "status": reading.status,
                 }
             )
+    return _both_beyond(rows, trained)
+
+
+def _both_beyond(rows: list[dict[str, Any]], trained: Sequence[tuple[Role, str]]) -> list[dict[str, Any]]:
+    """The rows; of two training logs, which measure one difference, an error is beyond its limit only by both."""
+    if len(trained) == 2:
+        own = [[row for row in rows if (row["role"], row["log"]) == log] for log in trained]
+        for first, second in zip(*own, strict=True):
+            first["beyond"] = second["beyond"] = first["beyond"] and second["beyond"]
     return rows
 
 

@@ -6,7 +6,6 @@ import pytest
 from pipeline.codegen.graph import apply, trace
 from pipeline.codegen.numba_writer import formula
 from pipeline.generated import terms
-from pipeline.models.paper.lagged_free_run import REACH
 from pipeline.numerics.compiled import compiled
 
 SLOPED = {
@@ -62,11 +61,3 @@ def test_a_formula_and_a_trace_give_what_the_graph_gives(name):
         assert function(tuple(row)) == pytest.approx(expected, rel=1e-12, abs=1e-14)
     again = trace(lambda x: {"found": apply(graph, *x)}, x=numbers.shape[1])
     assert again.evaluate(x=numbers)["found"] == pytest.approx(truth, rel=1e-12, abs=1e-14)
-
-
-def test_the_gaussian_is_a_bell():
-    """1 at its centre, falling all the way, and nothing behind its reach."""
-    value = terms.GAUSSIAN.evaluate(square=np.linspace(0.0, REACH**2, 901)[:, None])["found"][:, 0]
-    assert value[0] == 1.0
-    assert np.all(np.diff(value) < 0.0)
-    assert value[-1] < np.finfo(float).eps / 2

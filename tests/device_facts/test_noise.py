@@ -59,14 +59,3 @@ def test_an_encoder_is_judged_by_its_steps():
     check = next(check for check in data_checks(encoder_run(), NoWells("moves all the time")) if check.name == "noise")
     assert check.statement == "q comes in steps of 100 µm, 0.50 % of its range; its noise is below that"
     assert check.grade == "fair"  # 0.5 % / sqrt(12) = 0.14 %
-
-
-@pytest.mark.parametrize(
-    ("change", "told"),
-    [({}, True), ({"squared": False}, False), ({"displacement": "rad"}, False), ({"voltage": "1"}, False)],
-)
-def test_one_well_is_of_concern_where_a_joint_would_have_two(change, told):
-    """A pendulum, a tank or a drive has none, and that is no fault of its log."""
-    data = replace(fast_run(INTERVAL), **change)
-    names = {check.name for check in data_checks(data, NoWells("moves all the time"))}
-    assert ("no_wells" in names) == told

@@ -32,7 +32,8 @@ ALLOWED = re.compile(r"[\n\t -~]*")
 
 def hostile(text: str) -> Subject:
     """A model whose every text is this one."""
-    what = subject(replace(sindy(), diagnostics={"structure": text, "equations": text}, units=(text, text)), 1.0)
+    told = {"structure": text, "equations": text}
+    what = subject(sindy().model_copy(update={"diagnostics": told, "units": (text, text)}), 1.0)
     return replace(what, prototype=text, origin=text, validity=replace(what.validity, q_unit=text, v_units=(text,) * 2))
 
 

@@ -1,28 +1,20 @@
-"""`python -m tests.faults`: every fault, or with `--sample` some of each kind; the counts go into the docs with a date.
+"""`python -m tests.faults`: every fault, or with `--sample` some of each kind; prints the counts.
 
 A test counts what it tried in its docstring's sense through the fixture `count`; tests without it count as one.
 """
 
-import platform
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
-from pathlib import Path
 
 import pytest
 
-from pipeline import __version__
-
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "faults.md"
-BEGIN, END = "<!-- counts: begin -->", "<!-- counts: end -->"
 PLACES = (
     "tests/faults",
     "tests/runs/test_snapshots.py",
     "tests/runs/test_other_systems.py",
     "tests/runs/test_outputs.py",
     "tests/runs/test_trees.py",
-    "tests/runs/test_verification.py",
     "tests/batch/test_hostile_places.py",
     "tests/rig_logs/test_hostile.py",
     "tests/test_units.py",
@@ -62,13 +54,9 @@ class Counter:
         row.failed += int(report.failed)
 
 
-def page(rows: dict[str, Row], mode: str) -> str:
-    """The block of the page."""
-    today = f"{datetime.now(UTC):%d %B %Y}"
-    machine = f"{platform.system()} {platform.release()}, Python {platform.python_version()}, debist {__version__}"
+def table(rows: dict[str, Row]) -> str:
+    """One row for each file."""
     lines = [
-        f"Counted by `python -m tests.faults{mode}` on {today}, {machine}.",
-        "",
         "| tests | cases | failed | skipped | counted in them | processor time |",
         "|---|---|---|---|---|---|",
     ]
@@ -76,17 +64,15 @@ def page(rows: dict[str, Row], mode: str) -> str:
         cost = f"{row.seconds:.0f} s" if row.seconds else ""
         counted = "; ".join(row.counted)
         lines.append(f"| `{name}` | {row.tried} | {row.failed} | {row.skipped} | {counted} | {cost} |")
-    return "\n".join([BEGIN, *lines, END])
+    return "\n".join(lines)
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Run the tests and renew the page; pytest's exit code."""
+    """Run the tests and print the table; pytest's exit code."""
     sample = "--sample" in arguments
     counter = Counter()
     code = pytest.main([*PLACES, "-q", "-m", "not long" if sample else "long or not long"], plugins=[counter])
-    before, _, rest = PAGE.read_text(encoding="utf-8").partition(BEGIN)
-    text = before + page(counter.rows, " --sample" if sample else "") + rest.partition(END)[2]
-    PAGE.write_text(text, encoding="utf-8")
+    print(table(counter.rows))
     return int(code)
 
 

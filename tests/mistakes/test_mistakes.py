@@ -59,20 +59,6 @@ def test_their_siblings_are_told(second: Callable[[Log], Log], part: str) -> Non
     assert any(part in text for text in told([log(1), second(log(1))]))
 
 
-@pytest.mark.parametrize(
-    ("every", "digits"),
-    [
-        (1, 1e-5),
-        pytest.param(2, 1e-6, marks=pytest.mark.long),
-        pytest.param(5, None, marks=pytest.mark.long),
-        (10, 1e-5),
-    ],
-)
-def test_coarser_rates_and_digits_are_no_fault(every: int, digits: float | None) -> None:
-    said = told([rows(log(seed), slice(None, None, every), 0.0, digits) for seed in (1, 3)])
-    assert not [text for text in said if "burst" in text or "jump" in text or "held" in text or "shared" in text]
-
-
 def _write(path: Path, one: Log) -> None:
     """The log in mm and kV, in the format that the ending names."""
     columns = {"time": one.t, "q": 1e3 * one.q, "v1": 1e-3 * one.v[:, 0], "v2": 1e-3 * one.v[:, 1]}

@@ -54,16 +54,6 @@ def test_signals_that_do_not_fit_are_refused_in_one_line(model, case):
     assert "\n" not in str(refusal.value)
 
 
-def test_voltages_between_the_samples_are_refused_where_none_are_taken():
-    with pytest.raises(InputError, match="at the samples only"):
-        paper().simulate(T, np.zeros((100, 4, 2)), 0.01, 0.0)
-
-
-def test_a_path_of_another_length_is_refused():
-    with pytest.raises(InputError, match=r"qdot has the shape \(99,\); give a path of 100 samples"):
-        paper().accelerate(T, V, np.zeros(100), np.zeros(99))
-
-
 @pytest.mark.parametrize("name", [one.name for one in ENTRIES])
 def test_every_model_checks(name):
     read = kind(name).read
@@ -72,12 +62,6 @@ def test_every_model_checks(name):
     for method in ("simulate", "accelerate", "simulate_draws"):
         each = getattr(model_class, method, None)
         assert each is None or hasattr(each, "__wrapped__"), f"{name}.{method} is not `checked`"
-
-
-def test_lists_integers_and_names_are_taken():
-    model = paper()
-    run = model.simulate(t=list(T), v=V.astype(int).tolist(), q0=np.float32(0.0), qdot0=0)
-    assert np.array_equal(run.q, model.simulate(T, V, 0.0, 0.0).q)
 
 
 def test_times_printed_to_a_tenth_of_a_millisecond_are_uniform():

@@ -75,17 +75,6 @@ def test_a_joint_and_its_records_come_back_from_the_seed(tmp_path: Path) -> None
         np.testing.assert_array_equal(found.true_q[::2], written["q"])
 
 
-def test_a_seed_decides_everything_and_logs_differ(tmp_path: Path) -> None:
-    folders = [tmp_path / name for name in "abc"]
-    for folder, seed in zip(folders, (5, 5, 6), strict=True):
-        write_prototype(folder, "X", replace(SHORT, training_logs=2), seed=seed)
-    files = ["train.parquet", "train-2.parquet", "validation.parquet", "truth/truth.json"]
-    for name in files:
-        assert (folders[0] / name).read_bytes() == (folders[1] / name).read_bytes()
-        assert (folders[0] / name).read_bytes() != (folders[2] / name).read_bytes()
-    assert len({(folders[0] / name).read_bytes() for name in files}) == 4
-
-
 @pytest.mark.parametrize("excitation", SHARES)
 def test_excitations_keep_the_voltage_limit_and_use_both_sides(excitation: str) -> None:
     t = np.arange(0, 37.5, 1e-3)

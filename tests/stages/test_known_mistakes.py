@@ -7,8 +7,6 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import SeveralMistakesError
-from pipeline.settings.prototype import parse_prototype
-from pipeline.workflow import stage_ingest as ingest
 from pipeline.workflow.place import load_settings
 
 _WRONG = """
@@ -51,19 +49,3 @@ def test_all_mistakes_are_told_at_once(tmp_path: Path, mended: dict[str, str], t
         said = CliRunner().invoke(app, command)
         assert said.exit_code == 2 and all(key in said.stderr for key in told)
     assert not (tmp_path / "run").exists()
-
-
-def test_ingest_is_done_anew_where_its_signals_are_judged_otherwise(tmp_path):
-    plain = {
-        "name": "d",
-        "logs": {"train": ["a.csv"]},
-        "channels": {
-            name: {"channel": name, "unit": unit}
-            for name, unit in (("time", "s"), ("q", "m"), ("v1", "V"), ("v2", "V"))
-        },
-    }
-    recipes = [
-        ingest.tasks(parse_prototype(plain | {"plant": {"inputs": law}}, "d.toml"), tmp_path / "d.toml")[0].settings
-        for law in ("squared", "linear")
-    ]
-    assert recipes[0] != recipes[1]

@@ -46,7 +46,7 @@ def _disagreements(
 ) -> list[Finding]:
     """What one of two training logs reads otherwise than the other one."""
     own = [row for row in rows if (row["role"], row["log"]) == log]
-    if own[0]["status"] != "measured" or own[0]["exchanged"] != "none":
+    if own[0]["exchanged"] != "none":
         return [Finding("unlike_training", "poor", log_title(*log), other)]
     found = [_instrument(row, log_title(*log), displacement) for row in own if row["beyond"]]
     return [replace(finding, code="disagreement", log=f"{finding.log} and the {other}") for finding in found]

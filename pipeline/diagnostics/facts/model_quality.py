@@ -99,10 +99,12 @@ def _rival_checks(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Ch
         return _rivals_from_a_state(data, judged)
     ratio, best, error, own = max(checks, key=lambda check: check[0])
     numbers = {"error": Number(error)}
-    if own["nrmse"] is not None:
-        numbers["own"] = Number(own["nrmse"])
     log = log_title(own["role"], own["log"])
-    return [graded("model", "rival", ratio, log=log, subject=f"{best}, {own['model']}", numbers=numbers)]
+    subject = f"{best}, {own['model']}"
+    if own["nrmse"] is None:  # a free run that diverged has no ratio
+        return [of_finding("model", Finding("rival", "poor", log, subject, numbers))]
+    numbers["own"] = Number(own["nrmse"])
+    return [graded("model", "rival", ratio, log=log, subject=subject, numbers=numbers)]
 
 
 def _rivals_from_a_state(data: RunData, judged: Sequence[Mapping[str, Any]]) -> list[Check]:
