@@ -5,6 +5,7 @@ The command takes Python's arguments and the current folder, and sees Linux's ro
 
 import os
 import shlex
+import signal
 import subprocess
 from pathlib import Path
 
@@ -36,7 +37,7 @@ def folder(tmp_path_factory):
 def _started(folder, *arguments):
     return subprocess.Popen(
         [*COMMAND, "-m", "debist", *arguments], cwd=folder, env=os.environ | {"PYTHONPATH": ROOT},
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", start_new_session=True,
     )  # fmt: skip
 
 
@@ -58,6 +59,23 @@ def test_a_log_is_read(folder, layout):
     LAYOUTS[layout].save(RawLog(t, q, *v.T), folder / name)
     code, printed, messages = _debist(folder, "inspect", name)
     assert code == 0 and name in printed and "2000" in printed, messages
+
+
+def test_an_interrupted_batch_goes_on(folder):
+    arguments = ("batch", *(f"{name} ü.toml" for name in NAMES), "-o", "Läufe 1", "--no-report")
+    messages = ""
+    with _started(folder, *arguments) as process:
+        for line in process.stderr:
+            messages += line
+            if "[1/2]" in line:
+                os.killpg(process.pid, signal.SIGINT)
+    assert process.returncode == 130 and "interrupted; 1 of 2 prototypes are done" in messages, messages
+    code, _, messages = _debist(folder, *arguments)
+    assert code == 0 and "a: up to date" in messages, messages
+    for name in NAMES:
+        code, printed, messages = _debist(folder, "verify", f"Läufe 1/{name}")
+        assert code == 0 and "all intact" in printed, messages
+    assert not [file for file in folder.rglob("*.json") if b"\r" in file.read_bytes()]
 
 
 def test_processes_of_a_run_give_its_error(folder):
