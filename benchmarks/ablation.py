@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.device.parameter_sets import parameter_set
-from pipeline.loading.free_runs import free_run
-from pipeline.loading.trajectories import load_logs, training
-from pipeline.machine import one_thread
+from pipeline.models.free_runs import free_run
 from pipeline.models.kind import kind
 from pipeline.numerics.metrics import nrmse
-from pipeline.runs import layout
-from pipeline.runs.run_folder import RunFolder
+from pipeline.store import layout
+from pipeline.store.run_folder import RunFolder
+from pipeline.system.machine import one_thread
+from pipeline.workflow.logs import load_logs, training
 
 VARIANTS = (("hybrid", "none"), ("hybrid", "always"), ("rbf", "auto"))
 """Model, and what the settings say of its corrections."""

@@ -27,9 +27,9 @@ from scipy.optimize import minimize, root
 
 import debist
 from debist import open_run
-from pipeline.compiled import compiled
-from pipeline.device_facts.characteristics import Curves, curves_from, device_facts, intervals
+from pipeline.diagnostics.facts.characteristics import Curves, curves_from, device_facts, intervals
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 from pipeline.rig.fleet import Experiment, draw, moving_mass
 from pipeline.rig.joint import membrane_capacitances, potential, rest, tip_displacement
 from pipeline.rig.parameters import RigParameters

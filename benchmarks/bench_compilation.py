@@ -15,9 +15,9 @@ from pathlib import Path
 HOME = Path(__file__).resolve().parents[1]
 _INSIDE = """
 import json, time
-from pipeline.machine import settle_machine
+from pipeline.system.machine import settle_machine
 settle_machine()
-from pipeline.warmup import GROUPS
+from pipeline.workflow.warmup import GROUPS
 spent = {}
 for kind in (kind for group in GROUPS for kind in group):
     began = time.process_time()

@@ -24,13 +24,13 @@ from joints import OCTAVE, CompiledModel, half_steps  # noqa: E402
 
 from pipeline.export.sources import write_matlab  # noqa: E402
 from pipeline.export.subject import Subject, curve_tables  # noqa: E402
-from pipeline.loading.run_models import identified_models, subject  # noqa: E402
 from pipeline.models.hybrid.model import HybridModel  # noqa: E402
 from pipeline.models.paper.model import RbfPaperModel  # noqa: E402
 from pipeline.models.rbf.model import RbfModel  # noqa: E402
 from pipeline.numerics.arrays import FloatArray  # noqa: E402
-from pipeline.runs.run_folder import RunFolder  # noqa: E402
-from pipeline.settings import parse_prototype  # noqa: E402
+from pipeline.settings.prototype import parse_prototype  # noqa: E402
+from pipeline.store.run_folder import RunFolder  # noqa: E402
+from pipeline.workflow.run_models import identified_models, subject  # noqa: E402
 
 REPEATS = 5
 OCTAVE_SECONDS = 3.0  # interpreted, it runs slower than the joint

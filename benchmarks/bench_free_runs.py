@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from pipeline.machine import settle_machine
+from pipeline.system.machine import settle_machine
 
 settle_machine()
 
@@ -19,7 +19,7 @@ from measure import fits, seconds  # noqa: E402
 
 from pipeline.models.base import HasDraws  # noqa: E402
 from pipeline.models.kind import load_model  # noqa: E402
-from pipeline.runs.tables import read_table  # noqa: E402
+from pipeline.store.tables import read_table  # noqa: E402
 
 
 def row(folder: Path) -> tuple[float, float, float]:

@@ -22,7 +22,7 @@ from pathlib import Path
 
 HOME = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(HOME))
-from pipeline.machine import settle_machine  # noqa: E402
+from pipeline.system.machine import settle_machine  # noqa: E402
 
 settle_machine()
 
@@ -38,8 +38,8 @@ _INSIDE = """
 import sys
 from pathlib import Path
 from measure import seconds
-from pipeline.api import open_run
-from pipeline.machine import settle_machine
+from pipeline.api.run import open_run
+from pipeline.system.machine import settle_machine
 settle_machine()
 import numpy as np
 run = Path(sys.argv[1])
@@ -49,8 +49,8 @@ _CALIBRATION = (
     + """
 from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 from pipeline.device.parameters import NOMINAL
-from pipeline.loading.trajectories import trajectories
-from pipeline.runs.tables import read_table
+from pipeline.workflow.logs import trajectories
+from pipeline.store.tables import read_table
 motions = trajectories(read_table(next(run.glob("train/*/kinematics.parquet"))))
 names = ASYMMETRIC_NAMES + FRICTION_NAMES
 print(seconds(lambda: calibrate(motions, NOMINAL, np.random.default_rng(0), names=names), 1))
@@ -60,7 +60,7 @@ _FREE_RUN = (
     _INSIDE
     + """
 from pipeline.models.kind import load_model
-from pipeline.runs.tables import read_table
+from pipeline.store.tables import read_table
 table = read_table(next(run.glob("validation/*/signals.parquet")))
 model = load_model(run / "model.h5")
 t, v = table["t"], np.stack([table["v1"], table["v2"]], axis=1)

@@ -12,12 +12,12 @@ from collections import defaultdict
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from pipeline.machine import settle_machine
+from pipeline.system.machine import settle_machine
 
 settle_machine()
 
-from pipeline.runs.engine import Task, Unheard  # noqa: E402
-from pipeline.stages.run import run_prototype  # noqa: E402
+from pipeline.workflow.engine import Task, Unheard  # noqa: E402
+from pipeline.workflow.run import run_prototype  # noqa: E402
 
 
 class Clock(Unheard):

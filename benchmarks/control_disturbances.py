@@ -29,8 +29,8 @@ from pipeline.numerics.arrays import BoolArray, FloatArray
 from pipeline.rig.joint import rest
 from pipeline.rig.loop import ClosedLoop, Scenario, run_loop
 from pipeline.rig.random_joint import aged
-from pipeline.tools.closed_loop import VirtualJoint, designed, virtual_joint
-from pipeline.tools.controlled_run import ControlSettings, control_run
+from pipeline.workflow.studies.closed_loop import VirtualJoint, designed, virtual_joint
+from pipeline.workflow.studies.controlled_run import ControlSettings, control_run
 
 HELD, TRACKED, LEFT, SETTLED, DRIFTED = 0.5e-3, 0.15e-3, 0.1e-3, 0.3, 1.0  # m, m RMS, m, s, s
 RATE = 10.0  # kV/s, path of a voltage in the last second under a load; limit cycles were 18 and more

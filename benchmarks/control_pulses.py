@@ -16,12 +16,12 @@ from pipeline.control.pulses import design_pulse
 from pipeline.control.step_metrics import Step, one_step
 from pipeline.control.switching_map import lowest_voltage, pulses, switching_map
 from pipeline.errors import DebistError
-from pipeline.names import Goal, Well
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.joint import rest
 from pipeline.rig.loop import ClosedLoop, Scenario, played, run_loop
-from pipeline.tools.closed_loop import designed
-from pipeline.tools.control import with_draws
+from pipeline.system.names import Goal, Well
+from pipeline.workflow.studies.closed_loop import designed
+from pipeline.workflow.studies.control import with_draws
 
 TOP = 3000.0  # V
 LENGTHS = (0.1, 0.2)  # s, of the pulses whose lowest voltage is looked for

@@ -15,15 +15,15 @@ import numpy as np
 
 from pipeline.device.parameters import NOMINAL
 from pipeline.errors import DataRefusedError
-from pipeline.loading.report_data import load_scores
 from pipeline.rig.bench import random_bench, record
 from pipeline.rig.excitation import alternating_pulses, command, random_excitation
 from pipeline.rig.log import LAYOUTS, RawLog
 from pipeline.rig.random_joint import random_joint
-from pipeline.runs.engine import Unheard
-from pipeline.stages.run import run_prototype, run_stage
-from pipeline.tools.excitation import drawn_simulators
-from pipeline.tools.excitation_design import Requirements, design_excitation
+from pipeline.workflow.engine import Unheard
+from pipeline.workflow.report_data import load_scores
+from pipeline.workflow.run import run_prototype, run_stage
+from pipeline.workflow.studies.excitation import drawn_simulators
+from pipeline.workflow.studies.excitation_design import Requirements, design_excitation
 
 FORM = LAYOUTS["parquet"]
 RATE = 10_000.0

@@ -11,17 +11,17 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from pipeline.checks.check import check_logs
-from pipeline.checks.declared import Declared
-from pipeline.checks.rows import CheckRow, findings
-from pipeline.checks.weak_form import LogSignals
 from pipeline.commands.console import Progress
+from pipeline.diagnostics.check import check_logs
+from pipeline.diagnostics.declared import Declared
+from pipeline.diagnostics.rows import CheckRow, findings
+from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.rig.fleet import Experiment, write_prototype
-from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.schedule import bring_up_to_date
-from pipeline.settings import load_prototype
-from pipeline.stages import ingest
-from pipeline.stages.check import signals
+from pipeline.settings.prototype import load_prototype
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow import stage_ingest as ingest
+from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.stage_check import signals
 
 PAIRS = 40
 EXCITATIONS = ("pulses", "both", "steps", "multisine", "mixed", "chirps", "training", "validation")

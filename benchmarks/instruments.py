@@ -21,14 +21,14 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from pipeline.diagnostics.instruments import SIGNIFICANCE
-from pipeline.loading.report_data import load_instruments
 from pipeline.rig.fleet import Experiment, simulate_prototype
-from pipeline.runs.engine import Unheard
-from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.schedule import bring_up_to_date
-from pipeline.settings import load_prototype
+from pipeline.settings.prototype import load_prototype
 from pipeline.signals.noise import noise_std
-from pipeline.stages.table import Planned, of_stages, plan
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.engine import Unheard
+from pipeline.workflow.report_data import load_instruments
+from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.stages import Planned, of_stages, plan
 
 KINDS = ("same", "foreign", "worn")
 STAGES = ("ingest", "differentiate", "identify", "instruments")

@@ -19,7 +19,6 @@ from population_estimate import estimate_symmetric_population, information_of, w
 
 from pipeline.fitting.homotopy import COUPLED
 from pipeline.fitting.population import Information
-from pipeline.loading.trajectories import load_logs, training
 from pipeline.models.rbf.candidates import SYMMETRIES, Candidate, RbfChoice, candidate, first_candidate
 from pipeline.models.rbf.identify import identify_rbf
 from pipeline.models.rbf.parameter_layout import ParameterLayout
@@ -27,11 +26,12 @@ from pipeline.models.rbf.prior import ASSET, joint_prior, mirror_image
 from pipeline.models.rbf.problem import JointProblem
 from pipeline.models.rbf.start import starting_joint
 from pipeline.numerics.arrays import FloatArray
-from pipeline.runs.engine import Unheard
-from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import load_prototype
+from pipeline.settings.prototype import load_prototype
 from pipeline.signals.trajectory import Record
-from pipeline.stages.run import run_prototype, run_stage
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.engine import Unheard
+from pipeline.workflow.logs import load_logs, training
+from pipeline.workflow.run import run_prototype, run_stage
 
 LIMIT = 60.0
 """Time limit of a fit [s]: two logs."""

@@ -12,10 +12,10 @@ import numpy as np
 
 import debist
 from pipeline.errors import DataRefusedError
-from pipeline.loading.free_runs import free_run
-from pipeline.loading.trajectories import load_logs, training
+from pipeline.models.free_runs import free_run
 from pipeline.models.kind import kind
 from pipeline.signals.log import Log
+from pipeline.workflow.logs import load_logs, training
 
 LENGTHS = (5.0, 10.0, 20.0, 37.5)
 """Of the training log [s]."""

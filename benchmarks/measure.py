@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline.batch.worker import Outcome
-from pipeline.settings import load_prototype
+from pipeline.settings.prototype import load_prototype
+from pipeline.workflow.worker import Outcome
 
 HOME = Path(__file__).resolve().parents[1]
 

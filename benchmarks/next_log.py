@@ -14,18 +14,18 @@ from pathlib import Path
 import numpy as np
 
 from pipeline.errors import DataRefusedError
-from pipeline.loading.report_data import load_scores
-from pipeline.loading.run_models import subject
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.rig.bench import record
 from pipeline.rig.excitation import Burst, command, random_excitation
 from pipeline.rig.fleet import Experiment, draw, moving_mass
 from pipeline.rig.log import LAYOUTS, RawLog
-from pipeline.runs.engine import Unheard
-from pipeline.runs.run_folder import in_snapshot
-from pipeline.stages.run import run_prototype, run_stage
-from pipeline.tools.excitation_design import Requirements
-from pipeline.tools.next_log import NextLog, design_next_log
+from pipeline.store.run_folder import in_snapshot
+from pipeline.workflow.engine import Unheard
+from pipeline.workflow.report_data import load_scores
+from pipeline.workflow.run import run_prototype, run_stage
+from pipeline.workflow.run_models import subject
+from pipeline.workflow.studies.excitation_design import Requirements
+from pipeline.workflow.studies.next_log import NextLog, design_next_log
 
 FORM, RATE, ARMS = LAYOUTS["parquet"], 2000.0, ("first", "usual", "designed")
 SETTINGS = """

@@ -19,12 +19,12 @@ from measure import UnheardBatch
 import pipeline.rig.fleet
 from cli import debist
 from debist import open_run
-from pipeline.batch.batch import Execution, run_batch
-from pipeline.batch.members import members, prototype_files
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.models.hybrid.siblings import learn
 from pipeline.rig.fleet import Experiment, simulate_prototype
 from pipeline.rig.parameters import RigParameters
+from pipeline.workflow.batch import Execution, run_batch
+from pipeline.workflow.members import members, prototype_files
 
 KINDS, CASES = ("same", "foreign"), {"usual": (1.0, 1.0), "left": (0.85, 1.0), "laser": (1.0, 1.03)}
 QUICK = '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n'

@@ -18,10 +18,8 @@ from unittest.mock import patch
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from pipeline.loading.free_runs import free_run
-from pipeline.loading.trajectories import load_logs, training
-from pipeline.machine import one_thread
 from pipeline.models.base import DynamicModel
+from pipeline.models.free_runs import free_run
 from pipeline.models.kind import Training
 from pipeline.models.paper.model import RBF_PAPER, RbfPaperModel
 from pipeline.models.rbf import identify as rbf
@@ -31,14 +29,16 @@ from pipeline.models.rbf.structure import JointStructure
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.metrics import nrmse
 from pipeline.numerics.tvregdiff import tvregdiff
-from pipeline.runs.engine import Unheard
-from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.schedule import bring_up_to_date
-from pipeline.settings import Prototype, load_prototype
+from pipeline.settings.prototype import Prototype, load_prototype
 from pipeline.signals.log import Log
-from pipeline.stages.table import Planned, of_stages, plan
-from pipeline.tools.paper import RECIPE, paper_settings
-from pipeline.units import ALPHA_UNIT
+from pipeline.store.run_folder import RunFolder
+from pipeline.system.machine import one_thread
+from pipeline.units.units import ALPHA_UNIT
+from pipeline.workflow.engine import Unheard
+from pipeline.workflow.logs import load_logs, training
+from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.stages import Planned, of_stages, plan
+from pipeline.workflow.studies.paper import RECIPE, paper_settings
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "measured" / "paper-to-rbf.md"
 FUNCTIONS, SMOOTHING = JointStructure().basis_functions, JointStructure().smoothing

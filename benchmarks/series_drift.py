@@ -13,11 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.device_facts.series import ALARM
+from pipeline.diagnostics.facts.series import ALARM
 from pipeline.fitting.trends import trend
 from pipeline.rig.joint import barrier
 from pipeline.rig.parameters import from_json
-from pipeline.tools.fleet import series_of
+from pipeline.workflow.studies.fleet import series_of
 
 
 def truth_of(logs: Path) -> dict[str, float]:

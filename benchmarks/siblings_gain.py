@@ -15,11 +15,11 @@ from measure import UnheardBatch
 
 from cli import debist
 from debist import open_run
-from pipeline.batch.batch import Execution, run_batch
-from pipeline.batch.members import SETTINGS, members, prototype_files
-from pipeline.batch.variants import with_siblings
 from pipeline.models.hybrid.model import HybridModel
 from pipeline.numerics.arrays import FloatArray
+from pipeline.workflow.batch import Execution, run_batch
+from pipeline.workflow.members import SETTINGS, members, prototype_files
+from pipeline.workflow.variants import with_siblings
 
 QUICK = '\n[identify]\nmodels = ["hybrid"]\n[compare]\nmodels = []\n'
 SHORT = 8.0

@@ -15,10 +15,10 @@ from typer.testing import CliRunner
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from cli import app
-from pipeline.runs import schemas
-from pipeline.runs.columns import FACT_COLUMNS, SCHEMA_VERSION
-from pipeline.settings import Prototype, Quantity
-from pipeline.settings_logs import Channel, Channels
+from pipeline.settings.logs import Channel, Channels
+from pipeline.settings.prototype import Prototype, Quantity
+from pipeline.store import schemas
+from pipeline.store.columns import FACT_COLUMNS, SCHEMA_VERSION
 
 
 def on_files(files: typing.Any, config: typing.Any) -> typing.Any:

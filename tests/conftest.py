@@ -1,4 +1,4 @@
-"""Fixtures shared by all tests; as in the program, numerical libraries take one thread (see `pipeline.machine`)."""
+"""Fixtures shared by all tests; as in the program, numerical libraries take one thread (`pipeline.system.machine`)."""
 
 import gc
 import os
@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 import typer.main
 
-from pipeline.isolation import preload
-from pipeline.machine import settle_machine
+from pipeline.system.isolation import preload
+from pipeline.system.machine import settle_machine
 
 settle_machine()  # before a test module loads NumPy
-preload(["pipeline.batch.preloaded", "asammdf"])  # once for all processes that tests have forked
+preload(["pipeline.workflow.preloaded", "asammdf"])  # once for all processes that tests have forked
 gc.disable()  # while tests are collected: what is imported stays, and looking it through took a seventh of that time
 typer.main.get_command = cache(typer.main.get_command)  # else each call of a command assembles all of them
 os.environ.pop("COLUMNS", None)  # set by tests side by side, which have no terminal either
@@ -30,7 +30,7 @@ def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> 
     """Certify new kernels after each file: programs that tests start would take those without a digest for damaged."""
     if nextitem is not None and nextitem.path == item.path:
         return
-    if (compiled := sys.modules.get("pipeline.compiled")) is not None:
+    if (compiled := sys.modules.get("pipeline.numerics.compiled")) is not None:
         compiled.keep_kernels()
 
 

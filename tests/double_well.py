@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.compiled import compiled
 from pipeline.numerics.arrays import FloatArray
+from pipeline.numerics.compiled import compiled
 
 
 @dataclass(frozen=True)

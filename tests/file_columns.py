@@ -5,7 +5,7 @@ from functools import partial
 from typing import Any
 
 from pipeline.models.model_file import TEXT, column_of, declaration
-from pipeline.runs.hashing import flatten
+from pipeline.store.hashing import flatten
 
 UNITS = {"q": "m", "v": "V", "m": "kg", "c": "N/m", "F": "N", "d": "N·s/m", "g": "N/V²"}
 

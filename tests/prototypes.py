@@ -13,8 +13,8 @@ import numpy as np
 from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.excitation import command, random_excitation
 from pipeline.rig_logs import guarded
-from pipeline.runs.engine import Task
-from pipeline.runs.manifest import load_manifest
+from pipeline.store.manifest import load_manifest
+from pipeline.workflow.engine import Task
 from tests.double_well import DoubleWell
 
 QUICK = """\

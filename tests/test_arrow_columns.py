@@ -6,7 +6,7 @@ import numpy as np
 import pyarrow as pa
 import pytest
 
-from pipeline.arrow_columns import from_numpy, to_numpy
+from pipeline.store.arrow_columns import from_numpy, to_numpy
 
 MIXED: list[tuple[list[Any], Any]] = [
     ([1.5, None, -0.0, float("inf")], pa.float64()),

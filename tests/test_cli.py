@@ -10,9 +10,9 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.commands.console import printable
-from pipeline.loading.run_models import TITLES
-from pipeline.runs import layout
-from pipeline.runs.schemas import STUDIES
+from pipeline.store import layout
+from pipeline.store.schemas import STUDIES
+from pipeline.workflow.run_models import TITLES
 from tests.prototypes import SMALL_CSV
 
 RUNNER = CliRunner()

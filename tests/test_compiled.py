@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from pipeline import compiled
 from pipeline.errors import InputError
-from pipeline.kernel_cache import VARIABLE, WITHOUT_KERNELS, check_private
+from pipeline.numerics import compiled
+from pipeline.numerics.kernel_cache import VARIABLE, WITHOUT_KERNELS, check_private
 
-_COMPILER = ("compiled.py", "kernel_cache.py", "machine.py", "errors.py")
-_CALLED = "from pipeline.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
-_CALLER = """from pipeline.compiled import compiled
+_COMPILER = ("numerics/compiled.py", "numerics/kernel_cache.py", "system/machine.py", "errors.py")
+_CALLED = "from pipeline.numerics.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
+_CALLER = """from pipeline.numerics.compiled import compiled
 from pipeline.called import (
     inner,
 )
@@ -27,14 +27,20 @@ def outer(x):
 _RUN = "from pipeline.caller import outer; print(outer(2.0), sum(outer.stats.cache_hits.values()))"
 
 
+def _copy(package: Path, *names: str) -> None:
+    """Copy modules of the program into a package of the same name."""
+    for name in names:
+        (package / name).parent.mkdir(exist_ok=True, parents=True)
+        for folder in (package, (package / name).parent):
+            (folder / "__init__.py").touch()
+        (package / name).write_text((Path(compiled.__file__).parents[1] / name).read_text())
+
+
 @pytest.fixture
 def package(tmp_path: Path) -> Path:
     """A package of the same name with the compiler and two kernels, one calling the other."""
     folder = tmp_path / "pipeline"
-    folder.mkdir()
-    (folder / "__init__.py").write_text("")
-    for name in _COMPILER:
-        (folder / name).write_text(Path(compiled.__file__).with_name(name).read_text())
+    _copy(folder, *_COMPILER)
     (folder / "called.py").write_text(_CALLED.format(factor=3.0))
     (folder / "caller.py").write_text(_CALLER)
     return folder
@@ -89,10 +95,12 @@ def test_damaged_kernels_are_compiled_anew(package: Path, damages: int) -> None:
 
 def test_no_kernel_depends_on_a_room_that_the_state_of_the_sources_leaves_out() -> None:
     """Whoever has kernels is imported; none of these rooms comes with it, nor has kernels itself."""
-    root = Path(compiled.__file__).parent
+    root = Path(compiled.__file__).parents[1]
     modules = []
     for file in root.rglob("*.py"):
-        if re.search(r"^from pipeline\.(compiled|codegen\.numba_writer) import", file.read_text(), re.MULTILINE):
+        if re.search(
+            r"^from pipeline\.(numerics\.compiled|codegen\.numba_writer) import", file.read_text(), re.MULTILINE
+        ):
             parts = file.relative_to(root).with_suffix("").parts
             assert parts[0] not in WITHOUT_KERNELS, file
             modules.append(".".join(("pipeline", *parts)))
@@ -105,7 +113,7 @@ def test_no_kernel_depends_on_a_room_that_the_state_of_the_sources_leaves_out() 
 
 _SYSTEM = """from typing import NamedTuple
 import numpy as np
-from pipeline.solvers.fixed_step import Methods, integrator, no_begin, no_finish, workspace
+from pipeline.numerics.fixed_step import Methods, integrator, no_begin, no_finish, workspace
 
 class {name}(NamedTuple):
     rate: float
@@ -124,12 +132,7 @@ print(round(float(x[1]), 9), sum(run.stats.cache_hits.values()))
 @pytest.mark.long
 def test_the_integrator_is_compiled_anew_when_a_system_has_changed(package: Path) -> None:
     """Even its name, which the index of the cache holds; and only then."""
-    root = Path(compiled.__file__).parent
-    for name in ("solvers/fixed_step.py", "numerics/arrays.py", "numerics/inner_loops.py"):
-        target = package / name
-        target.parent.mkdir(exist_ok=True)
-        (target.parent / "__init__.py").write_text("")
-        target.write_text((root / name).read_text())
+    _copy(package, "numerics/fixed_step.py", "numerics/arrays.py", "numerics/inner_loops.py")
     answers = []
     for factor, name in ((1.0, "Decay"), (1.0, "Decay"), (2.0, "Fading")):
         (package / "decay.py").write_text(_SYSTEM.format(factor=factor, name=name))

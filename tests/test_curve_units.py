@@ -3,7 +3,7 @@
 import pint
 import pytest
 
-from pipeline.units import INPUT, curve_units
+from pipeline.units.units import INPUT, curve_units
 
 REGISTRY = pint.UnitRegistry()
 SPELT = {"·": "*", "²": "**2"}

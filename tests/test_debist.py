@@ -10,9 +10,9 @@ import pandas as pd
 import pytest
 
 import debist
-from pipeline.loading.free_runs import free_run
-from pipeline.stages.run import run_prototype
-from pipeline.tools.in_memory import arrays_of
+from pipeline.api.in_memory import arrays_of
+from pipeline.models.free_runs import free_run
+from pipeline.workflow.run import run_prototype
 from tests.export.joints import paper, pulses
 
 SECONDS = 12.0
@@ -111,7 +111,7 @@ def test_scores_of_a_run_that_diverged_are_not_numbers(model, log, monkeypatch):
         gone = {name: np.full(len(log.t), np.nan) for name in ("q", "qdot", "qddot")}
         return dataclasses.replace(free_run(log, core), status="diverged", diverged_at_s=0.0, **gone)
 
-    monkeypatch.setattr("pipeline.tools.in_memory.free_run", lost)
+    monkeypatch.setattr("pipeline.api.in_memory.free_run", lost)
     scores = model.score(log)
     assert scores.nrmse.dtype == scores.fit_percent.dtype == np.float64
     assert scores.nrmse.isna().all()
@@ -163,7 +163,7 @@ def test_a_model_goes_to_another_process(model, log, tmp_path):
 
 
 def test_a_file_that_is_no_saved_model_is_refused(model, tmp_path):
-    from pipeline.runs.trees import read_tree, write_tree
+    from pipeline.store.trees import read_tree, write_tree
 
     tree = read_tree(model.save(tmp_path / "model.h5"))
     for name, changed, message in (

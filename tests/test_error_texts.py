@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import interrupted, memory_failure
-from pipeline.names import shell_word
+from pipeline.system.names import shell_word
 from tests.prototypes import SMALL, SMALL_CSV
 
 RUNNER = CliRunner()
@@ -198,7 +198,7 @@ def test_a_bug_of_ours_is_a_traceback_and_exit_code_1(tmp_path, monkeypatch):
     def fail(*_: object, **__: object) -> None:
         raise ZeroDivisionError("planted")
 
-    monkeypatch.setattr("pipeline.stages.run.run_status", fail)
+    monkeypatch.setattr("pipeline.workflow.run.run_status", fail)
     result = RUNNER.invoke(app, ["status", str(tmp_path)])
     assert result.exit_code == 1
     lines = result.stderr.splitlines()

@@ -51,3 +51,13 @@ def test_the_makefile_names_files_that_are_there() -> None:
     named = re.findall(r"\b(?:tests|benchmarks)/[\w/]+(?:\.py)?", (ROOT / "Makefile").read_text(encoding="utf-8"))
     files = [name for name in named if not name.endswith("_")]  # but patterns such as bench_*.py
     assert files and not [name for name in files if not (ROOT / name).exists()]
+
+
+def test_the_package_imports_itself_by_relative_imports_alone() -> None:
+    """An absolute import works in a checkout alone: installed, the package is called `debist`."""
+    for path in (ROOT / "pipeline").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            modules = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            modules += [node.module or ""] if isinstance(node, ast.ImportFrom) and not node.level else []
+            own = {"pipeline", "debist", "cli"} & {module.partition(".")[0] for module in modules}
+            assert not own, f"{path.relative_to(ROOT)}:{node.lineno}"

@@ -84,7 +84,7 @@ def _debist(surroundings, folder, *arguments):
 def test_what_is_taken_away_is_gone_for_debist_alone(surroundings):
     program = (
         "import os, signal, resource; os.fork, signal.SIGKILL\n"
-        "import pipeline.isolation as ours; assert ours.resource is None\n"
+        "import pipeline.system.isolation as ours; assert ours.resource is None\n"
         "assert not hasattr(ours.os, 'fork') and not hasattr(ours.signal, 'SIGKILL')\n"
         "assert ours.process_context().get_start_method() == 'spawn'\n"
         "import mmap; assert mmap.MADV_DONTNEED\n"

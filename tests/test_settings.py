@@ -7,11 +7,12 @@ from typing import Any
 import pytest
 from pydantic import BaseModel, ValidationError
 
-from pipeline import settings, settings_logs
 from pipeline.errors import InputError
-from pipeline.former_settings import translated
-from pipeline.runs import layout
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings.former import translated
+from pipeline.settings.prototype import Prototype, parse_prototype
+from pipeline.settings.prototype import logs as settings_logs
+from pipeline.settings.prototype import prototype as settings
+from pipeline.store import layout
 
 GOOD: dict[str, Any] = {
     "name": "P1",

@@ -5,9 +5,8 @@ import math
 import pint
 import pytest
 
-from pipeline import units
 from pipeline.errors import InputError
-from pipeline.units import DISPLACEMENT, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si
+from pipeline.units.units import DISPLACEMENT, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si, units
 
 
 @pytest.mark.parametrize(
@@ -48,7 +47,7 @@ def test_bad_quantities_are_refused(text: str) -> None:
 
 def test_plain_units_are_what_pint_makes_of_them(monkeypatch: pytest.MonkeyPatch) -> None:
     known = dict(PLAIN)
-    monkeypatch.setattr("pipeline.units.PLAIN", {})
+    monkeypatch.setattr("pipeline.units.units.PLAIN", {})
     for unit, (factor, symbol) in known.items():
         found = to_si(unit, (*DISPLACEMENT, *INPUT, *TIME, *MASS.values(), "V/m"), "here")
         assert (found.factor, found.symbol) == (factor, symbol)
@@ -104,8 +103,8 @@ def test_a_hostile_unit_in_a_log_does_not_hang_the_run(tmp_path, form):
     import pyarrow.parquet as pq
 
     from pipeline.device.device import device
-    from pipeline.loading.si_log import read_si
-    from pipeline.settings import parse_prototype
+    from pipeline.settings.prototype import parse_prototype
+    from pipeline.workflow.si_log import read_si
 
     hostile, columns = "m*9**9**9**9", {name: np.arange(50.0) for name in ("t", "q", "u")}
     path = tmp_path / f"log.{form}"

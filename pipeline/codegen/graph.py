@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, Union
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from ..numerics.arrays import FloatArray
 
 
 class Operation(NamedTuple):

@@ -13,9 +13,9 @@ from typing import Any
 
 from llvmlite import ir
 
-from pipeline.codegen.graph import Graph, Operation, apply
-from pipeline.compiled import TypingError, intrinsic, lower_builtin, type_callable, types
-from pipeline.numerics.inner_loops import FAST
+from ..numerics.compiled import TypingError, intrinsic, lower_builtin, type_callable, types
+from ..numerics.inner_loops import FAST
+from .graph import Graph, Operation, apply
 
 _FLAGS = tuple(sorted(FAST))
 _REAL, _SINGLE = ir.DoubleType(), ir.FloatType()

@@ -12,10 +12,10 @@ from typing import Any
 
 from llvmlite import ir
 
-from pipeline.codegen.graph import Graph
-from pipeline.codegen.numba_writer import write_graph
-from pipeline.codegen.text_writer import Code, arguments
-from pipeline.compiled import TypingError, intrinsic, types
+from ..numerics.compiled import TypingError, intrinsic, types
+from .graph import Graph
+from .numba_writer import write_graph
+from .text_writer import Code, arguments
 
 Call = tuple[str, dict[str, str]]
 """Name of a graph, and the arrays used for some of its inputs and outputs; the others have their own names."""

@@ -5,8 +5,8 @@ import textwrap
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from pipeline.codegen.graph import Graph, Operation
-from pipeline.errors import CorruptArtifactError
+from ..errors import CorruptArtifactError
+from .graph import Graph, Operation
 
 _OPERATORS = {"add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<="}
 _LONGEST = 90

@@ -20,9 +20,9 @@ from typing import Any
 import typer
 from typer.core import TyperGroup
 
-from pipeline.commands.console import emit_json, printable, printed
-from pipeline.commands.gone import replacement
-from pipeline.errors import WARNING, DebistError, InputError, interrupted, memory_failure
+from ..errors import WARNING, DebistError, InputError, interrupted, memory_failure
+from .console import emit_json, printable, printed
+from .gone import replacement
 
 resource: Any
 try:

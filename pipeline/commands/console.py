@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 if TYPE_CHECKING:
-    from pipeline.runs.engine import Task
+    from ..workflow.engine import Task
 
 _NOTHING_KEPT = "no step was finished yet; the same command starts again"
 _PIPE_COLUMNS = 160
@@ -93,7 +93,7 @@ printed: list[Any] = []
 
 def with_units(values: Mapping[str, Any], units: Mapping[str, str]) -> dict[str, Any]:
     """The values under keys that end in their units, where they have one: ``misfit_m``."""
-    from pipeline.units import column_suffix
+    from ..units.units import column_suffix
 
     suffixes = {key: column_suffix(unit) for key, unit in units.items() if unit not in ("", "1")}
     return {f"{key}_{suffixes[key]}" if key in suffixes else key: value for key, value in values.items()}
@@ -294,7 +294,7 @@ def run_of(given: Path) -> Path:
     """The run folder that an argument means: itself, or that of a settings file."""
     if given.suffix.lower() != ".toml" or not given.is_file():
         return given
-    from pipeline.stages.run_place import run_folder
+    from ..workflow.place import run_folder
 
     return run_folder(given)
 

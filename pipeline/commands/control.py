@@ -6,11 +6,11 @@ from typing import Annotated, Any
 
 import typer
 
-from pipeline.commands.boundary import group, with_options
-from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
-from pipeline.errors import InputError
-from pipeline.names import Goal, Well, shell_word
-from pipeline.units import parse_quantity
+from ..errors import InputError
+from ..system.names import Goal, Well, shell_word
+from ..units.units import parse_quantity
+from .boundary import group, with_options
+from .console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of
 
 app = group("From the identified model to control: linear models, snaps, switching map, controller.")
 
@@ -69,7 +69,7 @@ def linearise(
     States in SI; writes linear.json, linear.mat and a CSV for each equilibrium. Measured ring-downs stand beside the
     poles. Example: debist control linearise runs/P1 --v1 1kV
     """
-    from pipeline.tools import linear_models
+    from ..workflow.studies import linear_models
 
     voltages = (parse_quantity(v1, ("V",), "--v1"), parse_quantity(v2, ("V",), "--v2"))
     with Progress(quiet=quiet) as progress:
@@ -102,7 +102,7 @@ def switching_map(run: Run, lag: Lag = None, quiet: Quiet = False, as_json: Json
     With the lowest voltage that switches, and its band. In kV and s; in the report as a figure. Example: debist control
     map runs/P1
     """
-    from pipeline.tools import control
+    from ..workflow.studies import control
 
     with Progress(quiet=quiet) as progress:
         document = control.switching_maps(run, _settings(None, lag), progress)
@@ -145,8 +145,8 @@ def pulse(
     Voltages in V at 1 kHz, for `debist rig closed-loop --play` and test benches.
     Example: debist control pulse runs/P1 --to right -o snap.csv
     """
-    from pipeline.runs import layout
-    from pipeline.tools import control
+    from ..store import layout
+    from ..workflow.studies import control
 
     if output is not None:
         control.check_pulse_name(output)
@@ -174,7 +174,7 @@ def design(run: Run, limits: VoltageLimits, lag: Lag = None, quiet: Quiet = Fals
     `debist export RUN --to controller` writes it as C99. With a --max-voltage (V) below the switching voltage it pumps.
     Example: debist control design runs/P1 --max-voltage 2kV
     """
-    from pipeline.tools import control
+    from ..workflow.studies import control
 
     with Progress(quiet=quiet) as progress:
         document = control.design(run, _limited(limits, lag), progress)
@@ -225,7 +225,7 @@ def _limited(limits: VoltageLimits, lag: str | None) -> Any:
 
 
 def _settings(max_voltage: str | None, lag: str | None) -> Any:
-    from pipeline.tools.controlled_run import ControlSettings
+    from ..workflow.studies.controlled_run import ControlSettings
 
     most = None if max_voltage is None else parse_quantity(max_voltage, ("V",), "--max-voltage")
     seconds = None if lag is None else parse_quantity(lag, ("s",), "--lag")

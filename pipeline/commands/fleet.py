@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from pipeline.commands.boundary import group
-from pipeline.commands.console import Json, Runs, emit_json, emit_table, emit_text, printable
+from .boundary import group
+from .console import Json, Runs, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
-    from pipeline.tools.fleet import LearntFile
+    from ..workflow.studies.fleet import LearntFile
 
 
 app = group("A prior for the next joint, from many joints of one drawing.")
@@ -40,7 +40,7 @@ def learn(
     From five siblings on; all need the parameter set that the next joint has. Lengths in m, all other units SI, odd
     quantities in percent where they are positive. Example: debist fleet learn runs -o siblings.h5
     """
-    from pipeline.tools.fleet import learn_siblings
+    from ..workflow.studies.fleet import learn_siblings
 
     siblings = learn_siblings(runs, output)
     for name, reason in siblings.left_out.items():
@@ -104,9 +104,9 @@ def series(
 
     Example: debist series runs/day0 runs/day7 runs/day14 runs/day30 --at 0,7,14,30 --page series.html
     """
-    from pipeline.reporting.several_runs import COLUMNS, conclusion, series_page, series_rows
-    from pipeline.runs.atomic import write_text
-    from pipeline.tools.fleet import series_of
+    from ..reporting.several_runs import COLUMNS, conclusion, series_page, series_rows
+    from ..store.atomic import write_text
+    from ..workflow.studies.fleet import series_of
 
     facts = series_of(runs, at)
     if output is not None:

@@ -8,23 +8,23 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
-from pipeline.si_prefix import quantity
+from ..units.quantity import quantity
+from .console import Json, Progress, PrototypeFile, Quiet, emit_json, emit_table, emit_text, with_units
 
 if TYPE_CHECKING:
-    from pipeline.checks.rows import CheckRow
-    from pipeline.fitting.coverage import Coverage
-    from pipeline.numerics.arrays import FloatArray
-    from pipeline.rig_logs.inspection import InspectedChannel, Inspection
-    from pipeline.signals.timebase import TimeQuality
-    from pipeline.tools.excitation_design import Design
-    from pipeline.tools.inspection import LogExcitation
-    from pipeline.tools.next_log import NextLog
+    from ..diagnostics.rows import CheckRow
+    from ..fitting.coverage import Coverage
+    from ..numerics.arrays import FloatArray
+    from ..rig_logs.inspection import InspectedChannel, Inspection
+    from ..signals.timebase import TimeQuality
+    from ..workflow.inspection import LogExcitation
+    from ..workflow.studies.excitation_design import Design
+    from ..workflow.studies.next_log import NextLog
 
 
 def emit_design(design: "Design | NextLog", files: Iterable[Path]) -> None:
     """Print what the design is expected to bring, and the files."""
-    from pipeline.tools.next_log import NextLog
+    from ..workflow.studies.next_log import NextLog
 
     if isinstance(design, NextLog):
         _emit_next_log(design)
@@ -98,7 +98,7 @@ _PLACES = ("not_finite_at", "longest_frozen", "frozen_at", "spikes_at")
 
 def inspection_document(inspection: "Inspection", excitation: "LogExcitation | str") -> Any:
     """Everything for `--json`: the log in its own units, the excitation in SI; without one, the reason."""
-    from pipeline.runs.manifest import to_json
+    from ..store.manifest import to_json
 
     if isinstance(excitation, str):
         coverage: dict[str, Any] = {"excitation": None, "excitation_reason": excitation}
@@ -129,7 +129,7 @@ def _excitation_document(excitation: "LogExcitation") -> dict[str, Any]:
 
 def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str") -> None:
     """Print the channels, the time bases, the notes, and what the log excites."""
-    from pipeline.rig_logs.remarks import stamped
+    from ..rig_logs.remarks import stamped
 
     emit_table(
         f"{inspection.path}: {inspection.format}, {inspection.size / 1e6:.2f} MB",
@@ -155,7 +155,7 @@ def emit_inspection(inspection: "Inspection", excitation: "LogExcitation | str")
 
 
 def _emit_excitation(coverage: "LogExcitation") -> None:
-    from pipeline.scoring.wells import Wells
+    from ..scoring.wells import Wells
 
     shown = coverage.excitation
     title = f"Samples per basis centre, one every {1e3 * coverage.interval:g} ms"
@@ -208,8 +208,8 @@ def check(
     Rates in Hz, fields in V/µm. Exit code 3 if the model would be wrong. `debist run` does it first.
     Example: debist check P1.toml
     """
-    from pipeline.stages.check import verdict
-    from pipeline.tools.inspection import check as check_tool
+    from ..workflow.inspection import check as check_tool
+    from ..workflow.stage_check import verdict
 
     with Progress(quiet=quiet) as progress:
         prototype, rows = check_tool(place, progress)
@@ -222,7 +222,7 @@ def check(
 
 def emit_rows(name: str, rows: "Sequence[CheckRow]", *, details: bool) -> None:
     """Print the numbers side by side, the logs as columns, and below them in words what is remarkable."""
-    from pipeline.checks.rows import beside
+    from ..diagnostics.rows import beside
 
     header, table = beside(rows)
     emit_table(f"{name}: are the logs what the settings say?", header, table, numeric_from=len(header))
@@ -253,11 +253,11 @@ def init(
     Units are those of the logs where they state them; which log is for validation is proposed by its name.
     Example: debist init train.mat validation.mat -o P1.toml
     """
-    from pipeline.errors import InputError
-    from pipeline.names import shell_word
-    from pipeline.rig_logs.draft import toml_draft
-    from pipeline.rig_logs.inspection import inspect_log
-    from pipeline.runs.atomic import write_text
+    from ..errors import InputError
+    from ..rig_logs.draft import toml_draft
+    from ..rig_logs.inspection import inspect_log
+    from ..store.atomic import write_text
+    from ..system.names import shell_word
 
     if output is not None and os.path.lexists(output):
         raise InputError(f"{output}: exists; give another name, or delete it first")
@@ -295,7 +295,7 @@ def inspect(
 
     Times in s, rates in Hz, values in the log's own units. Example: debist inspect train.mat
     """
-    from pipeline.tools.inspection import inspect as inspect_stage
+    from ..workflow.inspection import inspect as inspect_stage
 
     inspection, excitation = inspect_stage(log, settings)
     if as_json:

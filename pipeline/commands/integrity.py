@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.commands.console import Json, Run, emit_json, emit_table, printable
-from pipeline.errors import CorruptArtifactError
+from ..errors import CorruptArtifactError
+from .console import Json, Run, emit_json, emit_table, printable
 
 if TYPE_CHECKING:
-    from pipeline.tools.verify import Verified, VerifiedRun
+    from ..workflow.verify import Verified, VerifiedRun
 
 _MOST_NAMED = 20
 
@@ -30,15 +30,15 @@ def verify(
     point forbids that, whether it is the same to 6 digits (of the largest magnitude of a column); exit code 4 if not.
     Example: debist verify runs/P1 --against crate/run
     """
-    from pipeline.tools import verify as tool
+    from ..workflow import verify as tool
 
     if every:
         _emit_all(tool.verify_all(run), as_json)
         return
     checked = tool.verify_everything(run)
     if against is not None and checked.intact:
-        from pipeline.commands.results import emit_comparison
-        from pipeline.tools.diff import compare_runs
+        from ..workflow.studies.diff import compare_runs
+        from .results import emit_comparison
 
         emit_comparison(run, against, compare_runs(run, against), as_json=as_json)
         return

@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from pipeline.commands.console import brief, clock, emit_json, emit_table, emit_text, printable
-from pipeline.names import shell_word
+from ..system.names import shell_word
+from .console import brief, clock, emit_json, emit_table, emit_text, printable
 
 if TYPE_CHECKING:
     from typing import Literal
 
-    from pipeline.batch.members import Member
-    from pipeline.batch.progress import FleetProgress
-    from pipeline.batch.worker import Outcome
-    from pipeline.reporting.tables import Format
-    from pipeline.runs.engine import TaskStatus
+    from ..reporting.tables import Format
+    from ..workflow.engine import TaskStatus
+    from ..workflow.members import Member
+    from ..workflow.progress import FleetProgress
+    from ..workflow.worker import Outcome
 
 
 def emit_scores(
@@ -36,8 +36,8 @@ def emit_scores(
 
     With a report, the JSON document holds its verdict and its path too.
     """
-    from pipeline.loading.report_data import load_datasheet, load_scores
-    from pipeline.stages.scores import score_text, shown_scores
+    from ..workflow.report_data import load_datasheet, load_scores
+    from ..workflow.stage_scores import score_text, shown_scores
 
     if as_json:
         page = {"verdict": load_datasheet(run)["verdict"], "report": run / "report.html"} if with_report else {}
@@ -49,7 +49,7 @@ def emit_scores(
     if details:
         _emit_details(run)
         return
-    from pipeline.reporting.short_tables import headline_table
+    from ..reporting.short_tables import headline_table
 
     table = headline_table(shown_scores(run))
     emit_table(table.where, table.heading, table.rows)
@@ -58,8 +58,8 @@ def emit_scores(
 
 def _emit_details(run: Path) -> None:
     """Print every number of every log, a table for each log, and what they mean."""
-    from pipeline.reporting.tables import lines
-    from pipeline.stages.scores import score_tables
+    from ..reporting.tables import lines
+    from ..workflow.stage_scores import score_tables
 
     tables = score_tables(run)
     for table in tables:
@@ -71,8 +71,8 @@ def _emit_details(run: Path) -> None:
 
 def emit_instruments(run: Path) -> None:
     """Print what the instruments of the logs read beyond their limits, with the lines to write in the settings."""
-    from pipeline.loading.report_data import instruments_shown
-    from pipeline.reporting.instrument_table import instrument_table
+    from ..reporting.instrument_table import instrument_table
+    from ..workflow.report_data import instruments_shown
 
     rows, parts, displacement = instruments_shown(run)
     if not rows:
@@ -85,7 +85,7 @@ def emit_instruments(run: Path) -> None:
 
 def emit_verdict(run: Path) -> None:
     """Print the verdict of the report and where the report lies."""
-    from pipeline.loading.report_data import load_datasheet
+    from ..workflow.report_data import load_datasheet
 
     verdict = load_datasheet(run)["verdict"]
     emit_text(f"verdict: data {verdict['data']}, model {verdict['model']}")
@@ -97,7 +97,7 @@ def emit_verdict(run: Path) -> None:
 
 def emit_table_2(table: Iterable[Mapping[str, Any]]) -> None:
     """Print the rows of the paper's Table 2 (`pipeline.reporting.paper_page.table_2`)."""
-    from pipeline.reporting.paper_page import table_2_row
+    from ..reporting.paper_page import table_2_row
 
     rows = []
     for row in map(table_2_row, table):
@@ -109,7 +109,7 @@ def emit_table_2(table: Iterable[Mapping[str, Any]]) -> None:
 
 def emit_stale_exports(run: Path) -> None:
     """Warn, on stderr, of exports that were made from another model than the run now holds."""
-    from pipeline.tools.export import stale_exports
+    from ..workflow.export import stale_exports
 
     if stale := stale_exports(run):
         verb = "was made" if len(stale) == 1 else "were made"
@@ -121,7 +121,7 @@ def emit_fleet_status(states: "Sequence[tuple[Path, list[TaskStatus], str]]", *,
 
     A run whose report was never made is up to date in the table; JSON names the stage, as workflows make it.
     """
-    from pipeline.runs.engine import FIRST_TIME
+    from ..workflow.engine import FIRST_TIME
 
     if as_json:
         runs = [
@@ -190,8 +190,8 @@ def emit_tasks(
 
 
 def result_line(result: Mapping[str, Any]) -> str:
-    """What a stage came to for one log or model (`pipeline.loading.stage_results`), as a line."""
-    from pipeline.si_prefix import quantity
+    """What a stage came to for one log or model (`pipeline.workflow.stage_results`), as a line."""
+    from ..units.quantity import quantity
 
     if "rows" in result:
         lost = f", {result['masked_rows']} of them masked" if result["masked_rows"] else ""
@@ -324,8 +324,8 @@ def _state(outcome: "Outcome") -> str:
 
 
 def _summary(run: Path) -> str:
-    from pipeline.loading.report_data import load_scores
-    from pipeline.si_prefix import percent
+    from ..units.quantity import percent
+    from ..workflow.report_data import load_scores
 
     scores = [s for s in load_scores(run) if s["role"] == "validation" and s["signal"] == "q"]
     if not scores:

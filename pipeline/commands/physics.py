@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.boundary import group, with_options
-from pipeline.commands.console import Parameters, Quiet, emit_json, emit_table, progress_report, with_units
-from pipeline.errors import InputError
-from pipeline.units import parse_quantity
+from ..errors import InputError
+from ..units.units import parse_quantity
+from .boundary import group, with_options
+from .console import Parameters, Quiet, emit_json, emit_table, progress_report, with_units
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from pipeline.device.parameters import JointParameters
-    from pipeline.models.analytical.reduced_order import Motions
+    from ..device.parameters import JointParameters
+    from ..models.analytical.reduced_order import Motions
 
 app = group("The analytical model (§ 3): equilibria, characteristic curves, motions, modes, reduction, calibration.")
 
@@ -26,8 +26,8 @@ Json = Annotated[bool, typer.Option("--json", help="Print one JSON document (SI 
 def _free_place(place: Path | None) -> Path | None:
     """The file of a figure, unless one of others lies there."""
     if place is not None:
-        from pipeline.reporting.canvas import form_of
-        from pipeline.runs.outputs import check_places
+        from ..reporting.canvas import form_of
+        from ..store.outputs import check_places
 
         form_of(place)
         check_places(place.parent, (place.name,), _FIGURE, force=None)
@@ -58,7 +58,7 @@ class JointSet:
 
     def joint(self) -> "JointParameters":
         """The parameters in SI units."""
-        from pipeline.device.parameter_sets import joint_parameters
+        from ..device.parameter_sets import joint_parameters
 
         return joint_parameters(self.parameters, overrides=self.overrides or ())
 
@@ -66,9 +66,9 @@ class JointSet:
 def _draw(place: Path | None, name: str, *shown: Any) -> None:
     """Draw a figure of `joint_figures` into a file, if one is wanted."""
     if place is not None:
-        from pipeline.reporting import joint_figures
-        from pipeline.reporting.canvas import save
-        from pipeline.runs.outputs import new_outputs
+        from ..reporting import joint_figures
+        from ..reporting.canvas import save
+        from ..store.outputs import new_outputs
 
         with new_outputs(place.parent, _FIGURE, force=None) as staged:
             save(getattr(joint_figures, name)(*shown), staged / place.name, joint_figures.COLOURED)
@@ -95,9 +95,9 @@ def equilibria(
     """
     import numpy as np
 
-    from pipeline.device.parameters import B_MAX
-    from pipeline.models.analytical import bifurcation, statics
-    from pipeline.tools import physics
+    from ..device.parameters import B_MAX
+    from ..models.analytical import bifurcation, statics
+    from ..workflow.studies import physics
 
     joint = parameters.joint()
     if b is not None:
@@ -127,7 +127,7 @@ def curves(parameters: JointSet, voltage: Voltage = "3 kV", figure: Figure = Non
 
     Example: debist physics curves --set "E=1.7 GPa" --figure curves.svg
     """
-    from pipeline.models.analytical.bifurcation import characteristics
+    from ..models.analytical.bifurcation import characteristics
 
     result = characteristics(parameters.joint(), voltage=parse_quantity(voltage, ("V",), "--voltage"))
     path = result.paths["off"]
@@ -164,7 +164,7 @@ def _command_on_motions(show: "Callable[[JointParameters, Motions, Path | None, 
         as_json: Json = False,
     ) -> None:
         """Move the joint, and show it."""
-        from pipeline.tools import physics
+        from ..workflow.studies import physics
 
         joint = parameters.joint()
         show(joint, physics.simulate(joint, parse_quantity(voltage, ("V",), "--voltage"), signals), figure, as_json)
@@ -205,7 +205,7 @@ def modes(joint: "JointParameters", motions: "Motions", figure: Path | None, as_
 
     Example: debist physics modes --voltage 2.5kV --figure modes.svg
     """
-    from pipeline.models.analytical.reduced_order import beam_modes
+    from ..models.analytical.reduced_order import beam_modes
 
     if motions.full.diverged_at is not None:
         raise InputError(f"the motion diverges at {motions.full.diverged_at:.2f} s: lower the voltage")
@@ -259,11 +259,11 @@ def calibrate(
 
     Example: debist physics calibrate runs/P1/train/train/kinematics.parquet -o P1-joint.toml
     """
-    from pipeline.device.parameter_sets import joint_parameters
-    from pipeline.device.parameters import QUANTITIES
-    from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
-    from pipeline.settings_file import read_options
-    from pipeline.tools import physics
+    from ..device.parameter_sets import joint_parameters
+    from ..device.parameters import QUANTITIES
+    from ..models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, PAPER_NAMES
+    from ..settings.file import read_options
+    from ..workflow.studies import physics
 
     names = PAPER_NAMES if paper else ASYMMETRIC_NAMES + FRICTION_NAMES
     how = read_options(search, physics.SearchFile)

@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from pipeline.commands.console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of, with_units
-from pipeline.commands.outcome import emit_table_2
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.names import Target
-from pipeline.si_prefix import percent
+from ..errors import CorruptArtifactError, InputError
+from ..system.names import Target
+from ..units.quantity import percent
+from .console import Force, Json, Progress, Quiet, emit_json, emit_table, emit_text, run_of, with_units
+from .outcome import emit_table_2
 
 if TYPE_CHECKING:
-    from pipeline.runs.columns import Sweep
-    from pipeline.tools.diff import Comparison, RunDifferences
-    from pipeline.tools.study import StudyResult
+    from ..store.columns import Sweep
+    from ..workflow.studies.diff import Comparison, RunDifferences
+    from ..workflow.studies.study import StudyResult
 
 _ALARMING = ("differs", "missing")
 _LONGEST, _OF_HASH = 60, 16
@@ -37,8 +37,8 @@ def diff(
     NRMSE in percent, a fraction in JSON and CSV; artifacts are compared with those of the first run. Exit code 0
     whether they differ or not. Example: debist diff runs/P1 runs/P1b
     """
-    from pipeline.reporting.several_runs import DiffTable
-    from pipeline.tools.diff import diff_runs, write_diff_page
+    from ..reporting.several_runs import DiffTable
+    from ..workflow.studies.diff import diff_runs, write_diff_page
 
     if len(runs) < 2:
         raise InputError(f"{runs[0]}: name a second run to compare it with")
@@ -56,7 +56,7 @@ def diff(
 
 def _emit_csv(runs: "RunDifferences") -> None:
     """Print a row for each key that differs: its part, the key, and the value of each run as it is stored."""
-    from pipeline.reporting.tables import disarmed
+    from ..reporting.tables import disarmed
 
     writer = csv.writer(sys.stdout, lineterminator="\n")
     writer.writerow(("part", "key", *map(disarmed, runs.names)))
@@ -135,7 +135,7 @@ def emit_comparison(run: Path, other: Path, compared: "Sequence[Comparison]", *,
     CorruptArtifactError
         An artifact differs by more than rounding, or is missing.
     """
-    from pipeline.tools.diff import STATES
+    from ..workflow.studies.diff import STATES
 
     if as_json:
         emit_json({"artifacts": [asdict(comparison) for comparison in compared]})
@@ -173,7 +173,7 @@ def export(
 
     Example: debist export runs/P1 --to fmu
     """
-    from pipeline.tools.export import export_run
+    from ..workflow.export import export_run
 
     exported = export_run(run, target, model=model, output=output, force=force)
     if as_json:
@@ -198,7 +198,7 @@ def paper(
     Differentiates, identifies and simulates by the recipe of the paper in a run of its own; writes paper.html, and the
     figures as paper/*.svg and *.pdf. Example: debist paper runs/P1
     """
-    from pipeline.tools.paper import run_paper
+    from ..workflow.studies.paper import run_paper
 
     with Progress(quiet=quiet or as_json) as progress:
         recipe = run_paper(source, output, progress)
@@ -244,8 +244,8 @@ def study(
             raise InputError(f"{option}: is for `debist study folds`; leave it out")
         _study(run, kind, jobs, as_json=as_json, quiet=quiet)
         return
-    from pipeline.reporting.short_tables import FOLD_EXPLANATION, fold_table
-    from pipeline.tools.folds import run_folds
+    from ..reporting.short_tables import FOLD_EXPLANATION, fold_table
+    from ..workflow.studies.folds import run_folds
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_folds(run, progress, by=by or "blocks", folds=count, models=model or (), jobs=jobs)
@@ -258,7 +258,7 @@ def study(
 
 def _study_document(result: "StudyResult") -> Any:
     """A study for `--json`, with units in the keys."""
-    from pipeline.runs.manifest import to_json
+    from ..store.manifest import to_json
 
     units = result.units
     of_notes = {"automatic_alpha": units.get("alpha", ""), "noise_std": units.get("misfit", "")}
@@ -267,8 +267,8 @@ def _study_document(result: "StudyResult") -> Any:
 
 
 def _study(run: Path, name: "Sweep", jobs: int, *, as_json: bool, quiet: bool) -> None:
-    from pipeline.reporting.short_tables import study_conclusion
-    from pipeline.tools.study import run_study
+    from ..reporting.short_tables import study_conclusion
+    from ..workflow.studies.study import run_study
 
     with Progress(quiet=quiet or as_json) as progress:
         result = run_study(run, name, progress, jobs=jobs)

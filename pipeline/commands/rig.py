@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from pipeline.commands.boundary import group, with_options
-from pipeline.commands.console import Json, Parameters, Quiet, emit_json, emit_text, progress_report, working
-from pipeline.names import shell_word
-from pipeline.units import parse_quantity
+from ..system.names import shell_word
+from ..units.units import parse_quantity
+from .boundary import group, with_options
+from .console import Json, Parameters, Quiet, emit_json, emit_text, progress_report, working
 
 if TYPE_CHECKING:
-    from pipeline.rig.fleet import Experiment, ExperimentFile
+    from ..rig.fleet import Experiment, ExperimentFile
 
 app = group("The virtual rig: raw logs of simulated prototypes, with the truth beside them; excitation design.")
 
@@ -41,8 +41,8 @@ class SimulatedLogs:
 
     def experiment(self) -> "tuple[Experiment, ExperimentFile]":
         """The experiment on the virtual rig, and what its file says."""
-        from pipeline.rig.fleet import Experiment, ExperimentFile
-        from pipeline.settings_file import read_options
+        from ..rig.fleet import Experiment, ExperimentFile
+        from ..settings.file import read_options
 
         rare = read_options(self.file, ExperimentFile)
         fields = rare.fields(self.file.parent if self.file else Path())
@@ -71,7 +71,7 @@ def simulate(
     Displacements in mm or µm and voltages in kV or V, as the format's rig names them; truth in SI units.
     Example: debist rig simulate -o virtual --format csv-de --rate 2000 --seed 7
     """
-    from pipeline.rig.fleet import simulate_prototype
+    from ..rig.fleet import simulate_prototype
 
     experiment, rare = logs.experiment()
     name = f"{logs.kind}-{seed}" if rare.age_days is None else f"{logs.kind}-{seed}-day{rare.age_days:g}"
@@ -98,7 +98,7 @@ def fleet(
 
     Rate in Hz, duration in s. Example: debist rig fleet 24 -o fleet --seed 7
     """
-    from pipeline.rig.fleet import simulate_fleet
+    from ..rig.fleet import simulate_fleet
 
     prototypes = []
     for prototype in simulate_fleet(output, count, logs.experiment()[0], seed=seed):
@@ -143,10 +143,10 @@ def excite(
     Voltages in V, times in s in the file; its description (JSON, SI units) is written beside it.
     Example: debist rig excite -o excitation.csv --duration 60s --max-voltage 2.8kV
     """
-    from pipeline.commands.inspection import emit_design
-    from pipeline.settings_file import read_options
-    from pipeline.tools import excitation
-    from pipeline.tools.excitation_design import Requirements
+    from ..settings.file import read_options
+    from ..workflow.studies import excitation
+    from ..workflow.studies.excitation_design import Requirements
+    from .inspection import emit_design
 
     rare = read_options(file, excitation.DesignFile)
     field = None if rare.max_field_V_per_um is None else 1e6 * rare.max_field_V_per_um
@@ -203,8 +203,8 @@ def closed_loop(
 
     Example: debist rig closed-loop virtual --controller runs/P1 --target 0s:left,0.5s:right --scenario pushed.toml
     """
-    from pipeline.settings_file import read_options
-    from pipeline.tools.closed_loop import ScenarioFile, closed_loop_log
+    from ..settings.file import read_options
+    from ..workflow.studies.closed_loop import ScenarioFile, closed_loop_log
 
     seconds = parse_quantity(duration, ("s",), "--duration")
     rare = read_options(scenario, ScenarioFile)

@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from pipeline.commands import outcome
-from pipeline.commands.console import Details, Form, Json, Output, Progress, PrototypeFile, Quiet, Run
-from pipeline.names import Typeface
+from ..system.names import Typeface
+from . import outcome
+from .console import Details, Form, Json, Output, Progress, PrototypeFile, Quiet, Run
 
 if TYPE_CHECKING:
-    from pipeline.runs.engine import TaskStatus
-    from pipeline.stages.run import StageName
+    from ..workflow.engine import TaskStatus
+    from ..workflow.run import StageName
 
 
 def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = False, quiet: Quiet = False) -> None:
@@ -19,10 +19,10 @@ def ingest(prototype: PrototypeFile, output: Output = None, as_json: Json = Fals
 
     Example: debist ingest P1.toml -o runs/P1
     """
-    from pipeline.loading.stage_results import ingested
-    from pipeline.runs.run_folder import in_snapshot
-    from pipeline.stages.run import run_prototype
-    from pipeline.stages.run_place import place_of
+    from ..store.run_folder import in_snapshot
+    from ..workflow.place import place_of
+    from ..workflow.run import run_prototype
+    from ..workflow.stage_results import ingested
 
     place = place_of(prototype, output)
     with Progress(quiet=quiet) as progress:
@@ -35,8 +35,8 @@ def differentiate(run: Run, as_json: Json = False, quiet: Quiet = False) -> None
 
     Example: debist differentiate runs/P1
     """
-    from pipeline.loading.stage_results import differentiated
-    from pipeline.runs.run_folder import in_snapshot
+    from ..store.run_folder import in_snapshot
+    from ..workflow.stage_results import differentiated
 
     done = _done(run, "differentiate", quiet)
     outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, differentiated))
@@ -47,8 +47,8 @@ def identify(run: Run, as_json: Json = False, quiet: Quiet = False) -> None:
 
     Example: debist identify runs/P1
     """
-    from pipeline.loading.stage_results import identified
-    from pipeline.runs.run_folder import in_snapshot
+    from ..store.run_folder import in_snapshot
+    from ..workflow.stage_results import identified
 
     done = _done(run, "identify", quiet)
     outcome.emit_tasks(done, as_json=as_json, results=in_snapshot(run, identified))
@@ -96,7 +96,7 @@ def report(
 
 def _done(run: Path, stage: "StageName", quiet: bool, figures: Typeface | None = None) -> "list[TaskStatus]":
     """Bring one stage of a run up to date."""
-    from pipeline.stages.run import run_stage
+    from ..workflow.run import run_stage
 
     with Progress(quiet=quiet) as progress:
         return run_stage(run, stage, progress, figures=figures)

@@ -8,9 +8,12 @@ from typing import Annotated
 
 import typer
 
-from pipeline.commands import outcome
-from pipeline.commands.boundary import with_options
-from pipeline.commands.console import (
+from ..errors import InputError
+from ..system.machine import cores
+from ..system.names import Typeface, shell_word
+from . import outcome
+from .boundary import with_options
+from .console import (
     Details,
     Force,
     Json,
@@ -25,9 +28,6 @@ from pipeline.commands.console import (
     emit_table,
     progress_report,
 )
-from pipeline.errors import InputError
-from pipeline.machine import cores
-from pipeline.names import Typeface, shell_word
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ def plot(
 
     Times in s. Example: debist plot runs/P1 --figure validation-validation-models -o models.pdf --from 18 --to 24
     """
-    from pipeline.tools.plot import Excerpt, plot_runs, run_figures
+    from ..workflow.plot import Excerpt, plot_runs, run_figures
 
     if figure is None:
         names = list(run_figures(runs[0]).titles.items())
@@ -81,8 +81,8 @@ def show(run: Run, as_json: Json = False) -> None:
 
     Lengths in mm, voltages in kV; SI in the JSON. Example: debist show runs/P1
     """
-    from pipeline.loading.report_data import load_datasheet
-    from pipeline.reporting.datasheet_rows import show_datasheet
+    from ..reporting.datasheet_rows import show_datasheet
+    from ..workflow.report_data import load_datasheet
 
     document = load_datasheet(run)
     if as_json:
@@ -113,8 +113,8 @@ def run_command(
 
     NRMSE in percent. Example: debist run P1.toml -o runs/P1
     """
-    from pipeline.stages.run import dry_run, run_prototype
-    from pipeline.stages.run_place import place_of
+    from ..workflow.place import place_of
+    from ..workflow.run import dry_run, run_prototype
 
     place = place_of(prototype, output)
     if only_plan:
@@ -138,10 +138,10 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
     Pulses of 3 kV on alternating sides train and validate, as in figures 11 and 15; NRMSE in percent.
     Example: debist demo -o runs/demo
     """
-    from pipeline.loading.report_data import load_scores
-    from pipeline.reporting.paper_page import table_2
-    from pipeline.rig.demo import write_demo_logs
-    from pipeline.stages.run import run_prototype
+    from ..reporting.paper_page import table_2
+    from ..rig.demo import write_demo_logs
+    from ..workflow.report_data import load_scores
+    from ..workflow.run import run_prototype
 
     folder = output or Path("runs/demo")
     _announce_compilation(quiet)
@@ -155,8 +155,8 @@ def demo(output: Output = None, force: Force = False, as_json: Json = False, qui
 
 
 def _announce_compilation(quiet: bool) -> None:
-    from pipeline.kernel_cache import has_kernels
-    from pipeline.warmup import COST
+    from ..numerics.kernel_cache import has_kernels
+    from ..workflow.warmup import COST
 
     if not quiet and not has_kernels():
         typer.echo(
@@ -174,14 +174,14 @@ def status(
 
     A run's artifacts are compared with the logs and the settings file of today. Example: debist status runs/P1
     """
-    from pipeline.batch.progress import is_fleet
+    from ..workflow.progress import is_fleet
 
     if len(runs) == 1 and is_fleet(runs[0]):
         _fleet_status(runs[0], watch=watch, as_json=as_json)
         return
     if watch:
         raise InputError("--watch is for one folder of a batch, the DIR of `debist batch`")
-    from pipeline.stages.run import fleet_status, missing_settings, run_status
+    from ..workflow.run import fleet_status, missing_settings, run_status
 
     if brief_form or len(runs) > 1:
         outcome.emit_fleet_status(fleet_status(runs), as_json=as_json)
@@ -199,7 +199,7 @@ _REFRESH = 2.0
 def _fleet_status(folder: Path, *, watch: bool, as_json: bool) -> None:
     from rich.console import Console
 
-    from pipeline.batch.progress import fleet_progress
+    from ..workflow.progress import fleet_progress
 
     console, progress = Console(), fleet_progress(folder)
     while watch and not as_json and progress.counts["running"]:
@@ -217,8 +217,8 @@ def warmup(
 
     Without it the first commands compile what they need. Example: debist warmup
     """
-    from pipeline.kernel_cache import has_kernels
-    from pipeline.warmup import COST, warm_up
+    from ..numerics.kernel_cache import has_kernels
+    from ..workflow.warmup import COST, warm_up
 
     if not has_kernels():
         typer.echo(f"compiling the kernels, once: about {COST:.0f} s of processor time", err=True)

@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from pipeline.codegen.graph import trace
-from pipeline.codegen.sequence import GraphSequence, sequence_kernel
-from pipeline.compiled import compiled
-from pipeline.control import estimator, feedback
-from pipeline.control.estimator import ESTIMATED, PERIOD, SIZES
-from pipeline.control.law import CONTROLLER_STATE, NUMBERS, Law
-from pipeline.generated.condensed_joint import PREPARE, STATES
-from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
-from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import AHEAD, SHARES
+from ..codegen.graph import trace
+from ..codegen.sequence import GraphSequence, sequence_kernel
+from ..generated.condensed_joint import PREPARE, STATES
+from ..generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
+from ..numerics.fixed_step import AHEAD, SHARES
+from . import estimator, feedback
+from .estimator import ESTIMATED, PERIOD, SIZES
+from .law import CONTROLLER_STATE, NUMBERS, Law
 
 _S, _SIGNALS, _V, _E, _U = ({name: SIZES[name]} for name in ("s", "signals", "v", "e", "u"))
 _JOINT = {"prepared": PREPARE.outputs["p"]} | _E | {"curves": 0}

@@ -5,20 +5,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import kernel
-from pipeline.compiled import compiled
-from pipeline.control.controller import PERIOD
-from pipeline.control.design_tables import braking_curves, moments_per_square, reached, target_table
-from pipeline.control.law import BEYOND, NUMBERS, REACHES, RESTS, SIDES, TARGETS, Law
-from pipeline.control.linear import wells_and_saddle
-from pipeline.control.plant import ASSUMED_LAG, ControlledJoint, inertia
-from pipeline.control.step_metrics import BAND
-from pipeline.errors import InputError
-from pipeline.generated.condensed_joint import STOP_ELEMENTS
-from pipeline.generated.condensed_joint_jacobian import PREPARE
-from pipeline.models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
-from pipeline.models.hybrid.statics import rest_state
-from pipeline.numerics.arrays import FloatArray
+from ..codegen.numba_writer import kernel
+from ..errors import InputError
+from ..generated.condensed_joint import STOP_ELEMENTS
+from ..generated.condensed_joint_jacobian import PREPARE
+from ..models.hybrid.kernels import CURVES, INDEX, table_span, tabulate
+from ..models.hybrid.statics import rest_state
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
+from .controller import PERIOD
+from .design_tables import braking_curves, moments_per_square, reached, target_table
+from .law import BEYOND, NUMBERS, REACHES, RESTS, SIDES, TARGETS, Law
+from .linear import wells_and_saddle
+from .plant import ASSUMED_LAG, ControlledJoint, inertia
+from .step_metrics import BAND
 
 WEIGHT = 0.2
 """Share of what a state reaches in a snap that weighs as the largest moment does in the regulators."""

@@ -7,16 +7,16 @@ largest speeds from which full braking still stops at a target, by simulation of
 import numpy as np
 from scipy.linalg import expm, solve_discrete_are
 
-from pipeline.compiled import compiled
-from pipeline.control.controller import move
-from pipeline.control.estimator import PERIOD
-from pipeline.control.feedback import RESERVE
-from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES, Law
-from pipeline.control.linear import LinearModel, held, held_at, jacobian
-from pipeline.control.plant import ControlledJoint, inertia
-from pipeline.generated.condensed_joint import STATES
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.inner_loops import copy_into
+from ..generated.condensed_joint import STATES
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
+from ..numerics.inner_loops import copy_into
+from .controller import move
+from .estimator import PERIOD
+from .feedback import RESERVE
+from .law import CONTROLLER_STATE, CORRECTED, FEEDBACK, NUMBERS, PLACES, REACHES, Law
+from .linear import LinearModel, held, held_at, jacobian
+from .plant import ControlledJoint, inertia
 
 COMMON = (0.05, 0.9)
 """Least and largest mean share of the largest squared voltage on both sides at an unstable target."""

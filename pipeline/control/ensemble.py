@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import ndtri
 
-from pipeline.control.estimator import PERIOD
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
-from pipeline.numerics.arrays import FloatArray
+from ..models.hybrid.model import HybridModel
+from ..models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
+from ..numerics.arrays import FloatArray
+from .estimator import PERIOD
 
 INTERVAL = 4e-3
 """Sample interval of the runs [s]."""

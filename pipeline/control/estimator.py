@@ -15,9 +15,8 @@ the controller's state (`law.PLACES`), `e` its `NUMBERS`.
 
 from typing import Any
 
-from pipeline.codegen.graph import Value, apply, choose, clip, fetch, function, inline
-from pipeline.control.law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, SIDES, TARGETS
-from pipeline.generated.condensed_joint import (
+from ..codegen.graph import Value, apply, choose, clip, fetch, function, inline
+from ..generated.condensed_joint import (
     AT_REST,
     FIRST_ELEMENT,
     INERTIA,
@@ -28,10 +27,11 @@ from pipeline.generated.condensed_joint import (
     STOP_ELEMENTS,
     STOPS,
 )
-from pipeline.generated.condensed_joint_jacobian import JACOBIAN
-from pipeline.generated.terms import STOP_OPERATOR
-from pipeline.models.hybrid.kernels import CURVED, CURVES
-from pipeline.solvers.fixed_step import ALL_SHARES, SHARES
+from ..generated.condensed_joint_jacobian import JACOBIAN
+from ..generated.terms import STOP_OPERATOR
+from ..models.hybrid.kernels import CURVED, CURVES
+from ..numerics.fixed_step import ALL_SHARES, SHARES
+from .law import CONTROLLER_STATE, CORRECTED, FILTER, NUMBERS, PLACES, RESTS, SIDES, TARGETS
 
 Values = list[Any]
 Outputs = dict[str, Values]

@@ -24,10 +24,10 @@ Traced into a graph as the estimator is (`pipeline.control.estimator`).
 import math
 from typing import Any
 
-from pipeline.codegen.graph import choose, clip, fetch, function
-from pipeline.control.estimator import MEMORY, PERIOD, RAMP, Outputs, Values, joined, named, parts, row
-from pipeline.control.law import REACHES, TARGET_COLUMNS, TARGETS, WELLS
-from pipeline.generated.condensed_joint import STATES
+from ..codegen.graph import choose, clip, fetch, function
+from ..generated.condensed_joint import STATES
+from .estimator import MEMORY, PERIOD, RAMP, Outputs, Values, joined, named, parts, row
+from .law import REACHES, TARGET_COLUMNS, TARGETS, WELLS
 
 RESERVE = 0.8
 """Share of the largest moment with which the joint brakes; the rest is left to the feedback."""

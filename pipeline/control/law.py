@@ -5,11 +5,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError
-from pipeline.generated.condensed_joint import FIRST_STRAIN, PREPARE, STATES, STOP_ELEMENTS, STOPS
-from pipeline.generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
-from pipeline.models.hybrid.kernels import CURVES
-from pipeline.numerics.arrays import FloatArray
+from ..errors import CorruptArtifactError
+from ..generated.condensed_joint import FIRST_STRAIN, PREPARE, STATES, STOP_ELEMENTS, STOPS
+from ..generated.condensed_joint_jacobian import PREPARE as PREPARE_SLOPES
+from ..models.hybrid.kernels import CURVES
+from ..numerics.arrays import FloatArray
 
 CORRECTED = FIRST_STRAIN
 """Leading states that readings correct: q, q̇, τ, τ̇, β, β̇."""

@@ -6,17 +6,17 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import formula, kernel
-from pipeline.compiled import compiled
-from pipeline.control.plant import NAMES, UNITS, Constants, ControlledJoint, forces
-from pipeline.errors import InputError
-from pipeline.generated.condensed_joint import DRY_LEVELS, STATES, STOPS
-from pipeline.generated.condensed_joint_jacobian import JACOBIAN, PREPARE
-from pipeline.generated.terms import BELL_SHAPE
-from pipeline.models.hybrid.kernels import CURVES, INDEX, VALUES, prepare
-from pipeline.models.hybrid.statics import rest_state, still
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.wells import outermost_pair
+from ..codegen.numba_writer import formula, kernel
+from ..errors import InputError
+from ..generated.condensed_joint import DRY_LEVELS, STATES, STOPS
+from ..generated.condensed_joint_jacobian import JACOBIAN, PREPARE
+from ..generated.terms import BELL_SHAPE
+from ..models.hybrid.kernels import CURVES, INDEX, VALUES, prepare
+from ..models.hybrid.statics import rest_state, still
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
+from ..scoring.wells import outermost_pair
+from .plant import NAMES, UNITS, Constants, ControlledJoint, forces
 
 _SAME = 1e-5  # m
 _TOLERANCE = 1e-9  # m

@@ -11,14 +11,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import expm
 
-from pipeline.compiled import compiled
-from pipeline.control.controller import begin_control, control, move
-from pipeline.control.estimator import PERIOD, SHAPE, direction, travel
-from pipeline.control.law import CONTROLLER_STATE, NUMBERS, PLACES, SIDES, Law
-from pipeline.control.linear import full_jacobian
-from pipeline.control.plant import ControlledJoint
-from pipeline.generated.condensed_joint import STATES, STOPS
-from pipeline.numerics.arrays import FloatArray
+from ..generated.condensed_joint import STATES, STOPS
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
+from .controller import begin_control, control, move
+from .estimator import PERIOD, SHAPE, direction, travel
+from .law import CONTROLLER_STATE, NUMBERS, PLACES, SIDES, Law
+from .linear import full_jacobian
+from .plant import ControlledJoint
 
 GAINS, FRICTIONS = (0.05, 20.0), 20.0
 """Factors between which the loop's gain is tried, and the largest one of friction."""

@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import BRANCHES, ELEMENT_STATES
-from pipeline.models.hybrid.kernels import VALUES, corrections_at, mass_matrix, prepare, rest_forces
-from pipeline.numerics.arrays import FloatArray
+from ..generated.condensed_joint import BRANCHES, ELEMENT_STATES
+from ..models.hybrid.kernels import VALUES, corrections_at, mass_matrix, prepare, rest_forces
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
 
 if TYPE_CHECKING:
-    from pipeline.models.hybrid.model import HybridModel
+    from ..models.hybrid.model import HybridModel
 
 NAMES = (
     "q", "q_dot", "tau", "tau_dot", "beta", "beta_dot",

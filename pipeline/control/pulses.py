@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from pipeline.control.ensemble import INTERVAL, Ensemble
-from pipeline.control.estimator import PERIOD
-from pipeline.control.step_metrics import BAND
-from pipeline.errors import InputError
-from pipeline.names import Goal
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import settling_index
-from pipeline.numerics.progress import OnProgress, silent
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import settling_index
+from ..system.names import Goal
+from ..system.progress import OnProgress, silent
+from .ensemble import INTERVAL, Ensemble
+from .estimator import PERIOD
+from .step_metrics import BAND
 
 LENGTH = 1.2
 """Length [s] of the runs by which a pulse is judged."""

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms, settling_index
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import rms, settling_index
 
 BAND = 0.05
 """Half width of the band in which a joint has settled, as a share of the wells' distance."""

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.control.ensemble import Converters, Ensemble, ensemble_at
-from pipeline.control.estimator import PERIOD
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.names import Well
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import NORMAL_90
-from pipeline.numerics.progress import OnProgress, silent
+from ..models.hybrid.model import HybridModel
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_90
+from ..system.names import Well
+from ..system.progress import OnProgress, silent
+from .ensemble import Converters, Ensemble, ensemble_at
+from .estimator import PERIOD
 
 REST = 1.6
 """Time [s] after the pulse's end at which the well counts."""

@@ -5,10 +5,21 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.settings import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
-from pipeline.settings_logs import LogColumn
-from pipeline.units import ACCELERATION, DISPLACEMENT, INPUT, MASS, TIME, VELOCITY, SiUnit, curve_units, of_joint, to_si
+from ..errors import InputError
+from ..settings.logs import LogColumn
+from ..settings.prototype import FIELD_LIMIT, FILM_THICKNESS, Prototype, Quantity
+from ..units.units import (
+    ACCELERATION,
+    DISPLACEMENT,
+    INPUT,
+    MASS,
+    TIME,
+    VELOCITY,
+    SiUnit,
+    curve_units,
+    of_joint,
+    to_si,
+)
 
 
 @dataclass(frozen=True)
@@ -54,7 +65,7 @@ class Device:
 
     @property
     def curve_units(self) -> dict[str, str]:
-        """SI units of its characteristic curves, see `pipeline.units.curve_units`."""
+        """SI units of its characteristic curves, see `pipeline.units.units.curve_units`."""
         return curve_units(
             self.displacement.symbol, self.inputs[0].symbol, squared=self.action == "squared",
             mass_known=self.known_mass is not None,

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pipeline.errors import InputError
-from pipeline.plain_files import read_toml
-from pipeline.settings import Prototype
-from pipeline.units import parse_quantity
+from ..errors import InputError
+from ..settings.prototype import Prototype
+from ..system.plain_files import read_toml
+from ..units.units import parse_quantity
 
 if TYPE_CHECKING:
-    from pipeline.device.parameters import JointParameters
+    from .parameters import JointParameters
 
 LARGEST_FILE = 100_000
 """Bytes; a parameter file has a few hundred."""
@@ -35,7 +35,7 @@ def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequen
     InputError
         No such set, file or parameter; a value without a unit or with one of another kind.
     """
-    from pipeline.device.parameters import PARAMETER_SETS
+    from .parameters import PARAMETER_SETS
 
     if name in PARAMETER_SETS:
         parameters = PARAMETER_SETS[name]
@@ -50,7 +50,7 @@ def joint_parameters(name: str, *, folder: Path | None = None, overrides: Sequen
 
 def _from_file(path: Path) -> "JointParameters":
     """A TOML file: ``base`` names a shipped set, the rest are ``name = "value unit"``, sides in [left] and [right]."""
-    from pipeline.device.parameters import PARAMETER_SETS
+    from .parameters import PARAMETER_SETS
 
     try:
         if path.stat().st_size > LARGEST_FILE:
@@ -81,14 +81,14 @@ def _override(text: str) -> tuple[str, float]:
 
 
 def _quantity(name: str, text: str, where: str) -> float:
-    from pipeline.device.parameters import quantity_of
+    from .parameters import quantity_of
 
     return parse_quantity(text, (quantity_of(name).unit,), where)
 
 
 def parameter_values(parameters: "JointParameters | None") -> dict[str, float] | None:
     """The values [SI] that enter an artifact's recipe, so that an edited parameter file is noticed."""
-    from pipeline.device.parameters import VECTOR_NAMES
+    from .parameters import VECTOR_NAMES
 
     return None if parameters is None else {name: parameters.value(name) for name in VECTOR_NAMES}
 
@@ -103,7 +103,7 @@ def parameter_file(parameters: "JointParameters", comments: Mapping[str, str] | 
     comments : mapping of str to str, optional
         Comments by parameter name, e.g. standard errors.
     """
-    from pipeline.device.parameters import QUANTITIES, VECTOR_NAMES
+    from .parameters import QUANTITIES, VECTOR_NAMES
 
     lines: list[str] = []
     section = ""

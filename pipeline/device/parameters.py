@@ -13,8 +13,8 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
 
 VACUUM_PERMITTIVITY = 8.854e-12
 """ε0 [As/Vm], with the digits of Table 1."""

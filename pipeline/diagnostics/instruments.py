@@ -25,14 +25,14 @@ import numpy as np
 import scipy.linalg
 from scipy.special import fdtri, ndtr
 
-from pipeline.fitting.descent import ObservedProblem, Prior
-from pipeline.fitting.posterior import GROUPS, robust_spread, whiteness
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.metrics import rms
-from pipeline.signals.corrections import Corrections, corrected, exchanged, mirrored
-from pipeline.signals.log import Log, within
-from pipeline.signals.noise import noise_std
-from pipeline.signals.trajectory import MOST_SAMPLES
+from ..fitting.descent import ObservedProblem, Prior
+from ..fitting.posterior import GROUPS, robust_spread, whiteness
+from ..numerics.arrays import FloatArray, IntArray
+from ..numerics.metrics import rms
+from ..signals.corrections import Corrections, corrected, exchanged, mirrored
+from ..signals.log import Log, within
+from ..signals.noise import noise_std
+from ..signals.trajectory import MOST_SAMPLES
 
 SIGNIFICANCE = 4.0
 """Standard errors beyond which an error counts: one false alarm in 16,000 quantities of normal errors."""

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 
-from pipeline.diagnostics.findings import Finding, Number
-from pipeline.si_prefix import moment, percent, quantity, significant
+from ..units.quantity import moment, percent, quantity, significant
+from .findings import Finding, Number
 
 ADVICE_BY_MODEL = {"rbf-paper": "fewer basis functions ([identify] basis_functions), or richer training logs"}
 """Where basis functions do act in number, fewer of them are a remedy."""

@@ -28,9 +28,9 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline.equations import elements
-from pipeline.equations.beam import STIFFNESS_BB, STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, Expression
-from pipeline.equations.condensed_parts import (
+from . import elements
+from .beam import STIFFNESS_BB, STIFFNESS_QQ, STIFFNESS_QT, STIFFNESS_TT, Expression
+from .condensed_parts import (
     AT_REST,
     BRANCHES,
     CORRECTIONS,
@@ -51,7 +51,7 @@ from pipeline.equations.condensed_parts import (
     frame_inertia,
     shortening,
 )
-from pipeline.equations.tip_elements import TipElement, tip_elements
+from .tip_elements import TipElement, tip_elements
 
 _STRETCH_REFERENCE = 1.4
 """Stretch about which deviations from neo-Hooke and from C = C0 λ are counted: the pre-strain of figure 1."""

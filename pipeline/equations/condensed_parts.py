@@ -15,9 +15,9 @@ from itertools import combinations_with_replacement
 
 import casadi as ca
 
-from pipeline.equations import beam
-from pipeline.equations.beam import Expression
-from pipeline.equations.tip_elements import tip_elements
+from . import beam
+from .beam import Expression
+from .tip_elements import tip_elements
 
 SLIPS, LAYERS, CREEPS, BRANCHES = 4, 2, 2, 3
 """Elements of friction; layers of the beam that yield; creep elements on q; Maxwell elements of each membrane: the

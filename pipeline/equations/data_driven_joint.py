@@ -21,9 +21,9 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline.equations import elements
-from pipeline.equations.basis_functions import gaussian
-from pipeline.equations.elements import lag_rate
+from . import elements
+from .basis_functions import gaussian
+from .elements import lag_rate
 
 Expression = Any
 

@@ -14,10 +14,10 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline.device.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
-from pipeline.equations import elements
-from pipeline.equations.beam import Expression, Polynomial, Powers, bending_density, shortening_density
-from pipeline.equations.elements import dahl_rate, maxwell_rate
+from ..device.parameters import BEAM_DAMPING_FACTOR, VECTOR_NAMES, capacitance, volume
+from . import elements
+from .beam import Expression, Polynomial, Powers, bending_density, shortening_density
+from .elements import dahl_rate, maxwell_rate
 
 
 @dataclass(frozen=True)

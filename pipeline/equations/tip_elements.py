@@ -4,12 +4,13 @@ The file has drag of the air on the frame, and friction whose level sets in with
 at rest.
 """
 
-import importlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
+
+from ..system.package import object_at
 
 Law = Callable[[Any, Any, Any, dict[str, Any]], Any]
 """(q [m], q̇ [m/s], states of the element, its constants by name) → an expression in CasADi."""
@@ -27,7 +28,7 @@ class Constant:
     prior_std : float
         Standard deviation of the prior of its logarithm.
     unit : str
-        A name in :data:`pipeline.units.POWERS`, for devices of another size.
+        A name in :data:`pipeline.units.units.POWERS`, for devices of another size.
     """
 
     name: str
@@ -76,16 +77,15 @@ class TipElement:
 
 
 TIP_ELEMENTS = (
-    "pipeline.equations.tip_elements:DRAG",
-    "pipeline.equations.tip_elements:SLIDING",
+    "equations.tip_elements:DRAG",
+    "equations.tip_elements:SLIDING",
 )  # fmt: skip
 """Place of each element; `python -m pipeline.equations.write` writes it into every kernel, fit and export."""
 
 
 def tip_elements() -> list[TipElement]:
     """The elements."""
-    places = [place.split(":") for place in TIP_ELEMENTS]
-    return [getattr(importlib.import_module(module), name) for module, name in places]
+    return [object_at(place) for place in TIP_ELEMENTS]
 
 
 DRAG = TipElement((Constant("drag", 0.02, 1.2, "N·s²/m²"),), lambda q, p, w, k: k["drag"] * ca.fabs(p) * p)

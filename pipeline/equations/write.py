@@ -10,9 +10,9 @@ from typing import Any
 
 import casadi as ca
 
-from pipeline import generated
-from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
-from pipeline.equations import (
+from .. import generated
+from ..codegen.graph import Builder, Graph, Operation, reachable, text_of
+from . import (
     beam,
     condensed_joint,
     condensed_parts,
@@ -20,7 +20,7 @@ from pipeline.equations import (
     elements,
     full_joint,
 )
-from pipeline.equations.basis_functions import kernels as bell_kernels
+from .basis_functions import kernels as bell_kernels
 
 _FULL = """Kernels of the full-order joint.
 
@@ -37,7 +37,7 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 # ruff: noqa
 
 '''
-_GRAPH = "from pipeline.codegen.graph import Graph\n"
+_GRAPH = "from ..codegen.graph import Graph\n"
 
 
 def texts() -> dict[str, str]:
@@ -114,8 +114,8 @@ def _full() -> str:
     kernels = full_joint.kernels(full_joint.symbols())
     named = {name.upper(): graph(inputs, outputs) for name, (_, inputs, outputs) in kernels.items()}
     functions = [_function(name, docstring, named[name.upper()]) for name, (docstring, _, _) in kernels.items()]
-    imports = "from pipeline.codegen.numba_writer import kernel\nfrom pipeline.compiled import compiled\n"
-    imports += "from pipeline.numerics.arrays import FloatArray\n"
+    imports = "from ..codegen.numba_writer import kernel\nfrom ..numerics.compiled import compiled\n"
+    imports += "from ..numerics.arrays import FloatArray\n"
     return _module(_FULL, named, imports=imports) + "".join(functions)
 
 

@@ -5,17 +5,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline import __version__
-from pipeline.codegen.sequence import GraphSequence, c_sequence, matlab_sequence
-from pipeline.codegen.text_writer import Code, c_function, matlab_function
-from pipeline.control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
-from pipeline.control.estimator import PERIOD, RAMP, STATUS
-from pipeline.control.law import CONTROLLER_STATE, SIDES, Law
-from pipeline.export.fmu import identity, packed
-from pipeline.export.hybrid import states, stop_operators
-from pipeline.export.subject import Exported, Variable
-from pipeline.export.templates import asset, constant, render
-from pipeline.runs.atomic import write_text
+from ..codegen.sequence import GraphSequence, c_sequence, matlab_sequence
+from ..codegen.text_writer import Code, c_function, matlab_function
+from ..control.controller import BEGIN, CONTROL, ESTIMATE, GRAPHS, OBSERVE, TABLES
+from ..control.estimator import PERIOD, RAMP, STATUS
+from ..control.law import CONTROLLER_STATE, SIDES, Law
+from ..store.atomic import write_text
+from ..system.package import program_version
+from .fmu import identity, packed
+from .hybrid import states, stop_operators
+from .subject import Exported, Variable
+from .templates import asset, constant, render
 
 NAME = "controller"
 _VARIABLES = (
@@ -111,7 +111,7 @@ def _fields(subject: ControllerSubject) -> dict[str, Any]:
     left, saddle, right = subject.places
     low, high = (q + law.number("offset") for q in law.places)
     return {
-        "version": __version__,
+        "version": program_version(),
         "prototype": subject.prototype,
         "model": subject.model,
         "origin": subject.origin,

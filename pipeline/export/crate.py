@@ -21,10 +21,10 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from pipeline.runs.atomic import atomic_path
-from pipeline.runs.hashing import file_sha256
-from pipeline.runs.manifest import MANIFEST, stage_file
-from pipeline.runs.run_folder import RunFolder
+from ..store.atomic import atomic_path
+from ..store.hashing import file_sha256
+from ..store.manifest import MANIFEST, stage_file
+from ..store.run_folder import RunFolder
 
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
 _TERMS = {"contentHash": "urn:debist:content-hash"}

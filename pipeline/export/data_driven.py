@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph, apply, choose, function, trace
-from pipeline.export.subject import Realisation, Variable, lagged_nodes
-from pipeline.generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
-from pipeline.models.rbf.coefficients import Coefficients, no_sensitivities
-from pipeline.models.rbf.dynamics import free_rates, resting_elements, slide
-from pipeline.models.rbf.model import RbfModel
-from pipeline.models.rbf.observed_run import WALL
-from pipeline.models.rbf.problem import steps_per_sample
-from pipeline.numerics.arrays import FloatArray
+from ..codegen.graph import Graph, apply, choose, function, trace
+from ..generated.terms import BENT, DAHL_RATE, LAG, PAST_ZONE
+from ..models.rbf.coefficients import Coefficients, no_sensitivities
+from ..models.rbf.dynamics import free_rates, resting_elements, slide
+from ..models.rbf.model import RbfModel
+from ..models.rbf.observed_run import WALL
+from ..models.rbf.problem import steps_per_sample
+from ..numerics.arrays import FloatArray
+from .subject import Realisation, Variable, lagged_nodes
 
 Values = list[Any]
 Outputs = dict[str, Values]

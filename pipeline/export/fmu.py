@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline import __version__
-from pipeline.export.sources import bounds, c_sources, model_fields
-from pipeline.export.subject import Exported, Realisation, Subject
-from pipeline.export.templates import asset, render
-from pipeline.runs.atomic import write_bytes
+from ..store.atomic import write_bytes
+from ..system.package import program_version
+from .sources import bounds, c_sources, model_fields
+from .subject import Exported, Realisation, Subject
+from .templates import asset, render
 
 _NAMESPACE = uuid.UUID("6b1d7c4e-5f0e-5e6e-9a59-6d0f3b7a9c11")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
@@ -93,7 +93,7 @@ def guid(subject: Subject) -> str:
 
 def identity(*content: str) -> str:
     """A GUID of what an FMU is made of and the version that wrote it."""
-    return f"{{{uuid.uuid5(_NAMESPACE, '/'.join((__version__, *content)))}}}"
+    return f"{{{uuid.uuid5(_NAMESPACE, '/'.join((program_version(), *content)))}}}"
 
 
 def _compiled(sources: dict[str, str], identifier: str) -> dict[str, bytes]:

@@ -2,9 +2,8 @@
 
 from typing import Any
 
-from pipeline.codegen.graph import apply, choose, clip, function, inline, square, trace
-from pipeline.export.subject import Realisation, Variable, lagged_nodes
-from pipeline.generated.condensed_joint import (
+from ..codegen.graph import apply, choose, clip, function, inline, square, trace
+from ..generated.condensed_joint import (
     AT_REST,
     BENDS,
     BRANCHES,
@@ -17,10 +16,11 @@ from pipeline.generated.condensed_joint import (
     STOP_MOVE,
     STOPS,
 )
-from pipeline.generated.terms import FIRST_BELL, LAG, NEXT_BELL
-from pipeline.models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES, WIDTHS, prepare
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.numerics.arrays import FloatArray
+from ..generated.terms import FIRST_BELL, LAG, NEXT_BELL
+from ..models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES, WIDTHS, prepare
+from ..models.hybrid.model import HybridModel
+from ..numerics.arrays import FloatArray
+from .subject import Realisation, Variable, lagged_nodes
 
 Values = list[Any]
 Outputs = dict[str, Values]

@@ -4,13 +4,13 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph, function, trace
-from pipeline.export.subject import Realisation, Variable
-from pipeline.models.paper.lagged_free_run import lagged_rates
-from pipeline.models.paper.model import RbfPaperModel
-from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, polynomial_rates, steps_between_samples
-from pipeline.models.sindy.model import SindyModel
-from pipeline.solvers.fixed_step import escape_bounds, steps_per_sample
+from ..codegen.graph import Graph, function, trace
+from ..models.paper.lagged_free_run import lagged_rates
+from ..models.paper.model import RbfPaperModel
+from ..models.polynomial_dynamics import FIRST_INPUT, QDOT, polynomial_rates, steps_between_samples
+from ..models.sindy.model import SindyModel
+from ..numerics.fixed_step import escape_bounds, steps_per_sample
+from .subject import Realisation, Variable
 
 Values = list[Any]
 

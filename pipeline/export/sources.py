@@ -11,15 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline import __version__
-from pipeline.codegen.text_writer import c_function, matlab_function
-from pipeline.errors import InputError
-from pipeline.export.subject import SCALARS, Exported, Realisation, Subject, curve_tables
-from pipeline.export.templates import constant, render
-from pipeline.runs.atomic import write_bytes, write_text
-from pipeline.runs.manifest import to_json
-from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
-from pipeline.units import MASS
+from ..codegen.text_writer import c_function, matlab_function
+from ..errors import InputError
+from ..numerics.fixed_step import AHEAD, ALL_SHARES, NODES, SHARES
+from ..store.atomic import write_bytes, write_text
+from ..store.manifest import to_json
+from ..system.package import program_version
+from ..units.units import MASS
+from .subject import SCALARS, Exported, Realisation, Subject, curve_tables
+from .templates import constant, render
 
 
 def write_c(subject: Subject, folder: Path) -> Exported:
@@ -52,7 +52,7 @@ def model_fields(subject: Subject, realisation: Realisation) -> dict[str, Any]:
         ranges += [(f"V{i}_MIN", low), (f"V{i}_MAX", high)]
     return {
         "title": f"Dynamic model of the joint {subject.prototype}",
-        "version": __version__,
+        "version": program_version(),
         "subject": subject,
         "realisation": realisation,
         "validity": validity,
@@ -95,7 +95,7 @@ def write_matlab(subject: Subject, folder: Path) -> Exported:
     """
     script, data = folder / f"{subject.identifier}.m", folder / f"{subject.identifier}_data.mat"
     write_text(script, function_source(subject))
-    write_bytes(data, _mat_bytes(variables(subject), f"debist {__version__}, {subject.identifier}"))
+    write_bytes(data, _mat_bytes(variables(subject), f"debist {program_version()}, {subject.identifier}"))
     return Exported([script, data])
 
 
@@ -173,7 +173,7 @@ def document(subject: Subject) -> dict[str, Any]:
             "format": FORMAT,
             "prototype": subject.prototype,
             "model": subject.name,
-            "origin": {"content": subject.origin, "debist": __version__},
+            "origin": {"content": subject.origin, "debist": program_version()},
             "validity": vars(subject.validity),
             "description": subject.model.describe(),
             "equations": _equations(subject),

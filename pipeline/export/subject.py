@@ -1,7 +1,6 @@
 """The exported model with its bounds and curves, and its realisation: states, constants, equations of motion."""
 
 import hashlib
-import importlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -9,14 +8,15 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.codegen.graph import Graph, choose, function
-from pipeline.errors import InputError
-from pipeline.model_list import ENTRIES
-from pipeline.models.base import DynamicModel, HasCurves
-from pipeline.models.kind import kind
-from pipeline.names import slug
-from pipeline.numerics.arrays import FloatArray
-from pipeline.si_prefix import quantity
+from ..codegen.graph import Graph, choose, function
+from ..errors import InputError
+from ..models.base import DynamicModel, HasCurves
+from ..models.kind import kind
+from ..numerics.arrays import FloatArray
+from ..settings.models import ENTRIES
+from ..system.names import slug
+from ..system.package import object_at
+from ..units.quantity import quantity
 
 _STRONGER, _FARTHER = 1.05, 0.6
 """Times the largest trained input, and the trained range from its middle, beyond which a model extrapolates."""
@@ -96,7 +96,7 @@ class Subject:
     start : (float, float)
         Displacement and velocity at its first sample.
     curve_units : mapping of str to str
-        SI units of its curves by the start of their names (`pipeline.units.curve_units`).
+        SI units of its curves by the start of their names (`pipeline.units.units.curve_units`).
     """
 
     prototype: str
@@ -245,8 +245,7 @@ def realise(model: DynamicModel, interval: float, unit: str = "m") -> Realisatio
     if not equations:
         others = ", ".join(entry.name for entry in ENTRIES if kind(entry.name).equations)
         raise InputError(f"the model {model.name} has no export; choose one of {others} with --model")
-    module, _, function = equations.partition(":")
-    realisation: Realisation = getattr(importlib.import_module(module), function)(model, interval, unit)
+    realisation: Realisation = object_at(equations)(model, interval, unit)
     return realisation
 
 

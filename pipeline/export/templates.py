@@ -14,7 +14,8 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, Undefined
 
-from pipeline.codegen.text_writer import Code, number
+from ..codegen.text_writer import Code, number
+from ..system.package import full_name
 
 _SPELT = str.maketrans({"²": "^2", "³": "^3", "·": ".", "−": "-", "µ": "u", '"': "'", "\\": "/", "`": "'"})
 _DOT = re.compile("(?P<letter>[qz])(?P<dots>[\u0307\u0308])")
@@ -69,7 +70,7 @@ def render(name: str, fields: dict[str, Any]) -> str:
 
 def asset(name: str) -> str:
     """The text of a file that is copied unchanged."""
-    return files("pipeline.export").joinpath("assets", name).read_text(encoding="utf-8")
+    return files(full_name("export")).joinpath("assets", name).read_text(encoding="utf-8")
 
 
 def _value(value: Any, text: Callable[[str], str]) -> Any:
@@ -95,7 +96,7 @@ _LANGUAGES = {"c": _in_code, "h": _in_code, "m": _in_code, "xml": _in_document}
 @cache
 def _environment(finalize: Callable[[Any], Any]) -> Environment:
     environment = Environment(
-        loader=PackageLoader("pipeline.export", "assets"),
+        loader=PackageLoader(full_name("export"), "assets"),
         undefined=StrictUndefined,
         keep_trailing_newline=True,
         autoescape=finalize is _in_document,  # noqa: S701 - markup is escaped so, the other languages by `finalize`

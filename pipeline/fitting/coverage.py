@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
+from ..numerics.arrays import FloatArray, IntArray
 
 FEW = 20
 """Visits below which a centre's weights rest on the prior or on chance."""

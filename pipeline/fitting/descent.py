@@ -11,8 +11,8 @@ from typing import Any, Protocol
 import numpy as np
 import scipy.linalg
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import rms
 
 FLOOR = 1e-5  # smallest noise level, in units of the residual: below it the prior would lose all weight
 

@@ -10,16 +10,16 @@ from functools import cached_property
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError, InputError
-from pipeline.fitting.coverage import ACTING, Coverage, coverage
-from pipeline.fitting.information import Conditioning, ScaledRegressor, conditioning
-from pipeline.fitting.regression import InputLaw, input_signal
-from pipeline.model_list import CENTRES, SMOOTHING
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.scoring.wells import NoWells, Wells, find_wells, snaps
-from pipeline.si_prefix import quantity
-from pipeline.signals.noise import is_idle, noise_level
-from pipeline.signals.quality_gates import Finding
+from ..errors import DataRefusedError, InputError
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from ..scoring.wells import NoWells, Wells, find_wells, snaps
+from ..settings.models import CENTRES, SMOOTHING
+from ..signals.noise import is_idle, noise_level
+from ..signals.quality_gates import Finding
+from ..units.quantity import quantity
+from .coverage import ACTING, Coverage, coverage
+from .information import Conditioning, ScaledRegressor, conditioning
+from .regression import InputLaw, input_signal
 
 _INTERMEDIATE = (0.15, 0.85)
 """Shares of the largest value between which an input is neither off nor full."""

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.fitting.descent import FLOOR, Descent, ObservedProblem, Prior
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import rms
+from .descent import FLOOR, Descent, ObservedProblem, Prior
 
 GAINS = (3.0, 1.0, 0.3, 0.1, 0.03, 0.0)
 """Observer gains, in turn, in units of the problem's own frequency scale; zero is the free run."""

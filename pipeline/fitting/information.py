@@ -9,7 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.fitting.regression import (
+from ..numerics.arrays import FloatArray
+from ..numerics.linear_filters import first_order_lag
+from ..numerics.metrics import rms
+from ..settings.models import CENTRES, LAG_START, SMOOTHING
+from .regression import (
     InputLaw,
     basis_centres,
     basis_values,
@@ -18,10 +22,6 @@ from pipeline.fitting.regression import (
     input_signal,
     regressor,
 )
-from pipeline.model_list import CENTRES, LAG_START, SMOOTHING
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.linear_filters import first_order_lag
-from pipeline.numerics.metrics import rms
 
 FLOOR = 1e-2
 """Information that stands for none, in samples at full scale: keeps the determinant of an unvisited centre finite."""

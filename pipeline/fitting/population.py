@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import ndtr, stdtrit
 
-from pipeline.numerics.arrays import FloatArray
+from ..numerics.arrays import FloatArray
 
 ROUNDS, MORE_ROUNDS = 50, 15
 """Steps of expectation-maximisation from the prior, and from the estimate with one member more."""

@@ -7,10 +7,10 @@ import numpy as np
 import scipy.linalg
 from scipy.special import stdtrit
 
-from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import HomotopyFit
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.metrics import NORMAL_95
+from ..numerics.arrays import FloatArray, IntArray
+from ..numerics.metrics import NORMAL_95
+from .descent import Prior
+from .homotopy import HomotopyFit
 
 SIGNIFICANCE = 0.16
 """Share of equal models that the test separates: one standard error, one-sided."""

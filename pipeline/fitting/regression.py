@@ -10,11 +10,11 @@ from typing import Literal
 import numpy as np
 import scipy.linalg
 
-from pipeline.codegen.numba_writer import formula
-from pipeline.compiled import compiled
-from pipeline.errors import InputError
-from pipeline.generated.terms import GAUSSIAN
-from pipeline.numerics.arrays import FloatArray
+from ..codegen.numba_writer import formula
+from ..errors import InputError
+from ..generated.terms import GAUSSIAN
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
 
 _gaussian = formula(GAUSSIAN)
 

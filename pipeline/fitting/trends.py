@@ -11,8 +11,8 @@ from typing import Literal
 import numpy as np
 from scipy.special import stdtrit
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import NORMAL_95
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_95
 
 FEWEST, FEWEST_STEP = 4, 6
 """Measurements from which a line and a step are looked for: three lie near some line by chance."""

@@ -10,10 +10,10 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 # fmt: off
 # ruff: noqa
 
-from pipeline.codegen.graph import Graph
-from pipeline.codegen.numba_writer import kernel
-from pipeline.compiled import compiled
-from pipeline.numerics.arrays import FloatArray
+from ..codegen.graph import Graph
+from ..codegen.numba_writer import kernel
+from ..numerics.compiled import compiled
+from ..numerics.arrays import FloatArray
 
 STATICS = Graph(
     {'qm': 4, 'v_squared': 2, 'p': 41},

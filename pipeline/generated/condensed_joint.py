@@ -6,7 +6,7 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 # fmt: off
 # ruff: noqa
 
-from pipeline.codegen.graph import Graph
+from ..codegen.graph import Graph
 
 CONSTANTS = ('l', 'bending', 'bending_loss', 'steepening', 'stiffening', 'curvature', 'slope_by_q', 'slope_by_tau',
     'slope_by_beta', 'rotation', 'quartic_qqqq', 'quartic_qqqt', 'quartic_qqqb', 'quartic_qqtt', 'quartic_qqtb',

@@ -6,7 +6,7 @@ Written by ``python -m pipeline.equations.write`` from `pipeline.equations`; not
 # fmt: off
 # ruff: noqa
 
-from pipeline.codegen.graph import Graph
+from ..codegen.graph import Graph
 
 PREPARE = Graph(
     {'k': 114},

@@ -8,11 +8,11 @@ from typing import Any, Literal, Protocol, TypeVar, cast, runtime_checkable
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.scoring.horizons import Predict
-from pipeline.scoring.tubes import TubeScale
-from pipeline.signals.timebase import is_uniform
+from ..errors import InputError
+from ..numerics.arrays import FloatArray, IntArray
+from ..scoring.horizons import Predict
+from ..scoring.tubes import TubeScale
+from ..signals.timebase import is_uniform
 
 
 @dataclass(frozen=True)

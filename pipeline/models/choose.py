@@ -12,15 +12,15 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError
-from pipeline.models.base import predictor
-from pipeline.models.kind import StoredModel, Training, fitted_samples
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.cross_validation import free_run_error
-from pipeline.scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
-from pipeline.scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
-from pipeline.signals.trajectory import Record
-from pipeline.units import HORIZONS, of_joint
+from ..errors import DataRefusedError
+from ..numerics.arrays import FloatArray
+from ..scoring.cross_validation import free_run_error
+from ..scoring.horizons import SHORTEST_HORIZON, HorizonError, MeasuredPath, horizon_errors
+from ..scoring.intervals import SEED, Interval, block_of, rms_difference_interval, rms_interval
+from ..signals.trajectory import Record
+from ..units.units import HORIZONS, of_joint
+from .base import predictor
+from .kind import StoredModel, Training, fitted_samples
 
 NETWORK_ERROR = 0.006
 """Share of the operating range: equations whose held-out error is surely smaller are taken without a comparison.

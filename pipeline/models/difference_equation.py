@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.models.base import FreeRun
-from pipeline.numerics.arrays import FloatArray, sample_interval
-from pipeline.numerics.linear_filters import finite_difference
-from pipeline.solvers.fixed_step import run_status
+from ..errors import InputError
+from ..numerics.arrays import FloatArray, sample_interval
+from ..numerics.fixed_step import run_status
+from ..numerics.linear_filters import finite_difference
+from .base import FreeRun
 
 
 def sampled_run(t: FloatArray, q: FloatArray, reached: int, interval: float) -> FreeRun:

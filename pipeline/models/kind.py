@@ -1,6 +1,5 @@
 """Kinds of models: how each is fitted, read from trees and files, and exported; and the data that a fit takes."""
 
-import importlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -8,19 +7,20 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
-from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.fitting.population import NormalPopulation
-from pipeline.model_list import ENTRIES, entry
-from pipeline.models.base import DynamicModel
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.progress import OnProgress, silent
-from pipeline.runs.trees import read_tree
-from pipeline.settings import Compare, Identify
-from pipeline.signals.log import Log
+from ..errors import CorruptArtifactError, InputError
+from ..fitting.population import NormalPopulation
+from ..numerics.arrays import FloatArray
+from ..settings.models import ENTRIES, entry
+from ..settings.prototype import Compare, Identify
+from ..signals.log import Log
+from ..store.trees import read_tree
+from ..system.package import object_at
+from ..system.progress import OnProgress, silent
+from .base import DynamicModel
 
 if TYPE_CHECKING:
-    from pipeline.device.parameters import JointParameters
-    from pipeline.fitting.regression import InputLaw
+    from ..device.parameters import JointParameters
+    from ..fitting.regression import InputLaw
 
 
 FITTED_SHARE = 0.75
@@ -191,8 +191,7 @@ def kind(name: str) -> Kind:
     if listed is None:
         every = ", ".join(sorted(model.name for model in ENTRIES))
         raise InputError(f"there is no model {name!r}; choose one of {every}")
-    module, _, attribute = listed.kind.partition(":")
-    loaded: Kind = getattr(importlib.import_module(module), attribute)
+    loaded: Kind = object_at(listed.kind)
     return loaded
 
 

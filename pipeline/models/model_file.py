@@ -24,12 +24,12 @@ from pydantic import (
     model_validator,
 )
 
-from pipeline.device.device import Device
-from pipeline.device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
-from pipeline.errors import CorruptArtifactError
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.runs.trees import Columns
-from pipeline.units import MASS
+from ..device.device import Device
+from ..device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES
+from ..errors import CorruptArtifactError
+from ..numerics.arrays import FloatArray, IntArray
+from ..store.trees import Columns
+from ..units.units import MASS
 
 LARGEST = 1e30
 """Largest magnitude of any number; products of a few of them are still finite."""
@@ -299,7 +299,7 @@ def column_of(path: str, units: Mapping[str, str], files: Mapping[str, type[File
         Where it lies in the file, such as ``rbf-paper/weights``.
     units : dict of str
         SI units: of the displacement (``q``), the inputs (``v``), the mass (``m``), a stiffness (``c``), and those of
-        the curves (``F``, ``d``, ``g``; `pipeline.units.curve_units`).
+        the curves (``F``, ``d``, ``g``; `pipeline.units.units.curve_units`).
     files : mapping of str to type
         The declaration of each group of the file.
     """

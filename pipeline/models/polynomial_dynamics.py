@@ -8,13 +8,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pipeline.codegen.graph import function, trace
-from pipeline.codegen.numba_writer import formula
-from pipeline.generated.terms import LAG as LAG_RATE
-from pipeline.generated.terms import POLYNOMIAL_VARIABLES
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.linear_filters import first_order_lag
-from pipeline.solvers.fixed_step import (
+from ..codegen.graph import function, trace
+from ..codegen.numba_writer import formula
+from ..generated.terms import LAG as LAG_RATE
+from ..generated.terms import POLYNOMIAL_VARIABLES
+from ..numerics.arrays import FloatArray, IntArray
+from ..numerics.fixed_step import (
     LAG_STEP,
     Methods,
     between_samples,
@@ -25,6 +24,7 @@ from pipeline.solvers.fixed_step import (
     no_finish,
     steps_per_sample,
 )
+from ..numerics.linear_filters import first_order_lag
 
 _variables, _lag_rate = formula(POLYNOMIAL_VARIABLES), formula(LAG_RATE)
 _turned = formula(trace(lambda q: {"of": [function("sin", q[0]), function("cos", q[0])]}, q=1))
@@ -180,7 +180,7 @@ _integrate = integrator(PolynomialJoint, lambda kind: Methods(no_begin, _rates, 
 def free_run(
     dynamics: PolynomialDynamics, v: FloatArray, interval: float, q0: float, qdot0: float, z0: FloatArray | None = None
 ) -> tuple[FloatArray, int]:
-    """Simulate from an initial state by classical Runge-Kutta steps as in `pipeline.solvers.fixed_step`.
+    """Simulate from an initial state by classical Runge-Kutta steps as in `pipeline.numerics.fixed_step`.
 
     Parameters
     ----------

@@ -7,10 +7,10 @@ from typing import Annotated
 import numpy as np
 from pydantic import Field
 
-from pipeline.models.base import DrawnModel
-from pipeline.models.model_file import FilePart, Unit
-from pipeline.scoring.tubes import TubeScale, tube_scale
-from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
+from ..scoring.tubes import TubeScale, tube_scale
+from ..signals.trajectory import MOST_SAMPLES, Record, operating_range, within
+from .base import DrawnModel
+from .model_file import FilePart, Unit
 
 _NotNegative = Annotated[float, Field(ge=0.0, le=1e6)]
 

@@ -5,8 +5,8 @@
 
 from typing import TYPE_CHECKING
 
-from pipeline.compiled import inner, part
-from pipeline.numerics.arrays import FloatArray, IntArray
+from .arrays import FloatArray, IntArray
+from .compiled import inner, part
 
 
 @inner
@@ -90,7 +90,7 @@ if TYPE_CHECKING:
 else:
     from llvmlite import ir
 
-    from pipeline.compiled import intrinsic, types
+    from .compiled import intrinsic, types
 
     _VECTOR, _INTEGER = ir.VectorType(ir.DoubleType(), 16), ir.IntType(64)
 

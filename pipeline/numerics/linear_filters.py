@@ -5,8 +5,8 @@ import math
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from pipeline.compiled import compiled
-from pipeline.numerics.arrays import FloatArray
+from .arrays import FloatArray
+from .compiled import compiled
 
 _WIDTH = 7
 _ONE_SIDED = 4

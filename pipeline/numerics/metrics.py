@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
+from ..errors import InputError
+from .arrays import BoolArray, FloatArray, IntArray
 
 NORMAL_MEDIAN = 1.482602218505602
 """Standard deviation over median modulus of a normal variable."""

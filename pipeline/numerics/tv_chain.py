@@ -12,8 +12,8 @@ import math
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
-from pipeline.numerics.arrays import FloatArray
+from .arrays import FloatArray
+from .compiled import compiled, inner
 
 
 def difference_weights(order: int) -> FloatArray:

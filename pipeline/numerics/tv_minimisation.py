@@ -5,8 +5,8 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tv_newton import Iterate, NewtonStep, advance, newton_step, newton_step_high_order, objective
+from .arrays import FloatArray
+from .tv_newton import Iterate, NewtonStep, advance, newton_step, newton_step_high_order, objective
 
 Status = Literal["converged", "iteration limit", "limited by rounding"]
 

@@ -32,9 +32,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tv_chain import advance_covariance, difference_weights, start_covariance
+from .arrays import FloatArray
+from .compiled import compiled
+from .tv_chain import advance_covariance, difference_weights, start_covariance
 
 
 class Iterate(NamedTuple):

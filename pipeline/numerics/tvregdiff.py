@@ -22,10 +22,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.linear_filters import finite_difference
-from pipeline.numerics.tv_minimisation import Minimiser, Status, VariationProblem, minimise_variation
+from ..errors import InputError
+from .arrays import FloatArray
+from .linear_filters import finite_difference
+from .tv_minimisation import Minimiser, Status, VariationProblem, minimise_variation
 
 Order = Literal[1, 2, 3, 4]
 Start = Literal["exact", "fitted"]

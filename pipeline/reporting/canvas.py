@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from markupsafe import Markup, escape
 
-from pipeline.errors import InputError
-from pipeline.names import Typeface
-from pipeline.reporting.figure import Figure, writable
-from pipeline.reporting.plotted import Look, paper_look, plotted, sans
+from ..errors import InputError
+from ..system.names import Typeface
+from .figure import Figure, writable
+from .plotted import Look, paper_look, plotted, sans
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas

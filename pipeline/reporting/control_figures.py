@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel
+from .figure import Band, Cells, Figure, Line, Panel
 
 _LIKELY = (0.1, 0.9)
 _MOST = 3

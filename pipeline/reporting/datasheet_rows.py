@@ -5,11 +5,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pipeline.device_facts.calibrated import Calibrated, calibrated
-from pipeline.device_facts.datasheet import Datasheet, DatasheetFact, doubt, is_refused
-from pipeline.device_facts.run_data import RunData
-from pipeline.runs.columns import FACT_COLUMNS, STABLE, FactColumn
-from pipeline.si_prefix import interval, percent, power, quantity, scale, significant
+from ..diagnostics.facts.calibrated import Calibrated, calibrated
+from ..diagnostics.facts.datasheet import Datasheet, DatasheetFact, doubt, is_refused
+from ..diagnostics.facts.run_data import RunData
+from ..store.columns import FACT_COLUMNS, STABLE, FactColumn
+from ..units.quantity import interval, percent, power, quantity, scale, significant
 
 NOT_USED = " (a model not to be used)"
 """Remark beside facts of a model that the verdict rejects."""

@@ -7,22 +7,29 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device_facts.calibrated import AmongSiblings, places_among
-from pipeline.device_facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
-from pipeline.device_facts.data_quality import centre_visits
-from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.phase_plane import BASIN_TIME, OUTCOMES, basin_map, moves_unforced, unforced, visited_range
-from pipeline.device_facts.run_data import Columns, RunData, Study
-from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.numerics.metrics import NORMAL_95
-from pipeline.reporting.datasheet_rows import NOT_USED
-from pipeline.reporting.figure import Band, Cells, Figure, Line, Panel, Points
-from pipeline.reporting.instrument_table import instruments_figure
-from pipeline.reporting.legend import CHOSEN
-from pipeline.reporting.log_figures import residual_figures
-from pipeline.reporting.recipe_figures import study_figure
-from pipeline.si_prefix import power, quantity
-from pipeline.signals.trajectory import peaks, voltages
+from ..diagnostics.facts.calibrated import AmongSiblings, places_among
+from ..diagnostics.facts.characteristics import COVERAGE, CurveEquilibrium, Curves, equilibria, outer_wells
+from ..diagnostics.facts.data_quality import centre_visits
+from ..diagnostics.facts.datasheet import Datasheet
+from ..diagnostics.facts.phase_plane import (
+    BASIN_TIME,
+    OUTCOMES,
+    basin_map,
+    moves_unforced,
+    unforced,
+    visited_range,
+)
+from ..diagnostics.facts.run_data import Columns, RunData, Study
+from ..numerics.arrays import BoolArray, FloatArray
+from ..numerics.metrics import NORMAL_95
+from ..signals.trajectory import peaks, voltages
+from ..units.quantity import power, quantity
+from .datasheet_rows import NOT_USED
+from .figure import Band, Cells, Figure, Line, Panel, Points
+from .instrument_table import instruments_figure
+from .legend import CHOSEN
+from .log_figures import residual_figures
+from .recipe_figures import study_figure
 
 _Measured = tuple[FloatArray, FloatArray] | None
 _Wanted = tuple[str, str, tuple[float, float], Callable[[Curves], FloatArray | None], _Measured]

@@ -8,8 +8,8 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.si_prefix import power, significant
+from ..numerics.arrays import FloatArray, IntArray
+from ..units.quantity import power, significant
 
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # XML 1.0, section 2.2
 MARGIN = 0.04  # of the range of y, above and below

@@ -8,12 +8,12 @@ from urllib.parse import quote
 
 import numpy as np
 
-from pipeline.numerics.metrics import robust_std
-from pipeline.reporting.canvas import page_chart
-from pipeline.reporting.fleet_table import FACTS, FleetColumn, Summary, decimals, distribution
-from pipeline.reporting.legend import swatches
-from pipeline.reporting.page import render
-from pipeline.si_prefix import scale, significant
+from ..numerics.metrics import robust_std
+from ..units.quantity import scale, significant
+from .canvas import page_chart
+from .fleet_table import FACTS, FleetColumn, Summary, decimals, distribution
+from .legend import swatches
+from .page import render
 
 # A robust z-score beyond 3.5 marks an outlier (Iglewicz & Hoaglin 1993); with fewer than 6 values none is marked.
 OUTLIER, LEAST_VALUES = 3.5, 6

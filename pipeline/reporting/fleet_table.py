@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.names import slug
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
-from pipeline.runs.columns import FACT_COLUMNS
+from ..numerics.arrays import FloatArray
+from ..store.columns import FACT_COLUMNS
+from ..system.names import slug
+from .figure import Band, Figure, Line, Panel, Points
 
 FACTS = {column.key: column.fleet for column in FACT_COLUMNS if column.fleet}
 """Facts of the fleet's table and their headings."""

@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.series import READINGS
-from pipeline.diagnostics.instruments import SIGNIFICANCE
-from pipeline.diagnostics.sentences import correction_text
-from pipeline.names import log_title
-from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
-from pipeline.settings_logs import LogPart
-from pipeline.si_prefix import quantity
+from ..diagnostics.facts.series import READINGS
+from ..diagnostics.instruments import SIGNIFICANCE
+from ..diagnostics.sentences import correction_text
+from ..settings.logs import LogPart
+from ..system.names import log_title
+from ..units.quantity import quantity
+from .figure import Band, Figure, Line, Panel, Points
 
 Row = Mapping[str, Any]
 Parts = Mapping[tuple[str, str], LogPart]

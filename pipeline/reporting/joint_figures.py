@@ -4,15 +4,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.reporting.figure import Figure, Line, Panel, Points, Role
+from ..numerics.arrays import BoolArray, FloatArray
+from .figure import Figure, Line, Panel, Points, Role
 
 if TYPE_CHECKING:
-    from pipeline.device.parameters import JointParameters
-    from pipeline.models.analytical.bifurcation import Characteristics
-    from pipeline.models.analytical.calibration import Calibration
-    from pipeline.models.analytical.reduced_order import BeamModes, Motions
-    from pipeline.models.analytical.statics import JointEquilibrium
+    from ..device.parameters import JointParameters
+    from ..models.analytical.bifurcation import Characteristics
+    from ..models.analytical.calibration import Calibration
+    from ..models.analytical.reduced_order import BeamModes, Motions
+    from ..models.analytical.statics import JointEquilibrium
 
 COLOURED = ("first", "second", "both", "fourth", "fifth")
 """Roles that take the colours of the models, in their order."""
@@ -114,7 +114,7 @@ def equilibria_figure(
     `energy` is q [m] and the total potential [J] along the held joint; None where it snaps although it is held.
     Dotted where it is unstable.
     """
-    from pipeline.models.analytical.reduced_order import beam_shapes
+    from ..models.analytical.reduced_order import beam_shapes
 
     lowest = min((e.energy for e in rests), default=0.0)
     held = () if energy is None else (Line("held at q", "measured", energy[0], energy[1] - lowest, "solid"),)
@@ -154,8 +154,8 @@ def _static_path(joint: "JointParameters") -> tuple[tuple[Line, ...], tuple[Line
     """The static path q_m(q), bending as shares of w(l) and axial, and the polynomials fitted to it."""
     from numpy.polynomial.polynomial import polyval
 
-    from pipeline.models.analytical.reduced_order import polynomial_shapes
-    from pipeline.models.analytical.statics import static_path
+    from ..models.analytical.reduced_order import polynomial_shapes
+    from ..models.analytical.statics import static_path
 
     path = static_path(joint, np.linspace(-PATH_REACH, PATH_REACH, 161), np.zeros(2))
     fitted = polyval(path.q / PATH_REACH, polynomial_shapes(path, PATH_DEGREE).T)
@@ -186,7 +186,7 @@ def calibration_figure(start: "JointParameters", fit: "Calibration") -> Any:
     """
     from matplotlib.figure import Figure as Canvas
 
-    from pipeline.device.parameters import VECTOR_NAMES
+    from ..device.parameters import VECTOR_NAMES
 
     canvas = Canvas(figsize=(10.0, 4.5), layout="constrained")
     moved, matrix = canvas.subplots(1, 2)

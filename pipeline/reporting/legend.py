@@ -6,7 +6,7 @@ from typing import Literal
 
 from markupsafe import Markup
 
-from pipeline.reporting.figure import Dash, Figure, Panel, line_kind
+from .figure import Dash, Figure, Panel, line_kind
 
 Kind = Literal[
     "mark", "snap", "cell0", "cell1", "cell2", "cell3", "band", "line", "wide", "trace", "dot", "ring", "cross"

@@ -5,17 +5,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from pipeline.device_facts.events import input_steps, voltage_switches
-from pipeline.device_facts.residual_analysis import Residual, headline_residual
-from pipeline.device_facts.run_data import LogData, RunData, judged_log
-from pipeline.numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
-from pipeline.numerics.metrics import fit_percent, rmse
-from pipeline.reporting.figure import MARGIN, Band, Figure, Line, Panel
-from pipeline.reporting.tables import HEADINGS
-from pipeline.scoring.wells import NoWells, Wells, snaps
-from pipeline.si_prefix import grouped, moment, power, quantity, significant
-from pipeline.signals.trajectory import UNKNOWN, unknown_rows, voltages
-from pipeline.units import ALPHA_UNIT, signal_units
+from ..diagnostics.facts.events import input_steps, voltage_switches
+from ..diagnostics.facts.residual_analysis import Residual, headline_residual
+from ..diagnostics.facts.run_data import LogData, RunData, judged_log
+from ..numerics.arrays import BoolArray, FloatArray, runs_of, sample_interval
+from ..numerics.metrics import fit_percent, rmse
+from ..scoring.wells import NoWells, Wells, snaps
+from ..signals.trajectory import UNKNOWN, unknown_rows, voltages
+from ..units.quantity import grouped, moment, power, quantity, significant
+from ..units.units import ALPHA_UNIT, signal_units
+from .figure import MARGIN, Band, Figure, Line, Panel
+from .tables import HEADINGS
 
 METHODS = {"tvregdiff": "TVRegDiff", "savitzky-golay": "Savitzky–Golay filter"}
 BASELINES_SHOWN = 2

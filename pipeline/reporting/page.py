@@ -16,12 +16,13 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import Figure, Line, Panel, axis_label, extreme_places
-from pipeline.reporting.legend import MARKS, dashes, slot
-from pipeline.si_prefix import axis_scale
+from ..numerics.arrays import FloatArray
+from ..system.package import full_name
+from ..units.quantity import axis_scale
+from .figure import Figure, Line, Panel, axis_label, extreme_places
+from .legend import MARKS, dashes, slot
 
-_ASSETS = files("pipeline.reporting") / "assets"
+_ASSETS = files(full_name("reporting")) / "assets"
 _DASHES = {"mark": [], "snap": [4, 3]}  # of upright lines, by their kind
 LEVELS = 65534  # codes 0 … 65534; 65535 says that there is no sample
 MISSING = 65535
@@ -79,7 +80,7 @@ def render(template: str, scripts: Sequence[str], context: Mapping[str, Any]) ->
         Names for the template; text is escaped, `Markup` is not.
     """
     environment = Environment(
-        loader=PackageLoader("pipeline.reporting", "assets"),
+        loader=PackageLoader(full_name("reporting"), "assets"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,

@@ -4,10 +4,10 @@ import base64
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from pipeline.device.parameters import JointParameters
-from pipeline.device_facts.run_data import RunData
-from pipeline.reporting.page import render
-from pipeline.units import SIGNALS
+from ..device.parameters import JointParameters
+from ..diagnostics.facts.run_data import RunData
+from ..units.units import SIGNALS
+from .page import render
 
 _ANALYTICAL = {"q": 0.057, "phi": 0.056, "qdot": 0.104, "qddot": 0.108}
 PRINTED = {

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from pipeline.machine import import_configured
-from pipeline.names import Typeface
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import (
+from ..numerics.arrays import FloatArray
+from ..system.machine import import_configured
+from ..system.names import Typeface
+from ..system.package import full_name
+from ..units.quantity import axis_scale, scale
+from .figure import (
     Cells,
     Dash,
     Figure,
@@ -26,8 +28,7 @@ from pipeline.reporting.figure import (
     x_range,
     y_range,
 )
-from pipeline.reporting.legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
-from pipeline.si_prefix import axis_scale, scale
+from .legend import MARKS, Style, entries, slot, slot_colour, slot_dashes
 
 import_configured("matplotlib")
 from matplotlib.axes import Axes  # noqa: E402
@@ -60,7 +61,7 @@ def sans() -> tuple[str, ...]:
     """The families of the figures' font, which is made known to matplotlib once a process."""
     from matplotlib.font_manager import fontManager
 
-    with as_file(files("pipeline.reporting") / "assets" / FONT) as path:
+    with as_file(files(full_name("reporting")) / "assets" / FONT) as path:
         fontManager.addfont(path)
     return SANS
 

@@ -6,14 +6,14 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.device_facts.run_data import LogData
-from pipeline.fitting.regression import basis_values
-from pipeline.models.base import DynamicModel
-from pipeline.numerics.arrays import FloatArray
-from pipeline.reporting.figure import Figure, Line, Panel, Points
-from pipeline.runs.columns import StudyName
-from pipeline.signals.differentiate import AlphaStudy
-from pipeline.units import curve_units
+from ..diagnostics.facts.run_data import LogData
+from ..fitting.regression import basis_values
+from ..models.base import DynamicModel
+from ..numerics.arrays import FloatArray
+from ..signals.differentiate import AlphaStudy
+from ..store.columns import StudyName
+from ..units.units import curve_units
+from .figure import Figure, Line, Panel, Points
 
 ZOOM = (24.0, 30.0)
 """Stretch of figure 13 [s]."""

@@ -5,14 +5,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from pipeline.checks.rows import CheckRow, beside, remarks
-from pipeline.device_facts.datasheet import Datasheet
-from pipeline.device_facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
-from pipeline.device_facts.run_data import WHY, RunData, judged_log
-from pipeline.names import ROLE_WORDS, log_title, shell_word, with_true_names
-from pipeline.reporting.canvas import page_chart
-from pipeline.reporting.control_figures import control_figures
-from pipeline.reporting.datasheet_rows import (
+from ..diagnostics.facts.datasheet import Datasheet
+from ..diagnostics.facts.grades import OF_WELLS, THRESHOLDS, Check, Threshold
+from ..diagnostics.facts.run_data import WHY, RunData, judged_log
+from ..diagnostics.rows import CheckRow, beside, remarks
+from ..scoring.wells import Wells
+from ..system.names import ROLE_WORDS, log_title, shell_word, with_true_names
+from ..units.quantity import short
+from .canvas import page_chart
+from .control_figures import control_figures
+from .datasheet_rows import (
     NOT_USED,
     Described,
     calibrated_rows,
@@ -20,15 +22,13 @@ from pipeline.reporting.datasheet_rows import (
     sheet_rows,
     structure_summary,
 )
-from pipeline.reporting.device_figures import device_figures
-from pipeline.reporting.figure import Figure
-from pipeline.reporting.legend import event_swatches, swatches
-from pipeline.reporting.log_figures import LOG_FIGURES, log_figures, overlay
-from pipeline.reporting.page import json_for_script, render, viewer_data
-from pipeline.reporting.short_tables import headline_table
-from pipeline.reporting.tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, nrmse_table
-from pipeline.scoring.wells import Wells
-from pipeline.si_prefix import short
+from .device_figures import device_figures
+from .figure import Figure
+from .legend import event_swatches, swatches
+from .log_figures import LOG_FIGURES, log_figures, overlay
+from .page import json_for_script, render, viewer_data
+from .short_tables import headline_table
+from .tables import BEST, HEADINGS, TIED, NrmseTable, TableCell, behaviour_table, nrmse_table
 
 SECTION_TITLES = {
     "derivatives": "Derivatives",

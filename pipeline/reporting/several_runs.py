@@ -5,15 +5,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device_facts.series import Series, SeriesFact
-from pipeline.fitting.trends import FEWEST
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import NORMAL_95
-from pipeline.reporting.canvas import page_chart
-from pipeline.reporting.figure import Band, Figure, Line, Panel, Points
-from pipeline.reporting.legend import swatches
-from pipeline.reporting.page import render
-from pipeline.si_prefix import quantity
+from ..diagnostics.facts.series import Series, SeriesFact
+from ..fitting.trends import FEWEST
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import NORMAL_95
+from ..units.quantity import quantity
+from .canvas import page_chart
+from .figure import Band, Figure, Line, Panel, Points
+from .legend import swatches
+from .page import render
 
 CURVES = {"F": "restoring force F", "d": "damping d", "dC1_dq": "∂C₁/∂q", "dC2_dq": "∂C₂/∂q"}
 """Curves that are drawn, and their names."""

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.reporting.tables import BEST, HEADINGS, TIED, ScoreRow, notes_of, notes_on
-from pipeline.runs.columns import SCORE_COLUMNS, Column
-from pipeline.scoring.cross_validation import NRMSE_COLUMNS
-from pipeline.units import ALPHA_UNIT
+from ..scoring.cross_validation import NRMSE_COLUMNS
+from ..store.columns import SCORE_COLUMNS, Column
+from ..units.units import ALPHA_UNIT
+from .tables import BEST, HEADINGS, TIED, ScoreRow, notes_of, notes_on
 
 _EXTRAS = tuple(column for column in SCORE_COLUMNS if column.cell and column.cell.table == "errors")
 FOLD_EXPLANATION = (

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from pipeline.names import log_title
-from pipeline.runs.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
-from pipeline.scoring.horizons import SHORTEST_HORIZON
-from pipeline.scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
-from pipeline.si_prefix import moment
-from pipeline.units import HORIZONS, SIGNALS
+from ..scoring.horizons import SHORTEST_HORIZON
+from ..scoring.intervals import BLOCK, FEWEST_BLOCKS, MEMORIES
+from ..store.columns import SCORE_COLUMNS, TIME_COLUMNS, Column
+from ..system.names import log_title
+from ..units.quantity import moment
+from ..units.units import HORIZONS, SIGNALS
 
 ScoreRow = Mapping[str, Any]
 Form = Literal["latex", "markdown"]

@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.joint import simulate
-from pipeline.rig.parameters import RigParameters
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled, inner
+from .joint import simulate
+from .parameters import RigParameters
 
 _POWER_FLOOR = 100.0  # V: below this the current limit, not the power limit, holds
 

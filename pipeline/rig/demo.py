@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.rig.fleet import prototype_toml
-from pipeline.rig.log import LAYOUTS, RawLog
-from pipeline.runs.atomic import write_text
-from pipeline.runs.outputs import new_outputs, rebased
+from ..numerics.arrays import FloatArray, IntArray
+from ..store.atomic import write_text
+from ..store.outputs import new_outputs, rebased
+from .fleet import prototype_toml
+from .log import LAYOUTS, RawLog
 
 RECORDING = Path(__file__).with_name("assets") / "demo.npz"
 INTERVAL = 1e-3

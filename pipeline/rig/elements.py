@@ -23,9 +23,9 @@ import math
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.parameters import (
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled, inner
+from .parameters import (
     BOUC_WEN,
     DAHL,
     GENT,

@@ -8,9 +8,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.log import LAYOUTS
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from .log import LAYOUTS
 
 Shape = Literal["pulse", "chirp", "steps", "multisine"]
 
@@ -226,7 +226,7 @@ def load_sequence(path: Path) -> Sequence:
     InputError
         The file cannot be read, lacks a channel, or its times do not advance.
     """
-    from pipeline.rig_logs import read_recording
+    from ..rig_logs import read_recording
 
     recording = read_recording(path, channels=[TIME, *INPUTS])
     t, *inputs = (recording.channel(name).samples for name in (TIME, *INPUTS))

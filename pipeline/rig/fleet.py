@@ -9,15 +9,15 @@ from typing import Any, Literal, cast, get_args
 import numpy as np
 from pydantic import Field
 
-from pipeline.errors import InputError
-from pipeline.rig.bench import Bench, BenchRecord, random_bench, record
-from pipeline.rig.excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
-from pipeline.rig.joint import wells
-from pipeline.rig.log import LAYOUTS, Fault, FaultKind, RawLog, inject_faults
-from pipeline.rig.parameters import RigParameters, as_json, nominal, sized, table1
-from pipeline.rig.random_joint import Family, aged, random_joint
-from pipeline.runs.outputs import new_outputs, rebased
-from pipeline.settings_logs import Number, SettingsTable, Whole
+from ..errors import InputError
+from ..settings.logs import Number, SettingsTable, Whole
+from ..store.outputs import new_outputs, rebased
+from .bench import Bench, BenchRecord, random_bench, record
+from .excitation import EXCITATIONS, Sequence, command, load_sequence, random_excitation
+from .joint import wells
+from .log import LAYOUTS, Fault, FaultKind, RawLog, inject_faults
+from .parameters import RigParameters, as_json, nominal, sized, table1
+from .random_joint import Family, aged, random_joint
 
 Kind = Literal["same", "foreign", "worn", "nominal", "table1"]
 Role = Literal["train", "validation"]

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.compiled import compiled
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.elements import elastic, rubber_energy, stretch, tip
-from pipeline.rig.midpoint import march
-from pipeline.rig.parameters import RITZ, RigParameters, coordinates
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled
+from .elements import elastic, rubber_energy, stretch, tip
+from .midpoint import march
+from .parameters import RITZ, RigParameters, coordinates
 
 _SETTLING, _SETTLING_STEP = 6.0, 2e-3  # s
 _PUSH = 3000.0  # V

@@ -11,7 +11,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from ..numerics.arrays import BoolArray, FloatArray
 
 _VARIABLE = "rec"
 _RASTER = "HostService"

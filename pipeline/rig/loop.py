@@ -12,14 +12,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from llvmlite import ir
 
-from pipeline.compiled import compiled, inner, intrinsic, types
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.rig.bench import Bench, Converter, Laser, Probe, bent, charge_left, charged
-from pipeline.rig.excitation import MAX_VOLTAGE
-from pipeline.rig.joint import barrier, rest, tip_displacement, wells
-from pipeline.rig.midpoint import KEEP, advance, at_rest, read_tip, workspace
-from pipeline.rig.parameters import RigParameters
+from ..errors import InputError
+from ..numerics.arrays import FloatArray, IntArray
+from ..numerics.compiled import compiled, inner, intrinsic, types
+from .bench import Bench, Converter, Laser, Probe, bent, charge_left, charged
+from .excitation import MAX_VOLTAGE
+from .joint import barrier, rest, tip_displacement, wells
+from .midpoint import KEEP, advance, at_rest, read_tip, workspace
+from .parameters import RigParameters
 
 HALVES = 2
 """Time steps of the joint in a period of the controller, and rows of the log."""

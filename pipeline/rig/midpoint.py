@@ -15,9 +15,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig.elements import (
+from ..numerics.arrays import FloatArray
+from ..numerics.compiled import compiled, inner
+from .elements import (
     elastic,
     hinge_angle,
     inertia,
@@ -28,7 +28,7 @@ from pipeline.rig.elements import (
     viscous_strain,
     yielding,
 )
-from pipeline.rig.parameters import RigParameters
+from .parameters import RigParameters
 
 _TOLERANCE = 1e-8  # of the Newton step on the midpoint velocity, relative to 1 + its size
 _MAX_NEWTON = 30

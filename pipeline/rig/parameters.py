@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
+from ..numerics.arrays import FloatArray
 
 # Beam theories
 RITZ, CHAIN = 0, 1

@@ -15,12 +15,12 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig import parameters as law
-from pipeline.rig.bench import Bench
-from pipeline.rig.joint import simulate, wells
-from pipeline.rig.parameters import RigParameters, nominal
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from . import parameters as law
+from .bench import Bench
+from .joint import simulate, wells
+from .parameters import RigParameters, nominal
 
 Family = Literal["same", "foreign", "worn"]
 

@@ -1,7 +1,7 @@
 """Raw logs of test rigs: one reader per format, run in a guarded child process."""
 
-from pipeline.rig_logs.guarded import read_recording
-from pipeline.rig_logs.recording import RecordedChannel, Recording
-from pipeline.rig_logs.source import CsvOptions, Limits
+from .guarded import read_recording
+from .recording import RecordedChannel, Recording
+from .source import CsvOptions, Limits
 
 __all__ = ["CsvOptions", "Limits", "RecordedChannel", "Recording", "read_recording"]

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from pipeline.rig_logs.source import (
+from .source import (
     PART,
     CsvOptions,
     Limits,
@@ -30,7 +30,7 @@ class UnpackedSource(View):
     """A log that lies unpacked in a temporary file as long as this exists."""
 
     def __init__(self, path: Path, packed: BinaryIO, csv: CsvOptions, limits: Limits) -> None:
-        from pipeline.rig_logs.child import open_source
+        from .child import open_source
 
         unpacked, left = temporary_path(self), limits.largest(path.stat().st_size)
         try:
@@ -62,11 +62,11 @@ def open_log(path: Path, csv: CsvOptions, limits: Limits) -> Source:
         if sum(each.file_size for each in archive.infolist()) > limits.largest(path.stat().st_size):
             raise UnreadableLogError("it unpacks to far more than it holds; refused")
         if "[Content_Types].xml" in names or "mimetype" in names:
-            from pipeline.rig_logs import workbook
+            from . import workbook
 
             return workbook.open_log(path, csv, limits)
         if names and all(name.endswith(".npy") for name in names):
-            from pipeline.rig_logs import numpy_arrays
+            from . import numpy_arrays
 
             return numpy_arrays.open_log(path, csv, limits)
         if len(names) != 1:

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.rig_logs.recording import NOT_APPLIED
-from pipeline.rig_logs.source import stated_rate
-from pipeline.units import parse_quantity, time_unit
+from ..errors import InputError
+from ..units.units import parse_quantity, time_unit
+from .recording import NOT_APPLIED
+from .source import stated_rate
 
 _UNIT = re.compile(r"(?i)(eng(ineering)?[ _]?)?units?|unit[ _]?(string|label|text)|ni_unitdescription|einheit(en)?")
 _OFFSET = "offset|intercept|y_?(org|origin|off|zero)"

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from pipeline.units import SECONDS, time_unit
+from ..units.units import SECONDS, time_unit
 
 Role = Literal["time", "q", "v1", "v2"]
 

@@ -9,7 +9,6 @@ Which reader a file needs its first bytes say; the suffix is only a hint in mess
 """
 
 import errno
-import importlib
 import os
 import re
 import struct
@@ -23,11 +22,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.errors import disk_failure
-from pipeline.isolation import Send, limit
-from pipeline.rig_logs.clocks import with_clocks, with_starts
-from pipeline.rig_logs.recording import for_any_variable, missing_channel
-from pipeline.rig_logs.source import (
+from ..errors import disk_failure
+from ..system.isolation import Send, limit
+from ..system.package import module_at
+from .clocks import with_clocks, with_starts
+from .recording import for_any_variable, missing_channel
+from .source import (
     CsvOptions,
     Entry,
     Limits,
@@ -56,7 +56,7 @@ class _RefusedError(Exception):
 
 
 def read_log(send: Send, request: dict[str, Any]) -> None:
-    """Answer a request; runs in a process of its own (see `pipeline.isolation`)."""
+    """Answer a request; runs in a process of its own (see `pipeline.system.isolation`)."""
     send({"answer": _answer(send, request)})
 
 
@@ -315,5 +315,5 @@ def open_source(path: Path, csv: CsvOptions, limits: Limits) -> Source:
         raise UnreadableLogError(
             "this is a MAT file of version 4; load it in MATLAB and save it by `save NAME.mat -v7`"
         )
-    source: Source = importlib.import_module(f"pipeline.rig_logs.{module}").open_log(path, csv, limits)
+    source: Source = module_at(f"rig_logs.{module}").open_log(path, csv, limits)
     return with_starts(with_clocks(source))

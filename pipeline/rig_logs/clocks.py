@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.source import Entry, Source, UnreadableChannelError, View, unique_names
-from pipeline.units import time_unit
+from ..units.units import time_unit
+from .source import Entry, Source, UnreadableChannelError, View, unique_names
 
 _PARTS = {"n": 1e9, "nano": 1e9, "u": 1e6, "µ": 1e6, "micro": 1e6, "m": 1e3, "milli": 1e3}
 _GROUP_OF = re.compile(r"[./][^./]*$")

@@ -7,7 +7,8 @@ versions add ``Capture``, whose SamplingPeriod × Downsampling is the time step 
 
 import numpy as np
 
-from pipeline.rig_logs.mat_values import (
+from ..units.units import SECONDS, time_unit
+from .mat_values import (
     MatArray,
     MatChannel,
     MatStruct,
@@ -18,8 +19,7 @@ from pipeline.rig_logs.mat_values import (
     scalar_of,
     text_of,
 )
-from pipeline.rig_logs.source import Entry, UnreadableLogError, unique_names
-from pipeline.units import SECONDS, time_unit
+from .source import Entry, UnreadableLogError, unique_names
 
 
 def is_recorder(value: MatValue) -> bool:

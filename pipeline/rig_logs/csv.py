@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_cells import (
+from .csv_cells import (
     MISSING,
     NUMBER,
     STAMP,
@@ -25,10 +25,10 @@ from pipeline.rig_logs.csv_cells import (
     plain_number,
     plain_row,
 )
-from pipeline.rig_logs.csv_clock import Clock
-from pipeline.rig_logs.csv_dialect import SAMPLE_BYTES, find_dialect
-from pipeline.rig_logs.csv_text import as_utf8, text_of, whole_rows, written
-from pipeline.rig_logs.source import (
+from .csv_clock import Clock
+from .csv_dialect import SAMPLE_BYTES, find_dialect
+from .csv_text import as_utf8, text_of, whole_rows, written
+from .source import (
     CsvOptions,
     Entry,
     Source,
@@ -281,7 +281,7 @@ class CsvSource(Source):
     def _delimited(self, names: list[str]) -> Iterator[tuple[str, NDArray[Any]]]:
         import pyarrow as pa
 
-        from pipeline.arrow_columns import doubles
+        from ..store.arrow_columns import doubles
 
         clocks = {name: Clock(self._firsts[name]) for name in self._clocks}
         looked_at = self._dialect.numeric[0] and not self._rewritten
@@ -345,7 +345,7 @@ class CsvSource(Source):
         import pyarrow as pa
         import pyarrow.compute as pc
 
-        from pipeline.arrow_columns import doubles
+        from ..store.arrow_columns import doubles
 
         ticks = stamps.cast(pa.int64())
         if name not in self._origins and len(seen := ticks.drop_null()):

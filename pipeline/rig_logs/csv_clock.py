@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.csv_cells import NUMBER, clock_of
+from .csv_cells import NUMBER, clock_of
 
 _HOUR, _DAY = 3600.0, 86_400.0
 
@@ -38,7 +38,7 @@ class Clock:
         import pyarrow as pa
         import pyarrow.compute as pc
 
-        from pipeline.arrow_columns import doubles
+        from ..store.arrow_columns import doubles
 
         matched = pc.extract_regex(cells, self._form)
         if matched.null_count > cells.null_count:

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pipeline.rig_logs.csv_cells import (
+from .csv_cells import (
     COMMENT,
     MISSING,
     NUMBER,
@@ -16,9 +16,9 @@ from pipeline.rig_logs.csv_cells import (
     marks_between_thousands,
     split_row,
 )
-from pipeline.rig_logs.csv_clock import labview_starts
-from pipeline.rig_logs.csv_encoding import text_encoding
-from pipeline.rig_logs.csv_heading import (
+from .csv_clock import labview_starts
+from .csv_encoding import text_encoding
+from .csv_heading import (
     bare_line,
     cells_above,
     check_long_table,
@@ -31,8 +31,8 @@ from pipeline.rig_logs.csv_heading import (
     stated_rates,
     stated_scales,
 )
-from pipeline.rig_logs.csv_table import SampleTable, find_table, sample_lines
-from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
+from .csv_table import SampleTable, find_table, sample_lines
+from .source import CsvOptions, UnreadableLogError
 
 SAMPLE_BYTES = 1 << 16
 _KEY = re.compile(r"[^\W\d]{2}\D*")

@@ -3,8 +3,8 @@
 import codecs
 import re
 
-from pipeline.rig_logs.csv_cells import rows_of
-from pipeline.rig_logs.source import UnreadableLogError
+from .csv_cells import rows_of
+from .source import UnreadableLogError
 
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8-sig"),

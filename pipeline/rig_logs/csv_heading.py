@@ -4,10 +4,10 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 
-from pipeline.rig_logs.attributes import number_with_unit, scales_among
-from pipeline.rig_logs.csv_cells import COMMENT, NUMBER, is_stamp, split_row
-from pipeline.rig_logs.source import UnreadableLogError, stated_rate, unique_names
-from pipeline.units import PLAIN
+from ..units.units import PLAIN
+from .attributes import number_with_unit, scales_among
+from .csv_cells import COMMENT, NUMBER, is_stamp, split_row
+from .source import UnreadableLogError, stated_rate, unique_names
 
 _UNIT_IN_NAME = re.compile(r"^(?P<name>.*\S)\s*[\[(（［](?P<unit>[^\[\]()（）［］]*)[\])）］]$")
 _UNIT_BEHIND = re.compile(r"^(?P<name>.*\S)(?:\s+in\s+|\s+/\s*|,\s+|\s*(?=[<{]))[<{]?(?P<unit>[^\s<>{}]+)[>}]?$")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from pipeline.rig_logs.csv_cells import (
+from .csv_cells import (
     MISSING,
     NUMBER,
     is_before_decimals,
@@ -17,8 +17,8 @@ from pipeline.rig_logs.csv_cells import (
     rows_of,
     split_row,
 )
-from pipeline.rig_logs.csv_heading import with_whole_cells
-from pipeline.rig_logs.source import CsvOptions, UnreadableLogError
+from .csv_heading import with_whole_cells
+from .source import CsvOptions, UnreadableLogError
 
 _MOST_ROWS = 400
 _NOTES = re.compile(r"(?i)((comment|remark|note|event|marker|message)s?|kommentar|bemerkung|anmerkung|notiz|ereignis)?")

@@ -10,9 +10,9 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from pipeline.rig_logs.csv_cells import rows_of
-from pipeline.rig_logs.csv_dialect import Dialect
-from pipeline.rig_logs.source import PART, UnreadableLogError, temporary_path
+from .csv_cells import rows_of
+from .csv_dialect import Dialect
+from .source import PART, UnreadableLogError, temporary_path
 
 _TAIL_BYTES = 1 << 16
 _FEWEST = 10

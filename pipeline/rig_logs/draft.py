@@ -7,20 +7,20 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.names import FILL_IN, check_log_name, check_name, log_name, slug, true_name
-from pipeline.rig_logs.attributes import monitor_ratio
-from pipeline.rig_logs.channel_roles import Role, Suggestion, suggested_unit
-from pipeline.rig_logs.experiments import Purpose, purpose_of, purposes
-from pipeline.rig_logs.inspection import NO_CHANNEL, InspectedChannel, Inspection
-from pipeline.rig_logs.recording import as_other_logs
-from pipeline.rig_logs.source import rates_beside
-from pipeline.settings import Ingest
-from pipeline.signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
-from pipeline.signals.signal_quality import BOTH_SIGNS, takes_both_signs
-from pipeline.signals.spectrum import LEAST_PER_PERIOD, advised_interval
-from pipeline.signals.timebase import seldom
-from pipeline.units import DISPLACEMENT, SECONDS, to_si
+from ..errors import InputError
+from ..settings.prototype import Ingest
+from ..signals.quality_gates import COARSEST_STEP, MOST_REPEATED, UNTOLD_STEP
+from ..signals.signal_quality import BOTH_SIGNS, takes_both_signs
+from ..signals.spectrum import LEAST_PER_PERIOD, advised_interval
+from ..signals.timebase import seldom
+from ..system.names import check_log_name, check_name, log_name, slug, true_name
+from ..units.units import DISPLACEMENT, FILL_IN, SECONDS, to_si
+from .attributes import monitor_ratio
+from .channel_roles import Role, Suggestion, suggested_unit
+from .experiments import Purpose, purpose_of, purposes
+from .inspection import NO_CHANNEL, InspectedChannel, Inspection
+from .recording import as_other_logs
+from .source import rates_beside
 
 _HELD_OUT: tuple[set[Purpose], ...] = ({"validation", "test"}, {"validation"})
 _MOST_LISTED, _MOST_NAMED = 100, 5

@@ -8,19 +8,20 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from pipeline.errors import InputError
-from pipeline.isolation import Isolated, death, preload
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig_logs import child
-from pipeline.rig_logs.recording import (
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from ..system.isolation import Isolated, death, preload
+from ..system.package import full_name
+from . import child
+from .recording import (
     Places,
     RecordedChannel,
     Recording,
     mapped_columns,
 )
-from pipeline.rig_logs.source import CsvOptions, Limits
+from .source import CsvOptions, Limits
 
-_READER_IMPORTS = ("numpy", "pipeline.isolation", "pipeline.rig_logs.child")
+_READER_IMPORTS = ("numpy", full_name("system.isolation"), full_name("rig_logs.child"))
 _READER, _PATIENCE = child.read_log, 10
 
 

@@ -15,9 +15,10 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import description_among, rates_among, scales_among, starts_among, texts_among
-from pipeline.rig_logs.channel_roles import is_called
-from pipeline.rig_logs.hdf5_attributes import (
+from ..units.units import SECONDS, time_unit
+from .attributes import description_among, rates_among, scales_among, starts_among, texts_among
+from .channel_roles import is_called
+from .hdf5_attributes import (
     NUMBERS,
     PACKING,
     Packing,
@@ -28,7 +29,7 @@ from pipeline.rig_logs.hdf5_attributes import (
     why_unread,
     written_chunks,
 )
-from pipeline.rig_logs.source import (
+from .source import (
     MOST_COLUMNS,
     PART,
     Counted,
@@ -39,7 +40,6 @@ from pipeline.rig_logs.source import (
     not_listed,
     ranges,
 )
-from pipeline.units import SECONDS, time_unit
 
 _LARGEST_RATIO = 2000.0
 _SMALL_BYTES = 1 << 20

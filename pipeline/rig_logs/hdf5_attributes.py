@@ -9,9 +9,9 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import plain, unit_among
-from pipeline.rig_logs.source import UnreadableLogError
-from pipeline.units import time_unit
+from ..units.units import time_unit
+from .attributes import plain, unit_among
+from .source import UnreadableLogError
 
 PACKING = ("scale_factor", "add_offset", "_FillValue", "missing_value", "valid_min", "valid_max", "valid_range")
 _MOST_NUMBERS = {"valid_range": 2, "valid_min": 1, "valid_max": 1}

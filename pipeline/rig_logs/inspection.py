@@ -6,23 +6,23 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError, InputError
-from pipeline.names import shell_word
-from pipeline.numerics.arrays import FloatArray
-from pipeline.rig_logs.channel_roles import Suggestion, is_called, is_record, suggest, suggested_unit
-from pipeline.rig_logs.experiments import far_shorter, note_on, second_experiments
-from pipeline.rig_logs.guarded import read_recording
-from pipeline.rig_logs.recording import RecordedChannel, Recording
-from pipeline.rig_logs.remarks import Clock, Context, counted, remarks_on, stamped
-from pipeline.rig_logs.source import CsvOptions, note_on_rate, stated_rate
-from pipeline.signals.columns import Signal, sparse
-from pipeline.signals.dropouts import NONE, Dropouts, dropout_remarks, dropouts
-from pipeline.signals.missing import code_remarks, codes_in, masked
-from pipeline.signals.quality_gates import MOST_REPEATED
-from pipeline.signals.rounded_clock import uniform_clock
-from pipeline.signals.signal_quality import SignalQuality, examine_signal
-from pipeline.signals.timebase import TimeQuality, examine
-from pipeline.units import SECONDS
+from ..errors import DataRefusedError, InputError
+from ..numerics.arrays import FloatArray
+from ..signals.columns import Signal, sparse
+from ..signals.dropouts import NONE, Dropouts, dropout_remarks, dropouts
+from ..signals.missing import code_remarks, codes_in, masked
+from ..signals.quality_gates import MOST_REPEATED
+from ..signals.rounded_clock import uniform_clock
+from ..signals.signal_quality import SignalQuality, examine_signal
+from ..signals.timebase import TimeQuality, examine
+from ..system.names import shell_word
+from ..units.units import SECONDS
+from .channel_roles import Suggestion, is_called, is_record, suggest, suggested_unit
+from .experiments import far_shorter, note_on, second_experiments
+from .guarded import read_recording
+from .recording import RecordedChannel, Recording
+from .remarks import Clock, Context, counted, remarks_on, stamped
+from .source import CsvOptions, note_on_rate, stated_rate
 
 _UNEVEN, _MOSTLY = 0.5, 0.95
 """Share of a step by which those of a clock may differ, and how many of them do not by more."""

@@ -7,11 +7,12 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import is_unit, scales_among, starts_among
-from pipeline.rig_logs.channel_roles import is_called
-from pipeline.rig_logs.controldesk import is_recorder, recorder_channels
-from pipeline.rig_logs.mat_tables import TABLES, table_channels
-from pipeline.rig_logs.mat_values import (
+from ..units.units import SECONDS, time_unit
+from .attributes import is_unit, scales_among, starts_among
+from .channel_roles import is_called
+from .controldesk import is_recorder, recorder_channels
+from .mat_tables import TABLES, table_channels
+from .mat_values import (
     MatArray,
     MatChannel,
     MatObject,
@@ -21,8 +22,8 @@ from pipeline.rig_logs.mat_values import (
     scalar_of,
     text_of,
 )
-from pipeline.rig_logs.simulink import is_simulink_log, simulink_channels
-from pipeline.rig_logs.source import (
+from .simulink import is_simulink_log, simulink_channels
+from .source import (
     MOST_COLUMNS,
     Counted,
     Entry,
@@ -34,7 +35,6 @@ from pipeline.rig_logs.source import (
     ranges,
     stated_rate,
 )
-from pipeline.units import SECONDS, time_unit
 
 _MOST_ELEMENTS = 1000
 

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.rig_logs.hdf5 import open_hdf5, walk
-from pipeline.rig_logs.mat_values import MatChannel
-from pipeline.rig_logs.source import Entry, UnreadableLogError
+from .hdf5 import open_hdf5, walk
+from .mat_values import MatChannel
+from .source import Entry, UnreadableLogError
 
 TABLES = ("table", "timetable")
 _NUMBERS = "fiub"

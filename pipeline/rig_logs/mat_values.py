@@ -6,7 +6,7 @@ from typing import Any, Protocol, TypeGuard
 
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.source import PART, Entry
+from .source import PART, Entry
 
 Reader = Callable[[int, int], NDArray[Any]]
 """First and end sample → samples."""

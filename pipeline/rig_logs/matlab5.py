@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.mat_source import MatSource
-from pipeline.rig_logs.mat_values import MatArray, MatObject, MatValue
-from pipeline.rig_logs.source import CsvOptions, Limits, UnreadableLogError
+from .mat_source import MatSource
+from .mat_values import MatArray, MatObject, MatValue
+from .source import CsvOptions, Limits, UnreadableLogError
 
 _HEADER, _TAG, _COMPRESSED = 128, 8, 15
 

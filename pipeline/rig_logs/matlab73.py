@@ -12,11 +12,11 @@ from typing import Any
 import h5py
 import numpy as np
 
-from pipeline.rig_logs.hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time
-from pipeline.rig_logs.hdf5_attributes import why_unread
-from pipeline.rig_logs.mat_source import MatSource
-from pipeline.rig_logs.mat_values import MatArray, MatObject, MatValue
-from pipeline.rig_logs.source import CsvOptions, Limits, Source, UnreadableLogError
+from .hdf5 import checked, child_of, flat, open_hdf5, rows_at_a_time
+from .hdf5_attributes import why_unread
+from .mat_source import MatSource
+from .mat_values import MatArray, MatObject, MatValue
+from .source import CsvOptions, Limits, Source, UnreadableLogError
 
 
 @dataclass(frozen=True)

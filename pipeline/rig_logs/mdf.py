@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.source import (
+from ..units.units import SECONDS, time_unit
+from .source import (
     Counted,
     Entry,
     Source,
@@ -25,7 +26,6 @@ from pipeline.rig_logs.source import (
     ranges,
     unique_names,
 )
-from pipeline.units import SECONDS, time_unit
 
 _FORMULA = "the result of a conversion formula, which is not worked out; export the channel with its physical values"
 

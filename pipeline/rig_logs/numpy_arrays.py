@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import rates_among, scales_among
-from pipeline.rig_logs.source import (
+from .attributes import rates_among, scales_among
+from .source import (
     MOST_COLUMNS,
     Counted,
     Entry,

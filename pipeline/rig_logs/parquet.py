@@ -11,8 +11,8 @@ import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-from pipeline.arrow_columns import doubles
-from pipeline.rig_logs.attributes import (
+from ..store.arrow_columns import doubles
+from .attributes import (
     description_among,
     is_unit,
     plain,
@@ -21,7 +21,7 @@ from pipeline.rig_logs.attributes import (
     texts_among,
     unit_among,
 )
-from pipeline.rig_logs.source import (
+from .source import (
     EXACT,
     PART,
     Counted,

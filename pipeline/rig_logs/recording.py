@@ -13,9 +13,9 @@ from typing import IO
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.columns import column
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from ..signals.columns import column
 
 _MOST_LISTED = 30
 NOT_APPLIED = "not applied here"

@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.signals.signal_quality import SignalQuality
+from ..signals.signal_quality import SignalQuality
 
 _FROZEN_SECONDS, _FROZEN_SAMPLES = 0.05, 20
 _SHOWS = 1e-4

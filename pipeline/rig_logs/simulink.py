@@ -4,8 +4,8 @@ One struct (of any name) with ``time`` and a struct array ``signals`` (values, d
 row for each time; signals of several elements have columns, and what is 1×1×N is a vector.
 """
 
-from pipeline.rig_logs.mat_values import MatArray, MatChannel, MatStruct, MatValue, bare, is_struct, text_of
-from pipeline.rig_logs.source import Entry, unique_names
+from .mat_values import MatArray, MatChannel, MatStruct, MatValue, bare, is_struct, text_of
+from .source import Entry, unique_names
 
 
 def is_simulink_log(value: MatValue) -> bool:

@@ -12,9 +12,10 @@ from nptdms.reader import TdmsReader
 from nptdms.timestamp import TdmsTimestamp
 from numpy.typing import NDArray
 
-from pipeline.rig_logs.attributes import description_among, rates_among, scales_among, texts_among, unit_among
-from pipeline.rig_logs.channel_roles import is_called
-from pipeline.rig_logs.source import (
+from ..units.units import SECONDS, time_unit
+from .attributes import description_among, rates_among, scales_among, texts_among, unit_among
+from .channel_roles import is_called
+from .source import (
     Counted,
     Entry,
     Source,
@@ -23,7 +24,6 @@ from pipeline.rig_logs.source import (
     ranges,
     unique_names,
 )
-from pipeline.units import SECONDS, time_unit
 
 _SCALE_TYPE = re.compile(r"NI_Scale\[\d+\]_Scale_Type")
 _SCALES = {

@@ -19,8 +19,8 @@ from typing import Any
 
 from python_calamine import CalamineError, CalamineWorkbook
 
-from pipeline.rig_logs.csv import CsvSource
-from pipeline.rig_logs.source import CsvOptions, UnreadableLogError, View, temporary_path
+from .csv import CsvSource
+from .source import CsvOptions, UnreadableLogError, View, temporary_path
 
 _STYLES, _NO_STYLES = b"xl/styles.xml", b"xl/unread.xml"
 _LOCAL_HEADER = 30

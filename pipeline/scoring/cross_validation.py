@@ -8,11 +8,11 @@ from typing import Protocol, TypeVar
 import numpy as np
 import scipy.special
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.numerics.metrics import rmse
-from pipeline.scoring.intervals import LEVEL, Interval
-from pipeline.scoring.wells import NoWells, Wells, in_same_well
-from pipeline.signals.trajectory import Trajectory
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from ..numerics.metrics import rmse
+from ..signals.trajectory import Trajectory
+from .intervals import LEVEL, Interval
+from .wells import NoWells, Wells, in_same_well
 
 NRMSE_COLUMNS = {"nrmse": "q", "nrmse_qdot": "qdot", "nrmse_qddot": "qddot"}
 """The signal that each column of a fold's table judges."""

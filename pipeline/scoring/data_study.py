@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.errors import DebistError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.cross_validation import Simulator, fold_score
-from pipeline.scoring.wells import NoWells
-from pipeline.signals.trajectory import Trajectory, operating_range
+from ..errors import DebistError
+from ..numerics.arrays import FloatArray
+from ..signals.trajectory import Trajectory, operating_range
+from .cross_validation import Simulator, fold_score
+from .wells import NoWells
 
 Identify = Callable[[Sequence[Trajectory]], Simulator]
 Differentiate = Callable[[FloatArray, float], tuple[FloatArray, FloatArray, FloatArray]]

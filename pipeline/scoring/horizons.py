@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
-from pipeline.numerics.metrics import rms, signal_range
-from pipeline.scoring.intervals import BLOCK, SEED, Interval, block_of, rms_interval
+from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval, samples_of
+from ..numerics.metrics import rms, signal_range
+from .intervals import BLOCK, SEED, Interval, block_of, rms_interval
 
 MOST_STARTS = 400
 

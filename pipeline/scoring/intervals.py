@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.special
 
-from pipeline.numerics.arrays import FloatArray, samples_of
+from ..numerics.arrays import FloatArray, samples_of
 
 BLOCK = 2.0
 """Length [s] of the blocks of a joint: its ring-down decays by e² in 1.3 s, so blocks are nearly independent."""

@@ -6,10 +6,10 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import nrmse, rmse, signal_range
-from pipeline.scoring.intervals import Interval, block_of, mean_interval, rms_interval, share_interval
-from pipeline.scoring.wells import NoWells, Wells, in_same_well, switch_accuracy
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import nrmse, rmse, signal_range
+from .intervals import Interval, block_of, mean_interval, rms_interval, share_interval
+from .wells import NoWells, Wells, in_same_well, switch_accuracy
 
 Status = Literal["ok", "diverged"]
 

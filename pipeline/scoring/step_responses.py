@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray, samples_of
-from pipeline.numerics.metrics import settling_index
-from pipeline.scoring.intervals import Interval, median_interval
-from pipeline.scoring.wells import LONGEST_WINDOW, Wells
-from pipeline.signals.trajectory import peaks
+from ..numerics.arrays import FloatArray, IntArray, samples_of
+from ..numerics.metrics import settling_index
+from ..signals.trajectory import peaks
+from .intervals import Interval, median_interval
+from .wells import LONGEST_WINDOW, Wells
 
 STEP = 0.2  # of the largest voltage: a change by more between two looks 20 ms apart is a step, a chirp's slope is not
 STEP_WINDOW = 0.02  # s

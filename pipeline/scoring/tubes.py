@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from ..numerics.arrays import BoolArray, FloatArray
 
 COVERAGE = 0.9
 """Probability with which a sample of another log lies in the tubes."""

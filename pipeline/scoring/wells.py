@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, samples_of
-from pipeline.numerics.metrics import signal_range
-from pipeline.scoring.intervals import decorrelation_lag
-from pipeline.signals.log import Log
-from pipeline.signals.trajectory import peaks
+from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, samples_of
+from ..numerics.metrics import signal_range
+from ..signals.log import Log
+from ..signals.trajectory import peaks
+from .intervals import decorrelation_lag
 
 RESTING_VOLTAGE = 0.1  # of the largest voltage: above probe offset and noise, and 1 % of the force of a squared input
 MIDDLE, FEW = 0.25, 0.05  # of the range of rest positions to either side; share of rests that may lie between

@@ -7,7 +7,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from ..numerics.arrays import BoolArray, FloatArray
 
 CHUNK = 1 << 17
 """Rows at a time."""

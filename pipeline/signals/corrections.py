@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.log import Log
+from ..numerics.arrays import FloatArray
+from .log import Log
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ from functools import cache
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray
+from ..numerics.arrays import BoolArray, FloatArray
 
 REACH = 2.0
 """Half width of the kernel in output intervals."""

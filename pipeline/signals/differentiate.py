@@ -10,13 +10,13 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.linear_filters import finite_difference, finite_difference_at_jumps
-from pipeline.numerics.metrics import rms
-from pipeline.numerics.tvregdiff import Order, tvregdiff
-from pipeline.signals.noise import noise_std
-from pipeline.signals.smoothing_parameter import SmoothingParameter, smoothing_parameter
+from ..errors import InputError
+from ..numerics.arrays import FloatArray
+from ..numerics.linear_filters import finite_difference, finite_difference_at_jumps
+from ..numerics.metrics import rms
+from ..numerics.tvregdiff import Order, tvregdiff
+from .noise import noise_std
+from .smoothing_parameter import SmoothingParameter, smoothing_parameter
 
 Method = Literal["tvregdiff", "savitzky-golay"]
 

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import BLOCK, Signal, chunks
-from pipeline.signals.noise import CHANCE, REACH, SELDOM
-from pipeline.signals.rails import IN_A_ROW
-from pipeline.signals.signal_quality import OF_BESIDE, SignalQuality, span
-from pipeline.signals.timebase import ONE_LOST
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from .columns import BLOCK, Signal, chunks
+from .noise import CHANCE, REACH, SELDOM
+from .rails import IN_A_ROW
+from .signal_quality import OF_BESIDE, SignalQuality, span
+from .timebase import ONE_LOST
 
 _OF_INPUT, _ANSWER = 0.05, 0.03
 """Share of the range of an input that its change exceeds, and time [s] that a device which jumps takes to answer."""

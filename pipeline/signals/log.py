@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval
+from ..errors import InputError
+from ..numerics.arrays import BoolArray, FloatArray, IntArray, runs_of, sample_interval
 
 SHORTEST = 5
 """Samples of a segment: a shorter one carries no dynamics worth a row in a fit."""

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.signals.columns import Signal, chunks, column
+from ..errors import DataRefusedError
+from ..numerics.arrays import BoolArray, FloatArray
+from .columns import Signal, chunks, column
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import robust_std
-from pipeline.signals.columns import CHUNK, differences
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import robust_std
+from .columns import CHUNK, differences
 
 CHANCE = 1e-3
 """Significance level of every test on a signal or a clock."""

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.missing import Missing
-from pipeline.signals.signal_quality import SignalQuality, examine_signal
-from pipeline.signals.spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
-from pipeline.signals.timebase import TimeQuality
+from ..numerics.arrays import FloatArray
+from .missing import Missing
+from .signal_quality import SignalQuality, examine_signal
+from .spectrum import LEAST_PER_PERIOD, LOST_PER_PERIOD, advised_interval
+from .timebase import TimeQuality
 
 MOST_MISSING = 0.1
 """Share of a signal that may be missing."""

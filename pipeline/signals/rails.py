@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import BLOCKS, chunks
-from pipeline.signals.noise import CHANCE, below_resolution, resolution
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from .columns import BLOCKS, chunks
+from .noise import CHANCE, below_resolution, resolution
 
 _APPROACH = 15.0
 """Widths of the level over which an approach is looked at."""

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray, IntArray, runs_of
-from pipeline.signals.columns import CHUNK, chunks, column
-from pipeline.signals.decimation_kernel import REACH, kernel, slope_window
+from ..numerics.arrays import FloatArray, IntArray, runs_of
+from .columns import CHUNK, chunks, column
+from .decimation_kernel import REACH, kernel, slope_window
 
 LEAST_RATIO = 1.5
 """Fewest raw samples per output interval for decimation; fewer are interpolated."""

@@ -13,12 +13,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.si_prefix import quantity
-from pipeline.signals.columns import chunks, column, finite, select
-from pipeline.signals.noise import CHANCE
-from pipeline.signals.timebase import ONE_LOST, default_gap_limit, nominal_step
+from ..errors import DataRefusedError
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from ..units.quantity import quantity
+from .columns import chunks, column, finite, select
+from .noise import CHANCE
+from .timebase import ONE_LOST, default_gap_limit, nominal_step
 
 _BLOCK = 256
 """Stamps over which the lattice is taken as constant."""

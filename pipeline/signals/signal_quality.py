@@ -6,13 +6,13 @@ from itertools import chain, islice
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.numerics.metrics import NORMAL_MEDIAN
-from pipeline.signals.columns import chunks, column, finite, select
-from pipeline.signals.noise import REACH, high_difference_level, is_idle, is_stepped, noise_level, resolution
-from pipeline.signals.rails import rail
-from pipeline.signals.spectrum import MAINS, Bandwidth, Hum, bandwidth, hum
-from pipeline.signals.timebase import LOCATED
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from ..numerics.metrics import NORMAL_MEDIAN
+from .columns import chunks, column, finite, select
+from .noise import REACH, high_difference_level, is_idle, is_stepped, noise_level, resolution
+from .rails import rail
+from .spectrum import MAINS, Bandwidth, Hum, bandwidth, hum
+from .timebase import LOCATED
 
 OF_BESIDE = 4.0
 """Times what is beside it that a jump or a spike is at least; a motion of eight samples a period has up to 2."""

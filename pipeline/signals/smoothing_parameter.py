@@ -35,10 +35,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.tv_chain import effective_parameters
-from pipeline.numerics.tv_minimisation import VariationProblem, minimise_variation
-from pipeline.signals.noise import noise_std
+from ..numerics.arrays import FloatArray
+from ..numerics.tv_chain import effective_parameters
+from ..numerics.tv_minimisation import VariationProblem, minimise_variation
+from .noise import noise_std
 
 SHAPE = 0.3
 """c² of the hyperbolic density; from 0.1 to 1 the errors of both derivatives change by a sixth at most."""

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.columns import BLOCKS, CHUNK
-from pipeline.signals.noise import REACH, noise_level
+from ..numerics.arrays import FloatArray
+from .columns import BLOCKS, CHUNK
+from .noise import REACH, noise_level
 
 LEAST_PER_PERIOD = 5.0
 """Samples in a period of what moves, below which a record hardly shows it."""

@@ -9,11 +9,11 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import CHUNK, chunks, column, select
-from pipeline.signals.resampling import ROUNDING, decimated, interpolated
-from pipeline.signals.timebase import advancing, default_gap_limit, nominal_step, segments
+from ..errors import DataRefusedError
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from .columns import CHUNK, chunks, column, select
+from .resampling import ROUNDING, decimated, interpolated
+from .timebase import advancing, default_gap_limit, nominal_step, segments
 
 TimeReversal = Literal["refuse", "split", "unwrap"]
 NO_CUTS: FloatArray = np.empty(0)

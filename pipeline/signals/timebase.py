@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import chunks, column, differences, finite, select
+from ..errors import DataRefusedError
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from .columns import chunks, column, differences, finite, select
 
 GAP_STEPS = 5.0
 """A hole of more nominal steps than this is a gap …"""

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.log import Log, operating_range, unknown_rows, voltages, within
+from ..numerics.arrays import FloatArray
+from .log import Log, operating_range, unknown_rows, voltages, within
 
 __all__ = [
     "MOST_SAMPLES",

@@ -7,12 +7,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.errors import DataRefusedError
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.signals.columns import CHUNK
-from pipeline.signals.decimation_kernel import REACH
-from pipeline.signals.resampling import LEAST_RATIO, uniform_grid
-from pipeline.signals.stretches import (
+from ..errors import DataRefusedError
+from ..numerics.arrays import FloatArray, IntArray
+from .columns import CHUNK
+from .decimation_kernel import REACH
+from .resampling import LEAST_RATIO, uniform_grid
+from .stretches import (
     NO_CUTS,
     Stream,
     Stretches,
@@ -21,7 +21,7 @@ from pipeline.signals.stretches import (
     advancing_rows,
     finite_stretches,
 )
-from pipeline.signals.timebase import LOCATED, default_gap_limit
+from .timebase import LOCATED, default_gap_limit
 
 Method = Literal["decimated", "interpolated"]
 

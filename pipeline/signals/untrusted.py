@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.columns import Signal, chunks, column, finite, select
-from pipeline.signals.dropouts import NONE, Dropouts, answer_inputs, dropouts
-from pipeline.signals.noise import REACH, SELDOM, noise_level
-from pipeline.signals.rails import in_a_row, runs_between
-from pipeline.signals.signal_quality import (
+from ..numerics.arrays import BoolArray, FloatArray, IntArray
+from .columns import Signal, chunks, column, finite, select
+from .dropouts import NONE, Dropouts, answer_inputs, dropouts
+from .noise import REACH, SELDOM, noise_level
+from .rails import in_a_row, runs_between
+from .signal_quality import (
     BESIDE_SPIKE,
     SignalQuality,
     bridged,

@@ -13,13 +13,13 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app, debist
-from pipeline.batch.batch import Execution, run_batch
-from pipeline.batch.failures import failure_file
-from pipeline.batch.fleet import write_fleet_tables
-from pipeline.batch.members import Member, members, prototype_files
-from pipeline.batch.worker import Outcome, Worker
 from pipeline.errors import InputError
-from pipeline.machine import ONE_THREAD
+from pipeline.system.machine import ONE_THREAD
+from pipeline.workflow.batch import Execution, run_batch
+from pipeline.workflow.failures import failure_file
+from pipeline.workflow.fleet import write_fleet_tables
+from pipeline.workflow.members import Member, members, prototype_files
+from pipeline.workflow.worker import Outcome, Worker
 from tests.prototypes import content, motion, settings, write_csv
 
 RUNNER = CliRunner()
@@ -103,7 +103,7 @@ def test_neither_a_killed_worker_nor_the_number_of_processes_changes_a_result(
     assert (tmp_path / "one/fleet.csv").read_bytes() == (tmp_path / "two/fleet.csv").read_bytes()
     assert pq.read_table(tmp_path / "one/fleet.parquet").equals(pq.read_table(tmp_path / "two/fleet.parquet"))
 
-    monkeypatch.setattr("pipeline.batch.batch.Worker", None)  # what is up to date needs no process
+    monkeypatch.setattr("pipeline.workflow.batch.Worker", None)  # what is up to date needs no process
     assert not any(
         outcome.failed for outcome in run_batch(named, tmp_path / "two", Told(), debist, Execution(2, report=False))
     )
@@ -152,7 +152,7 @@ def test_an_interrupted_batch_says_how_to_go_on(tmp_path: Path, monkeypatch: pyt
             except StopIteration:
                 raise KeyboardInterrupt from None
 
-    monkeypatch.setattr("pipeline.batch.batch.Worker", Interrupted)
+    monkeypatch.setattr("pipeline.workflow.batch.Worker", Interrupted)
     result = RUNNER.invoke(app, ["batch", str(tmp_path), "-o", str(tmp_path / "runs")])
     assert result.exit_code == 130
     assert "interrupted; 1 of 2 prototypes are done; the same command goes on" in result.stderr

@@ -7,9 +7,9 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.batch.variants import write_matrix
 from pipeline.errors import InputError
-from pipeline.settings import load_prototype
+from pipeline.settings.prototype import load_prototype
+from pipeline.workflow.variants import write_matrix
 from tests.prototypes import SMALL, motion, settings, write_csv
 
 RUNNER = CliRunner()

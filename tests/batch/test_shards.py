@@ -10,15 +10,15 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.batch.failures import failure, keep_failure
-from pipeline.batch.fleet import collect_batch
-from pipeline.batch.members import Member, Shard
-from pipeline.batch.progress import fleet_progress
-from pipeline.batch.worker import Outcome
 from pipeline.commands.outcome import BatchProgress
 from pipeline.errors import InputError
-from pipeline.runs.lock import run_lock
-from pipeline.runs.manifest import MANIFEST
+from pipeline.store.lock import run_lock
+from pipeline.store.manifest import MANIFEST
+from pipeline.workflow.failures import failure, keep_failure
+from pipeline.workflow.fleet import collect_batch
+from pipeline.workflow.members import Member, Shard
+from pipeline.workflow.progress import fleet_progress
+from pipeline.workflow.worker import Outcome
 
 RUNNER = CliRunner()
 NAMES = [f"P{number}" for number in range(60)]

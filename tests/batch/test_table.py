@@ -7,9 +7,9 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.batch.members import members, prototype_files
 from pipeline.errors import InputError
-from pipeline.settings import load_prototype
+from pipeline.settings.prototype import load_prototype
+from pipeline.workflow.members import members, prototype_files
 from tests.prototypes import SMALL
 from tests.rig_logs.small_logs import workbook
 

@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.checks.check import check_logs
-from pipeline.checks.declared import Declared
-from pipeline.checks.held_values import held_samples
-from pipeline.checks.input_rows import rest_level
-from pipeline.checks.rows import CheckRow, findings
-from pipeline.checks.weak_form import LogSignals
+from pipeline.diagnostics.check import check_logs
+from pipeline.diagnostics.declared import Declared
+from pipeline.diagnostics.held_values import held_samples
+from pipeline.diagnostics.input_rows import rest_level
+from pipeline.diagnostics.rows import CheckRow, findings
+from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 from tests.double_well import DoubleWell

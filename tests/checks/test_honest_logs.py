@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.checks.check import check_logs
-from pipeline.checks.copies import shared_recordings, sketch
-from pipeline.checks.declared import Declared
-from pipeline.checks.rows import CheckRow
-from pipeline.checks.weak_form import LogSignals
+from pipeline.diagnostics.check import check_logs
+from pipeline.diagnostics.copies import shared_recordings, sketch
+from pipeline.diagnostics.declared import Declared
+from pipeline.diagnostics.rows import CheckRow
+from pipeline.diagnostics.weak_form import LogSignals
 from pipeline.numerics.arrays import FloatArray
 from pipeline.numerics.linear_filters import first_order_lag
 from pipeline.rig_logs.remarks import remarks_on

@@ -5,8 +5,8 @@ import pytest
 
 from pipeline.codegen.graph import apply, trace
 from pipeline.codegen.numba_writer import formula
-from pipeline.compiled import compiled
 from pipeline.generated import terms
+from pipeline.numerics.compiled import compiled
 
 SLOPED = {
     "POWERS": ("x",),

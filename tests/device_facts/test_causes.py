@@ -5,11 +5,11 @@ from typing import Any
 
 import pytest
 
-from pipeline.device_facts.causes import instrument_findings
-from pipeline.device_facts.model_quality import model_checks
+from pipeline.diagnostics.facts.causes import instrument_findings
+from pipeline.diagnostics.facts.model_quality import model_checks
 from pipeline.diagnostics.sentences import sentences
-from pipeline.names import log_title
 from pipeline.scoring.wells import Wells
+from pipeline.system.names import log_title
 from tests.reporting.synthetic import WELL, run_data
 
 WELLS = Wells(-WELL, WELL, 0.0)

@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.device_facts.characteristics import Curves, device_facts, equilibria, intervals
-from pipeline.device_facts.datasheet import make_datasheet
-from pipeline.device_facts.events import rest_facts, ring_down, voltage_switches
-from pipeline.device_facts.model_quality import model_checks
-from pipeline.device_facts.phase_plane import basins
-from pipeline.device_facts.run_data import LogData
+from pipeline.diagnostics.facts.characteristics import Curves, device_facts, equilibria, intervals
+from pipeline.diagnostics.facts.datasheet import make_datasheet
+from pipeline.diagnostics.facts.events import rest_facts, ring_down, voltage_switches
+from pipeline.diagnostics.facts.model_quality import model_checks
+from pipeline.diagnostics.facts.phase_plane import basins
+from pipeline.diagnostics.facts.run_data import LogData
 from pipeline.scoring.wells import NoWells, Wells, snaps
 from tests.reporting.synthetic import (
     DAMPING,

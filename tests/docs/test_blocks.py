@@ -14,7 +14,7 @@ from typer.exceptions import TyperException
 from typer.main import get_command
 
 from cli import app
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings.prototype import Prototype, parse_prototype
 from tests.docs.pages import ROOT, Block, blocks, commands, pages
 
 BIN = Path(sys.executable).parent

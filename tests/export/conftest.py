@@ -10,12 +10,13 @@ from joints import hybrid, paper, pulses
 
 from pipeline.device.device import device
 from pipeline.device.parameter_sets import parameter_set
-from pipeline.runs import layout, schemas
-from pipeline.runs.manifest import Recipe
-from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.schedule import bring_up_to_date
-from pipeline.settings import parse_prototype
-from pipeline.stages import scores, validate
+from pipeline.settings.prototype import parse_prototype
+from pipeline.store import layout, schemas
+from pipeline.store.manifest import Recipe
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow import stage_scores as scores
+from pipeline.workflow import stage_validate as validate
+from pipeline.workflow.schedule import bring_up_to_date
 from tests.prototypes import Silent
 
 SETTINGS: dict[str, Any] = {

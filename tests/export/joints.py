@@ -25,7 +25,7 @@ from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes
 from pipeline.models.sindy.model import SindyModel
 from pipeline.numerics.arrays import FloatArray
-from pipeline.units import curve_units
+from pipeline.units.units import curve_units
 
 COMPILER = shutil.which("gcc")
 OCTAVE = shutil.which("octave-cli")

@@ -13,8 +13,8 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.control.ensemble import ensemble_of
 from pipeline.control.switching_map import lowest_voltage
-from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.controlled_run import ControlSettings, control_run
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.studies.controlled_run import ControlSettings, control_run
 from tests.export.conftest import hybrid
 
 pytestmark = pytest.mark.usefixtures("without_binaries")

@@ -17,9 +17,9 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.export.sources import write_json, write_matlab
 from pipeline.export.subject import Subject, realise
-from pipeline.loading.run_models import subject
-from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import parse_prototype
+from pipeline.settings.prototype import parse_prototype
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.run_models import subject
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "benchmarks" / "prototypes"
 RUNS = {"P1": "", "P2": "", "P3": "", "P3 from data alone": 'parameters = "nominal"', "quarter-drone": ""}

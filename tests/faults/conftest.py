@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from pipeline.runs.manifest import load_manifest
+from pipeline.store.manifest import load_manifest
 from tests.faults import intercepted
 from tests.faults.intercepted import Answer, Call, Ended
 from tests.faults.small_run import drawn_once, make, write_prototype

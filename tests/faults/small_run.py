@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
-from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.stages import report
-from pipeline.stages.run import run_prototype, run_stage
+from pipeline.store.run_folder import RunFolder, Written
+from pipeline.workflow import stage_report as report
+from pipeline.workflow.run import run_prototype, run_stage
 from tests.prototypes import Silent, motion, settings, write_csv
 
 

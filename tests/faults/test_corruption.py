@@ -7,11 +7,11 @@ import random
 import pytest
 
 from pipeline.errors import CorruptArtifactError
-from pipeline.runs import tables, trees
-from pipeline.runs.hashing import json_sha256
-from pipeline.runs.manifest import MANIFEST, load_manifest
-from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.verify import verify_everything
+from pipeline.store import tables, trees
+from pipeline.store.hashing import json_sha256
+from pipeline.store.manifest import MANIFEST, load_manifest
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.verify import verify_everything
 
 FLIPS, CUTS = 300, 60
 

@@ -6,8 +6,8 @@ import time
 
 import pytest
 
-from pipeline.runs.manifest import MANIFEST, NEXT_MANIFEST, load_manifest
-from pipeline.tools.verify import verify_everything
+from pipeline.store.manifest import MANIFEST, NEXT_MANIFEST, load_manifest
+from pipeline.workflow.verify import verify_everything
 from tests.faults.intercepted import KILL
 
 STARTS = ["fresh", "changed", "damaged"]

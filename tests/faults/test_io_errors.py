@@ -9,7 +9,7 @@ from contextlib import contextmanager
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.tools.verify import verify_everything
+from pipeline.workflow.verify import verify_everything
 from tests.faults.intercepted import Answer, intercepted
 from tests.faults.small_run import make
 from tests.faults.system_calls import NEEDS_SPACE, READING

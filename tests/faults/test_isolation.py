@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from pipeline import isolation
-from pipeline.isolation import Isolated, death
+from pipeline.system import isolation
+from pipeline.system.isolation import Isolated, death
 from tests.prototypes import SMALL_CSV
 
 PLANTED = ("cli", "typer", "numpy", "struct", "json", "pipeline", "multiprocessing", "pyarrow", "sitecustomize")
@@ -108,7 +108,7 @@ def test_a_time_limit_ends_a_process():
 
 @METHODS
 def test_a_process_ends_with_its_killed_parent(method):
-    script = f"{method}from pipeline.isolation import Isolated\nfrom tests.faults.test_isolation import sleeps\n"
+    script = f"{method}from pipeline.system.isolation import Isolated\nfrom tests.faults.test_isolation import sleeps\n"
     script += "print(next(iter(Isolated(sleeps))), flush=True)\nimport time; time.sleep(120)\n"
     command = [sys.executable, "-c", script]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as parent:

@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.stages.run import run_stage
+from pipeline.workflow.run import run_stage
 from tests.prototypes import Silent
 
 MINE = "a file of the user\n"

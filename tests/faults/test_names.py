@@ -9,8 +9,8 @@ from typer.testing import CliRunner
 import pipeline
 from cli import app
 from pipeline.errors import InputError
-from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import parse_prototype
+from pipeline.settings.prototype import parse_prototype
+from pipeline.store.run_folder import RunFolder
 
 RUNNER = CliRunner()
 HOSTILE = [

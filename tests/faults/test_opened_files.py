@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.stages.run import run_prototype
+from pipeline.workflow.run import run_prototype
 from tests.faults.small_run import write_prototype
 from tests.prototypes import Silent
 

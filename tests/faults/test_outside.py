@@ -14,8 +14,8 @@ from typer.testing import CliRunner
 import debist as library
 from cli import app
 from pipeline.errors import InputError
-from pipeline.kernel_cache import check_private
-from pipeline.machine import ONE_THREAD
+from pipeline.numerics.kernel_cache import check_private
+from pipeline.system.machine import ONE_THREAD
 
 DEBIST = [sys.executable, "-P", "-c", "from cli import app; app()"]
 
@@ -84,8 +84,8 @@ def test_a_current_folder_that_was_deleted_is_a_line(bench, tmp_path, command):
 )
 def test_a_signal_to_end_is_a_line(number, line):
     program = (
-        "import os, signal, pipeline.stages.run; signal.signal(signal.SIGINT, signal.default_int_handler); "
-        f"pipeline.stages.run.run_status = lambda *_, **__: os.kill(os.getpid(), {number:d}); "
+        "import os, signal, pipeline.workflow.run; signal.signal(signal.SIGINT, signal.default_int_handler); "
+        f"pipeline.workflow.run.run_status = lambda *_, **__: os.kill(os.getpid(), {number:d}); "
         "from cli import app; app()"
     )
     ended = subprocess.run([*DEBIST[:-1], program, "status", "."], capture_output=True, text=True, check=False)
@@ -95,8 +95,8 @@ def test_a_signal_to_end_is_a_line(number, line):
 
 def test_memory_that_ends_is_a_line():
     program = (
-        "import pipeline.stages.run\ndef fail(*_, **__): bytes(1 << 62)\n"
-        "pipeline.stages.run.run_status = fail\nfrom cli import app; app()"
+        "import pipeline.workflow.run\ndef fail(*_, **__): bytes(1 << 62)\n"
+        "pipeline.workflow.run.run_status = fail\nfrom cli import app; app()"
     )
     ended = subprocess.run([*DEBIST[:-1], program, "status", "."], capture_output=True, text=True, check=False)
     assert ended.returncode == 2 and ended.stderr.startswith("debist: not enough memory; "), ended.stderr
@@ -156,7 +156,8 @@ def _told(program: str, **environment: str) -> str:
 def test_threads_of_a_program_that_imports_debist_change_no_result_and_stay_its_own():
     """NumPy is loaded first, as in most notebooks."""
     program = (
-        "import numpy as np, scipy.linalg, threadpoolctl, hashlib, debist; from pipeline.machine import one_thread\n"
+        "import numpy as np, scipy.linalg, threadpoolctl, hashlib, debist\n"
+        "from pipeline.system.machine import one_thread\n"
         "def work():\n"
         "    a = np.random.default_rng(1).normal(size=(400, 400)); q, r = np.linalg.qr(a @ a.T)\n"
         "    return hashlib.sha256(q.tobytes() + r.tobytes()).hexdigest()\n"

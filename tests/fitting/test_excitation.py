@@ -7,7 +7,7 @@ from pipeline.fitting.excitation import examine_excitation
 from pipeline.rig.bench import Bench, record
 from pipeline.rig.excitation import Burst, alternating_pulses, command
 from pipeline.rig.parameters import nominal
-from pipeline.tools.inspection import shortfalls
+from pipeline.workflow.inspection import shortfalls
 
 BENCH = Bench(rate=2000.0)
 NONE = np.empty(0)

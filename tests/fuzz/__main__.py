@@ -8,8 +8,8 @@ from pathlib import Path
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import seed as hypothesis_seed
 
-from pipeline.isolation import preload
 from pipeline.rig_logs.child import FORMATS
+from pipeline.system.isolation import preload
 from tests.fuzz.edits import damage, noticeable
 from tests.fuzz.property import Tally, Target
 from tests.fuzz.seeds import KINDS, Seed, seeds

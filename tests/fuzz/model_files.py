@@ -21,9 +21,9 @@ from pipeline.export.templates import words
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.base import HasCurves, predictor
 from pipeline.models.kind import model_from_tree
-from pipeline.models.narx import NarxModel
-from pipeline.runs.hashing import flatten
-from pipeline.runs.trees import parse_tree
+from pipeline.models.narx.model import NarxModel
+from pipeline.store.hashing import flatten
+from pipeline.store.trees import parse_tree
 
 sys.path.append(str(Path(__file__).parents[1] / "export"))
 import joints

@@ -6,7 +6,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.runs.run_folder import RunFolder
+from pipeline.store.run_folder import RunFolder
 
 RUNNER = CliRunner()
 T = 0.001 * np.arange(8000)

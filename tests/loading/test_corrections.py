@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.loading.corrections import corrected_log, corrections
-from pipeline.loading.si_log import SiLog
-from pipeline.runs.engine import Unheard
-from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.signals.corrections import Corrections
-from pipeline.stages.run import run_prototype
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.corrections import corrected_log, corrections
+from pipeline.workflow.engine import Unheard
+from pipeline.workflow.run import run_prototype
+from pipeline.workflow.si_log import SiLog
 
 
 def _prototype(log: object, **plant: object) -> Prototype:

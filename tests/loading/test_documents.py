@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pipeline.errors import CorruptArtifactError
-from pipeline.loading.documents import read_document
-from pipeline.runs import layout
-from pipeline.runs.schemas import misfit
+from pipeline.store import layout
+from pipeline.store.documents import read_document
+from pipeline.store.schemas import misfit
 
 MAP = {
     "maps": [{"to": "right", "voltages": [1.0], "durations": [0.1], "probability": [[0.5]], "lowest": []}],

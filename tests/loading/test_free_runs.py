@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.loading.free_runs import free_run
+from pipeline.models.free_runs import free_run
 from pipeline.models.rbf.model import RbfModel
 from pipeline.models.rbf.parameter_layout import ParameterLayout
 from pipeline.models.rbf.structure import JointScales, JointStructure

@@ -7,8 +7,8 @@ import pytest
 
 from pipeline.device.device import Device, device
 from pipeline.errors import InputError
-from pipeline.loading.prior_knowledge import read_measured_curves
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings.prototype import Prototype, parse_prototype
+from pipeline.workflow.prior_knowledge import read_measured_curves
 
 
 def prototype(unit: str = "mm", mass: bool = True) -> Prototype:

@@ -7,8 +7,8 @@ from asammdf import MDF, Signal
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.runs.run_folder import RunFolder
 from pipeline.signals.columns import CHUNK, held
+from pipeline.store.run_folder import RunFolder
 
 RUNNER = CliRunner()
 T = 0.001 * np.arange(8000)

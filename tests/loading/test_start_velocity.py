@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from pipeline.loading.free_runs import followed_velocity
 from pipeline.models.base import FreeRun
+from pipeline.models.free_runs import followed_velocity
 from pipeline.signals.log import Log
 
 

@@ -5,12 +5,12 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from pipeline.loading.trajectories import load_motion
-from pipeline.runs import layout
-from pipeline.runs.tables import Table
-from pipeline.settings import Prototype, parse_prototype
+from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.signals.log import EDGE, Log, log_of
 from pipeline.signals.trajectory import UNKNOWN
+from pipeline.store import layout
+from pipeline.store.tables import Table
+from pipeline.workflow.logs import load_motion
 
 ROWS, REFINED = 60, 10
 

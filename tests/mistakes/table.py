@@ -9,14 +9,14 @@ from functools import cache
 
 import numpy as np
 
-from pipeline.checks.check import check_logs
-from pipeline.checks.copies import shared_recordings, shared_rows
+from pipeline.diagnostics.check import check_logs
+from pipeline.diagnostics.copies import shared_recordings, shared_rows
 from pipeline.errors import DebistError
-from pipeline.loading.si_log import SiLog
 from pipeline.numerics.arrays import FloatArray
-from pipeline.settings import parse_prototype
-from pipeline.stages.check import declared, log_signals
-from pipeline.stages.ingest import examined, record_columns, resamplings
+from pipeline.settings.prototype import parse_prototype
+from pipeline.workflow.si_log import SiLog
+from pipeline.workflow.stage_check import declared, log_signals
+from pipeline.workflow.stage_ingest import examined, record_columns, resamplings
 from tests.double_well import DoubleWell
 from tests.prototypes import motion
 
@@ -299,7 +299,7 @@ MISTAKES = (
 
 
 def _unit(text: str, allowed: tuple[str, ...] = ("kg",)) -> list[str]:
-    from pipeline.units import to_si
+    from pipeline.units.units import to_si
 
     try:
         return [str(to_si(text, allowed, "unit"))]

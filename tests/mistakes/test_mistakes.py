@@ -104,9 +104,9 @@ def _write(path: Path, one: Log) -> None:
 def test_the_silent_faults_of_a_log_are_told_in_every_format(ending, tmp_path):
     """By `inspect` and by ingest, with what stands in the file."""
     from pipeline.device.device import device
-    from pipeline.loading.si_log import read_si
-    from pipeline.settings import parse_prototype
-    from pipeline.stages.ingest import examined
+    from pipeline.settings.prototype import parse_prototype
+    from pipeline.workflow.si_log import read_si
+    from pipeline.workflow.stage_ingest import examined
 
     damaged = bursts(0.0)(lose_rows(log(1)))
     damaged = Log(damaged.t, damaged.q, np.minimum(damaged.v, 2500.0))

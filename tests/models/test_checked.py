@@ -6,10 +6,10 @@ import pytest
 from pipeline.device.parameters import NOMINAL
 from pipeline.errors import InputError
 from pipeline.fitting.regression import basis_centres
-from pipeline.model_list import ENTRIES
 from pipeline.models.analytical.model import AnalyticalModel
 from pipeline.models.kind import kind
 from pipeline.models.paper.model import RbfPaperModel
+from pipeline.settings.models import ENTRIES
 
 T = 0.01 * np.arange(100)
 V = np.zeros((100, 2))

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from pipeline.models.paper.model import RbfPaperModel
-from pipeline.runs.hashing import flatten
-from pipeline.runs.trees import read_tree, write_tree
+from pipeline.store.hashing import flatten
+from pipeline.store.trees import read_tree, write_tree
 from tests.file_columns import columns
 
 

@@ -8,7 +8,7 @@ import pytest
 from pipeline.models.base import FreeRun
 from pipeline.models.choose import headline
 from pipeline.models.kind import Training
-from pipeline.settings import Identify
+from pipeline.settings.prototype import Identify
 from pipeline.signals.trajectory import Record
 
 T = 0.01 * np.arange(6000)

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device_facts.datasheet import Datasheet, make_datasheet
-from pipeline.device_facts.run_data import LogData, RunData
+from pipeline.diagnostics.facts.datasheet import Datasheet, make_datasheet
+from pipeline.diagnostics.facts.run_data import LogData, RunData
 from pipeline.fitting.regression import basis_values
 from pipeline.models.paper.model import RbfPaperModel
 from pipeline.numerics.arrays import FloatArray

@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
-from pipeline.loading.corrections import corrections
 from pipeline.reporting.instrument_table import entry, instrument_table, instruments_figure
-from pipeline.settings import parse_prototype
-from pipeline.settings_logs import LogPart
+from pipeline.settings.logs import LogPart
+from pipeline.settings.prototype import parse_prototype
+from pipeline.workflow.corrections import corrections
 
 VALUES = {"gain_v1": 1.0530, "zero_q": -3.2e-4, "gain_q": 0.98042, "delay": -2.54e-3, "clock": 0.99003}
 

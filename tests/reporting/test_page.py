@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pipeline.device_facts.data_quality import data_checks
-from pipeline.device_facts.datasheet import FORMAT, Datasheet, make_datasheet
-from pipeline.device_facts.run_data import RunData
+from pipeline.diagnostics.facts.data_quality import data_checks
+from pipeline.diagnostics.facts.datasheet import FORMAT, Datasheet, make_datasheet
+from pipeline.diagnostics.facts.run_data import RunData
 from pipeline.numerics.arrays import FloatArray
 from pipeline.reporting.canvas import page_chart
 from pipeline.reporting.figure import Figure, Line, Panel, extreme_places, thinned, window, x_range
@@ -27,8 +27,8 @@ from pipeline.reporting.page import LONGEST, MISSING, json_for_script, packed, v
 from pipeline.reporting.run_report import figures_of, run_report
 from pipeline.reporting.short_tables import headline_table
 from pipeline.scoring.wells import NoWells
-from pipeline.si_prefix import axis_scale, quantity
 from pipeline.signals.trajectory import voltages
+from pipeline.units.quantity import axis_scale, quantity
 from tests.reporting.synthetic import HOSTILE, figures_of_one_log, run_data, run_figures, run_sheet, without_models
 
 MEGABYTE = 1_000_000

@@ -10,15 +10,16 @@ import pytest
 
 from pipeline.device.device import device
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.loading.report_data import load_datasheet
 from pipeline.reporting.datasheet_rows import show_datasheet
 from pipeline.reporting.log_figures import LOG_FIGURES
-from pipeline.runs import layout, schemas
-from pipeline.runs.manifest import Recipe
-from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.schedule import bring_up_to_date
-from pipeline.settings import Prototype, parse_prototype
-from pipeline.stages import check, report
+from pipeline.settings.prototype import Prototype, parse_prototype
+from pipeline.store import layout, schemas
+from pipeline.store.manifest import Recipe
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow import stage_check as check
+from pipeline.workflow import stage_report as report
+from pipeline.workflow.report_data import load_datasheet
+from pipeline.workflow.schedule import bring_up_to_date
 from tests.faults.small_run import drawn_once
 from tests.prototypes import Silent
 from tests.reporting.synthetic import HOSTILE, double_well, log_data

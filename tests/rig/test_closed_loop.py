@@ -16,7 +16,7 @@ from pipeline.rig.loop import Scenario, bench_from_json, played, python_controll
 from pipeline.rig.parameters import as_json, from_json, nominal
 from pipeline.rig.random_joint import random_joint
 from pipeline.rig_logs import read_recording
-from pipeline.tools.closed_loop import ScenarioFile, virtual_joint
+from pipeline.workflow.studies.closed_loop import ScenarioFile, virtual_joint
 
 STILL = Scenario(np.zeros(1), np.zeros(1), 0.4)
 

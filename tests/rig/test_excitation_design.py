@@ -21,9 +21,9 @@ from pipeline.rig.excitation import (
     save_sequence,
 )
 from pipeline.rig.fleet import Experiment, write_prototype
-from pipeline.settings_file import read_options
-from pipeline.tools.excitation import DesignFile, ExcitationLimits, ExcitationSource, drawn_simulators, film
-from pipeline.tools.excitation_design import Design, Requirements, assess, design_excitation
+from pipeline.settings.file import read_options
+from pipeline.workflow.studies.excitation import DesignFile, ExcitationLimits, ExcitationSource, drawn_simulators, film
+from pipeline.workflow.studies.excitation_design import Design, Requirements, assess, design_excitation
 
 WANTED = Requirements(duration=14.0, candidates=6)
 

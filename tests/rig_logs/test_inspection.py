@@ -6,11 +6,11 @@ import tomllib
 import numpy as np
 import pytest
 
-from pipeline.names import FILL_IN
 from pipeline.rig.log import write_mat5
 from pipeline.rig_logs.channel_roles import suggest, suggested_unit
 from pipeline.rig_logs.draft import proposed_roles, quoted, toml_draft
 from pipeline.rig_logs.inspection import inspect_log
+from pipeline.units.units import FILL_IN
 
 
 @pytest.fixture(scope="module")
@@ -327,7 +327,7 @@ def test_draft_tells_what_the_reader_left_out(tmp_path):
 
 
 def test_what_is_not_clear_says_how_to_make_it_so(tmp_path):
-    from pipeline.tools.inspection import inspect
+    from pipeline.workflow.inspection import inspect
 
     t = np.arange(500.0)
     log = _csv(tmp_path / "log.csv", "t,q,v", t, np.sin(t), np.cos(t))

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from pipeline.device.device import device
 from pipeline.errors import InputError
-from pipeline.loading.si_log import read_si
 from pipeline.rig_logs.source import UnreadableLogError
-from pipeline.settings import parse_prototype
+from pipeline.settings.prototype import parse_prototype
+from pipeline.workflow.si_log import read_si
 from tests.rig_logs.small_logs import load, open_here
 
 N = 500

@@ -10,7 +10,7 @@ from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.draft import toml_draft
 from pipeline.rig_logs.inspection import inspect_log
 from pipeline.rig_logs.source import CsvOptions, unique_names
-from pipeline.tools.inspection import inspect
+from pipeline.workflow.inspection import inspect
 from tests.rig_logs.small_logs import (
     TIME,
     Q,

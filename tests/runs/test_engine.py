@@ -7,11 +7,11 @@ from typing import Any
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError, RunLockedError
-from pipeline.runs.engine import Task, status
-from pipeline.runs.lock import run_lock
-from pipeline.runs.manifest import MANIFEST
-from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.schedule import bring_up_to_date
+from pipeline.store.lock import run_lock
+from pipeline.store.manifest import MANIFEST
+from pipeline.store.run_folder import RunFolder, Written
+from pipeline.workflow.engine import Task, status
+from pipeline.workflow.schedule import bring_up_to_date
 from tests.prototypes import Silent
 
 

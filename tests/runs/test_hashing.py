@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from pipeline.errors import CorruptArtifactError
-from pipeline.runs import tables
-from pipeline.runs.hashing import column_digest, table_hash, tree_hash
-from pipeline.runs.schemas import SIGNALS, Schema, resolve
+from pipeline.store import tables
+from pipeline.store.hashing import column_digest, table_hash, tree_hash
+from pipeline.store.schemas import SIGNALS, Schema, resolve
 
 SCHEMA = resolve(SIGNALS, displacement="m", inputs=("V", "V"))
 

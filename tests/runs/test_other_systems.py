@@ -6,11 +6,11 @@ from pathlib import Path
 import pytest
 
 from pipeline.errors import CorruptArtifactError, InputError
-from pipeline.names import check_name
-from pipeline.runs import atomic, layout
-from pipeline.runs.atomic import write_text
-from pipeline.runs.manifest import MANIFEST, Recipe, load_manifest
-from pipeline.runs.run_folder import RunFolder
+from pipeline.store import atomic, layout
+from pipeline.store.atomic import write_text
+from pipeline.store.manifest import MANIFEST, Recipe, load_manifest
+from pipeline.store.run_folder import RunFolder
+from pipeline.system.names import check_name
 
 
 @pytest.fixture

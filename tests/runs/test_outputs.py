@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import InputError
-from pipeline.runs.outputs import WRITTEN, new_outputs
+from pipeline.store.outputs import WRITTEN, new_outputs
 
 MINE = "measured for a week\n"
 SETTINGS = 'name = "P"\n[logs]\ntrain = ["rig/train.mat"]\nvalidation = ["rig/validation.mat"]\n'
@@ -47,13 +47,13 @@ def test_after_an_interruption_while_files_move_the_same_command_starts_again(tm
         path.replace(target)
 
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
-        patch.setattr("pipeline.runs.outputs.replace", interrupted)
+        patch.setattr("pipeline.store.outputs.replace", interrupted)
         _write(tmp_path, "two")
     texts = {(tmp_path / name).read_text() for name in ("train.mat", "truth/truth.json")}
     assert len(moves) == moved and ("one" in texts) and (("two" in texts) == bool(moved))
     moves.clear()
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):  # and once more
-        patch.setattr("pipeline.runs.outputs.replace", interrupted)
+        patch.setattr("pipeline.store.outputs.replace", interrupted)
         _write(tmp_path, "two and a half")
     _write(tmp_path, "three")
     assert {(tmp_path / name).read_text() for name in ("train.mat", "truth/truth.json")} == {"three"}

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from pipeline.errors import InputError, SeveralMistakesError
-from pipeline.runs.engine import After, Task
-from pipeline.runs.run_folder import RunFolder, Written
-from pipeline.runs.schedule import bring_up_to_date
+from pipeline.store.run_folder import RunFolder, Written
+from pipeline.workflow.engine import After, Task
+from pipeline.workflow.schedule import bring_up_to_date
 from tests.prototypes import Silent
 
 

@@ -2,9 +2,9 @@
 
 import hashlib
 
-from pipeline.runs import schemas
-from pipeline.runs.columns import FACT_COLUMNS, SCHEMA_VERSION
-from pipeline.runs.schemas import Schema, resolve
+from pipeline.store import schemas
+from pipeline.store.columns import FACT_COLUMNS, SCHEMA_VERSION
+from pipeline.store.schemas import Schema, resolve
 
 VERSIONS = {"1": "6759345cecf59ad9", "2": "0ca3f9e57b9bf8ea"}
 """Digests of the columns by schema version: a change of columns needs a new version, a new table a new digest."""

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from pipeline.errors import InputError, SupersededError
-from pipeline.runs.columns import Column
-from pipeline.runs.engine import Task
-from pipeline.runs.lock import run_lock
-from pipeline.runs.manifest import Recipe
-from pipeline.runs.run_folder import RunFolder, in_snapshot
-from pipeline.runs.schedule import bring_up_to_date
-from pipeline.runs.schemas import Schema
-from pipeline.tools.verify import verify_everything
+from pipeline.store.columns import Column
+from pipeline.store.lock import run_lock
+from pipeline.store.manifest import Recipe
+from pipeline.store.run_folder import RunFolder, in_snapshot
+from pipeline.store.schemas import Schema
+from pipeline.workflow.engine import Task
+from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.verify import verify_everything
 from tests.prototypes import Silent
 
 SCHEMA = Schema("one", (Column("x", "x", "1", "number of the commit", dtype="int64"),))

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from pipeline.errors import CorruptArtifactError
-from pipeline.runs.hashing import tree_hash
-from pipeline.runs.trees import read_tree, write_tree
+from pipeline.store.hashing import tree_hash
+from pipeline.store.trees import read_tree, write_tree
 
 TREE = {
     "rbf": {

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from pipeline.device_facts.events import rest_facts
+from pipeline.diagnostics.facts.events import rest_facts
 from pipeline.numerics.arrays import FloatArray
 from pipeline.scoring.wells import (
     NoWells,

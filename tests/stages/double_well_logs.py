@@ -10,7 +10,7 @@ from pipeline.numerics.arrays import FloatArray
 from pipeline.rig.bench import Converter, Laser, Probe
 from pipeline.rig.excitation import command, random_excitation
 from pipeline.rig.log import write_mat5
-from pipeline.runs.atomic import write_text
+from pipeline.store.atomic import write_text
 from tests.double_well import DoubleWell
 
 RATE = 3000.0  # Hz

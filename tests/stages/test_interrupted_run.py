@@ -2,8 +2,8 @@
 
 import pytest
 
-from pipeline.runs.engine import Task
-from pipeline.stages.run import run_prototype
+from pipeline.workflow.engine import Task
+from pipeline.workflow.run import run_prototype
 from tests.faults.small_run import write_prototype
 from tests.prototypes import Silent, content
 

@@ -5,7 +5,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.models.rbf.model import RbfModel
-from pipeline.runs.run_folder import RunFolder
+from pipeline.store.run_folder import RunFolder
 from tests.double_well import DoubleWell
 from tests.prototypes import motion, settings, write_csv
 

@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import SeveralMistakesError
-from pipeline.stages.run_place import load_settings
+from pipeline.workflow.place import load_settings
 
 _WRONG = """
 name = "P"

@@ -7,9 +7,9 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.runs import layout
-from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import load_prototype
+from pipeline.settings.prototype import load_prototype
+from pipeline.store import layout
+from pipeline.store.run_folder import RunFolder
 from tests.prototypes import motion, settings, write_csv
 
 RUNNER = CliRunner()

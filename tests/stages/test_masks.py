@@ -7,7 +7,7 @@ import numpy as np
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.runs.run_folder import RunFolder
+from pipeline.store.run_folder import RunFolder
 from tests.prototypes import settings
 
 RUNNER = CliRunner()

@@ -8,11 +8,11 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.checks.gates import judge
+from pipeline.diagnostics.gates import judge
 from pipeline.errors import DataRefusedError
-from pipeline.runs.manifest import load_manifest
-from pipeline.settings import Quality
+from pipeline.settings.prototype import Quality
 from pipeline.signals.quality_gates import Finding
+from pipeline.store.manifest import load_manifest
 from tests.prototypes import motion, settings, write_csv
 
 RUNNER = CliRunner()

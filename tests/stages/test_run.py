@@ -10,11 +10,11 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.api import open_run
+from pipeline.api.run import open_run
 from pipeline.models.kind import model_from_tree
 from pipeline.models.paper.model import RbfPaperModel
-from pipeline.runs.run_folder import RunFolder
-from pipeline.stages.run import run_status
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.run import run_status
 from tests.double_well import DoubleWell
 from tests.stages.double_well_logs import write_logs
 
@@ -124,7 +124,7 @@ def test_the_stages_one_by_one_come_to_the_same(demo: tuple[Path, Path], tmp_pat
 
 @pytest.mark.parametrize("study", ["alpha", "basis", "data"])
 def test_a_study_is_a_table_and_a_figure(copy: tuple[Path, Path], study: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    from pipeline.tools import study as stage
+    from pipeline.workflow.studies import study as stage
 
     monkeypatch.setattr(stage, "ALPHAS", (1e-9, 1e-6, 1e-3))
     monkeypatch.setattr(stage, "BASIS_FUNCTIONS", (6, 10))

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pipeline.loading.free_runs import drawn_runs
+from pipeline.models.free_runs import drawn_runs
 from pipeline.scoring.wells import wells_of
 from pipeline.signals.log import Log
-from pipeline.stages.validate import trust_notes
+from pipeline.workflow.stage_validate import trust_notes
 
 N, INTERVAL = 600, 0.01
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pipeline.tools.diff import DIGITS, RunDifferences, changes, compared_columns
+from pipeline.workflow.studies.diff import DIGITS, RunDifferences, changes, compared_columns
 
 UNIT = 10.0 ** (1 - DIGITS)
 """That of the last digit to which columns with a largest magnitude from 1 to 10 are compared."""

@@ -14,12 +14,12 @@ from typer.testing import CliRunner
 from cli import app
 from pipeline.device.parameter_sets import joint_parameters
 from pipeline.errors import InputError
-from pipeline.runs.hashing import file_sha256
-from pipeline.runs.manifest import load_manifest
-from pipeline.runs.run_folder import RunFolder
-from pipeline.settings import load_prototype
-from pipeline.settings_file import toml_text
-from pipeline.tools.export import export_crate
+from pipeline.settings.file import toml_text
+from pipeline.settings.prototype import load_prototype
+from pipeline.store.hashing import file_sha256
+from pipeline.store.manifest import load_manifest
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.export import export_crate
 from tests.batch.test_batch import _prototype
 
 RUNNER = CliRunner()

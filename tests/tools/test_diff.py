@@ -10,10 +10,10 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.errors import CorruptArtifactError
-from pipeline.runs import layout, schemas
-from pipeline.runs.manifest import Recipe, to_json
-from pipeline.runs.run_folder import RunFolder
-from pipeline.tools.diff import diff_runs, paired_logs
+from pipeline.store import layout, schemas
+from pipeline.store.manifest import Recipe, to_json
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.studies.diff import diff_runs, paired_logs
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture

@@ -9,12 +9,12 @@ from pipeline.commands.console import Progress
 from pipeline.device.parameters import NOMINAL
 from pipeline.reporting.canvas import paper_figure
 from pipeline.reporting.joint_figures import COLOURED
-from pipeline.runs.engine import tasks_of
-from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.schedule import bring_up_to_date
-from pipeline.settings import Compare, Prototype, parse_prototype
-from pipeline.stages.table import STAGE_NAMES, Planned, of_stages, plan
-from pipeline.tools.paper import FIGURES, joint_figures, paper_settings, run_paper
+from pipeline.settings.prototype import Compare, Prototype, parse_prototype
+from pipeline.store.run_folder import RunFolder
+from pipeline.workflow.engine import tasks_of
+from pipeline.workflow.schedule import bring_up_to_date
+from pipeline.workflow.stages import STAGE_NAMES, Planned, of_stages, plan
+from pipeline.workflow.studies.paper import FIGURES, joint_figures, paper_settings, run_paper
 
 PRINTED = {"q": 2.1, "phi": 2.0, "qdot": 4.1, "qddot": 5.0}
 

@@ -13,9 +13,9 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.models.hybrid.parameters import NAMES
-from pipeline.runs import layout
-from pipeline.runs.manifest import Recipe
-from pipeline.runs.run_folder import RunFolder
+from pipeline.store import layout
+from pipeline.store.manifest import Recipe
+from pipeline.store.run_folder import RunFolder
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "export"))
 from tests.export.conftest import planted_run  # noqa: F401 - a fixture

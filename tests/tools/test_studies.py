@@ -2,8 +2,8 @@
 
 import pytest
 
-from pipeline.settings import Prototype, parse_prototype
-from pipeline.tools.study import study_task
+from pipeline.settings.prototype import Prototype, parse_prototype
+from pipeline.workflow.studies.study import study_task
 
 PLAIN = {
     "name": "d",

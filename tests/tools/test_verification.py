@@ -9,8 +9,8 @@ import pytest
 from typer.testing import CliRunner
 
 from cli import app
-from pipeline.runs.lock import run_lock
-from pipeline.tools.verify import Verified, verify_all, verify_everything
+from pipeline.store.lock import run_lock
+from pipeline.workflow.verify import Verified, verify_all, verify_everything
 from tests.faults.conftest import Bench, spoil
 from tests.faults.small_run import drawn_once
 from tests.prototypes import content, logs_read_once
@@ -111,8 +111,8 @@ def test_a_run_removes_what_an_interrupted_one_left(bench, run):
 
 
 def test_all_runs_of_a_folder_are_verified_and_the_fleet_tables(run, tmp_path):
-    from pipeline.batch.fleet import collect_batch
-    from pipeline.batch.members import Member
+    from pipeline.workflow.fleet import collect_batch
+    from pipeline.workflow.members import Member
 
     for name in ("a", "b"):
         shutil.copytree(run, tmp_path / name)

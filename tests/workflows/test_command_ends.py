@@ -8,7 +8,7 @@ from typer.testing import CliRunner
 
 from cli import app
 from pipeline.commands.console import Progress
-from pipeline.runs.engine import Task
+from pipeline.workflow.engine import Task
 from tests.faults.small_run import write_prototype
 
 RUNNER = CliRunner()

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from pipeline.stages.run_place import run_folder
+from pipeline.workflow.place import run_folder
 
 WORKFLOWS = Path(__file__).resolve().parents[2] / "workflows"
 TOML = """

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from pipeline.runs.manifest import load_manifest
+from pipeline.store.manifest import load_manifest
 from tests.batch.test_batch import _prototype
 
 SNAKEFILE = Path(__file__).resolve().parents[2] / "workflows/Snakefile"

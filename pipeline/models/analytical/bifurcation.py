@@ -5,10 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device.parameters import B_MAX, VECTOR_NAMES, JointParameters
-from pipeline.errors import InputError
-from pipeline.generated.analytical_joint import capacitance, static_sensitivity, statics
-from pipeline.models.analytical.statics import (
+from ...device.parameters import B_MAX, VECTOR_NAMES, JointParameters
+from ...errors import InputError
+from ...generated.analytical_joint import capacitance, static_sensitivity, statics
+from ...numerics.arrays import BoolArray, FloatArray
+from ...numerics.continuation import Branch, Residual, SpecialPoint, trace_branch
+from .statics import (
     StaticPath,
     describe_path,
     equilibria,
@@ -17,8 +19,6 @@ from pipeline.models.analytical.statics import (
     static_path,
     tip_values,
 )
-from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.solvers.continuation import Branch, Residual, SpecialPoint, trace_branch
 
 _SHAPE = np.array([0.1, 0.1, 0.1, 1e-3])
 """Changes [m] of the four tip contributions that continuation takes for large."""

@@ -12,8 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device.parameters import JointParameters
-from pipeline.models.analytical.calibration_problem import (
+from ...device.parameters import JointParameters
+from ...numerics.arrays import BoolArray, FloatArray, IntArray
+from ...numerics.metrics import rms
+from ...signals.trajectory import MOST_SAMPLES, Trajectory, within
+from .calibration_problem import (
     LOSS_SCALE,
     RESOLUTION,
     CalibrationProblem,
@@ -21,10 +24,7 @@ from pipeline.models.analytical.calibration_problem import (
     SimulatedProblem,
     search,
 )
-from pipeline.models.analytical.windows import Windows, cut_windows
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.numerics.metrics import rms
-from pipeline.signals.trajectory import MOST_SAMPLES, Trajectory, within
+from .windows import Windows, cut_windows
 
 PAPER_NAMES = ("Y", "eta_v", "eta_MW", "Y_MW", "E", "rho", "eta")
 """The seven parameters that the paper adjusts."""

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device.parameters import VECTOR_NAMES, JointParameters, quantity_of
-from pipeline.errors import InputError
-from pipeline.models.analytical.windows import WindowRuns, Windows, error_derivatives, simulate_windows
-from pipeline.numerics.arrays import FloatArray
+from ...device.parameters import VECTOR_NAMES, JointParameters, quantity_of
+from ...errors import InputError
+from ...numerics.arrays import FloatArray
+from .windows import WindowRuns, Windows, error_derivatives, simulate_windows
 
 RESOLUTION = 1e-3
 """Error of q [m] that weighs as much as one prior width; model errors are of this size."""

@@ -1,6 +1,6 @@
 """The full-order dynamic model (eqs. 19 to 23): simulation by RODAS4, and initial states.
 
-Steps are adaptive, with exact Jacobians (`pipeline.solvers.stiff`).
+Steps are adaptive, with exact Jacobians (`pipeline.numerics.stiff`).
 """
 
 from dataclasses import dataclass
@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled, part
-from pipeline.device.parameters import JointParameters
-from pipeline.errors import InputError
-from pipeline.generated.analytical_joint import dissipation, motion, motion_slopes, statics
-from pipeline.models.analytical.statics import StaticPath, equilibria, hold_tip, length_scales, unactuated_path
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.inner_loops import copy_into, factorise, solve_factorised
-from pipeline.solvers.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
+from ...device.parameters import JointParameters
+from ...errors import InputError
+from ...generated.analytical_joint import dissipation, motion, motion_slopes, statics
+from ...numerics.arrays import FloatArray, IntArray
+from ...numerics.compiled import compiled, part
+from ...numerics.inner_loops import copy_into, factorise, solve_factorised
+from ...numerics.stiff import R_S, RODAS4, STATES, Work, advance, factorise_stages, working
+from .statics import StaticPath, equilibria, hold_tip, length_scales, unactuated_path
 
 REACH = 0.06
 """Displacement [m] beyond which a run counts as diverged."""

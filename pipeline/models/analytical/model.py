@@ -7,17 +7,17 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, TypeAdapter
 
-from pipeline.device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
-from pipeline.errors import InputError
-from pipeline.models.analytical.full_order import rest_state, simulate
-from pipeline.models.analytical.reduced_order import CURVES, accelerate, reduce_joint
-from pipeline.models.analytical.windows import voltage_knots
-from pipeline.models.base import FreeRun, checked
-from pipeline.models.kind import Kind, Training
-from pipeline.models.model_file import JointValues, ModelFile
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.stiff import STATES
+from ...device.parameters import NOMINAL, QUANTITIES, VECTOR_NAMES, JointParameters
+from ...errors import InputError
+from ...numerics.arrays import FloatArray
+from ...numerics.stiff import STATES
+from ...signals.trajectory import Trajectory
+from ..base import FreeRun, checked
+from ..kind import Kind, Training
+from ..model_file import JointValues, ModelFile
+from .full_order import rest_state, simulate
+from .reduced_order import CURVES, accelerate, reduce_joint
+from .windows import voltage_knots
 
 
 def _set_of(values: Any) -> Any:
@@ -113,7 +113,7 @@ def calibrate_analytical(data: Sequence[Trajectory], start: JointParameters) -> 
     -----
     Cost: that of `pipeline.models.analytical.calibration.calibrate`.
     """
-    from pipeline.models.analytical.calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
+    from .calibration import ASYMMETRIC_NAMES, FRICTION_NAMES, calibrate
 
     rng, names = np.random.default_rng(0), ASYMMETRIC_NAMES + FRICTION_NAMES
     fit = calibrate(data, start, rng, names=names)

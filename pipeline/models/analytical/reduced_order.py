@@ -17,16 +17,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import formula, kernel
-from pipeline.compiled import compiled
-from pipeline.device.parameters import JointParameters
-from pipeline.generated.analytical_joint import dissipation, dynamics
-from pipeline.generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
-from pipeline.models.analytical.full_order import FullOrderMotion, rest_state, simulate
-from pipeline.models.analytical.statics import StaticPath, equilibria, static_path
-from pipeline.numerics.arrays import FloatArray, IntArray, sample_interval
-from pipeline.numerics.metrics import nrmse
-from pipeline.solvers.fixed_step import Methods, integrator, workspace
+from ...codegen.numba_writer import formula, kernel
+from ...device.parameters import JointParameters
+from ...generated.analytical_joint import dissipation, dynamics
+from ...generated.terms import CUBICS, DAHL_MOVE, REDUCED_MOTION, REDUCED_RATES
+from ...numerics.arrays import FloatArray, IntArray, sample_interval
+from ...numerics.compiled import compiled
+from ...numerics.fixed_step import Methods, integrator, workspace
+from ...numerics.metrics import nrmse
+from .full_order import FullOrderMotion, rest_state, simulate
+from .statics import StaticPath, equilibria, static_path
 
 CURVES = ("m_q", "d", "f", "lambda3_1", "lambda3_2", "C_1", "C_2")
 """Order of the curves: m_q [kg], d [N·s/m], f [N], λ_{3,i} [1], C_i [F]."""

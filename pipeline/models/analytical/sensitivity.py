@@ -6,7 +6,7 @@ Along x(t) = [q_m, q̇_m, z] of eq. 19, with ẋ = f(x, p), a change of the para
 
 The system is linear and as stiff as the joint. Its matrices are computed at the samples and halfway between, where
 the state and its accelerations follow from the cubics through the solution, and are parabolas in between. The joint's
-integrator (`pipeline.solvers.stiff`) takes two steps of `SDIRK3` in a sample interval, with one 4×4 factorisation a
+integrator (`pipeline.numerics.stiff`) takes two steps of `SDIRK3` in a sample interval, with one 4×4 factorisation a
 stage for all parameters together. ∂f/∂p are differences of the kernel.
 """
 
@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import kernel
-from pipeline.compiled import compiled, inner
-from pipeline.generated.analytical_joint import MOTION, motion_slopes
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.inner_loops import copy_into
-from pipeline.solvers.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
+from ...codegen.numba_writer import kernel
+from ...generated.analytical_joint import MOTION, motion_slopes
+from ...numerics.arrays import FloatArray, IntArray
+from ...numerics.compiled import compiled, inner
+from ...numerics.inner_loops import copy_into
+from ...numerics.stiff import SDIRK3, SLOPES, STATES, Work, advance, factorise_stages, working
 
 BATCH = 8
 """Joints side by side."""

@@ -12,12 +12,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
-from pipeline.device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
-from pipeline.errors import InputError
-from pipeline.generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
-from pipeline.numerics.arrays import BoolArray, FloatArray
-from pipeline.numerics.inner_loops import factorise, solve_factorised
+from ...device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
+from ...errors import InputError
+from ...generated.analytical_joint import CAPACITANCE, STATICS, TIP, capacitance, statics, tip
+from ...numerics.arrays import BoolArray, FloatArray
+from ...numerics.compiled import compiled, inner
+from ...numerics.inner_loops import factorise, solve_factorised
 
 STEEPEST = np.pi / 4
 """Tip rotation [rad] up to which the beam equations (moderate slopes) are believed."""

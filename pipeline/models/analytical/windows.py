@@ -17,14 +17,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.device.parameters import JointParameters
-from pipeline.errors import InputError
-from pipeline.models.analytical.full_order import REACH, Inputs, integrate, no_solution, rest_states, state_scale
-from pipeline.models.analytical.reduced_order import friction_state, maxwell_strains
-from pipeline.models.analytical.sensitivity import state_sensitivities
-from pipeline.models.analytical.statics import unactuated_path
-from pipeline.numerics.arrays import BoolArray, FloatArray, IntArray
-from pipeline.signals.trajectory import Trajectory
+from ...device.parameters import JointParameters
+from ...errors import InputError
+from ...numerics.arrays import BoolArray, FloatArray, IntArray
+from ...signals.trajectory import Trajectory
+from .full_order import REACH, Inputs, integrate, no_solution, rest_states, state_scale
+from .reduced_order import friction_state, maxwell_strains
+from .sensitivity import state_sensitivities
+from .statics import unactuated_path
 
 BENT = 0.01
 """Deviation from a straight line within a sample interval, relative to the largest voltage, from which it is refined:

@@ -17,16 +17,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.codegen.graph import Builder, Graph, Operation, reachable, text_of
-from pipeline.codegen.numba_writer import formula, kernel
-from pipeline.compiled import compiled, inner
-from pipeline.generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOP_DIRECTIONS, STOP_ELEMENTS, STOPS
-from pipeline.generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
-from pipeline.generated.terms import BELL_SHAPE, STOP_OPERATOR
-from pipeline.models.hybrid.kernels import CURVED, CURVES, INDEX, VALUES
-from pipeline.models.hybrid.runs import Laws, Stepping, observer
-from pipeline.numerics.arrays import FloatArray, SingleArray
-from pipeline.solvers.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
+from ...codegen.graph import Builder, Graph, Operation, reachable, text_of
+from ...codegen.numba_writer import formula, kernel
+from ...generated.condensed_joint import CONSTANTS, FIRST_STRAIN, STATES, STOP_DIRECTIONS, STOP_ELEMENTS, STOPS
+from ...generated.condensed_joint_jacobian import BY_CONSTANTS, JACOBIAN, PREPARE
+from ...generated.terms import BELL_SHAPE, STOP_OPERATOR
+from ...numerics.arrays import FloatArray, SingleArray
+from ...numerics.compiled import compiled, inner
+from ...numerics.fixed_step import AHEAD, ALL_SHARES, SHARES, STAGE_NODES
+from .kernels import CURVED, CURVES, INDEX, VALUES
+from .runs import Laws, Stepping, observer
 
 BATCH = 16
 """Columns side by side."""

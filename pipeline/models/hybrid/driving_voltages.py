@@ -7,10 +7,10 @@ its voltage V under the measured v, from rest under the first one. What pulls is
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.compiled import compiled, inner
-from pipeline.errors import InputError
-from pipeline.models.hybrid.parameters import Instruments
-from pipeline.numerics.arrays import FloatArray
+from ...errors import InputError
+from ...numerics.arrays import FloatArray
+from ...numerics.compiled import compiled, inner
+from .parameters import Instruments
 
 
 class DrivingVoltages:

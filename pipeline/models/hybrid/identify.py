@@ -6,24 +6,24 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from pipeline.device.parameters import NOMINAL, JointParameters
-from pipeline.errors import DataRefusedError, InputError
-from pipeline.fitting.descent import ParallelDescent, Prior
-from pipeline.fitting.homotopy import Callbacks, HomotopyFit, Level, Schedule, fit_homotopy
-from pipeline.fitting.population import NormalPopulation
-from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
-from pipeline.fitting.regression import basis_centres, basis_width
-from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.kernels import CURVES
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.problem import DEVIATION_COUNT, CondensedJoint, CondensedProblem
-from pipeline.models.hybrid.similarity import SAME, Similarity
-from pipeline.models.hybrid.start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
-from pipeline.models.kind import Kind, Training, fitted_samples
-from pipeline.models.tube_scales import scale_on
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
-from pipeline.signals.trajectory import MOST_SAMPLES, Record, operating_range, within
+from ...device.parameters import NOMINAL, JointParameters
+from ...errors import DataRefusedError, InputError
+from ...fitting.descent import ParallelDescent, Prior
+from ...fitting.homotopy import Callbacks, HomotopyFit, Level, Schedule, fit_homotopy
+from ...fitting.population import NormalPopulation
+from ...fitting.posterior import posterior_factor, robust_spread, whiteness
+from ...fitting.regression import basis_centres, basis_width
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import rms
+from ...signals.trajectory import MOST_SAMPLES, Record, operating_range, within
+from ..kind import Kind, Training, fitted_samples
+from ..tube_scales import scale_on
+from . import parameters as condensed_parameters
+from .kernels import CURVES
+from .model import HybridModel
+from .problem import DEVIATION_COUNT, CondensedJoint, CondensedProblem
+from .similarity import SAME, Similarity
+from .start import NoJoint, mass_factor, prior_root, shift_of, similar_joint, theta_places
 
 TUBE_MARGIN = 4.0
 """Times the 90 % quantile of errors on the training logs that tubes of other logs need: of fifty simulated joints of
@@ -388,4 +388,4 @@ def _fit(training: Training) -> HybridModel:
     return identify_hybrid(training.records, NOMINAL, similarity=units, corrections=corrections)
 
 
-HYBRID = Kind(_fit, HybridModel.from_tree, "pipeline.export.hybrid:realise")
+HYBRID = Kind(_fit, HybridModel.from_tree, "export.hybrid:realise")

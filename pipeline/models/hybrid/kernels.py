@@ -12,12 +12,12 @@ gradients. 6.5 σ beyond the outermost centres every Gaussian is below 1e-9 and 
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import formula, kernel
-from pipeline.compiled import compiled
-from pipeline.generated.condensed_joint import CONSTANTS, CORRECTIONS, INERTIA, PREPARE, RATES, REST_FORCES
-from pipeline.generated.terms import BELL_SHAPE, FIRST_BELL, NEXT_BELL
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.inner_loops import FAST, quintics
+from ...codegen.numba_writer import formula, kernel
+from ...generated.condensed_joint import CONSTANTS, CORRECTIONS, INERTIA, PREPARE, RATES, REST_FORCES
+from ...generated.terms import BELL_SHAPE, FIRST_BELL, NEXT_BELL
+from ...numerics.arrays import FloatArray
+from ...numerics.compiled import compiled
+from ...numerics.inner_loops import FAST, quintics
 
 INDEX = {name: position for position, name in enumerate(CONSTANTS)}
 """Place of each constant."""

@@ -12,24 +12,24 @@ import numpy as np
 from pydantic import Field, model_validator
 from scipy.interpolate import CubicSpline
 
-from pipeline.device.parameters import NOMINAL, VECTOR_NAMES
-from pipeline.errors import CorruptArtifactError
-from pipeline.fitting.posterior import first_order_curves, posterior_draws
-from pipeline.generated.condensed_joint import CONSTANTS
-from pipeline.models.base import FreeRun, checked
-from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.driving_voltages import DrivingVoltages
-from pipeline.models.hybrid.kernels import CURVES
-from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem, age_at, simulate
-from pipeline.models.hybrid.runs import BATCH, Driving, Followed, Laws, continued_runs, follow_path
-from pipeline.models.hybrid.similarity import Similarity
-from pipeline.models.hybrid.statics import static_curves, substeps
-from pipeline.models.model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table, Unit
-from pipeline.models.tube_scales import TubePart
-from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
-from pipeline.scoring.tubes import NO_TUBES, TubeScale
-from pipeline.signals.decimation_kernel import filtered_samples
-from pipeline.signals.log import Log
+from ...device.parameters import NOMINAL, VECTOR_NAMES
+from ...errors import CorruptArtifactError
+from ...fitting.posterior import first_order_curves, posterior_draws
+from ...generated.condensed_joint import CONSTANTS
+from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
+from ...scoring.tubes import NO_TUBES, TubeScale
+from ...signals.decimation_kernel import filtered_samples
+from ...signals.log import Log
+from ..base import FreeRun, checked
+from ..model_file import FilePart, JointValues, ModelFile, Positive, Real, Sizes, Table, Unit
+from ..tube_scales import TubePart
+from . import parameters as condensed_parameters
+from .driving_voltages import DrivingVoltages
+from .kernels import CURVES
+from .problem import CondensedJoint, CondensedProblem, age_at, simulate
+from .runs import BATCH, Driving, Followed, Laws, continued_runs, follow_path
+from .similarity import Similarity
+from .statics import static_curves, substeps
 
 COUPLING_POLE = 30.0
 """Observer pole [1/s] of a joint of the set's size at which each sample stands nearly alone: above its 18 1/s."""

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.problem import LOST_ERROR_SHARE, CondensedProblem
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Record
+from ...numerics.arrays import FloatArray
+from ...signals.trajectory import Record
+from .model import HybridModel
+from .problem import LOST_ERROR_SHARE, CondensedProblem
 
 EVERY = 2
 """Samples of which one counts for those beside it: motions hardly change within 20 ms."""

@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.device.parameters import BEAM_DAMPING_FACTOR, JointParameters, Membrane
-from pipeline.generated.condensed_joint import (
+from ...device.parameters import BEAM_DAMPING_FACTOR, JointParameters, Membrane
+from ...generated.condensed_joint import (
     BENDS,
     CONSTANTS,
     CREEPS,
@@ -29,10 +29,10 @@ from pipeline.generated.condensed_joint import (
     TIP_CONSTANTS,
     UPRIGHT,
 )  # fmt: skip
-from pipeline.models.hybrid.kernels import CURVES, INDEX, prepare
-from pipeline.models.hybrid.similarity import DIMENSIONS
-from pipeline.models.hybrid.statics import rest_state
-from pipeline.numerics.arrays import FloatArray
+from ...numerics.arrays import FloatArray
+from .kernels import CURVES, INDEX, prepare
+from .similarity import DIMENSIONS
+from .statics import rest_state
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Deviation:
     prior_std : float
         Prior standard deviation, in the unit or of the logarithm.
     unit : str
-        SI unit of the quantity, a name in :data:`pipeline.units.POWERS`.
+        SI unit of the quantity, a name in :data:`pipeline.units.units.POWERS`.
     typical : float or None
         Prior mean of a logarithm of which the parameter set says nothing.
     """

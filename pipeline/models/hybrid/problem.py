@@ -10,19 +10,19 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.device.parameters import JointParameters
-from pipeline.generated.condensed_joint import CONSTANTS
-from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.columns import INSTRUMENTS
-from pipeline.models.hybrid.driving_voltages import DrivingVoltages
-from pipeline.models.hybrid.kernels import CURVES, INDEX
-from pipeline.models.hybrid.runs import Driving, Followed, Laws, Stepping, run_joints
-from pipeline.models.hybrid.sensitivity import Driven, sensitivities
-from pipeline.models.hybrid.similarity import SAME, Similarity
-from pipeline.models.hybrid.statics import substeps
-from pipeline.numerics.arrays import BoolArray, FloatArray, samples_of
-from pipeline.signals.decimation_kernel import sharpened
-from pipeline.signals.trajectory import Record
+from ...device.parameters import JointParameters
+from ...generated.condensed_joint import CONSTANTS
+from ...numerics.arrays import BoolArray, FloatArray, samples_of
+from ...signals.decimation_kernel import sharpened
+from ...signals.trajectory import Record
+from . import parameters as condensed_parameters
+from .columns import INSTRUMENTS
+from .driving_voltages import DrivingVoltages
+from .kernels import CURVES, INDEX
+from .runs import Driving, Followed, Laws, Stepping, run_joints
+from .sensitivity import Driven, sensitivities
+from .similarity import SAME, Similarity
+from .statics import substeps
 
 DEVIATION_COUNT = len(condensed_parameters.NAMES)
 """Leading entries of θ that are deviations."""

@@ -1,7 +1,7 @@
 """Runs of the condensed joint: free, coupled to a measurement by an observer, or along a prescribed path.
 
 One joint runs alone; many run `BATCH` at a time, side by side in vector registers. The steps are those of
-`pipeline.solvers.fixed_step`; stop operators are exact in them.
+`pipeline.numerics.fixed_step`; stop operators are exact in them.
 """
 
 # mypy: disable-error-code="no-untyped-def"
@@ -12,12 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.codegen.numba_writer import kernel
-from pipeline.generated.condensed_joint import RATES, STATES, STOP_MOVE, STOPS
-from pipeline.models.hybrid.kernels import VALUES, look_up, prepare, table_span, tabulate
-from pipeline.models.hybrid.statics import rest_state
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.solvers.fixed_step import SHARES, Methods, inlined, integrator, workspace
+from ...codegen.numba_writer import kernel
+from ...generated.condensed_joint import RATES, STATES, STOP_MOVE, STOPS
+from ...numerics.arrays import FloatArray, IntArray
+from ...numerics.fixed_step import SHARES, Methods, inlined, integrator, workspace
+from .kernels import VALUES, look_up, prepare, table_span, tabulate
+from .statics import rest_state
 
 BATCH = 8
 """Joints side by side."""

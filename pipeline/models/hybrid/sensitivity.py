@@ -9,14 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.generated.condensed_joint import STATES, STOPS
-from pipeline.models.hybrid.columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
-from pipeline.models.hybrid.kernels import CURVES, VALUES, table_span, tabulate
-from pipeline.models.hybrid.kernels import prepare as prepare_rates
-from pipeline.models.hybrid.runs import Joints, Laws, Stepping, integrate_joints
-from pipeline.models.hybrid.statics import rest_state
-from pipeline.numerics.arrays import FloatArray, SingleArray
-from pipeline.solvers.fixed_step import SHARES, workspace
+from ...generated.condensed_joint import STATES, STOPS
+from ...numerics.arrays import FloatArray, SingleArray
+from ...numerics.fixed_step import SHARES, workspace
+from .columns import BATCH, INSTRUMENTS, Path, blocks, columns_of, propagate
+from .kernels import CURVES, VALUES, table_span, tabulate
+from .kernels import prepare as prepare_rates
+from .runs import Joints, Laws, Stepping, integrate_joints
+from .statics import rest_state
 
 _NUDGE = 1e-4
 """Step of the differences by which the state at rest depends on a column, in its own scale."""

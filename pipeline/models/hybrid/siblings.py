@@ -6,9 +6,9 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from pipeline.device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
-from pipeline.errors import CorruptArtifactError, DataRefusedError, InputError
-from pipeline.fitting.population import (
+from ...device.parameters import NOMINAL, VECTOR_NAMES, JointParameters
+from ...errors import CorruptArtifactError, DataRefusedError, InputError
+from ...fitting.population import (
     Information,
     NormalPopulation,
     Oddity,
@@ -17,12 +17,12 @@ from pipeline.fitting.population import (
     oddity,
     without_each,
 )
-from pipeline.models.hybrid.identify import NOISE_INFLATION
-from pipeline.models.hybrid.model import HybridModel
-from pipeline.models.hybrid.parameters import DEVIATIONS, NAMES, PRIOR_STD
-from pipeline.models.hybrid.start import prior_root
-from pipeline.models.model_file import JointValues, ModelFile, Sizes, Table, Unit, column_of
-from pipeline.numerics.arrays import FloatArray
+from ...numerics.arrays import FloatArray
+from ..model_file import JointValues, ModelFile, Sizes, Table, Unit, column_of
+from .identify import NOISE_INFLATION
+from .model import HybridModel
+from .parameters import DEVIATIONS, NAMES, PRIOR_STD
+from .start import prior_root
 
 FEWEST = 5
 """Siblings from which a population is learnt."""

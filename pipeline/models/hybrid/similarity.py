@@ -9,10 +9,10 @@ from functools import cached_property
 
 import numpy as np
 
-from pipeline.generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOP_ELEMENTS, TIP_CONSTANTS
-from pipeline.numerics.arrays import FloatArray
-from pipeline.signals.trajectory import Record
-from pipeline.units import POWERS
+from ...generated.condensed_joint import BRANCHES, CONSTANTS, CREEPS, STOP_ELEMENTS, TIP_CONSTANTS
+from ...numerics.arrays import FloatArray
+from ...signals.trajectory import Record
+from ...units.units import POWERS
 
 _UNITS = {
     "l": "m", "bending": "J", "bending_loss": "N·m·s", "mass": "kg", "cross": "kg·m", "inertia": "kg·m²",

@@ -14,16 +14,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.device.parameters import JointParameters
-from pipeline.fitting.population import NormalPopulation
-from pipeline.models.hybrid import parameters as condensed_parameters
-from pipeline.models.hybrid.kernels import CURVES, INDEX
-from pipeline.models.hybrid.parameters import NAMES
-from pipeline.models.hybrid.similarity import Similarity
-from pipeline.models.hybrid.statics import static_curves
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
-from pipeline.signals.trajectory import Record
+from ...device.parameters import JointParameters
+from ...fitting.population import NormalPopulation
+from ...numerics.arrays import FloatArray, IntArray
+from ...scoring.wells import SHORT_PAUSE, NoWells, Wells, find_wells
+from ...signals.trajectory import Record
+from . import parameters as condensed_parameters
+from .kernels import CURVES, INDEX
+from .parameters import NAMES
+from .similarity import Similarity
+from .statics import static_curves
 
 NEAR = 0.4
 """Share of half the distance of the wells within which a motion counts as one about a well."""

@@ -5,8 +5,7 @@ Characteristic curves are taken along the path on which the shape is at rest.
 
 import numpy as np
 
-from pipeline.compiled import compiled, inner
-from pipeline.generated.condensed_joint import (
+from ...generated.condensed_joint import (
     AT_REST,
     BENDS,
     DRY_LEVELS,
@@ -16,7 +15,9 @@ from pipeline.generated.condensed_joint import (
     STATES,
     STOPS,
 )
-from pipeline.models.hybrid.kernels import (
+from ...numerics.arrays import FloatArray
+from ...numerics.compiled import compiled, inner
+from .kernels import (
     INDEX,
     VALUES,
     corrections_at,
@@ -25,7 +26,6 @@ from pipeline.models.hybrid.kernels import (
     prepare,
     rest_forces,
 )
-from pipeline.numerics.arrays import FloatArray
 
 _L, _RATIO, _BENDING, _STOP = INDEX["l"], INDEX["slope_ratio"], INDEX["bending"], INDEX["stop_force_0"]
 _SOFTENING_RATE = INDEX["softening_rate"]

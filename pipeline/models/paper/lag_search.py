@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.linear_filters import first_order_lag
+from ...numerics.arrays import FloatArray
+from ...numerics.linear_filters import first_order_lag
 
 CHUNK = 2048
 LAG = 1  # the damping curve is the second one

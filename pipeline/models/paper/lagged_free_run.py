@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import formula
-from pipeline.generated.terms import GAUSSIAN, LAGGED_RATES
-from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, between_samples, bounded_run, inlined, integrator, no_begin, no_finish
+from ...codegen.numba_writer import formula
+from ...generated.terms import GAUSSIAN, LAGGED_RATES
+from ...numerics.arrays import FloatArray
+from ...numerics.fixed_step import Methods, between_samples, bounded_run, inlined, integrator, no_begin, no_finish
 
 _gaussian = formula(GAUSSIAN)
 _lagged_rates = formula(LAGGED_RATES)

@@ -13,9 +13,9 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from pipeline.fitting.coverage import coverage
-from pipeline.fitting.posterior import curves_of_draws, posterior_draws, whiteness
-from pipeline.fitting.regression import (
+from ...fitting.coverage import coverage
+from ...fitting.posterior import curves_of_draws, posterior_draws, whiteness
+from ...fitting.regression import (
     InputLaw,
     LinearFit,
     basis_centres,
@@ -27,16 +27,16 @@ from pipeline.fitting.regression import (
     regressor,
     triangular_factor,
 )
-from pipeline.model_list import CENTRES, LAG_START, SMOOTHING
-from pipeline.models.base import FreeRun, checked
-from pipeline.models.kind import Kind, Training
-from pipeline.models.model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
-from pipeline.models.paper.lag_search import LagSearch, LagStretch, search_lag
-from pipeline.models.paper.lagged_free_run import LaggedLaw, lagged_rbf_run
-from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
-from pipeline.numerics.linear_filters import first_order_lag
-from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.fixed_step import escape_bounds, run_status, steps_per_sample
+from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
+from ...numerics.fixed_step import escape_bounds, run_status, steps_per_sample
+from ...numerics.linear_filters import first_order_lag
+from ...settings.models import CENTRES, LAG_START, SMOOTHING
+from ...signals.trajectory import Trajectory, operating_range
+from ..base import FreeRun, checked
+from ..kind import Kind, Training
+from ..model_file import MOST_INPUTS, Lag, ModelFile, Positive, Rising, Sizes, Table, Unit
+from .lag_search import LagSearch, LagStretch, search_lag
+from .lagged_free_run import LaggedLaw, lagged_rbf_run
 
 ROWS = 8192  # rows of the regressor that are held at once
 LAG_BOUNDS = (1e-4, 10.0)  # s
@@ -277,6 +277,4 @@ def _fit(training: Training) -> RbfPaperModel:
     )
 
 
-RBF_PAPER = Kind(
-    _fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "pipeline.export.lagged:realise_paper"
-)
+RBF_PAPER = Kind(_fit, partial(RbfPaperModel.read, name="rbf-paper", command="identify"), "export.lagged:realise_paper")

@@ -16,8 +16,8 @@ from itertools import pairwise
 import numpy as np
 import scipy.linalg
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import rms
 
 
 @dataclass(frozen=True)

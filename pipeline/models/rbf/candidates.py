@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from pipeline.models.rbf.structure import ForceShape, Hold, JointStructure
+from .structure import ForceShape, Hold, JointStructure
 
 FrictionLaw = Literal["viscous", "coulomb", "lag", "lags", "maxwell-slip", "lag+slip", "lags+slip"]
 

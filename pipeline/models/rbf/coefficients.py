@@ -10,11 +10,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import formula
-from pipeline.compiled import compiled, shared
-from pipeline.generated.terms import BELL, CLIPPED, POWERS, TURNING_ARM
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.solvers.fixed_step import inlined
+from ...codegen.numba_writer import formula
+from ...generated.terms import BELL, CLIPPED, POWERS, TURNING_ARM
+from ...numerics.arrays import FloatArray, IntArray
+from ...numerics.compiled import compiled, shared
+from ...numerics.fixed_step import inlined
 
 _powers, _turning_arm, _clipped, _bell = formula(POWERS), formula(TURNING_ARM), formula(CLIPPED), formula(BELL)
 

@@ -15,10 +15,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pipeline.codegen.numba_writer import formula
-from pipeline.compiled import compiled, shared
-from pipeline.generated.terms import ACCELERATION, CONFINED_FORCE, DAHL_MOVE, ELEMENT, STOP_FORCE
-from pipeline.models.rbf.coefficients import (
+from ...codegen.numba_writer import formula
+from ...generated.terms import ACCELERATION, CONFINED_FORCE, DAHL_MOVE, ELEMENT, STOP_FORCE
+from ...numerics.arrays import FloatArray
+from ...numerics.compiled import compiled, shared
+from ...numerics.fixed_step import inlined
+from .coefficients import (
     ARC,
     CENTRE,
     DAMPING,
@@ -34,8 +36,6 @@ from pipeline.models.rbf.coefficients import (
     no_sensitivities,
     shapes,
 )
-from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import inlined
 
 _acceleration, _dahl_move = formula(ACCELERATION), formula(DAHL_MOVE)
 _stop_force, _confined = formula(STOP_FORCE), formula(CONFINED_FORCE)

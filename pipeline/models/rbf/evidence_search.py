@@ -12,13 +12,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pipeline.fitting.homotopy import GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
-from pipeline.fitting.posterior import log_evidence
-from pipeline.models.rbf.candidates import Candidate, Offer
-from pipeline.models.rbf.problem import JointProblem
-from pipeline.models.rbf.structure_search import Begun, Setting, excerpts
-from pipeline.numerics.metrics import rms
-from pipeline.signals.trajectory import Record
+from ...fitting.homotopy import GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
+from ...fitting.posterior import log_evidence
+from ...numerics.metrics import rms
+from ...signals.trajectory import Record
+from .candidates import Candidate, Offer
+from .problem import JointProblem
+from .structure_search import Begun, Setting, excerpts
 
 ODDS = 20.0
 """Odds that the logs must give a candidate against the one before it: an element is shown at the level of 5 %."""

@@ -10,33 +10,33 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.errors import DataRefusedError
-from pipeline.fitting.coverage import coverage
-from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
-from pipeline.fitting.posterior import posterior_factor, robust_spread, whiteness
-from pipeline.fitting.regression import InputLaw
-from pipeline.model_list import RBF_TIME_LIMIT
-from pipeline.models.kind import Kind, KnownCurves, Training
-from pipeline.models.rbf.candidates import (
+from ...errors import DataRefusedError
+from ...fitting.coverage import coverage
+from ...fitting.descent import Prior
+from ...fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
+from ...fitting.posterior import posterior_factor, robust_spread, whiteness
+from ...fitting.regression import InputLaw
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import NORMAL_90, rms
+from ...settings.models import RBF_TIME_LIMIT
+from ...signals.trajectory import Record, operating_range
+from ...system.progress import OnProgress, silent
+from ..kind import Kind, KnownCurves, Training
+from ..tube_scales import scale_on
+from .candidates import (
     Candidate,
     RbfChoice,
     first_candidate,
     joint_offers,
     offers,
 )
-from pipeline.models.rbf.evidence_search import LAST_ITERATIONS, TOLERANCE, search_by_evidence
-from pipeline.models.rbf.model import RbfModel
-from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.prior import population
-from pipeline.models.rbf.problem import Effort, JointProblem
-from pipeline.models.rbf.start import is_bistable_pair, looks_overdamped
-from pipeline.models.rbf.structure_search import Begun, Setting, cut, excerpts, search
-from pipeline.models.tube_scales import scale_on
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import NORMAL_90, rms
-from pipeline.numerics.progress import OnProgress, silent
-from pipeline.signals.trajectory import Record, operating_range
+from .evidence_search import LAST_ITERATIONS, TOLERANCE, search_by_evidence
+from .model import RbfModel
+from .parameter_layout import ParameterLayout
+from .prior import population
+from .problem import Effort, JointProblem
+from .start import is_bistable_pair, looks_overdamped
+from .structure_search import Begun, Setting, cut, excerpts, search
 
 NEGLIGIBLE_INPUT = 0.01
 """Share of the largest input below which one does nothing."""
@@ -274,4 +274,4 @@ def _fit(training: Training) -> RbfModel:
     )
 
 
-RBF = Kind(_fit, RbfModel.from_tree, "pipeline.export.data_driven:realise")
+RBF = Kind(_fit, RbfModel.from_tree, "export.data_driven:realise")

@@ -8,24 +8,24 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import Field, model_validator
 
-from pipeline.codegen.graph import trace
-from pipeline.errors import CorruptArtifactError
-from pipeline.fitting.posterior import first_order_curves, posterior_draws
-from pipeline.fitting.regression import InputLaw
-from pipeline.generated.terms import CONFINED_FORCE, STOP_FORCE
-from pipeline.models.base import FreeRun, checked
-from pipeline.models.model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table, Unit
-from pipeline.models.rbf.coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
-from pipeline.models.rbf.dynamics import free_rates
-from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
-from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.problem import JointProblem, steps_per_sample
-from pipeline.models.rbf.structure import ForceShape, Hold, JointScales, JointStructure
-from pipeline.models.tube_scales import TubePart
-from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
-from pipeline.scoring.tubes import NO_TUBES, TubeScale
-from pipeline.signals.log import Log
-from pipeline.solvers.fixed_step import run_status
+from ...codegen.graph import trace
+from ...errors import CorruptArtifactError
+from ...fitting.posterior import first_order_curves, posterior_draws
+from ...fitting.regression import InputLaw
+from ...generated.terms import CONFINED_FORCE, STOP_FORCE
+from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
+from ...numerics.fixed_step import run_status
+from ...scoring.tubes import NO_TUBES, TubeScale
+from ...signals.log import Log
+from ..base import FreeRun, checked
+from ..model_file import MOST_INPUTS, FilePart, ModelFile, Positive, Real, Sizes, Table, Unit
+from ..tube_scales import TubePart
+from .coefficients import DAMPING, FORCE, INPUT, Coefficients, basis_rows, no_sensitivities
+from .dynamics import free_rates
+from .observed_run import Coupling, Drive, observed_run
+from .parameter_layout import ParameterLayout
+from .problem import JointProblem, steps_per_sample
+from .structure import ForceShape, Hold, JointScales, JointStructure
 
 PATH_OBSERVER_GAIN = 3.0  # along a measured path, in units of the frequency scale
 SEED = 20251  # of the posterior draws: the same model gives the same draws

@@ -13,7 +13,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pipeline.models.rbf.coefficients import (
+from ...numerics.arrays import FloatArray
+from ...numerics.fixed_step import Methods, between_samples, inlined, integrator, workspace
+from .coefficients import (
     FORCE,
     INPUT,
     INPUT_SHAPE,
@@ -26,7 +28,7 @@ from pipeline.models.rbf.coefficients import (
     basis_rows,
     shapes,
 )
-from pipeline.models.rbf.dynamics import (
+from .dynamics import (
     INSIDE,
     LEFT,
     LOAD,
@@ -37,8 +39,6 @@ from pipeline.models.rbf.dynamics import (
     move,
     slide,
 )
-from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.fixed_step import Methods, between_samples, inlined, integrator, workspace
 
 _LARGEST = float(np.finfo(np.float64).max)
 

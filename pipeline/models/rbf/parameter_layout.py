@@ -11,9 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from pipeline.fitting.regression import InputLaw
-from pipeline.generated.terms import BENT, PAST_ZONE
-from pipeline.models.rbf.coefficients import (
+from ...fitting.regression import InputLaw
+from ...generated.terms import BENT, PAST_ZONE
+from ...numerics.arrays import FloatArray
+from .coefficients import (
     ARC,
     CENTRE,
     DRAG,
@@ -30,8 +31,7 @@ from pipeline.models.rbf.coefficients import (
     SensitivityParameters,
     basis_rows,
 )
-from pipeline.models.rbf.structure import JointScales, JointStructure, drive_at_nodes, lagged
-from pipeline.numerics.arrays import FloatArray
+from .structure import JointScales, JointStructure, drive_at_nodes, lagged
 
 OVERHANG = 0.05
 """Outermost centres past the data, as a share of half the range; the curves stay constant a little further on."""

@@ -16,12 +16,12 @@ from pathlib import Path
 
 import numpy as np
 
-from pipeline.fitting.descent import Prior
-from pipeline.models.kind import KnownCurves
-from pipeline.models.rbf.coefficients import POLYNOMIALS, basis_rows
-from pipeline.models.rbf.parameter_layout import ParameterLayout, kind_of
-from pipeline.models.rbf.structure import JointScales, JointStructure
-from pipeline.numerics.arrays import FloatArray, IntArray
+from ...fitting.descent import Prior
+from ...numerics.arrays import FloatArray, IntArray
+from ..kind import KnownCurves
+from .coefficients import POLYNOMIALS, basis_rows
+from .parameter_layout import ParameterLayout, kind_of
+from .structure import JointScales, JointStructure
 
 GAIN_SPREAD = 0.7  # of the logarithm of a gain about its typical size
 SLOW_DAMPING = 0.05  # mean of the damping, in units of the frequency scale

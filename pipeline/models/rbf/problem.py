@@ -13,14 +13,14 @@ from functools import cached_property
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.errors import InputError
-from pipeline.models.rbf.coefficients import basis_rows, no_sensitivities
-from pipeline.models.rbf.observed_run import Coupling, Drive, observed_run
-from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.structure import drive_at_nodes, known_inputs, spline_through
-from pipeline.numerics.arrays import BoolArray, FloatArray, bridged
-from pipeline.signals.noise import noise_std
-from pipeline.signals.trajectory import Record
+from ...errors import InputError
+from ...numerics.arrays import BoolArray, FloatArray, bridged
+from ...signals.noise import noise_std
+from ...signals.trajectory import Record
+from .coefficients import basis_rows, no_sensitivities
+from .observed_run import Coupling, Drive, observed_run
+from .parameter_layout import ParameterLayout
+from .structure import drive_at_nodes, known_inputs, spline_through
 
 PER_SIMULATION = 0.7e-3
 """Cost of a simulation beside its steps: inputs, sums, the solution of the normal equations [s]."""

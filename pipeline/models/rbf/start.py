@@ -10,16 +10,16 @@ from itertools import product
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from pipeline.errors import InputError
-from pipeline.fitting.regression import InputLaw, input_signal
-from pipeline.generated.terms import BELL, STOP_FORCE
-from pipeline.models.rbf.coefficients import FORCE, POLYNOMIALS, basis_rows
-from pipeline.models.rbf.dynamics import slid
-from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.structure import OVERDAMPED, JointScales, JointStructure
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
-from pipeline.signals.trajectory import Record, operating_range
+from ...errors import InputError
+from ...fitting.regression import InputLaw, input_signal
+from ...generated.terms import BELL, STOP_FORCE
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import rms
+from ...signals.trajectory import Record, operating_range
+from .coefficients import FORCE, POLYNOMIALS, basis_rows
+from .dynamics import slid
+from .parameter_layout import ParameterLayout
+from .structure import OVERDAMPED, JointScales, JointStructure
 
 TIMES = ("input_lag", "input_delay")
 """Blocks of θ that hold times of the drive."""

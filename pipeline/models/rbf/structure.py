@@ -9,8 +9,8 @@ from typing import Any, Literal
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.linear_filters import first_order_lag
+from ...numerics.arrays import FloatArray
+from ...numerics.linear_filters import first_order_lag
 
 Hold = Literal["linear", "zero", "cubic", "record"]
 """Course of an input between samples: on lines, held (a converter's zero-order hold), on a cubic spline, or as the

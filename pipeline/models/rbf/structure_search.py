@@ -5,20 +5,20 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pipeline.fitting.descent import Prior
-from pipeline.fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
-from pipeline.fitting.posterior import surely_smaller
-from pipeline.fitting.regression import InputLaw
-from pipeline.models.kind import KnownCurves
-from pipeline.models.rbf.candidates import Candidate, Offer
-from pipeline.models.rbf.parameter_layout import ParameterLayout
-from pipeline.models.rbf.prior import joint_prior, pin_curves, population
-from pipeline.models.rbf.problem import COARSE_STEP, Effort, JointProblem
-from pipeline.models.rbf.start import TIMES, data_scales, starting_joint
-from pipeline.numerics.arrays import FloatArray
-from pipeline.numerics.metrics import rms
-from pipeline.numerics.progress import OnProgress, silent
-from pipeline.signals.trajectory import Record
+from ...fitting.descent import Prior
+from ...fitting.homotopy import COUPLED, GAINS, Callbacks, HomotopyFit, Schedule, fit_homotopy
+from ...fitting.posterior import surely_smaller
+from ...fitting.regression import InputLaw
+from ...numerics.arrays import FloatArray
+from ...numerics.metrics import rms
+from ...signals.trajectory import Record
+from ...system.progress import OnProgress, silent
+from ..kind import KnownCurves
+from .candidates import Candidate, Offer
+from .parameter_layout import ParameterLayout
+from .prior import joint_prior, pin_curves, population
+from .problem import COARSE_STEP, Effort, JointProblem
+from .start import TIMES, data_scales, starting_joint
 
 FITTED_SHARE = 0.65
 """Share of each training log that the candidates are fitted on; they are judged by a free run over the rest."""

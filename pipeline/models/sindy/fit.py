@@ -10,14 +10,14 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.errors import InputError
-from pipeline.fitting.regression import triangular_factor
-from pipeline.models.polynomial_dynamics import FIRST_INPUT, QDOT, PolynomialDynamics, Q, free_run
-from pipeline.models.sindy.weak_form import LAG_SETS, Library, Problem, prepare_problem, seeded
-from pipeline.numerics.arrays import FloatArray
-from pipeline.scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
-from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.fixed_step import escape_bounds
+from ...errors import InputError
+from ...fitting.regression import triangular_factor
+from ...numerics.arrays import FloatArray
+from ...numerics.fixed_step import escape_bounds
+from ...scoring.cross_validation import NEGLIGIBLE, HeldOutBlock, free_run_error
+from ...signals.trajectory import Trajectory, operating_range
+from ..polynomial_dynamics import FIRST_INPUT, QDOT, PolynomialDynamics, Q, free_run
+from .weak_form import LAG_SETS, Library, Problem, prepare_problem, seeded
 
 SearchStatus = Literal["completed", "limit"]
 

@@ -8,10 +8,15 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import BeforeValidator, model_validator
 
-from pipeline.fitting.regression import InputLaw
-from pipeline.models.base import FreeRun, checked
-from pipeline.models.kind import Kind
-from pipeline.models.model_file import (
+from ...fitting.regression import InputLaw
+from ...numerics.arrays import FloatArray, IntArray, bridged, sample_interval
+from ...numerics.fixed_step import run_status
+from ...scoring.cross_validation import mean_over_folds
+from ...signals.trajectory import Trajectory
+from ...units.units import DISPLACEMENT, INPUT
+from ..base import FreeRun, checked
+from ..kind import Kind
+from ..model_file import (
     MOST_INPUTS,
     Exponents,
     ModelFile,
@@ -22,7 +27,7 @@ from pipeline.models.model_file import (
     Table,
     Unit,
 )
-from pipeline.models.polynomial_dynamics import (
+from ..polynomial_dynamics import (
     FIRST_INPUT,
     FRICTION,
     QDOT,
@@ -33,11 +38,6 @@ from pipeline.models.polynomial_dynamics import (
     monomials,
     scaled_variables,
 )
-from pipeline.numerics.arrays import FloatArray, IntArray, bridged, sample_interval
-from pipeline.scoring.cross_validation import mean_over_folds
-from pipeline.signals.trajectory import Trajectory
-from pipeline.solvers.fixed_step import run_status
-from pipeline.units import DISPLACEMENT, INPUT
 
 Units = tuple[str, str]
 
@@ -294,7 +294,7 @@ def identify_sindy(
     InputError
         No data, differing inputs, or a constant displacement.
     """
-    from pipeline.models.sindy.fit import fit_sindy
+    from .fit import fit_sindy
 
     fit = fit_sindy(trajectories, squared=inputs == "squared", angle=units[0] == "rad", most=most)
     errors = fit.errors[fit.candidate]
@@ -335,7 +335,7 @@ def identify_default_sindy(
 
     `log_units`: those of the log for q and the inputs, in SI.
     """
-    from pipeline.models.sindy.fit import fit_default_sindy
+    from .fit import fit_default_sindy
 
     dynamics = fit_default_sindy(trajectories, squared=inputs == "squared", units=log_units)
     notes = {"library": "poly2(q, q̇, u), pysindy's default, in the units of the log", "terms_kept": _terms(dynamics)}
@@ -352,12 +352,12 @@ SINDY = Kind(
         data.fitted_segments, inputs=data.inputs, mass=data.mass, units=data.units, most=data.compare.candidates
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
-    "pipeline.export.lagged:realise_polynomial",
+    "export.lagged:realise_polynomial",
 )
 SINDY_DEFAULT = Kind(
     lambda data: identify_default_sindy(
         data.segments, inputs=data.inputs, mass=data.mass, units=data.units, log_units=data.log_units
     ),
     partial(SindyModel.read, name="sindy", command="compare"),
-    "pipeline.export.lagged:realise_polynomial",
+    "export.lagged:realise_polynomial",
 )

@@ -19,8 +19,13 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
-from pipeline.errors import InputError
-from pipeline.models.polynomial_dynamics import (
+from ...errors import InputError
+from ...numerics.arrays import FloatArray, IntArray
+from ...numerics.fixed_step import escape_bounds
+from ...numerics.metrics import rms
+from ...scoring.cross_validation import HeldOutBlock, held_out_blocks
+from ...signals.trajectory import Trajectory, operating_range
+from ..polynomial_dynamics import (
     COSINE,
     FIRST_INPUT,
     FRICTION,
@@ -31,11 +36,6 @@ from pipeline.models.polynomial_dynamics import (
     Q,
     scaled_variables,
 )
-from pipeline.numerics.arrays import FloatArray, IntArray
-from pipeline.numerics.metrics import rms
-from pipeline.scoring.cross_validation import HeldOutBlock, held_out_blocks
-from pipeline.signals.trajectory import Trajectory, operating_range
-from pipeline.solvers.fixed_step import escape_bounds
 
 HIGHEST, COUPLED = 7, 4
 """Highest power of q alone, and of q as a factor of velocities, inputs and lags."""

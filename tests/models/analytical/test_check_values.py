@@ -13,7 +13,7 @@ from pipeline.models.analytical.bifurcation import (
     switching_voltage,
 )
 from pipeline.models.analytical.statics import equilibria, tip_values
-from pipeline.solvers.stiff import R_Q, R_S, R_V, R_Z, SLOPES, Z_Q, Z_V, Z_Z
+from pipeline.numerics.stiff import R_Q, R_S, R_V, R_Z, SLOPES, Z_Q, Z_V, Z_Z
 
 OFF, LEFT, BOTH = np.array([0.0, 0.0]), np.array([3000.0, 0.0]), np.array([3000.0, 3000.0])
 # Parameter set, |q±| [mm], φ [deg] and u_y [mm] there, q at left 3 kV [mm], |q| at both 3 kV [mm], barrier [µJ].

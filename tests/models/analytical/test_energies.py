@@ -8,7 +8,7 @@ from pipeline.equations.full_joint import BEAM_DAMPING_FACTOR
 from pipeline.generated import analytical_joint as kernels
 from pipeline.models.analytical.statics import length_scales
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.stiff import R_Q, R_S, R_V, R_Z, SLOPES, Z_Q, Z_V, Z_Z
+from pipeline.numerics.stiff import R_Q, R_S, R_V, R_Z, SLOPES, Z_Q, Z_V, Z_Z
 
 UNEQUAL = NOMINAL.with_values(
     {"left.b": 23.4e-3, "right.Y": 1.1e6, "right.eps_r": 3.0, "left.e_z": 15e-3, "kappa0": 0.3, "F_c": 3e-3}

@@ -15,9 +15,9 @@ from pipeline.models.analytical.calibration import Calibration
 from pipeline.models.analytical.full_order import rest_state, simulate
 from pipeline.models.analytical.reduced_order import pulse_sequence
 from pipeline.models.analytical.statics import equilibria
-from pipeline.runs.schemas import KINEMATICS, resolve
-from pipeline.runs.tables import write_table
-from pipeline.tools.physics import write_parameters
+from pipeline.store.schemas import KINEMATICS, resolve
+from pipeline.store.tables import write_table
+from pipeline.workflow.studies.physics import write_parameters
 
 
 def answer(*arguments: str) -> dict[str, object]:

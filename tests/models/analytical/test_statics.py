@@ -19,7 +19,7 @@ from pipeline.models.analytical.bifurcation import (
 from pipeline.models.analytical.full_order import rest_state
 from pipeline.models.analytical.statics import equilibria, static_path, unactuated_path
 from pipeline.numerics.arrays import FloatArray
-from pipeline.solvers.continuation import trace_branch
+from pipeline.numerics.continuation import trace_branch
 
 MIRRORED = {"left": "right", "right": "left"}
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pipeline.device.parameters import NOMINAL
-from pipeline.device_facts.calibrated import calibrated
+from pipeline.diagnostics.facts.calibrated import calibrated
 from pipeline.errors import CorruptArtifactError, DataRefusedError
 from pipeline.models.base import predictor
 from pipeline.models.choose import choose
@@ -17,7 +17,7 @@ from pipeline.models.hybrid.problem import CondensedJoint, CondensedProblem
 from pipeline.models.hybrid.start import prior_root
 from pipeline.models.kind import Training
 from pipeline.numerics.arrays import FloatArray
-from pipeline.settings import Identify
+from pipeline.settings.prototype import Identify
 from pipeline.signals.trajectory import Record
 from tests.export.joints import hybrid
 

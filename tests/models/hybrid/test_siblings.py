@@ -15,11 +15,11 @@ from pipeline.models.hybrid.problem import CondensedJoint
 from pipeline.models.hybrid.siblings import column, from_tree, information_of, learn, to_tree, usual_prior
 from pipeline.models.hybrid.start import prior_root
 from pipeline.numerics.arrays import FloatArray
-from pipeline.runs.run_folder import RunFolder
-from pipeline.runs.trees import write_tree
-from pipeline.settings import load_prototype
-from pipeline.stages.identify import known_inputs, prior_knowledge_of
-from pipeline.stages.run import run_prototype
+from pipeline.settings.prototype import load_prototype
+from pipeline.store.run_folder import RunFolder
+from pipeline.store.trees import write_tree
+from pipeline.workflow.run import run_prototype
+from pipeline.workflow.stage_identify import known_inputs, prior_knowledge_of
 from tests.prototypes import Silent, motion, settings, write_csv
 
 COUNT, TAU, NOISE = len(NAMES), 20.0, 0.05

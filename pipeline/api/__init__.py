@@ -1,0 +1,1 @@
+"""debist in Python: models and runs for notebooks and scripts."""

@@ -1,0 +1,385 @@
+"""Signals in memory instead of logs in files: the same cleaning, derivatives, fits and scores as in a run."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..device.device import Device, device
+from ..device.parameter_sets import parameter_set
+from ..diagnostics.check import check_logs
+from ..diagnostics.copies import shared_recordings, shared_rows
+from ..diagnostics.facts.characteristics import believed_wells, stable_rests
+from ..diagnostics.rows import findings, remarks
+from ..diagnostics.weak_form import LogSignals
+from ..errors import DataRefusedError, InputError, warn_user
+from ..models.base import DynamicModel, kind_of, real_numbers
+from ..models.free_runs import free_run
+from ..models.kind import StoredModel, kind
+from ..numerics.arrays import FloatArray
+from ..numerics.metrics import fit_percent
+from ..scoring.wells import wells_of
+from ..settings.models import AUTO, ENTRIES, entry, names
+from ..settings.prototype import Prototype, parse_prototype
+from ..signals.log import Log, log_of
+from ..signals.missing import code_remarks, codes_in, masked
+from ..signals.quality_gates import scale_suspicion
+from ..signals.trajectory import UNKNOWN
+from ..store import layout
+from ..store.columns import TUBE_COLUMNS
+from ..store.run_folder import RunFolder
+from ..workflow.logs import load_motion, motion, training
+from ..workflow.prior_knowledge import prior_knowledge_in
+from ..workflow.si_log import SiLog, on_uniform_clocks
+from ..workflow.stage_check import declared, log_signals
+from ..workflow.stage_identify import identified
+from ..workflow.stage_ingest import examined, record_columns, resamplings
+from ..workflow.steps.differentiate import kinematics
+from ..workflow.steps.score import ComparedRun, score_rows
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+OF_RUN = "debist_log"
+"""Key of a DataFrame's ``attrs``: folder of the run, role and name of the log that it holds."""
+_OF_Q = {
+    "q": "{}",
+    "q_measured": "{}",
+    **{column.key: "{}" for column in TUBE_COLUMNS},
+    "qdot": "{}_per_s",
+    "qddot": "{}_per_s2",
+}
+
+
+@dataclass(frozen=True)
+class Signals:
+    """One log in SI units.
+
+    Attributes
+    ----------
+    t, q : FloatArray, shape (N,)
+        Time stamps [s] and displacement [m or rad].
+    v : FloatArray, shape (N, K)
+        Voltages [V], K = 1 or 2.
+    unit : {"m", "rad"} or None
+        Unit of q, if its column names one.
+    """
+
+    t: FloatArray
+    q: FloatArray
+    v: FloatArray
+    unit: str | None = None
+
+
+def settings(
+    *, inputs: int, angle: bool, action: str, mass: float | None, model: str, parameters: str | None,
+    more: Mapping[str, Any],
+) -> Prototype:  # fmt: skip
+    """Settings for signals in SI units; `more` adds to tables of a settings file, e.g. ``{"identify": {…}}``."""
+    channels = {"q": {"channel": "q", "unit": "rad" if angle else "m"}}
+    channels |= {f"v{k}": {"channel": f"v{k}", "unit": "V"} for k in range(1, inputs + 1)}
+    plant: dict[str, Any] = {"inputs": action}
+    if mass is not None:
+        plant["mass"] = {"value": mass, "unit": "kg m^2" if angle else "kg"}
+    if parameters is not None:
+        plant["parameters"] = parameters
+    document: dict[str, Any] = {"name": "signals", "logs": {"train": ["signals"]}, "channels": channels, "plant": plant}
+    if entry(model) is None and model != AUTO:
+        raise InputError(f"no model {model!r}; there are {', '.join((AUTO, *(each.name for each in ENTRIES)))}")
+    document["identify"] = {"models": [model]} if model in (AUTO, *names("identify")) else {}
+    if not isinstance(more, Mapping):
+        raise InputError(
+            f"settings is {more!r}; give a mapping of tables, as {{'ingest': {{'sample_interval': 0.005}}}}"
+        )
+    if taken := sorted(more.keys() & {"name", "logs", "channels"}):
+        raise InputError(f"settings has {', '.join(taken)}; the arguments give these: signals in SI units")
+    for name, table in more.items():
+        if name == "identify" and isinstance(table, Mapping) and "models" in table:
+            raise InputError("settings has identify.models; the argument `model` names the model")
+        document[name] = {**document.get(name, {}), **_plain(table)} if isinstance(table, Mapping) else table
+    prototype = parse_prototype(document, "debist.identify")
+    if prototype.compare.curves is not None:
+        raise InputError("settings has compare.curves, which only the report of a run draws; leave it out")
+    for key in ("curves", "siblings") if model in names("compare") else ():
+        if getattr(prototype.plant, key) is not None:
+            raise InputError(f"settings has plant.{key}, which the model {model!r} does not take; leave it out")
+    return prototype
+
+
+def _plain(table: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of a table of settings, those of NumPy as Python's, paths as texts."""
+    texts = {key: str(value) if isinstance(value, Path) else value for key, value in table.items()}
+    return {key: value.item() if isinstance(value, np.generic) else value for key, value in texts.items()}
+
+
+@dataclass(frozen=True)
+class Cleaned:
+    """Signals as a run holds them.
+
+    Attributes
+    ----------
+    motion : Log
+        On the uniform grid, with derivatives.
+    signals : LogSignals
+        What the checks look at.
+    warnings : tuple of str
+        What was noticed and masked.
+    """
+
+    motion: Log
+    signals: LogSignals
+    warnings: tuple[str, ...]
+
+
+def log_in(table: Any) -> Log | None:
+    """The log that a model is scored on, from a log of a run (`pipeline.api.run.Run.log`); None for other signals.
+
+    A log that is still as `Run.log` returned it is read from the run again, with its parts and with the voltages
+    between the samples, as the run itself simulates it. One with other values is differentiated anew.
+    """
+    if not hasattr(table, "columns") or "segment" not in table:
+        return None
+    names = {"t_s": "t", "v1_V": "v1", "v2_V": "v2", "segment": "segment"}
+    names |= {column_name(name, unit): name for unit in ("m", "rad") for name in ("q", "qdot", "qddot")}
+    columns = {names[name]: np.asarray(table[name]) for name in table.columns if name in names}
+    if not {"t", "q", "qdot", "qddot", "v1"} <= columns.keys():
+        return None
+    if OF_RUN in table.attrs:
+        root, role, log = table.attrs[OF_RUN]
+        run = RunFolder.open(Path(root))
+        stored = run.read_table(layout.kinematics(role, log))
+        if all(np.array_equal(stored[name], columns[name], equal_nan=True) for name in columns):
+            return load_motion(run, run.prototype, role, log)
+        rows = np.minimum(np.searchsorted(stored["t"], columns["t"]), len(stored["t"]) - 1)
+        if not all(np.array_equal(stored[name][rows], columns[name], equal_nan=True) for name in columns):
+            return None  # derivatives of before a change are not those of after it
+    return log_of(columns)
+
+
+def refuse_other_units(sizes: Mapping[str, float], prototype: Prototype) -> None:
+    """Refuse magnitudes of q or v that no device has in SI units.
+
+    Raises
+    ------
+    InputError
+        They look like another unit's.
+    """
+    plant = device(prototype)
+    for name, size in sizes.items():
+        unit = plant.displacement.symbol if name.startswith("q") else plant.inputs[0].symbol
+        factor = scale_suspicion(size, unit, joint=plant.joint)
+        if factor is not None and factor > 1.0 and plant.displacement.symbol != "V":
+            raise InputError(
+                f"{name} is up to {size:.4g}, which looks {factor:g} times too large for {unit}: give SI units"
+            )
+
+
+def cleaned(signals: Signals, prototype: Prototype, where: str) -> Cleaned:
+    """Clean signals, bring them to the uniform grid and differentiate them.
+
+    Raises
+    ------
+    DataRefusedError
+        The quality gates refuse them; the text begins with `where`.
+    """
+    measured = signals.q[np.isfinite(signals.q)]
+    refuse_other_units({"q": float(np.ptp(measured)) if measured.size else 0.0}, prototype)
+    stamps = np.ascontiguousarray(signals.t)
+    given = {"q": signals.q} | {f"v{k}": column for k, column in enumerate(signals.v.T, start=1)}
+    codes = {name: codes_in(column) for name, column in given.items()}
+    q, *inputs = ((stamps, np.ascontiguousarray(masked(given[name], codes[name])[:])) for name in given)
+    of_codes = tuple(f"{name}: {text}" for name, counts in codes.items() for text in code_remarks(counts))
+    log = on_uniform_clocks(SiLog(q, tuple(inputs), notes=of_codes))
+    checked = examined(log, prototype, where)
+    fine, coarse = (
+        record_columns(resampling.record(), tuple(log.beside)) for resampling in resamplings(checked, prototype.ingest)
+    )
+    moved, _ = kinematics(coarse, fine, prototype)
+    notes = {**checked.notes, "raw_step": checked.raw_step}
+    remarks = tuple(f"{where}: {text}" for text in checked.notes["warnings"])
+    return Cleaned(motion(moved, fine, prototype, notes.get(UNKNOWN, ())), log_signals(where, fine, notes), remarks)
+
+
+def identify_signals(
+    logs: Sequence[Signals], prototype: Prototype, name: str
+) -> tuple[StoredModel, dict[str, Any], list[Log]]:
+    """The model of that name, or the headline for `AUTO`; notes on the fits; and the logs.
+
+    What `debist check` would refuse is warned of: the note ``contradictions`` holds it.
+
+    Raises
+    ------
+    DataRefusedError
+        The signals do not show what the model needs, or are in other units, as voltages in kV.
+    """
+    settings_file = Path.cwd() / "settings.toml"
+    parameters = parameter_set(prototype, settings_file)
+    prior = prior_knowledge_in(settings_file, prototype, parameters)
+    parts = [cleaned(log, prototype, f"log {number}") for number, log in enumerate(logs, start=1)]
+    measured = [part.motion for part in parts]
+    records, stated = [part.signals for part in parts], declared(prototype)
+    rows = [*check_logs(records, stated), *shared_rows(records, shared_recordings(records))]
+    unaccepted = [finding for finding in findings(rows) if finding.gate not in prototype.quality.accept]
+    contradictions = [f"{finding.text}: {finding.advice}" for finding in unaccepted]
+    if units := [text for finding, text in zip(unaccepted, contradictions, strict=True) if finding.gate == "scale"]:
+        accept = "settings={'quality': {'accept': ['scale']}}"
+        raise DataRefusedError(f"{units[0]}; give SI units, or if they are, accept it: {accept}")
+    for text in (*contradictions, *remarks(rows)):
+        warn_user(text)
+    if name in names("compare"):
+        model = kind(name).fit(training(measured, prototype, parameters))
+        notes: dict[str, Any] = {"warnings": [], name: model.describe()}
+    else:
+        models, notes = identified(measured, prototype, parameters, prior)
+        model = next(iter(models.values()))
+    remarks_of_all = [*(text for part in parts for text in part.warnings), *remarks(rows), *contradictions]
+    notes |= {"warnings": [*remarks_of_all, *notes["warnings"]], "contradictions": contradictions}
+    return model, notes, measured
+
+
+def score_table(model: DynamicModel, log: Log, plant: Device) -> list[dict[str, Any]]:
+    """Scores of a model's free run over kinematics, one row per signal, as `scores.parquet` names them, with the fit in
+    percent as MATLAB's ``compare`` states it.
+    """
+    run = free_run(log, model)
+    pairs = {name: (getattr(log, name), getattr(run, name)) for name in ("q", "qdot", "qddot")}
+    rests = stable_rests(model, [log.q])
+    wells = believed_wells(wells_of([log], joint=plant.joint), model.name, rests, joint=plant.joint)
+    compared = ComparedRun(pairs, {"status": run.status, "diverged_at_s": run.diverged_at_s})
+    return [
+        {"signal": row["signal"], "fit_percent": _or_nan(fit_percent(*pairs[row["signal"]])), "unit": row["unit"]}
+        | {name: _or_nan(value) for name, value in row.items()}
+        for row in score_rows(plant, log, compared, wells)
+    ]
+
+
+def _or_nan(value: Any) -> Any:
+    """NaN in place of a number that is not defined, as after a divergence."""
+    return np.nan if value is None else value
+
+
+def column_name(name: str, displacement: str, inputs: str = "V") -> str:
+    """``q`` → ``q_m``, ``qdot`` → ``qdot_m_per_s``, ``v1`` → ``v1_V``; pure numbers keep their names."""
+    if name in _OF_Q:
+        return f"{name}_{_OF_Q[name].format(displacement)}"
+    unit = {"t": "s", "phi": "rad", "v1": inputs, "v2": inputs, "u1": inputs, "u2": inputs}.get(name, "1")
+    return name if unit == "1" else f"{name}_{unit}"
+
+
+def frame(columns: Mapping[str, Any], displacement: str, inputs: str = "V") -> "pd.DataFrame":
+    """Columns of a table, all of one length, with their SI units in the names."""
+    import pandas as pd
+
+    return pd.DataFrame({column_name(name, displacement, inputs): values for name, values in columns.items()})
+
+
+def as_pandas(t: Any) -> Any:
+    """A table of another library, such as polars or pyarrow, as one of pandas; anything else as it is."""
+    return t.to_pandas() if hasattr(t, "columns") and hasattr(t, "to_pandas") else t
+
+
+def signals_of(table: "pd.DataFrame") -> Signals:
+    """The signals of a DataFrame with the columns t_s, q_m or q_rad, v1_V and, with two inputs, v2_V.
+
+    Raises
+    ------
+    InputError
+        A column is missing.
+    """
+    displacement = next((name for name in ("q_m", "q_rad") if name in table), None)
+    if displacement is None or "t_s" not in table or "v1_V" not in table:
+        raise InputError(
+            f"the DataFrame has the columns {', '.join(map(str, table.columns))}; "
+            "give t_s, q_m (or q_rad), v1_V and, with two inputs, v2_V, in SI units"
+        )
+    if other := [name for name in table.columns if "v2_V" not in table and f"{name}".lower().startswith("v2")]:
+        raise InputError(f"the DataFrame has the column {other[0]}; call it v2_V and give it in V, or leave it out")
+    voltages = [table[name] for name in ("v1_V", "v2_V") if name in table]
+    return replace(arrays_of(table["t_s"], table[displacement], *voltages), unit=displacement.removeprefix("q_"))
+
+
+def arrays_of(t: Any, q: Any, v1: Any, v2: Any = None) -> Signals:
+    """The signals of single columns: arrays, lists or Series; `v1` may hold both voltages, shape (N, 2).
+
+    Raises
+    ------
+    InputError
+        A column is no column of numbers, NaN where there is none, or they differ in length.
+    """
+    if v2 is None and (both := real_numbers(v1, "v1")).ndim == 2:
+        if both.shape[1] > 2 or (len(both) != np.size(t) and both.shape[1] == np.size(t)):
+            raise InputError(f"v1 has the shape {both.shape}; give one or two columns of voltages, shape (N, 2)")
+        v1, v2 = (*both.T, None)[:2]
+    columns = _columns({"t": t, "q": q, "v1": v1, "v2": v2}, gaps=True)
+    return Signals(columns.pop("t"), columns.pop("q"), np.column_stack(list(columns.values())))
+
+
+def voltages_of(t: Any, v: Any) -> tuple[FloatArray, FloatArray]:
+    """Times (N,) and voltages (N, K) of arrays, v of shape (N, K) or (N,), or of one DataFrame.
+
+    Raises
+    ------
+    InputError
+        A column is missing or no column of finite numbers, or they differ in length.
+    """
+    t = as_pandas(t)
+    if hasattr(t, "columns"):
+        if v is not None or "t_s" not in t or "v1_V" not in t:
+            raise InputError("give one DataFrame with t_s, v1_V and, with two inputs, v2_V, or t and v")
+        t, v = t["t_s"], t[[name for name in ("v1_V", "v2_V") if name in t]].to_numpy()
+    if v is None:
+        raise InputError("v is missing; give t and v, or one DataFrame")
+    table = real_numbers(v, "v")
+    table = table[:, None] if table.ndim == 1 else table
+    if table.ndim != 2:
+        raise InputError(f"v has the shape {table.shape}; give one column for each voltage, shape (N, K)")
+    if len(table) != (size := np.size(t)) and table.shape[1] == size:
+        raise InputError(f"v has the shape {table.shape}; give one column for each voltage: np.column_stack([v1, v2])")
+    columns = _columns({"t": t, **{f"v{k}": column for k, column in enumerate(table.T, start=1)}}, gaps=False)
+    return columns.pop("t"), np.column_stack(list(columns.values()))
+
+
+def seconds(t: Any) -> FloatArray:
+    """Times [s]: time stamps count from the first, durations and numbers from zero.
+
+    Raises
+    ------
+    InputError
+        None of these.
+    """
+    if (kind := kind_of(t)) not in "mM":
+        return real_numbers(t, "t")
+    stamps = np.asarray(t)
+    since = stamps - stamps.ravel()[:1] if kind == "M" else stamps
+    return np.asarray(since / np.timedelta64(1, "s"), dtype=np.float64)
+
+
+def _columns(given: Mapping[str, Any], *, gaps: bool) -> dict[str, FloatArray]:
+    """Columns of finite numbers, all as long as t; those that are None are left out. `gaps` are NaN but of t."""
+    columns: dict[str, FloatArray] = {}
+    for name, values in given.items():
+        if values is None:
+            continue
+        if not columns and name != "t":
+            raise InputError("t is missing; give the times [s]")
+        columns[name] = seconds(values) if name == "t" else real_numbers(values, name)
+        if columns[name].ndim != 1:
+            raise InputError(f"{name} has the shape {columns[name].shape}; give one column, shape (N,)")
+        if len(columns[name]) != len(columns["t"]):
+            raise InputError(f"{name} has {len(columns[name])} samples, but t has {len(columns['t'])}")
+        if not columns[name].size:
+            raise InputError(f"{name} is empty")
+        is_gap = gaps and name != "t"
+        if len(bad := np.flatnonzero(~np.isfinite(columns[name]) & ~(is_gap & np.isnan(columns[name])))):
+            remedy = "leave out such rows: a gap in t is no harm" if gaps else "interpolate it there"
+            raise InputError(f"{name} is not finite at sample {bad[0]}; {remedy}")
+    return columns
+
+
+def si_symbols(prototype: Prototype) -> tuple[str, str]:
+    """SI symbols of the displacement and of the inputs."""
+    plant = device(prototype)
+    return plant.displacement.symbol, plant.inputs[0].symbol

@@ -1,0 +1,130 @@
+"""A model outside a run: saved with its settings and what travels along, loaded again, and exported."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated, Any, ClassVar
+
+import numpy as np
+
+from ..device.device import device
+from ..errors import CorruptArtifactError, InputError
+from ..export.subject import Exported, Subject, Validity
+from ..models.kind import StoredModel, model_from_tree
+from ..models.model_file import FilePart, ModelFile, Sizes, Span, Table, Unit, columns_of, declaration
+from ..numerics.arrays import FloatArray
+from ..settings.former import translated
+from ..settings.prototype import Prototype, parse_prototype
+from ..signals.log import Log
+from ..store.hashing import tree_hash
+from ..store.outputs import new_outputs, rebased
+from ..store.trees import read_tree, write_tree
+from ..workflow.export import MODELS, write_model
+from ..workflow.run_models import subject_on
+
+_CHECK = "check"
+"""Group of the file with what travels along beside the model."""
+
+
+class _File(ModelFile):
+    """What travels along beside the model."""
+
+    sizes: ClassVar[Sizes] = {"N": (2, 10_000_000), "K": (1, 2)}
+    name: str
+    """Name of the model, and of its group."""
+    settings_json: str
+    """Settings, as JSON."""
+    t: Annotated[FloatArray, Table("N"), Unit("s")]
+    """Times of the log that an export is checked on."""
+    v: Annotated[FloatArray, Table("N K"), Unit("SI")]
+    """Its inputs."""
+    start: Annotated[FloatArray, Table("2"), Unit("SI")]
+    """Displacement and velocity at its beginning."""
+    q: Annotated[Span, Unit("SI")]
+    """Least and largest displacement of the training logs."""
+    qdot: Annotated[Span, Unit("SI")]
+    """Least and largest velocity."""
+    inputs: Annotated[FloatArray, Table("K 2"), Unit("SI")]
+    """Least and largest value of each input."""
+
+
+def subject_of(model: StoredModel, prototype: Prototype, logs: Sequence[Log]) -> Subject:
+    """A model that was identified from kinematics, with its bounds; an export is checked on the first log."""
+    return subject_on(logs[0].longest_part(), model, prototype, logs, model.name, tree_hash(model.to_tree()))
+
+
+def save_model(path: Path, subject: Subject, prototype: Prototype) -> None:
+    """Write a model with its settings as HDF5; a file of that name is replaced.
+
+    Raises
+    ------
+    InputError
+        The model cannot be filed, or the file cannot be written.
+    """
+    if not hasattr(subject.model, "to_tree"):
+        raise InputError(f"the model {subject.name} cannot be saved; identify another one")
+    bounds, plant = subject.validity, device(prototype)
+    beside = {
+        "name": subject.name, "settings_json": json.dumps(prototype.model_dump(mode="json"), sort_keys=True),
+        "t": subject.t, "v": subject.v, "start": np.array(subject.start), "q": np.array(bounds.q),
+        "qdot": np.array(bounds.qdot), "inputs": np.array(bounds.v),
+    }  # fmt: skip
+
+    files: dict[str, type[FilePart]] = {_CHECK: _File, subject.name: declaration(subject.model)}
+    write_tree(path, {_CHECK: beside, subject.name: subject.model.to_tree()}, columns_of(plant, files))
+
+
+def load_saved(path: Path) -> tuple[Subject, Prototype]:
+    """A model that `save_model` wrote, with its settings.
+
+    Raises
+    ------
+    InputError
+        There is no such file.
+    CorruptArtifactError
+        The file is damaged, or no saved model.
+    """
+    import h5py
+
+    advice = "`Model.save` writes one, and `debist.open_run` opens the folder of a run"
+    if not path.is_file():
+        raise InputError(f"{path}: no such file; {advice}")
+    tree = read_tree(path) if h5py.is_hdf5(path) else {}
+    if not isinstance(tree.get(_CHECK), dict):
+        raise CorruptArtifactError(f"{path}: is no saved model; {advice}")
+    held = _File.read(tree[_CHECK], "in the file", "identify")
+    if not isinstance(model_tree := tree.get(held.name), dict):
+        raise CorruptArtifactError(f"{path}: holds no model {held.name!r}, which it names; save it again")
+    try:
+        document: Any = json.loads(held.settings_json)
+        if not isinstance(document, dict):
+            raise ValueError("no tables")
+        prototype = parse_prototype(translated(document), str(path))
+    except (ValueError, InputError, RecursionError) as error:
+        raise CorruptArtifactError(f"{path}: its settings cannot be read ({error}); save the model again") from error
+    model, plant = model_from_tree(held.name, model_tree), device(prototype)
+    bounds = Validity(
+        tuple(held.q), tuple(held.qdot), tuple(tuple(row) for row in held.inputs), prototype.ingest.sample_interval,
+        plant.displacement.symbol, tuple(unit.symbol for unit in plant.inputs),
+    )  # fmt: skip
+    start = float(held.start[0]), float(held.start[1])
+    subject = Subject(
+        prototype.name, held.name, model, bounds, tree_hash(model_tree), held.t, held.v, start, plant.curve_units
+    )
+    return subject, prototype
+
+
+def export_model(subject: Subject, target: str, folder: Path, *, force: bool = False) -> Exported:
+    """Write a model for another tool.
+
+    Raises
+    ------
+    InputError
+        No such form of a model, a form that cannot carry it, or a file of others lies where it goes.
+    """
+    if target not in MODELS:
+        raise InputError(f"no export {target!r} of a model alone; there are {', '.join(MODELS)}")
+    with new_outputs(folder, "export", force=force, made_from={"model": subject.origin}) as staged:
+        exported = write_model(target, subject, staged)
+    return replace(exported, written=[rebased(path, staged, folder) for path in exported.written])

@@ -1,1 +1,0 @@
-"""Is a log what the settings say: sides, delays, time base, scale and device, before anything is fitted."""

@@ -1,0 +1,173 @@
+"""The `debist` command, assembled from its groups.
+
+Each command translates its options, makes one call and prints one summary. Heavy imports stand inside the commands, so
+that `debist --help` answers at once. `batch` stands here, for its processes run this program.
+"""
+
+import gc
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..errors import BatchFailedError, InputError
+from ..system.machine import settle_machine
+from . import control, fleet, inspection, integrity, outcome, physics, results, rig, stages, whole_run
+from .boundary import ErrorBoundary, Program, with_options
+from .console import Json, NoReport, Quiet
+
+app = Program(
+    name="debist",
+    cls=ErrorBoundary,
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    help="From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model.",
+    epilog="Exit codes: 0 done, 1 a bug of debist, 2 usage or bad input, 3 data refused, 4 corrupt artifact, "
+    "5 run locked, 6 some prototypes of a batch failed. Also 130 interrupted, 128 + n ended by signal n.",
+)
+
+app.add_typer(control.app, name="control")
+app.add_typer(fleet.app, name="fleet")
+app.add_typer(physics.app, name="physics")
+app.add_typer(rig.app, name="rig")
+app.command()(inspection.check)
+app.command()(results.diff)
+app.command()(fleet.series)
+app.command()(results.export)
+app.command()(integrity.verify)
+app.command()(results.paper)
+app.command()(results.study)
+app.command()(inspection.init)
+app.command()(inspection.inspect)
+app.command()(stages.ingest)
+app.command()(stages.differentiate)
+app.command()(stages.identify)
+app.command()(stages.validate)
+app.command()(stages.compare)
+app.command()(stages.report)
+app.command()(whole_run.plot)
+app.command()(whole_run.show)
+app.command("run")(whole_run.run_command)
+app.command()(whole_run.demo)
+app.command()(whole_run.status)
+app.command()(whole_run.warmup)
+
+
+def _version(requested: bool) -> None:
+    if requested:
+        from ..system.package import program_version
+
+        typer.echo(f"debist {program_version()}")
+        raise typer.Exit()
+
+
+@app.callback()
+def main(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", hidden=True)] = False,
+) -> None:
+    """From the raw rig log of a bistable dielectric-elastomer joint to a validated dynamic model."""
+    settle_machine()
+    # A tenth of the time of figures and compilation goes into looking for cycles that are hardly ever there.
+    gc.set_threshold(500_000, 20, 20)
+
+
+def debist(arguments: list[str]) -> None:
+    """Be the command with these arguments, as each process of a batch is."""
+    app(arguments)
+
+
+@dataclass(frozen=True)
+class BatchOptions:
+    """Which prototypes of a batch run, and how."""
+
+    base: Annotated[
+        Path | None,
+        typer.Option("--base", metavar="FILE", help="Settings that the rows of a table share [default: beside it]."),
+    ] = None
+    sets: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="KEY=V,V", help="Vary a key of one prototype; repeat for every combination."),
+    ] = None
+    siblings: Annotated[
+        Path | None, typer.Option("--siblings", metavar="FILE", help="Prior of `debist fleet learn` for all of them.")
+    ] = None
+    shard: Annotated[
+        str | None,
+        typer.Option("--shard", metavar="I/N", help="Only part I of N, from 1; which one is decided by the name."),
+    ] = None
+    jobs: Annotated[int, typer.Option("--jobs", min=1, help="Processes at a time.")] = 1
+    fail_fast: Annotated[bool, typer.Option("--fail-fast", help="Start no more after a failure.")] = False
+    time_limit: Annotated[
+        str, typer.Option("--time-limit", help="Wall time after which a prototype is stopped and has failed.")
+    ] = "4 h"
+    collect: Annotated[
+        bool, typer.Option("--collect", help="Only the fleet tables, from the runs in DIR; joins all shards.")
+    ] = False
+    listed: Annotated[bool, typer.Option("--list", help="Only name prototypes, settings files and logs.")] = False
+
+
+@app.command()
+@with_options
+def batch(
+    prototypes: Annotated[
+        list[Path],
+        typer.Argument(metavar="FLEET...", help="Settings files, folders, a fleet file, or a table (CSV, XLSX)."),
+    ],
+    output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder for the runs and the tables.")],
+    options: BatchOptions,
+    no_report: NoReport = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Run many prototypes, one process each; a rerun does only what is missing or stale.
+
+    A table has a row for each prototype: name, logs.train, logs.validation, and settings that differ. Writes
+    fleet.html, fleet.parquet and fleet.csv (NRMSE as fractions); a shard leaves them to --collect. While it works,
+    `debist status DIR` shows how far it is. With --set it compares the runs: NRMSE of q in percent, without reports.
+
+    Example: debist batch prototypes/ -o runs --jobs 2
+    """
+    from ..units.units import parse_quantity
+    from ..workflow.batch import Execution, run_batch
+    from ..workflow.fleet import collect_batch
+    from ..workflow.members import SETTINGS, Shard, members, prototype_files
+    from ..workflow.variants import matrix_rows, with_siblings, write_matrix
+
+    limit = parse_quantity(options.time_limit, ("s",), "--time-limit")
+    if not 1.0 <= limit <= 1e7:
+        raise InputError(f"--time-limit {options.time_limit}: a prototype may take 1 s to 1e7 s (16 weeks)")
+    shard = None if options.shard is None else Shard.parse(options.shard)
+    if options.collect and shard is not None:
+        raise InputError("--collect joins all shards; give it without --shard")
+    files = prototype_files(prototypes, output, options.base)
+    if options.siblings is not None and not options.collect:
+        files = with_siblings(files, options.siblings, output / SETTINGS)
+    variants = []
+    if options.sets:
+        if len(files) > 1:
+            raise InputError("--set: varies one prototype; name one settings file, or write a table")
+        variants = write_matrix(files[0], options.sets, output / SETTINGS)
+        files = [variant.path for variant in variants]
+    named = [member for member in members(files) if shard is None or shard.holds(member.name)]
+    if options.listed:
+        outcome.emit_members(named, as_json=as_json)
+        return
+    if options.collect:
+        outcomes = collect_batch(named, output)
+    else:
+        execution = Execution(options.jobs, not (no_report or variants), options.fail_fast, limit)
+        with outcome.BatchProgress(len(named), quiet=quiet) as progress:
+            outcomes = run_batch(named, output, progress, debist, execution, shard)
+    if variants:
+        runs = {result.name: output / result.name for result in outcomes if result.exit_code == 0}
+        results.emit_matrix(matrix_rows(runs, variants), as_json=as_json)
+    else:
+        outcome.emit_outcomes(outcomes, output, as_json=as_json)
+    if failed := [result for result in outcomes if result.failed]:
+        names = ", ".join(result.name for result in failed)
+        raise BatchFailedError(f"{len(failed)} of {len(outcomes)} prototypes failed: {names}; {failed[0].reason}")

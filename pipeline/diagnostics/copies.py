@@ -1,0 +1,107 @@
+"""Whether two logs hold one recording: equal windows of raw samples of q, at any offset.
+
+A copy that was resampled, rounded, filtered, or to which noise was added has other samples and is not found.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from ..numerics.arrays import FloatArray
+from ..signals.columns import chunks
+from .rows import CheckRow
+from .weak_form import LogSignals
+
+_WINDOW = 64
+"""Raw samples that are equal in both logs. Half of them differ from the one before, so chance makes no two equal."""
+_KEPT = 128
+"""Windows of a log that are kept: those of the least hashes, so that two logs keep the same ones of what they share."""
+_FEWEST = 3
+"""Equal windows, with one offset in time, from which on a recording is shared: about 3 % of the longer log."""
+_FACTOR = np.uint64(0x9E3779B97F4A7C15)
+"""Odd, so that it has an inverse modulo 2⁶⁴."""
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """Spans [s] that two logs have in common, in the clock of the first and of the second."""
+
+    here: tuple[float, float]
+    there: tuple[float, float]
+
+    @property
+    def spans(self) -> str:
+        """Both spans, that in the second log first."""
+        here, there = (f"{start:.4g} to {stop:.4g} s" for start, stop in (self.here, self.there))
+        return f"{there} is {here} of it" if here != there else here
+
+
+def sketch(time: FloatArray, q: FloatArray) -> list[tuple[int, float]]:
+    """Hashes of windows of raw samples that move, the least `_KEPT` of them, and where each begins [s].
+
+    Parameters
+    ----------
+    time, q : FloatArray, shape (N,)
+        Stamps [s] and raw samples.
+
+    Notes
+    -----
+    A window's hash is Σ x_j p^j modulo 2⁶⁴ over the bits x of its samples, by differences of one running sum. The sign
+    of q adds 2⁶³ times an even number of odd factors, which is nothing: a mirrored copy has the same hashes. Cost: one
+    pass over the samples in chunks.
+    """
+    least: dict[int, float] = {}
+    for hashes, stamps in _windows(time, q):
+        order = np.argsort(hashes, kind="stable")[: 2 * _KEPT]
+        for value, stamp in zip(hashes[order].tolist(), stamps[order].tolist(), strict=True):
+            least.setdefault(value, stamp)
+        least = dict(sorted(least.items())[:_KEPT])
+    return list(least.items())
+
+
+def shared_recordings(logs: Sequence[LogSignals]) -> list[tuple[int, int, Overlap]]:
+    """Every pair of logs that hold one recording, by their places, with what they share."""
+    pairs = ((i, k, overlap(logs[i].sketch, logs[k].sketch)) for i, k in combinations(range(len(logs)), 2))
+    return [(i, k, shared) for i, k, shared in pairs if shared is not None]
+
+
+def shared_rows(logs: Sequence[LogSignals], shared: Sequence[tuple[int, int, Overlap]]) -> list[CheckRow]:
+    """What to look at where logs of one role share a recording."""
+    advice = "what both hold counts twice in fits and scores: leave one of them out, or cut it"
+    return [
+        CheckRow(logs[k].name, f"shared with {logs[i].name}", each.spans, "none", "note", None, advice)
+        for i, k, each in shared
+    ]
+
+
+def overlap(first: Sequence[tuple[int, float]], second: Sequence[tuple[int, float]]) -> Overlap | None:
+    """What two logs share by their sketches; None where too few windows are equal."""
+    known = dict(second)
+    stamps = np.array([(here, known[value]) for value, here in first if value in known])
+    if len(stamps) < _FEWEST:
+        return None
+    here, there = stamps.T
+    return Overlap((float(here.min()), float(here.max())), (float(there.min()), float(there.max())))
+
+
+def _windows(time: FloatArray, q: FloatArray) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """Hashes of the windows that move and are finite, and their first stamps, chunk by chunk."""
+    for rows in chunks(q.size, overlap=_WINDOW - 1):
+        part = np.ascontiguousarray(q[rows], dtype=np.float64)
+        if part.size <= _WINDOW:
+            return
+        with np.errstate(over="ignore"):
+            powers = np.cumprod(np.full(part.size, _FACTOR))
+            sums = np.concatenate((np.zeros(1, np.uint64), np.cumsum(part.view(np.uint64) * powers)))
+            inverse = np.uint64(pow(int(_FACTOR), -1, 1 << 64))
+            hashes = (sums[_WINDOW:] - sums[:-_WINDOW]) * np.cumprod(np.full(part.size - _WINDOW + 1, inverse))
+        with np.errstate(invalid="ignore"):
+            moves = np.diff(part, prepend=part[0]) != 0.0
+        finite = np.isfinite(part)
+        counts = [np.concatenate(([0], np.cumsum(each))) for each in (moves, finite)]
+        moving, measured = (each[_WINDOW:] - each[:-_WINDOW] for each in counts)
+        usable = (2 * moving > _WINDOW) & (measured == _WINDOW)
+        # High bits alone, as the low ones depend on the low bits of the samples, which are often zero; exact in JSON.
+        yield hashes[usable] >> np.uint64(16), time[rows][: usable.size][usable]

@@ -1,0 +1,204 @@
+"""The acceleration of a log as a sum of smooth terms, in weak form: no derivative of the samples is taken.
+
+Both sides of ``q̈ = f(q) + d(q) q̇ + Σ g_i(q) e_i`` (e_i: the squared voltage, or the input itself) are averaged under a
+bump ``φ(s) = (1 − s²)⁴`` of half width W; the derivatives of q move to the bump by partial integration, so noise is
+averaged over hundreds of samples. f is a polynomial of order 5, d has a constant and a square, each g_i is a parabola.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..numerics.arrays import BoolArray, FloatArray, IntArray, sample_interval
+
+FORCE_ORDER = 5
+GAIN_TERMS = 3
+HALF_WIDTH = 5
+"""Half width of the bump, in sample intervals of the identification: the motion is smooth over that."""
+BLOCKS = 8
+"""Parts of a log of which one at a time is left out: the spread of the results is their uncertainty (jackknife)."""
+_MOST_SAMPLES = 600_000
+
+
+@dataclass(frozen=True)
+class LogSignals:
+    """One log on a fine uniform grid.
+
+    Attributes
+    ----------
+    name : str
+        As people read it, for instance ``training log``.
+    t : FloatArray, shape (N,)
+        Time [s], uniform.
+    q : FloatArray, shape (N,)
+        Displacement [m or rad], NaN where masked.
+    v : FloatArray, shape (N, K)
+        Inputs, finite.
+    raw_step : float
+        Step of the raw log [s].
+    noise, resolution : float or None
+        Noise of the raw q (standard deviation) and step of its converter, where there is one [m or rad].
+    held : int
+        Raw samples for which q keeps each value.
+    sketch : tuple of (int, float)
+        Hashes of some windows of the raw q, and where they begin [s] (`pipeline.diagnostics.copies`).
+    """
+
+    name: str
+    t: FloatArray
+    q: FloatArray
+    v: FloatArray
+    raw_step: float
+    noise: float | None = None
+    resolution: float | None = None
+    held: int = 1
+    sketch: tuple[tuple[int, float], ...] = ()
+
+    @property
+    def interval(self) -> float:
+        """Step of the grid [s]."""
+        return sample_interval(self.t)
+
+    def every(self, step: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Times, displacement and inputs of every `step`-th row."""
+        return self.t[::step], self.q[::step], np.ascontiguousarray(self.v[::step])
+
+
+@dataclass(frozen=True)
+class WeakTerms:
+    """A log's averages under the bumps, of q and inputs scaled to size one.
+
+    Attributes
+    ----------
+    size : float
+        Standard deviation of q, by which it is scaled.
+    rows : IntArray, shape (R,)
+        Sample at the middle of each bump that meets no masked sample.
+    q : FloatArray, shape (R,)
+        Scaled displacement there.
+    inertia : FloatArray, shape (R,)
+        Averages of the scaled acceleration [1/s²].
+    motion : FloatArray, shape (R, FORCE_ORDER + 3)
+        Averages of the terms of f and d.
+    push : FloatArray, shape (N, K, GAIN_TERMS)
+        Averages of ``e_i``, ``e_i q``, ``e_i q²`` around every sample.
+    interval : float
+        Step of the samples [s].
+    """
+
+    size: float
+    rows: IntArray
+    q: FloatArray
+    inertia: FloatArray
+    motion: FloatArray
+    push: FloatArray
+    interval: float
+
+    def design(self, lag: int = 0) -> FloatArray:
+        """All terms, shape (R, P); the inputs are taken `lag` samples earlier."""
+        late = np.take(self.push.reshape(len(self.push), -1), self.rows - lag, axis=0, mode="clip")
+        return np.concatenate([self.motion, late], axis=1)
+
+
+def weak_terms(log: LogSignals, sample_interval: float, *, squared: bool) -> WeakTerms | None:
+    """Average every term of a log, its first 600,000 samples if it is longer; None where too few bumps fit in.
+
+    A block of them must determine all weights. Cost: some 20 convolutions with the bump, 0.1 s for 40,000 samples.
+    """
+    half = _half_width(log, sample_interval)
+    z, measured, size = _scaled(log)
+    rows = _usable(measured, half)
+    if rows.size < BLOCKS * (FORCE_ORDER + 3 + GAIN_TERMS * log.v.shape[1]):
+        return None
+    bump, slope, curvature = _bump(half, log.interval)
+    motion = [_average(z**k, bump)[rows] for k in range(FORCE_ORDER + 1)]
+    motion += [_average(z, slope)[rows], _average(z**3 / 3.0, slope)[rows]]  # z² ż is the rate of z³/3
+    inertia = _average(z, curvature)[rows]
+    push = _pushes(log.v, z, bump, squared=squared)
+    return WeakTerms(size, rows, z[rows], inertia, np.column_stack(motion), push, log.interval)
+
+
+def under_inputs(
+    terms: WeakTerms, log: LogSignals, v: FloatArray, sample_interval: float, *, squared: bool
+) -> WeakTerms:
+    """The terms of a log of the same motion with other inputs, or whose inputs act by their other law."""
+    z, _, _ = _scaled(log)
+    bump, _, _ = _bump(_half_width(log, sample_interval), log.interval)
+    return replace(terms, push=_pushes(v, z, bump, squared=squared))
+
+
+def solve(design: FloatArray, inertia: FloatArray) -> FloatArray:
+    """Least squares with columns of equal size; directions that the data do not show are left at zero."""
+    normal = design.T @ design
+    size = np.sqrt(np.diag(normal))
+    size = np.where(size > 0.0, size, 1.0)
+    values, directions = np.linalg.eigh(normal / np.outer(size, size))
+    shown = values > len(design) * np.finfo(float).eps * values[-1]
+    answers = directions[:, shown].T @ (design.T @ inertia / size) / values[shown]
+    weights: FloatArray = directions[:, shown] @ answers / size
+    return weights
+
+
+def residual(terms: WeakTerms, lag: int = 0) -> FloatArray:
+    """What the log's own weights leave of its accelerations, shape (R,); inputs act `lag` samples later than logged.
+
+    Cost: 0.3 ms for 4,000 bumps.
+    """
+    design = terms.design(lag)
+    return terms.inertia - design @ solve(design, terms.inertia)
+
+
+def unexplained(terms: WeakTerms) -> float:
+    """RMS residual of the accelerations under the log's own weights, over their RMS."""
+    size = max(float(np.linalg.norm(terms.inertia)), np.finfo(float).tiny)
+    return float(np.linalg.norm(residual(terms))) / size
+
+
+def _half_width(log: LogSignals, sample_interval: float) -> int:
+    return max(HALF_WIDTH, round(HALF_WIDTH * sample_interval / log.interval))
+
+
+def _scaled(log: LogSignals) -> tuple[FloatArray, BoolArray, float]:
+    """The scaled q of the samples that are looked at, zero where it is not measured, where it is, and its size."""
+    q = log.q[:_MOST_SAMPLES]
+    measured = np.isfinite(q)
+    size = float(np.std(q[measured])) if measured.any() else 0.0
+    middle = float(np.mean(q[measured])) if measured.any() else 0.0
+    return np.where(measured, (q - middle) / (size or 1.0), 0.0), measured, size or 1.0
+
+
+def _pushes(v: FloatArray, z: FloatArray, bump: FloatArray, *, squared: bool) -> FloatArray:
+    """`WeakTerms.push` of inputs `v`, each over its largest drive."""
+    e = v[: len(z)] ** 2 if squared else v[: len(z)]
+    drive = np.max(np.abs(e), axis=0)
+    e = e / np.where(drive > 0.0, drive, 1.0)
+    push = np.empty((*e.shape, GAIN_TERMS))
+    for i in range(e.shape[1]):
+        for k in range(GAIN_TERMS):
+            push[:, i, k] = _average(e[:, i] * z**k, bump)
+    return push
+
+
+def _usable(measured: BoolArray, half: int) -> IntArray:
+    """Middles of bumps, a sample interval apart, that meet only measured samples."""
+    missing = np.concatenate(([0], np.cumsum(~measured)))
+    middles = np.arange(half, len(measured) - half, half // HALF_WIDTH)
+    usable: IntArray = middles[missing[middles + half + 1] == missing[middles - half]]
+    return usable
+
+
+def _bump(half: int, h: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Weights that average a signal, its first and its second derivative."""
+    s = np.arange(-half, half + 1) / half
+    shape = 1.0 - s**2
+    width = half * h
+    bump = shape**4
+    total = float(bump.sum())
+    slope = -8.0 * s * shape**3 / width
+    curvature = (-8.0 * shape**3 + 48.0 * s**2 * shape**2) / width**2
+    return bump / total, slope / total, curvature / total
+
+
+def _average(x: FloatArray, weights: FloatArray) -> FloatArray:
+    result: FloatArray = np.convolve(x, weights, "same")
+    return result

@@ -1,0 +1,1 @@
+"""A polynomial NARX: `narx`."""

@@ -1,0 +1,77 @@
+"""`compiled`: numba's `njit` with the cache of `kernel_cache`, and the parts of numba that kernels need."""
+
+import atexit
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeVar, overload
+
+from ..system.machine import import_configured
+from .kernel_cache import certify, kernel_folder
+
+numba: Any = import_configured("numba")
+# numba reads the file again at each compilation, by a name that is relative to the current folder.
+numba.config._config_fname = str(Path(__file__).with_name("numba.yaml"))
+extending: Any = import_configured("numba.extending")
+types, TypingError = numba.types, numba.TypingError
+njit: Any = numba.njit
+intrinsic, implement, inlinable = extending.intrinsic, extending.overload, extending.register_jitable
+type_callable, lower_builtin = extending.type_callable, extending.lower_builtin
+
+Kernel = TypeVar("Kernel", bound=Callable[..., Any])
+_kernels: list[Any] = []
+
+
+@overload
+def compiled(function: Kernel, /) -> Kernel: ...
+@overload
+def compiled(**options: Any) -> Callable[[Kernel], Kernel]: ...
+def compiled(function: Any = None, /, **options: Any) -> Any:
+    """Compile for the machine when first called, division by zero as in IEEE 754, and keep the code on disk.
+
+    Parameters
+    ----------
+    function : callable
+        In numba's subset of Python.
+    options
+        Further options of ``numba.njit``, as ``@compiled(forceinline=True)``.
+    """
+    if function is None:
+        return partial(_kernel, options=options)
+    return _kernel(function, options)
+
+
+def inner(function: Kernel, **options: Any) -> Kernel:
+    """For a function that kernels alone call: a wrapper for Python would be up to half of what it costs to compile."""
+    return compiled(no_cpython_wrapper=True, **options)(function)
+
+
+def part(function: Kernel) -> Kernel:
+    """An `inner` function that the optimiser puts into what calls it."""
+    return inner(function, forceinline=True)
+
+
+def shared(function: Kernel) -> Kernel:
+    """For a law that kernels call, and that plain Python calls with traced values."""
+    return inlinable(error_model="numpy", _nrt=False)(function)  # type: ignore[no-any-return]
+
+
+def _kernel(function: Callable[..., Any], options: dict[str, Any]) -> Any:
+    folder = kernel_folder()  # none: each process compiles for itself
+    usual = numba.config.CACHE_DIR
+    try:
+        numba.config.CACHE_DIR = str(folder or "")
+        kernel = numba.njit(function, cache=folder is not None, no_cfunc_wrapper=True, error_model="numpy", **options)
+    finally:
+        numba.config.CACHE_DIR = usual
+    _kernels.append(kernel)
+    return kernel
+
+
+def keep_kernels() -> None:
+    """Certify what this process has compiled; a process that does not end as usual calls it before its end."""
+    if any(kernel.stats.cache_misses for kernel in _kernels):
+        certify()
+
+
+atexit.register(keep_kernels)

@@ -1,0 +1,1 @@
+"""The settings of a prototype: a strict TOML file."""

@@ -1,0 +1,247 @@
+"""A settings file as a document, read and written; its mistakes as one line each: key, mistake, remedy."""
+
+import difflib
+import errno
+import json
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, TypeVar, get_args
+
+from pydantic import BaseModel, ValidationError
+
+from ..errors import InputError, SeveralMistakesError
+from ..system.names import shell_word
+from ..system.plain_files import LARGEST_SETTINGS, read_plain, read_toml
+from .former import replacement
+
+Options = TypeVar("Options", bound=BaseModel)
+
+_SLIPS = (
+    (re.compile(r"=\s*[-+]?\d+,\d"), "numbers have a decimal point, as 40.5"),
+    (re.compile("[“”„‘’]"), 'text stands between plain quotes, as "P1"'),
+    (re.compile(r"(?:^|[{,])\s*[\w.]+\s*=\s*(?!(true|false|inf|nan)\b)[^\W\d]"), 'text stands between quotes, as "P1"'),
+)
+"""Common slips in a line that is no TOML, and the correct form."""
+
+_BRANCH = re.compile(r"int|float|str|LogPart|literal\[.*\]|constrained-.*|tuple\[.*\]", re.DOTALL)
+"""Parts of pydantic's locations that name a branch of a union and no key."""
+
+_TOO_FAST = {
+    ("sample_interval", "greater_than_equal"),
+    ("record_interval", "greater_than_equal"),
+    ("sample_rate", "less_than_equal"),
+}
+"""Keys that a log which is too fast needs, and the bound that they pass."""
+_STRETCHED = (
+    "; for a faster log stretch time, as by 1e4: time = { …, scale = 1e4 } in [channels], or sample_rate over 1e4, and "
+    "intervals times 1e4; a second of the results is then 1e-4 s"
+)
+
+
+def read_document(path: Path) -> dict[str, Any]:
+    """The document of a prototype's TOML file, unchecked.
+
+    Raises
+    ------
+    InputError
+        The file is missing, or is no TOML.
+    """
+    try:
+        return read_toml(path)
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file; `debist init LOG` writes one for a log") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: is a folder; name a settings file (*.toml)") from None
+    except OSError as error:
+        if error.errno == errno.EFBIG:
+            raise InputError(f"{path}: {_no_toml(path, error)}") from error
+        raise InputError(f"{path}: cannot be read: {error.strerror}; see to disk and permission") from error
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise InputError(f"{path}: {_no_toml(path, error)}") from error
+
+
+def read_options(path: Path | None, schema: type[Options]) -> Options:
+    """The rare options of a command, from a TOML file of its own; the defaults where there is no file.
+
+    Raises
+    ------
+    InputError
+        The file is missing or no TOML, or a key or a value is none of the schema's.
+    """
+    if path is None:
+        return schema()
+    if not path.exists():
+        raise InputError(f"{path}: no such file")
+    document = read_document(path)
+    try:
+        return schema.model_validate(document)
+    except ValidationError as error:
+        raise SeveralMistakesError.of(str(path), mistakes(error.errors(include_url=False), schema)) from None
+
+
+def _no_toml(path: Path, error: Exception) -> str:
+    if path.suffix.lower() != ".toml":
+        return f"no settings file; if it is a log, `debist init {shell_word(path)}` writes settings for it"
+    if isinstance(error, UnicodeDecodeError):
+        return "not UTF-8; save it as UTF-8 in your editor"
+    if isinstance(error, OSError):
+        return f"no settings file: it {error.strerror}"
+    return f"not valid TOML: {error}{_advice(path, str(error))}"
+
+
+def _advice(path: Path, error: str) -> str:
+    """What to write instead, where the line that is no TOML shows a common slip; else nothing."""
+    if "Unescaped" in error:
+        return "; write paths with / or between single quotes"
+    place = re.search(r"at line (\d+)", error)
+    if place is None:
+        return ""
+    line = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig").split("\n")[int(place[1]) - 1]
+    return next((f"; {advice}" for slip, advice in _SLIPS if slip.search(line)), "")
+
+
+def toml_text(document: Mapping[str, Any]) -> str:
+    """Settings as TOML; keys without a value (None) are left out.
+
+    Parameters
+    ----------
+    document : mapping
+        JSON values. Sub-mappings become tables, mappings within those inline tables.
+    """
+    lines = [f"{key} = {_toml(value)}" for key, value in document.items() if not isinstance(value, Mapping | None)]
+    for key, value in document.items():
+        if isinstance(value, Mapping) and any(entry is not None for entry in value.values()):
+            lines += ["", f"[{key}]"]
+            lines += [f"{name} = {_toml(entry)}" for name, entry in value.items() if entry is not None]
+    return "\n".join(lines) + "\n"
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, Mapping):
+        inside = ", ".join(f"{key} = {_toml(entry)}" for key, entry in value.items() if entry is not None)
+        return f"{{ {inside} }}" if inside else "{}"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_toml, value))}]"
+    # Texts, numbers and truth values are equal in JSON and TOML, except one control character.
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def mistakes(errors: Sequence[Any], settings: type[BaseModel]) -> list[str]:
+    """Every mistake once: of the branches of a union the first, of a mistyped mandatory key that it is unknown.
+
+    Parameters
+    ----------
+    errors : sequence of dict
+        As pydantic lists them.
+    settings : type
+        The settings that they are about.
+    """
+    unknown = [error for error in errors if error["type"] == "extra_forbidden"]
+    # Only a mistyped key is close to a missing one: the message on the unknown key is enough.
+    typed = {(error["loc"][:-1], close) for error in unknown for close in _close(str(error["loc"][-1]), errors, error)}
+    texts: dict[str, str] = {}
+    for error in (*unknown, *(error for error in errors if error["type"] != "extra_forbidden")):
+        if error["type"] == "missing" and (error["loc"][:-1], error["loc"][-1]) in typed:
+            continue
+        if error["type"] == "too_short" and error["input"]:  # its entries have mistakes of their own
+            continue
+        key = ".".join(_location(error))
+        texts.setdefault(key or str(error["msg"]), explain(error, settings))
+    return list(texts.values())
+
+
+def _close(key: str, errors: Sequence[Any], unknown: Any) -> list[str]:
+    beside = [str(e["loc"][-1]) for e in errors if e["type"] == "missing" and e["loc"][:-1] == unknown["loc"][:-1]]
+    return difflib.get_close_matches(key, beside, n=1, cutoff=0.5)
+
+
+def _location(error: Any) -> list[str]:
+    return [str(part) for part in error["loc"] if not _BRANCH.fullmatch(str(part))]
+
+
+_UNIT = re.compile(r"\[([^]]+)\]")
+
+
+def explain(error: Any, settings: type[BaseModel]) -> str:
+    """One error of pydantic's, for the settings that `settings` describes."""
+    location = _location(error)
+    key = ".".join(location)
+    if error["type"] in ("extra_forbidden", "literal_error") and (instead := replacement(key, error["input"])):
+        return instead
+    if error["type"] == "extra_forbidden":
+        return f"unknown key {key!r}; {_hint(location, settings)}"
+    if error["type"] == "missing":
+        return f"{key!r} is missing; it is mandatory"
+    given = repr(error["input"])
+    if error["type"] in ("tuple_type", "list_type"):
+        return f"{key}: must be a list, with its entries in brackets (got {given:.60}, not [{given:.60}])"
+    if error["type"] == "too_short":
+        return f"{key}: needs at least {error['ctx']['min_length']} entry (got {given:.60})"
+    if error["type"] == "literal_error":
+        choices = re.findall(r"'([^']*)'", error["ctx"]["expected"])
+        if close := difflib.get_close_matches(str(error["input"]), choices, n=1):
+            return f"{key}: there is no {given:.60}; did you mean {close[0]!r}?"
+    if error["type"] in ("model_type", "model_attributes_type", "dict_type"):
+        wanted = ", ".join(f"{name} = …" for name in _mandatory_at(location, settings))
+        return f"{key}: must be a table, as {{ {wanted} }} (got {given:.60})"
+    message = str(error["msg"]).removeprefix("Value error, ")
+    if not key:  # a check of the whole names its keys itself
+        return message
+    got = "" if error["type"] == "value_error" else f" (got {given:.60})"
+    fast = (location[-1], error["type"]) in _TOO_FAST and error["input"] > 0.0
+    unit = _unit_at(location, settings) if got and not fast else ""
+    return f"{key}: {message[:1].lower()}{message[1:]}{got}{_STRETCHED if fast else unit}"
+
+
+def _unit_at(location: list[str], settings: type[BaseModel]) -> str:
+    """The unit of a number, as the meaning of its key states it in brackets."""
+    table = _table_at(location[:-1], settings)
+    field = table.model_fields.get(location[-1]) if table else None
+    unit = _UNIT.search((field and field.description) or "")
+    return f"; a number in {unit[1]}" if unit else ""
+
+
+def _hint(location: list[str], settings: type[BaseModel]) -> str:
+    *section, key = location
+    keys = _fields_at(section, settings)
+    if close := difflib.get_close_matches(key, keys, n=1, cutoff=0.5):
+        return f"did you mean {close[0]!r}?"
+    elsewhere = [name for name in settings.model_fields if key in _fields_at([name], settings) and len(section) < 2]
+    if elsewhere:
+        return f"it belongs into [{elsewhere[0]}]"
+    return f"known here: {', '.join(keys)}"
+
+
+def _mandatory_at(location: list[str], settings: type[BaseModel]) -> list[str]:
+    """Names of the keys that the table at a place must have; all of them where none is mandatory."""
+    table = _table_at(location, settings)
+    if table is None:
+        return []
+    return [name for name, field in table.model_fields.items() if field.is_required()] or list(table.model_fields)
+
+
+def _fields_at(location: list[str], settings: type[BaseModel]) -> list[str]:
+    """Names of the keys of the table at a place; none where there is no table."""
+    table = _table_at(location, settings)
+    return [] if table is None else list(table.model_fields)
+
+
+def _table_at(location: list[str], settings: type[BaseModel]) -> type[BaseModel] | None:
+    """The table at a place, if there is one."""
+    model = settings
+    for part in location:
+        if part.isdigit():
+            continue
+        annotation = model.model_fields[part].annotation
+        tables = [c for c in _within(annotation) if isinstance(c, type) and issubclass(c, BaseModel)]
+        if not tables:
+            return None
+        model = tables[0]
+    return model
+
+
+def _within(annotation: Any) -> list[Any]:
+    """A type, and those that it is made of."""
+    return [annotation, *(part for inner in get_args(annotation) for part in _within(inner))]

@@ -1,1 +1,0 @@
-"""Integrators and continuation of equilibria."""

@@ -1,1 +1,0 @@
-"""One module per stage: inputs, settings, run, outputs. Stages meet only through artifacts."""

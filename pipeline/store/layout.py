@@ -1,0 +1,122 @@
+"""Where the artifacts of a run lie (contract: run folder)."""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path, PurePosixPath, PureWindowsPath
+from typing import Any
+
+from ..settings.logs import ROLES, Log, LogPart, Role, log_label
+from ..settings.prototype import Prototype
+from ..system.names import log_name
+
+CHECK = "check.json"
+MODELS = "model.h5"
+SCORES = "scores.parquet"
+INSTRUMENTS = "instruments.parquet"
+CURVES = "curves.parquet"
+KNOWN_CURVES = "known-curves.parquet"
+SIBLINGS = "siblings.h5"
+REPORT = "report.html"
+PAPER = "paper.html"
+DATASHEET = "datasheet.json"
+STUDIES, EXPORTS = "studies", "exports"
+"""Folders with files beside the artifacts, each with a list of what was written."""
+
+
+def inside(name: str) -> bool:
+    """Whether a path in a run, with slashes, leads to no other place on any system: no step up, drive or backslash."""
+    path = PureWindowsPath(name)
+    return not (path.anchor or ".." in path.parts or "\\" in name)
+
+
+def logs(prototype: Prototype) -> list[tuple[Role, str, str]]:
+    """Every log of a prototype: role, name in the run, path as written in the settings or what its part is called."""
+    return [(role, log_name(label), label) for role, label, _ in _logs(prototype)]
+
+
+def raw_logs(prototype: Prototype, prototype_file: Path) -> list[tuple[str, Path, tuple[float, float]]]:
+    """Path and span [s] of every log in the order of `logs`, and what it is called first."""
+    return [
+        (label, source(log, prototype_file), log.span if isinstance(log, LogPart) else (-math.inf, math.inf))
+        for _, label, log in _logs(prototype)
+    ]
+
+
+def log_parts(prototype: Prototype) -> list[tuple[Role, str, LogPart]]:
+    """Every log of a prototype in the order of `logs`: role, name in the run, and what of it is taken and how."""
+    return [
+        (role, log_name(label), log if isinstance(log, LogPart) else LogPart(file=log))
+        for role, label, log in _logs(prototype)
+    ]
+
+
+def _logs(prototype: Prototype) -> list[tuple[Role, str, Log]]:
+    return [(role, log_label(log), log) for role in ROLES for log in getattr(prototype.logs, role)]
+
+
+def source(log: Log | Mapping[str, Any], prototype_file: Path) -> Path:
+    """The path of a raw file, relative paths being relative to the settings file."""
+    return prototype_file.parent / (
+        log if isinstance(log, str) else log["file"] if isinstance(log, Mapping) else log.file
+    )
+
+
+def record(role: Role, log: str) -> str:
+    """The fine uniform record of a log."""
+    return f"{role}/{log}/record.parquet"
+
+
+def signals(role: Role, log: str) -> str:
+    """The decimated signals of a log."""
+    return f"{role}/{log}/signals.parquet"
+
+
+def kinematics(role: Role, log: str) -> str:
+    """The signals with their derivatives."""
+    return f"{role}/{log}/kinematics.parquet"
+
+
+def predictions(role: Role, log: str, model: str) -> str:
+    """The free run of a model on a log."""
+    return f"{role}/{log}/predictions/{model}.parquet"
+
+
+def study(name: str) -> str:
+    """The table of a hyperparameter study."""
+    return f"{STUDIES}/{name}.parquet"
+
+
+def folds(model: str) -> str:
+    """The table of the folds of one model."""
+    return f"{STUDIES}/folds/{model}.parquet"
+
+
+def paper_figure(name: str, ending: str) -> str:
+    """A figure of `debist paper`; `ending` is svg or pdf."""
+    return f"paper/{name}.{ending}"
+
+
+def figure(name: str, ending: str) -> str:
+    """A figure for a paper; `ending` is svg or pdf."""
+    return f"figures/{name}.{ending}"
+
+
+def baseline(model: str) -> str:
+    """A baseline as it was fitted."""
+    return f"baselines/{model}.h5"
+
+
+def control(title: str) -> str:
+    """What `debist control` found out."""
+    return f"control/{title}.json"
+
+
+def command_of(name: str) -> str:
+    """The command that makes an artifact which `debist run` does not; empty for those of its stages."""
+    folder, title = name.partition("/")[0], PurePosixPath(name).stem
+    if folder == STUDIES:
+        return "study folds" if name.startswith(f"{STUDIES}/folds") else f"study {title}"
+    if folder == "control":
+        pulse = f"pulse --to {title.removeprefix('pulse-to-')}"
+        return f"control {({'linear': 'linearise', 'map': 'map', 'design': 'design'}).get(title, pulse)}"
+    return "paper" if folder in ("paper", PAPER) else ""

@@ -1,0 +1,197 @@
+"""Parquet tables with a unit and a meaning for every column."""
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import CorruptArtifactError, memory_failure
+from ..system.plain_files import open_plain
+from .atomic import atomic_path, reading
+from .columns import SCHEMA_VERSION
+from .hashing import ColumnDigest, digests_hash
+from .schemas import Schema
+
+Table = dict[str, np.ndarray[Any, Any]]
+
+_ROW_GROUP = 1 << 20
+_SMALL_FILE, _LARGEST_RATIO = 256 << 20, 200
+"""Bytes that any file may declare, and those for each of its own bytes."""
+_WIDEST = 8
+
+
+def write_table(
+    target: Path,
+    schema: Schema,
+    columns: Mapping[str, Any],
+    note: Mapping[str, str] | None = None,
+    *,
+    within: Path | None = None,
+) -> str:
+    """Write a table and return its content hash.
+
+    Parameters
+    ----------
+    target : Path
+        Where the file goes.
+    schema : Schema
+        Resolved for the device; decides order, types and metadata.
+    columns : mapping of str to array-like, each of length N
+        For text and nullable columns, lists with None for null.
+    note : mapping of str to str, optional
+        Further metadata of the file.
+    within : Path, optional
+        As for `atomic_path`.
+    """
+    return write_pieces(target, schema, [columns], note, within=within)
+
+
+def write_pieces(
+    target: Path,
+    schema: Schema,
+    pieces: Iterable[Mapping[str, Any]],
+    note: Mapping[str, str] | None = None,
+    *,
+    within: Path | None = None,
+) -> str:
+    """Write a table that comes in pieces, one row group at a time; neither file nor hash depends on the pieces' sizes.
+
+    Parameters
+    ----------
+    target, schema, note, within
+        As for `write_table`.
+    pieces : iterable of mapping of str to array-like
+        Consecutive rows of all columns.
+    """
+    import pyarrow.parquet as pq
+
+    from .arrow_columns import to_numpy
+
+    columns = _arrow_schema(schema, note or {})
+    digests = {column.key: ColumnDigest() for column in schema.columns}
+    with (
+        atomic_path(target, within=within) as temporary,
+        pq.ParquetWriter(
+            temporary, columns, compression="zstd", use_dictionary=False, write_page_checksum=True
+        ) as writer,
+    ):
+        for table in _row_groups(columns, pieces):
+            writer.write_table(table, row_group_size=_ROW_GROUP)
+            for name, digest in digests.items():
+                digest.update(to_numpy(table[name]))
+        if not digests[schema.columns[0].key].length:
+            writer.write_table(columns.empty_table())
+    return digests_hash(
+        (c.key, c.dtype, c.unit, (digests[c.key].length,), digests[c.key].hexdigest()) for c in schema.columns
+    )
+
+
+def _arrow_schema(schema: Schema, note: Mapping[str, str]) -> Any:
+    import pyarrow as pa
+
+    kinds = {
+        "float64": pa.float64(),
+        "int32": pa.int32(),
+        "int64": pa.int64(),
+        "string": pa.string(),
+        "bool": pa.bool_(),
+    }
+    fields = [
+        pa.field(column.key, kinds[column.dtype], metadata={"unit": column.unit, "meaning": column.help})
+        for column in schema.columns
+    ]
+    return pa.schema(fields, metadata={"debist.schema": f"{schema.kind}/{SCHEMA_VERSION}", **note})
+
+
+def _row_groups(columns: Any, pieces: Iterable[Mapping[str, Any]]) -> Iterator[Any]:
+    """The pieces as tables of exactly one row group each, but the last."""
+    import pyarrow as pa
+
+    from .arrow_columns import from_numpy
+
+    waiting: list[Any] = []
+    held = 0
+    for piece in pieces:
+        arrays = [from_numpy(piece[field.name], field.type) for field in columns]
+        waiting.append(pa.Table.from_arrays(arrays, schema=columns))
+        held += len(waiting[-1])
+        while held >= _ROW_GROUP:
+            whole = pa.concat_tables(waiting)
+            yield whole.slice(0, _ROW_GROUP)
+            waiting, held = [whole.slice(_ROW_GROUP)], held - _ROW_GROUP
+    if held:
+        yield pa.concat_tables(waiting)
+
+
+def read_table(path: Path) -> Table:
+    """Read a table, every page checked.
+
+    Raises
+    ------
+    InputError
+        The system does not let it.
+    CorruptArtifactError
+        The file is damaged or no Parquet file.
+    """
+    with reading(path):
+        content = read_buffer(path)
+    return parse_table(content, path)
+
+
+def read_buffer(path: Path) -> Any:
+    """The bytes of a regular file in memory of Arrow's own; OSError where the system does not let it.
+
+    Arrow's threads must hold nothing of Python's: one that lets go of it while the interpreter is taken down aborts
+    the process. And Arrow's own files say of what failed that it failed, and not why.
+    """
+    import pyarrow as pa
+
+    with open_plain(path) as stream:
+        size = os.fstat(stream.fileno()).st_size
+        content = pa.allocate_buffer(size)
+        view, filled = memoryview(content).cast("B"), 0
+        while filled < size and (count := stream.readinto(view[filled:])):
+            filled += count
+    return content.slice(0, filled)
+
+
+def parse_table(content: Any, path: Path) -> Table:
+    """The table in a buffer that was read from `path`.
+
+    Raises
+    ------
+    CorruptArtifactError
+        It is damaged or no Parquet file.
+    """
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    from .arrow_columns import to_numpy
+
+    try:
+        # pq.read_table would load pyarrow.dataset and with it pandas: half a second.
+        with pq.ParquetFile(pa.BufferReader(content), page_checksum_verification=True) as file:
+            _check_size(file.metadata, len(content))
+            table = file.read()
+        return {name: to_numpy(table[name]) for name in table.column_names}
+    except (OSError, pa.ArrowException, ValueError) as error:
+        if memory_failure(error):
+            raise
+        reason = str(error).splitlines()[0]
+        raise CorruptArtifactError(f"{path}: damaged ({reason}); `debist run` sets it aside and rebuilds it") from error
+
+
+def _check_size(metadata: Any, size: int) -> None:
+    """Make sure that what a file of `size` bytes declares is what it can hold; ValueError if not.
+
+    Rows of nulls take next to no bytes, nor do rows that all name one text of a dictionary.
+    """
+    declared = metadata.num_rows * metadata.num_columns * _WIDEST
+    for i, j in np.ndindex(metadata.num_row_groups, metadata.num_columns):
+        column = metadata.row_group(i).column(j)
+        repeated = column.has_dictionary_page and "BYTE_ARRAY" in column.physical_type
+        declared += column.total_uncompressed_size * (column.num_values if repeated else 1)
+    if declared > max(_SMALL_FILE, _LARGEST_RATIO * size):
+        raise ValueError(f"declares {declared / 1e6:.3g} MB in a file of {size / 1e6:.3g} MB")

@@ -1,0 +1,28 @@
+"""Places in this package by name, whatever the package is called: `pipeline` in a checkout, `debist` installed."""
+
+import importlib
+from types import ModuleType
+from typing import Any
+
+PACKAGE = __name__.partition(".")[0]
+
+
+def full_name(place: str) -> str:
+    """The full name of a module, such as ``pipeline.rig_logs.child`` for ``rig_logs.child``."""
+    return f"{PACKAGE}.{place}"
+
+
+def module_at(place: str) -> ModuleType:
+    """The module at a place, imported."""
+    return importlib.import_module(full_name(place))
+
+
+def object_at(place: str) -> Any:
+    """What stands at a place ``module:attribute``, such as ``models.narx.model:NARX``."""
+    module, _, attribute = place.partition(":")
+    return getattr(module_at(module), attribute)
+
+
+def program_version() -> str:
+    """The version of the program."""
+    return str(importlib.import_module(PACKAGE).__version__)

@@ -1,1 +1,0 @@
-"""Uses of the stages' results, which they do not change: studies, folds, plots, exports, inspection, design."""

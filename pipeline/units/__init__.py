@@ -1,0 +1,1 @@
+"""Units at the edges, and quantities as people read them."""

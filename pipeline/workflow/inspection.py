@@ -1,0 +1,268 @@
+"""Inspection: contents of a raw log, what it excites once its channels are named, and what to add."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from ..device.device import device
+from ..device.parameter_sets import parameter_set
+from ..errors import DebistError, InputError
+from ..fitting.coverage import FEW
+from ..fitting.excitation import Excitation, examine_excitation
+from ..numerics.arrays import runs_of
+from ..rig_logs.channel_roles import suggested_unit
+from ..rig_logs.inspection import NO_CHANNEL, Inspection, inspect_log
+from ..rig_logs.source import CsvOptions
+from ..scoring.wells import NoWells, Wells
+from ..settings.prototype import Prototype, load_prototype
+from ..store.run_folder import RunFolder
+from ..system.names import shell_word
+from ..units.quantity import scale
+from . import stage_ingest as ingest
+from .engine import Observer
+from .place import load_settings
+from .schedule import bring_up_to_date
+from .si_log import read_si
+from .stage_check import examine
+
+if TYPE_CHECKING:
+    from ..diagnostics.rows import CheckRow
+
+
+LEAST_SWITCHES = 5
+"""Snaps in either direction: each lasts 0.1 s, and nothing else shows the curves between the wells."""
+LEAST_INTERMEDIATE = 0.1
+"""Share of an input's acting time: with full pulses alone q and v² go together, and c and g cannot be separated."""
+LEAST_TOGETHER = 0.01
+"""Share of the time: whether two inputs add up is otherwise an assumption."""
+LEAST_LARGEST = 0.8
+"""Share of the other input's largest value: the force goes with the square, so 0.8 is two thirds of it."""
+
+
+@dataclass(frozen=True)
+class Shortfall:
+    """What was not excited, and what to add."""
+
+    finding: str
+    add: str
+
+
+def shortfalls(
+    excitation: Excitation, names: Sequence[str], factor: float, unit: str, *, joint: bool = True
+) -> list[Shortfall]:
+    """Everything that falls short; `names` are those of the inputs; q is printed in `unit`, which is `factor` × SI.
+
+    A device other than the `joint` needs no two wells; two places of rest are no wells yet.
+    """
+    return [
+        *(_wells(excitation, names) if joint else ()),
+        *_centres(excitation, factor, unit),
+        *_driven(excitation, names, factor, unit),
+        *_levels(excitation, names, joint=joint),
+        *_frequencies(excitation, names),
+    ]
+
+
+def _wells(excitation: Excitation, names: Sequence[str]) -> Iterator[Shortfall]:
+    every = " and ".join(names)
+    if isinstance(excitation.wells, NoWells):
+        add = f"full pulses of {every}, 1 to 2 s long, with rests of 1 s, that send it into the other well"
+        yield Shortfall(f"no two wells: {excitation.wells.reason}", f"{add}; nothing, if the device is not bistable")
+        return
+    for count, where in zip(excitation.switches, ("left to right", "right to left"), strict=True):
+        if count < LEAST_SWITCHES:
+            add = f"pulses of {every} in turn until it has snapped at least {LEAST_SWITCHES} times each way"
+            yield Shortfall(f"it snaps from {where} {count} times only", add)
+
+
+def _centres(excitation: Excitation, factor: float, unit: str) -> Iterator[Shortfall]:
+    poor = np.isin(np.arange(len(excitation.centres)), excitation.visits.poorly_visited)
+    for rows in runs_of(poor):
+        fewest = int(excitation.visits.visits[rows].min())
+        finding = f"{_places(excitation, rows, factor, unit)}: {fewest} samples, below {FEW}"
+        if rows.start == 0 or rows.stop == len(poor):
+            add = "full pulses in quick succession, so that it overshoots; or fewer basis functions"
+        else:
+            add = "chirps, random steps and pulses of all sizes, which lead it there"
+            if isinstance(excitation.wells, Wells):
+                add = "pulses near the switching voltage and chirps, which linger between the wells"
+        yield Shortfall(finding, add)
+
+
+def _driven(excitation: Excitation, names: Sequence[str], factor: float, unit: str) -> Iterator[Shortfall]:
+    for k, name in enumerate(names):
+        visited = excitation.visits.visits >= FEW
+        poor = (excitation.visits.driven[k] < FEW) & visited
+        for rows in runs_of(poor):
+            finding = f"{name} hardly acts at {_places(excitation, rows, factor, unit)}: its gain there is a guess"
+            yield Shortfall(finding, f"pulses of {name}, also weak ones, while q is or swings there")
+
+
+def _levels(excitation: Excitation, names: Sequence[str], *, joint: bool) -> Iterator[Shortfall]:
+    top = float(excitation.largest.max())
+    for k, name in enumerate(names):
+        if excitation.largest[k] == 0.0:
+            yield Shortfall(f"{name} never acts", f"pulses of {name}")
+            continue
+        if joint and excitation.largest[k] < LEAST_LARGEST * top:
+            finding = f"{name} reaches {100 * excitation.largest[k] / top:.0f} % of the other input only"
+            yield Shortfall(finding, f"pulses of {name} up to the same limit")
+        if excitation.intermediate[k] < LEAST_INTERMEDIATE:
+            share = 100 * excitation.intermediate[k]
+            finding = f"{name} is either off or full: {share:.0f} % of its acting time lies between 15 and 85 %"
+            yield Shortfall(finding, f"random steps or multisines of {name}")
+    if len(names) > 1 and excitation.together < LEAST_TOGETHER:
+        yield Shortfall(f"{' and '.join(names)} never act together", "pulses with both sides on, at unequal voltages")
+
+
+def _frequencies(excitation: Excitation, names: Sequence[str]) -> Iterator[Shortfall]:
+    if excitation.ringing is None:
+        return
+    for name, band in zip(names, excitation.bandwidth, strict=True):
+        if band < excitation.ringing:
+            finding = (
+                f"95 % of the power of {name} lies below {band:.2g} Hz, but q rings at {excitation.ringing:.2g} Hz"
+            )
+            yield Shortfall(
+                finding, f"chirps of {name} from {excitation.ringing / 3:.1g} to {3 * excitation.ringing:.2g} Hz"
+            )
+
+
+def _places(excitation: Excitation, rows: slice, factor: float, unit: str) -> str:
+    places = factor * excitation.centres[rows]
+    first, last = places[0], places[-1]
+    return f"q = {first:.1f} {unit}" if len(places) == 1 else f"q = {first:.1f} … {last:.1f} {unit}"
+
+
+@dataclass(frozen=True)
+class LogExcitation:
+    """What a log excites, and what it lacks.
+
+    Attributes
+    ----------
+    excitation : Excitation
+        In SI.
+    inputs : tuple of str
+        Names of the input channels.
+    assumed : bool
+        Whether the channels were taken by their names and units, not from settings.
+    shortfalls : list of Shortfall
+        What was not excited and what to add.
+    interval : float
+        Interval [s] of the samples that were counted.
+    factor, unit : float, str
+        In what q is shown: `factor` × SI.
+    si : (str, str)
+        SI units of q and of the inputs.
+    joint : bool
+        Whether the device can be the bistable joint.
+    """
+
+    excitation: Excitation
+    inputs: tuple[str, ...]
+    assumed: bool
+    shortfalls: list[Shortfall]
+    interval: float
+    factor: float
+    unit: str
+    si: tuple[str, str]
+    joint: bool
+
+
+def inspect(log: Path, settings: Path | None = None) -> tuple[Inspection, LogExcitation | str]:
+    """Describe a log, with its excitation or the reason why there is none.
+
+    Without settings the channels are taken by their names and units where these leave no doubt; nothing but this
+    description rests on it.
+
+    Raises
+    ------
+    DebistError
+        The log cannot be read; with settings: they do not fit it.
+    """
+    if settings is not None:
+        prototype = load_prototype(settings)
+        csv = CsvOptions(**prototype.ingest.csv.model_dump())
+        return inspect_log(log, csv=csv), _excitation(log, prototype, assumed=False)
+    inspection = inspect_log(log)
+    try:
+        return inspection, _excitation(log, _supposed(inspection), assumed=True)
+    except DebistError as reason:
+        return inspection, str(reason)
+
+
+def _excitation(log: Path, prototype: Prototype, *, assumed: bool) -> LogExcitation:
+    from ..signals.uniform_record import Resampling, survey
+
+    plant, ingest = device(prototype), prototype.ingest
+    signals = read_si(log, prototype, plant)
+    record = Resampling(survey(signals.q, signals.beside, time_reversal="split"), ingest.sample_interval).record()
+    excitation = examine_excitation(
+        record.q,
+        record.v[:, : len(plant.inputs)],
+        record.segment.astype(np.int64),
+        ingest.sample_interval,
+        inputs=plant.action,
+        basis_functions=prototype.identify.basis_functions,
+        smoothing=prototype.identify.smoothing,
+        joint=plant.joint,
+    )
+    unit, factor = scale(plant.displacement.symbol, float(np.nanmax(np.abs(record.q))))
+    names = tuple(channel.channel for channel in prototype.channels.inputs)
+    lacking = shortfalls(excitation, names, factor, unit, joint=plant.joint)
+    si = plant.displacement.symbol, plant.inputs[0].symbol
+    return LogExcitation(excitation, names, assumed, lacking, ingest.sample_interval, factor, unit, si, plant.joint)
+
+
+def _supposed(inspection: Inspection) -> Prototype:
+    """Settings from the suggestions, if each role has one candidate and a unit.
+
+    Raises
+    ------
+    InputError
+        Something is in doubt.
+    """
+    if not inspection.channels:
+        raise InputError(NO_CHANNEL)
+    units = {channel.name: suggested_unit(channel.name, channel.unit) for channel in inspection.channels}
+    channels: dict[str, Any] = {}
+    log = inspection.path
+    name = shell_word(log)
+    settings = f"fill in what `debist init {name} -o P.toml` writes, then `debist inspect {name} --settings P.toml`"
+    for role in inspection.suggestions:
+        if role.role == "v2" and not role.candidates:
+            continue
+        if role.only is None or not units[role.only]:
+            what = "its unit is not stated" if role.only else "no single channel stands out"
+            raise InputError(f"which channel is {role.role} is not clear ({what}); {settings}")
+        channels[role.role] = {"channel": role.only, "unit": units[role.only]}
+    document = {"name": "log", "logs": {"train": ["log"]}, "channels": channels}
+    try:
+        return Prototype.model_validate(document)
+    except ValidationError as error:
+        raise InputError(f"the channels are not clear; {settings}") from error
+
+
+def check(place: Path, observer: Observer) -> "tuple[Prototype, list[CheckRow]]":
+    """Look at the logs of a settings file, or again at those that a run folder holds.
+
+    Raises
+    ------
+    DebistError
+        Bad settings, a log that cannot be read or that ingest refuses.
+    """
+    if place.is_dir():
+        run = RunFolder.open(place)
+        prototype = run.prototype
+        return prototype, examine(run, prototype)
+    prototype = load_settings(place)
+    parameter_set(prototype, place)  # its name, before the logs are read
+    with TemporaryDirectory(prefix="debist-check-") as folder:
+        run = RunFolder.create(Path(folder) / "run", prototype.model_dump(mode="json"), place)
+        bring_up_to_date(run, ingest.tasks(prototype, place), observer)
+        return prototype, examine(run, prototype)

@@ -1,0 +1,147 @@
+"""Plot: one figure of one or several runs, drawn for a paper or a quick look."""
+
+import difflib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..errors import InputError
+from ..reporting.canvas import FORMATS, form_of, paper_figure
+from ..reporting.figure import Figure, of_models, window, x_range
+from ..reporting.plotted import paper_look, plotted
+from ..store.atomic import write_bytes
+from ..store.outputs import new_outputs
+from ..store.run_folder import RunFolder, in_snapshot
+from ..system.names import Typeface
+from .run_models import made_control
+from .stage_report import made_studies, prepare
+from .stage_scores import scored_models
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Canvas
+
+
+@dataclass(frozen=True)
+class Excerpt:
+    """What of a figure is drawn, and how.
+
+    Attributes
+    ----------
+    start, stop : float, optional
+        Stretch of the horizontal axis, in SI (times in s); every sample in it is drawn, or its bucket's extremes.
+    models : sequence of str
+        The models that are drawn; without any those that the report shows.
+    typeface : {"sans", "serif"}
+    """
+
+    start: float | None = None
+    stop: float | None = None
+    models: Sequence[str] = ()
+    typeface: Typeface = "sans"
+
+
+WHOLE = Excerpt()
+
+
+@dataclass(frozen=True)
+class RunFigures:
+    """The figures of a run, made once.
+
+    Attributes
+    ----------
+    root : Path
+        Run folder.
+    figures : mapping of str to Figure
+        By name.
+    models : tuple of str
+        All models of the run.
+    """
+
+    root: Path
+    figures: Mapping[str, Figure]
+    models: tuple[str, ...]
+
+    @property
+    def titles(self) -> dict[str, str]:
+        """Title of each figure by its name."""
+        return {name: figure.title for name, figure in self.figures.items()}
+
+    def plot(self, name: str, make: "Callable[[], Canvas]", part: Excerpt = WHOLE) -> "list[Axes]":
+        """Draw one figure on a canvas that `make` makes, such as ``pyplot.figure``; its axes; raises as `figure`."""
+        figure = self.figure(name, part)
+        return plotted(figure, self.models, paper_look(figure, part.typeface), make()).axes
+
+    def figure(self, name: str, part: Excerpt = WHOLE) -> Figure:
+        """What a figure shows.
+
+        Raises
+        ------
+        InputError
+            No such figure or model, or an empty stretch.
+        """
+        if name not in self.figures:
+            close = difflib.get_close_matches(name, self.figures, n=1)
+            hint = f"did you mean {close[0]!r}? " if close else ""
+            raise InputError(f"{self.root}: has no figure {name!r}; {hint}it has {', '.join(self.figures)}")
+        if unknown := [model for model in part.models if model not in self.models]:
+            raise InputError(f"{self.root}: has no model {unknown[0]!r}; it has {', '.join(self.models)}")
+        figure = self.figures[name]
+        figure = of_models(figure, self.models, part.models) if part.models else figure
+        if part.start is None and part.stop is None:
+            return figure
+        low, high = x_range(figure)
+        first, last = low if part.start is None else part.start, high if part.stop is None else part.stop
+        if first >= last and part.start is not None and part.stop is not None:
+            raise InputError(f"--from {first:g} is not below --to {last:g}; exchange them")
+        if not max(low, first) < min(high, last):
+            raise InputError(f"figure {name!r} spans {low:.6g} to {high:.6g}; choose a stretch inside")
+        return window(figure, first, last)
+
+
+def run_figures(root: Path) -> RunFigures:
+    """Read a run and make its figures. Cost: 1 to 2 s, as for the report."""
+
+    def read(run: RunFolder) -> RunFigures:
+        """All figures of a run as it is now."""
+        prototype = run.prototype
+        prepared = prepare(run, prototype, scored_models(run, prototype), made_studies(run), made_control(run))
+        return RunFigures(root, prepared.figures, prepared.data.model_names)
+
+    return in_snapshot(root, read)
+
+
+def plot_figure(root: Path, name: str, target: Path, part: Excerpt = WHOLE, *, force: bool = False) -> Path:
+    """Draw one figure of a run into a file that ends in .svg, .pdf or .png; otherwise as `RunFigures.figure`.
+
+    Raises
+    ------
+    InputError
+        No such figure or model, another ending, an empty stretch, or a file of others there and no `force`.
+    """
+    form = form_of(target)
+    with new_outputs(target.parent, "plot", force=force, names=(target.name,)) as staged:
+        run = run_figures(root)
+        drawn = paper_figure(run.figure(name, part), run.models, form, typeface=part.typeface)
+        write_bytes(staged / target.name, drawn[0])
+    return target
+
+
+def plot_runs(
+    roots: Sequence[Path], name: str, output: Path | None, part: Excerpt = WHOLE, *, force: bool = False
+) -> list[Path]:
+    """The same figure of one or several runs.
+
+    `output` names the file of a single run; else it is the folder that gets ``PROTOTYPE-FIGURE.svg`` of each.
+    """
+    draw = partial(plot_figure, part=part, force=force)
+    if len(roots) == 1 and output is not None and output.suffix in FORMATS:
+        return [draw(roots[0], name, output)]
+    if output is not None and output.suffix in FORMATS:
+        raise InputError(f"{output}: {len(roots)} runs do not go into one file; name a folder")
+    folder = output or Path()
+    if folder.suffix[1:].isalpha() and not folder.is_dir():
+        raise InputError(f"{output}: figures are written as {', '.join(FORMATS)}; a folder's name has no such ending")
+    return [draw(root, name, folder / f"{RunFolder.open(root).prototype.name}-{name}.svg") for root in roots]

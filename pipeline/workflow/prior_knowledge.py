@@ -1,0 +1,190 @@
+"""What settings name beside the logs: curves that were measured on a test stand (fig. 14), and siblings."""
+
+import csv
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..device.device import Device, device
+from ..device.parameters import JointParameters
+from ..errors import CorruptArtifactError, InputError
+from ..fitting.population import NormalPopulation
+from ..numerics.arrays import FloatArray
+from ..settings.prototype import Prototype
+from ..store import layout
+from ..store.run_folder import RunFolder
+from ..store.tables import Table
+from ..store.trees import read_tree
+from ..system.plain_files import LARGEST_SETTINGS, read_plain
+from ..units.units import curve_units, to_si
+
+MOST_ROWS = 100_000
+MEANINGS = {
+    "F": "restoring force, positive where it pulls to the left",
+    "d": "damping",
+    "dC1_dq": "slope of the left membrane's capacitance",
+    "dC2_dq": "slope of the right membrane's capacitance",
+}
+
+_HEADING = re.compile(r"\s*(?P<name>\w+)\s*\[(?P<unit>[^\]]+)\]\s*")
+
+
+def named_curves(prototype: Prototype) -> list[tuple[str, str]]:
+    """The files that the settings name, and their artifacts: curves to keep, and curves to compare with."""
+    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.compare.curves, layout.CURVES))
+    return [(name, artifact) for name, artifact in named if name is not None]
+
+
+def column_units(plant: Device) -> dict[str, tuple[str, ...]]:
+    """What each column may be, in SI."""
+    displacement = plant.displacement.symbol
+    units = curve_units(displacement, "V", squared=True, mass_known=True)
+    slope = (units["dC"],)
+    return {"q": (displacement,), "F": (units["F"],), "d": (units["d"],), "dC1_dq": slope, "dC2_dq": slope}
+
+
+def read_measured_curves(path: Path, plant: Device) -> dict[str, FloatArray]:
+    """Read a CSV file whose first line names columns with their units: ``q [mm], F [mN], dC1_dq [nF/m]``.
+
+    Parameters
+    ----------
+    path : Path
+        UTF-8, also as spreadsheets mark it (BOM), separated by commas, decimal points; lines that begin with # are left
+        out. ``q`` and at least one of ``F``, ``d``, ``dC1_dq``, ``dC2_dq``; an empty cell is a place where that curve
+        was not measured.
+    plant : Device
+        Says whether q is a length or an angle.
+
+    Returns
+    -------
+    dict of str to FloatArray, shape (n,)
+        In SI units, q ascending; NaN where a cell is empty.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, a column or unit is unknown, or a cell is no number.
+    """
+    try:
+        text = read_plain(path, LARGEST_SETTINGS).decode("utf-8-sig")
+        lines = [line for line in text.splitlines() if line.strip() and line[0] != "#"]
+        heading, *rows = list(csv.reader(lines)) or [[]]
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise InputError(f"{path}: cannot be read as text: {error}; correct its name in the settings") from error
+    units = column_units(plant)
+    names, factors = [], []
+    for cell in heading:
+        match = _HEADING.fullmatch(cell)
+        if match is None or match["name"] not in units:
+            raise InputError(f"{path}: column {cell!r}; write each of {', '.join(units)} as 'q [mm]', with its unit")
+        names.append(match["name"])
+        factors.append(to_si(match["unit"], units[match["name"]], f"{path}: column {match['name']}").factor)
+    if "q" not in names or len(names) < 2 or len(set(names)) < len(names):
+        raise InputError(f"{path}: it needs q and at least one of {', '.join(MEANINGS)}, each once")
+    if not 2 <= len(rows) <= MOST_ROWS:
+        raise InputError(f"{path}: it holds {len(rows)} rows; 2 to {MOST_ROWS} are read")
+    values = np.array([_row(path, number, row, len(names)) for number, row in enumerate(rows, 2)]) * factors
+    if not np.all(np.isfinite(values[:, names.index("q")])):
+        raise InputError(f"{path}: q is empty in a row; give every row its displacement")
+    ordered = values[np.argsort(values[:, names.index("q")], kind="stable")]
+    return {name: np.ascontiguousarray(ordered[:, names.index(name)]) for name in units if name in names}
+
+
+def _row(path: Path, number: int, row: list[str], width: int) -> list[float]:
+    if len(row) != width:
+        raise InputError(f"{path}: row {number} has {len(row)} cells, the heading {width}")
+    try:
+        values = [float(cell) if cell.strip() else float("nan") for cell in row]
+    except ValueError:
+        raise InputError(f"{path}: row {number} holds something that is no number: {','.join(row)[:60]!r}") from None
+    if any(np.isinf(value) for value in values):
+        raise InputError(f"{path}: row {number} holds an infinite number")
+    return values
+
+
+def read_siblings(path: Path) -> dict[str, Any]:
+    """The tree of a file of `debist fleet learn`, checked.
+
+    Raises
+    ------
+    InputError
+        There is no such file, or it is none of siblings.
+    """
+    from ..models.hybrid.siblings import from_tree
+
+    try:
+        tree = read_tree(path)
+        from_tree(tree)
+    except CorruptArtifactError as error:
+        raise InputError(f"{path}: is no file of siblings ({error})") from error
+    return tree
+
+
+def shown_siblings(run: RunFolder, prototype: Prototype) -> NormalPopulation | None:
+    """What siblings teach, for the page; None where the settings name none."""
+    from ..models.hybrid.siblings import from_tree
+
+    return None if prototype.plant.siblings is None else from_tree(run.read_tree(layout.SIBLINGS))[1]
+
+
+def taught(tree: dict[str, Any], parameters: JointParameters | None) -> NormalPopulation:
+    """What siblings teach, of the tree of their file.
+
+    Raises
+    ------
+    InputError
+        They were learnt about another parameter set than that of the settings.
+    """
+    from ..models.hybrid.siblings import from_tree
+
+    about, population, _ = from_tree(tree)
+    if parameters is None or about != parameters:
+        raise InputError("plant.siblings: they were learnt about another parameter set than plant.parameters; use that")
+    return population
+
+
+@dataclass(frozen=True)
+class PriorKnowledge:
+    """What a fit takes beside the logs: measured characteristic curves, and what siblings teach."""
+
+    curves: Table | None = None
+    siblings: NormalPopulation | None = None
+
+
+def known_inputs(prototype: Prototype) -> tuple[str, ...]:
+    """The artifacts of what a fit takes beside the logs: curves that it keeps, and siblings."""
+    named = ((prototype.plant.curves, layout.KNOWN_CURVES), (prototype.plant.siblings, layout.SIBLINGS))
+    return tuple(artifact for name, artifact in named if name is not None)
+
+
+def prior_knowledge_of(run: RunFolder, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
+    """What is known beside the logs.
+
+    Raises
+    ------
+    InputError
+        The siblings have another parameter set.
+    """
+    named = known_inputs(prototype)
+    return PriorKnowledge(
+        run.read_table(layout.KNOWN_CURVES) if layout.KNOWN_CURVES in named else None,
+        taught(run.read_tree(layout.SIBLINGS), parameters) if layout.SIBLINGS in named else None,
+    )
+
+
+def prior_knowledge_in(settings_file: Path, prototype: Prototype, parameters: JointParameters | None) -> PriorKnowledge:
+    """What is known beside signals in memory: the files that the settings name, as seen from a settings file.
+
+    Raises
+    ------
+    InputError
+        A file is missing or cannot be read, or the siblings have another parameter set.
+    """
+    curves, siblings = prototype.plant.curves, prototype.plant.siblings
+    return PriorKnowledge(
+        None if curves is None else read_measured_curves(layout.source(curves, settings_file), device(prototype)),
+        None if siblings is None else taught(read_siblings(layout.source(siblings, settings_file)), parameters),
+    )

@@ -1,0 +1,218 @@
+"""What a report needs, read from a run folder; what an older or a partial run lacks is left out."""
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..device.device import Device, device
+from ..diagnostics.facts.run_data import WHY, LogData, RunData, Study
+from ..errors import DebistError
+from ..models.base import DynamicModel
+from ..models.kind import model_from_tree
+from ..numerics.arrays import FloatArray
+from ..settings.logs import LogPart, Role
+from ..settings.prototype import Prototype
+from ..store import layout, schemas
+from ..store.columns import StudyName
+from ..store.documents import read_document
+from ..store.run_folder import RunFolder, in_snapshot
+from ..system.names import log_title
+from ..units.units import ALPHA_UNIT
+from .engine import TIMES
+from .prior_knowledge import shown_siblings
+from .run_models import CHOICE, identified_models
+
+
+def read_run(run: RunFolder, prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName] = ()) -> RunData:
+    """Read logs, free runs, models and scores, every artifact checked against the manifest."""
+    plant = device(prototype)
+    loaded, unreadable = _models(run, prototype, models)
+    rows = run.read_records(layout.SCORES)
+    return RunData(
+        name=prototype.name,
+        displacement=plant.displacement.symbol,
+        voltage=plant.inputs[0].symbol,
+        squared=prototype.plant.inputs == "squared",
+        mass_known=prototype.plant.mass is not None,
+        centres=prototype.identify.basis_functions,
+        logs=tuple(_log(run, models, *log) for log in layout.logs(prototype)),
+        models=loaded,
+        descriptions={name: _description(run, prototype, name) | unreadable.get(name, {}) for name in models},
+        scores=tuple(row for row in rows if row["model"] in models),
+        provenance=provenance(run, prototype),
+        accepted=_accepted(run, prototype),
+        log_checks=_log_checks(run),
+        choice=run.record(layout.MODELS).notes.get(CHOICE),
+        rails_kept=prototype.ingest.rails == "keep",
+        studies=tuple(read_study(run, name, plant) for name in studies),
+        measured_curves=measured_curves(run, prototype),
+        siblings=shown_siblings(run, prototype),
+        instruments=_instruments(run),
+        log_parts={(role, log): part for role, log, part in layout.log_parts(prototype)},
+    )
+
+
+def _instruments(run: RunFolder) -> tuple[dict[str, Any], ...]:
+    """The errors of instruments; none in a run of before they were measured."""
+    return tuple(run.read_records(layout.INSTRUMENTS)) if layout.INSTRUMENTS in run.manifest.artifacts else ()
+
+
+def measured_curves(run: RunFolder, prototype: Prototype) -> dict[str, FloatArray]:
+    """What was measured on a test stand, to compare with or to keep; one below the other where there are both."""
+    named = ((prototype.compare.curves, layout.CURVES), (prototype.plant.curves, layout.KNOWN_CURVES))
+    tables = [run.read_table(artifact) for name, artifact in named if name is not None]
+    names = dict.fromkeys(name for table in tables for name in table)
+    return {
+        name: np.concatenate([table.get(name, np.full(len(table["q"]), np.nan)) for table in tables]) for name in names
+    }
+
+
+def _log_checks(run: RunFolder) -> tuple[dict[str, Any], ...]:
+    """The rows of `debist check`; none in a run of before they were made."""
+    if layout.CHECK not in run.manifest.artifacts:
+        return ()
+    return tuple(read_document(run, layout.CHECK)["rows"])
+
+
+def _accepted(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """What the quality gates let pass on the settings' word, the logs' first."""
+    accepted = [
+        f"{log_title(role, name)}: {text}"
+        for role, name, _ in layout.logs(prototype)
+        for text in run.record(layout.record(role, name)).notes.get("accepted", ())
+    ]
+    if layout.CHECK in run.manifest.artifacts:
+        accepted += run.record(layout.CHECK).notes.get("accepted", ())
+    return (*accepted, *run.record(layout.MODELS).notes.get("accepted", ()))
+
+
+def read_study(run: RunFolder, name: StudyName, plant: Device) -> Study:
+    """A study in SI units, but for the regularisation parameter, which is in the unit that the settings take."""
+    columns = run.read_table(layout.study(name))
+    units = {column.key: column.unit for column in schemas.schema_of(schemas.STUDIES[name], plant).columns}
+    if name == "alpha":
+        symbol, factor = ALPHA_UNIT[plant.displacement.symbol]
+        order = run.record(layout.study(name)).notes["order"]
+        columns["alpha"], units["alpha"] = columns["alpha"] / factor, f"{symbol}·s^{order}"
+    return Study(name, columns, units)
+
+
+def _models(
+    run: RunFolder, prototype: Prototype, names: Sequence[str]
+) -> tuple[dict[str, DynamicModel], dict[str, dict[str, str]]]:
+    """The models that can be loaded, and why others cannot: a run of an older version still has a report."""
+    loaded: dict[str, DynamicModel] = {}
+    unreadable: dict[str, dict[str, str]] = {}
+    for name in names:
+        artifact = layout.MODELS if name in identified_models(run, prototype) else layout.baseline(name)
+        if artifact not in run.manifest.artifacts:
+            continue
+        tree = run.read_tree(artifact, name)
+        try:
+            loaded[name] = model_from_tree(name, tree)
+        except DebistError as error:
+            unreadable[name] = {"not_loaded": str(error)}
+    return loaded, unreadable
+
+
+def _description(run: RunFolder, prototype: Prototype, name: str) -> dict[str, Any]:
+    if name in identified_models(run, prototype):
+        described = run.record(layout.MODELS).notes.get(name, {})
+    else:
+        record = run.manifest.artifacts.get(layout.baseline(name))
+        described = record.notes if record else {}
+    stated = {key: value for key, value in described.items() if key != TIMES}
+    return stated | choice_facts(run.record(layout.MODELS).notes.get(CHOICE), name)
+
+
+def choice_facts(choice: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
+    """Why "auto" chose the model `name`, for people; empty where it chose another or was not asked."""
+    if choice is None or choice["chosen"] != name:
+        return {}
+    facts: dict[str, Any] = {WHY: choice["reason"]}
+    for model, error in choice["held_out_error"].items():
+        facts[f"held-out error of {model} [%]"] = 100.0 * error
+    if (excess := choice["excess_of_the_other"]) is not None:
+        low, high = 100.0 * excess["low"], 100.0 * excess["high"]
+        facts["the other's error is higher by, 95 % interval"] = f"{low:.2f} to {high:.2f} % of the range"
+    return facts
+
+
+def _log(run: RunFolder, models: Sequence[str], role: Role, name: str, source: str) -> LogData:
+    kinematics = run.read_table(layout.kinematics(role, name))
+    made = {m: layout.predictions(role, name, m) for m in models}
+    made = {m: artifact for m, artifact in made.items() if artifact in run.manifest.artifacts}
+    return LogData(
+        role=role,
+        name=name,
+        source=source,
+        record=run.read_table(layout.record(role, name)),
+        kinematics=kinematics,
+        predictions={m: run.read_table(artifact) for m, artifact in made.items()},
+        outcomes={m: run.record(artifact).notes for m, artifact in made.items()},
+        record_notes=run.record(layout.record(role, name)).notes,
+        kinematics_notes=run.record(layout.kinematics(role, name)).notes,
+    )
+
+
+def provenance(run: RunFolder, prototype: Prototype) -> dict[str, Any]:
+    """Where every number comes from: settings, raw logs, artifacts, versions. No times, no machine's paths."""
+    artifacts, sources = [], []
+    for role, name, path in layout.logs(prototype):
+        recipe = run.record(layout.record(role, name)).recipe
+        sources += [{"log": log_title(role, name), "file": path, "sha256": digest} for digest in recipe.inputs.values()]
+    for artifact, record in sorted(run.manifest.artifacts.items()):
+        if record.recipe.stage != "report":
+            artifacts.append(
+                {
+                    "artifact": artifact,
+                    "stage": record.recipe.stage,
+                    "algorithm": record.recipe.algorithm,
+                    "content_hash": record.content_hash,
+                    "bytes": record.bytes,
+                }
+            )
+    return {
+        "prototype": json.loads(prototype.model_dump_json()),
+        "prototype_file": run.manifest.prototype_file.rpartition("/")[2],
+        "versions": dict(run.manifest.versions),
+        "artifacts": artifacts,
+        "sources": sources,
+    }
+
+
+def load_scores(root: Path) -> list[dict[str, Any]]:
+    """The score rows of a run as records, null where a value is undefined."""
+    return in_snapshot(root, lambda run: run.read_records(layout.SCORES))
+
+
+def instruments_shown(root: Path) -> tuple[list[dict[str, Any]], Mapping[tuple[str, str], LogPart], str]:
+    """The errors of the instruments of a run's logs, what the settings state of each log, and the unit of q."""
+
+    def shown(run: RunFolder) -> tuple[list[dict[str, Any]], Mapping[tuple[str, str], LogPart], str]:
+        """Of one snapshot."""
+        parts: Mapping[tuple[str, str], LogPart] = {(r, log): part for r, log, part in layout.log_parts(run.prototype)}
+        return list(_instruments(run)), parts, device(run.prototype).displacement.symbol
+
+    return in_snapshot(root, shown)
+
+
+def load_instruments(root: Path) -> list[dict[str, Any]]:
+    """The errors of the instruments of a run's logs as records, null where they are not measured."""
+    return in_snapshot(root, lambda run: list(_instruments(run)))
+
+
+def load_datasheet(root: Path) -> dict[str, Any]:
+    """The document ``datasheet.json`` of a run, checked against the manifest.
+
+    Raises
+    ------
+    InputError
+        It was not made yet.
+    CorruptArtifactError
+        It is damaged.
+    """
+    return in_snapshot(root, lambda run: read_document(run, layout.DATASHEET))

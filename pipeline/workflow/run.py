@@ -1,0 +1,193 @@
+"""Run: the stages in order, on one locked run folder."""
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Literal
+
+from ..errors import DebistError
+from ..settings.prototype import load_prototype
+from ..store import layout
+from ..store.atomic import sweep
+from ..store.lock import run_lock
+from ..store.manifest import MANIFEST, load_manifest
+from ..store.run_folder import RunFolder, in_snapshot
+from ..system.names import Typeface
+from . import stage_scores as scores
+from .engine import Observer, Plan, Task, TaskStatus, status, tasks_of
+from .place import Place, before_any_work, edited, place_of, run_folder
+from .schedule import bring_up_to_date
+from .stages import STAGE_NAMES, STAGES, Planned, of_stages, plan, reading_tasks
+
+StageName = Literal["ingest", "differentiate", "identify", "validate", "compare", "report"]
+"""Stages that can be done alone."""
+
+
+def run_prototype(
+    given: Path | Place,
+    output: Path | None,
+    observer: Observer,
+    *,
+    only: StageName | None = None,
+    with_report: bool = True,
+    replace: bool = False,
+    jobs: int = 1,
+) -> list[TaskStatus]:
+    """Bring the run of a prototype's settings file up to date, or only one of its stages, or all but the report.
+
+    Parameters
+    ----------
+    given : Path or Place
+        The settings, or a run folder that was made from some; or both, as `place_of` found them.
+    output : Path or None
+        The run folder; None: ``runs/NAME``, or the run folder that was given.
+    observer : Observer
+        Told what happens.
+    only : str, optional
+        A stage: this one only.
+    with_report : bool
+        Make the report, too.
+    replace : bool
+        Let the run folder belong to this prototype from now on, if it was another one's.
+    jobs : int
+        Processes for tasks that do not wait for each other; results and messages are the same for any number.
+
+    Raises
+    ------
+    DebistError
+        Bad settings or data, another prototype's run folder, a damaged manifest, or a run that is locked.
+    """
+    place = given if isinstance(given, Place) else place_of(given, output)
+    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
+    before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
+    stages = [only] if only else [name for name in STAGE_NAMES if with_report or name != "report"]
+    with run_lock(root):
+        run = RunFolder.create(root, prototype.model_dump(mode="json"), prototype_file)
+        sweep(root)
+        _strike_lost(run, observer)
+        planned = Planned(run, prototype, prototype_file)
+        observer.planned([task.stage for task in tasks_of(of_stages(plan(planned), stages))])
+        return _bring_up_to_date(run, of_stages(plan(planned), stages), stages, observer, jobs)
+
+
+def run_stage(root: Path, stage: StageName, observer: Observer, *, figures: Typeface | None = None) -> list[TaskStatus]:
+    """Bring one stage of an existing run up to date, by the settings that the run holds.
+
+    `figures` is the typeface of the figures for a paper, which the report makes if given, or if the run holds some.
+
+    Raises
+    ------
+    CorruptArtifactError
+        What the stage reads is damaged.
+    """
+    root = run_folder(root)
+    load_manifest(root)  # a folder without a run is refused before a lock is laid into it
+    with run_lock(root):
+        run = RunFolder.open(root)
+        _strike_lost(run, observer)
+        models = () if stage == "compare" else scores.scored_models(run, run.prototype)
+        planned = _as_stored(run, models, figures)
+        beside = next(row.with_it for row in STAGES if row.name == stage)
+        selected = list(tasks_of(of_stages(plan(planned), (stage, *beside))))
+        if edits := edited(run):
+            more = f", and {len(edits) - 1} more" if len(edits) > 1 else ""
+            observer.warned(
+                selected[0].title,
+                f"{run.manifest.prototype_file} was edited since ({edits[0]}{more}); this goes by the settings that "
+                "the run was made from; `debist run` takes the edit over",
+            )
+        _refuse_damaged_inputs(run, selected)
+        return _bring_up_to_date(run, selected, (stage,), observer)
+
+
+def _strike_lost(run: RunFolder, observer: Observer) -> None:
+    """What other commands made into a run, and is damaged or lost, is struck off: no stage makes it anew."""
+    run.recover()
+    for name in [name for name in run.manifest.artifacts if layout.command_of(name)]:
+        if problem := run.strike(name):
+            observer.warned(name, f"{problem}; `debist {layout.command_of(name)}` makes it anew")
+
+
+def _refuse_damaged_inputs(run: RunFolder, tasks: Iterable[Task]) -> None:
+    """Nothing is made from an artifact, or called up to date with it, that has not the bytes it was written with."""
+    outputs = {name for task in tasks for name in task.outputs}
+    for name in dict.fromkeys(name for task in tasks for name in task.inputs):
+        if name not in outputs and name in run.manifest.artifacts:
+            run.checked(name)
+
+
+def _bring_up_to_date(
+    run: RunFolder, tasks: Plan, stages: Sequence[str], observer: Observer, jobs: int = 1
+) -> list[TaskStatus]:
+    """Do what is to be done, and then state the content of these stages and of all that have tasks."""
+    done = bring_up_to_date(run, tasks, observer, jobs=jobs)
+    contents = {stage: dict[str, str]() for stage in (*stages, *(task.stage for task in done))}
+    for task in done:
+        contents[task.stage] |= {name: run.record(name).content_hash for name in task.outputs}
+    run.state(contents)
+    return done
+
+
+def missing_settings(root: Path) -> str:
+    """That the settings file of a run is not where it was; empty if it is."""
+    named = load_manifest(run_folder(root)).prototype_file
+    gone = bool(named) and not Path(named).is_file()
+    return f"its settings file {named} is not there any more: compared with what the run keeps of it" if gone else ""
+
+
+def run_status(root: Path) -> list[TaskStatus]:
+    """What is stale in a run and why, by the settings file of today; by the stored settings where that file is gone."""
+
+    def judged(run: RunFolder) -> list[TaskStatus]:
+        """Its tasks, by the settings file if there is one."""
+        prototype_file = Path(run.manifest.prototype_file)
+        prototype = load_prototype(prototype_file) if prototype_file.is_file() else run.prototype
+        return status(run, plan(Planned(run, prototype, prototype_file)))
+
+    return in_snapshot(run_folder(root), judged)
+
+
+def dry_run(place: Place, *, replace: bool = False) -> list[TaskStatus]:
+    """What `run_prototype` would do and why, without doing it.
+
+    Raises
+    ------
+    DebistError
+        What `run_prototype` would raise before any work.
+    """
+    prototype, prototype_file, root = place.prototype, place.prototype_file, place.root
+    before_any_work(place, reading_tasks(prototype, prototype_file), replace=replace)
+    if (root / MANIFEST).is_file():
+        return in_snapshot(root, lambda run: status(run, plan(Planned(run, prototype, prototype_file))))
+    with TemporaryDirectory(prefix="debist-plan-") as empty:
+        run = RunFolder.create(Path(empty) / "run", prototype.model_dump(mode="json"), prototype_file)
+        return status(run, plan(Planned(run, prototype, prototype_file)))
+
+
+def is_up_to_date(prototype_file: Path, root: Path, *, with_report: bool = True) -> bool:
+    """Whether `run_prototype` would find nothing to do; false where only doing it would show that."""
+    try:
+        prototype, run = load_prototype(prototype_file), RunFolder.open(root)
+        made_for = (run.manifest.prototype, run.manifest.prototype_file)
+        if made_for != (prototype.model_dump(mode="json"), str(prototype_file.resolve())):
+            return False
+        tasks = plan(Planned(run, prototype, prototype_file))
+        return all(result.up_to_date for result in status(run, tasks) if with_report or result.stage != "report")
+    except DebistError:
+        return False
+
+
+def fleet_status(roots: Sequence[Path]) -> list[tuple[Path, list[TaskStatus], str]]:
+    """What is stale in each of many runs; where a run cannot be read, why not instead."""
+    statuses: list[tuple[Path, list[TaskStatus], str]] = []
+    for root in roots:
+        try:
+            statuses.append((root, run_status(root), ""))
+        except DebistError as error:
+            statuses.append((root, [], str(error)))
+    return statuses
+
+
+def _as_stored(run: RunFolder, models: tuple[str, ...] = (), typeface: Typeface | None = None) -> Planned:
+    """A run by the settings that it holds."""
+    return Planned(run, run.prototype, Path(run.manifest.prototype_file), models, typeface)

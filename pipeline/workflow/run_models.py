@@ -1,0 +1,194 @@
+"""The models that a run holds: their names, the headline first, how one is loaded, and what control made of them."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..device.device import device
+from ..errors import InputError
+from ..models.base import DynamicModel
+from ..models.free_runs import start_of
+from ..models.kind import model_from_tree
+from ..settings.prototype import Prototype
+from ..signals.log import Log
+from ..store import layout
+from ..store.documents import read_document
+from ..store.run_folder import RunFolder
+from ..system.names import shell_word
+from .logs import load_logs, load_motion
+
+if TYPE_CHECKING:
+    from ..export.subject import Subject, Validity
+
+IDENTIFIED = "identified"
+"""Note of ``model.h5``: names of its models, the headline first."""
+
+CHOICE = "choice"
+"""Note of ``model.h5``: the decision of "auto", as `pipeline.models.choose.Choice.to_json` writes it."""
+EQUATIONS = "equations"
+"""Note of ``model.h5``: name of the joint that "auto" fitted and did not choose; control is designed on it."""
+WORST = 0.15
+"""NRMSE of q on a validation log above which a model does not know where the device is."""
+TITLES = ("linear", "map", "pulse-to-right", "pulse-to-left", "design")
+
+
+def identified_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """Names of the identified models, the headline first; as the settings say ("auto") before there are any."""
+    made = run.manifest.artifacts.get(layout.MODELS)
+    return tuple(made.notes.get(IDENTIFIED, prototype.identify.models)) if made else prototype.identify.models
+
+
+def compared_models(run: RunFolder, prototype: Prototype) -> tuple[str, ...]:
+    """Names of the compared models that the run holds."""
+    return tuple(name for name in prototype.baselines if layout.baseline(name) in run.manifest.artifacts)
+
+
+def model_artifact(run: RunFolder, prototype: Prototype, name: str | None) -> tuple[str, str]:
+    """Name of a model, the headline if none is given, and the artifact that holds it.
+
+    Raises
+    ------
+    InputError
+        The run holds no such model.
+    """
+    identified, compared = identified_models(run, prototype), compared_models(run, prototype)
+    wanted = identified[0] if name is None else name
+    if name is not None and name == _beside(run):
+        return name, layout.MODELS
+    if wanted in compared:
+        return wanted, layout.baseline(wanted)
+    if wanted not in identified or layout.MODELS not in run.manifest.artifacts:
+        held = (*(identified if layout.MODELS in run.manifest.artifacts else ()), *compared)
+        raise InputError(
+            f"{run.root}: holds no model {wanted!r}; it holds {', '.join(held)}"
+            if held
+            else f"{run.root}: holds no model yet; `debist identify {shell_word(run.root)}` makes one"
+        )
+    return wanted, layout.MODELS
+
+
+def controlled_model(run: RunFolder, prototype: Prototype) -> tuple[str, str]:
+    """Name of the model on which control is designed, the joint beside the headline if there is one; its artifact."""
+    return model_artifact(run, prototype, _beside(run))
+
+
+def _beside(run: RunFolder) -> str | None:
+    """Name of the joint that "auto" fitted and did not choose."""
+    made = run.manifest.artifacts.get(layout.MODELS)
+    return made.notes.get(EQUATIONS) if made else None
+
+
+def load_design(run: RunFolder) -> dict[str, Any]:
+    """The designed controller of a run.
+
+    Raises
+    ------
+    InputError
+        None was designed for the present model.
+    """
+    name, makes = layout.control("design"), f"`debist control design {shell_word(run.root)}`"
+    if name not in run.manifest.artifacts:
+        raise InputError(f"{run.root}: no controller was designed yet; {makes} does it")
+    document = read_document(run, name)
+    if document["origin"] != run.record(layout.MODELS).content_hash:
+        raise InputError(f"{run.root}: its controller was designed for another model; {makes} renews it")
+    return document
+
+
+def made_control(run: RunFolder) -> tuple[str, ...]:
+    """Titles of what `debist control` made of the present model of a run."""
+    artifacts = run.manifest.artifacts
+    if layout.MODELS not in artifacts:
+        return ()
+    present = run.record(layout.MODELS).content_hash
+    names = ((title, layout.control(title)) for title in TITLES)
+    return tuple(t for t, name in names if name in artifacts and present in artifacts[name].recipe.inputs.values())
+
+
+def control_documents(run: RunFolder, titles: Sequence[str]) -> dict[str, dict[str, Any]]:
+    """What was made, by title."""
+    return {title: read_document(run, layout.control(title)) for title in titles}
+
+
+def failed_validations(run: RunFolder, name: str) -> list[str]:
+    """On which validation logs a model diverges, or errs by more than `WORST`; a sentence each, none without scores."""
+    if layout.SCORES not in run.manifest.artifacts:
+        return []
+    table = run.read_table(layout.SCORES)
+    rows = (table["model"] == name) & (table["role"] == "validation") & (table["signal"] == "q")
+    failures = []
+    for log, status, error in zip(table["log"][rows], table["status"][rows], table["nrmse"][rows], strict=True):
+        if status != "ok" or not error <= WORST:
+            failure = "diverges" if status != "ok" else f"has an NRMSE of {100.0 * error:.0f} % of q"
+            failures.append(f"the model {name} {failure} on the validation log {log}")
+    return failures
+
+
+def load_run_model(run: RunFolder, prototype: Prototype, name: str | None = None) -> DynamicModel:
+    """An identified model or a baseline of the run; the headline if none is named.
+
+    Raises
+    ------
+    InputError
+        The run holds no such model.
+    """
+    chosen, artifact = model_artifact(run, prototype, name)
+    return model_from_tree(chosen, run.read_tree(artifact, chosen))
+
+
+def subject(run: RunFolder, prototype: Prototype, name: str | None) -> "Subject":
+    """A model of the run, the headline if none is named, and what travels along with it."""
+    chosen, artifact = model_artifact(run, prototype, name)
+    model, check = load_run_model(run, prototype, chosen), _check_log(run, prototype)
+    logs, origin = load_logs(run, prototype, "train"), run.record(artifact).content_hash
+    return subject_on(check, model, prototype, logs, chosen, origin)
+
+
+def subject_on(
+    check: Log, model: DynamicModel, prototype: Prototype, logs: Sequence[Log], name: str, origin: str
+) -> "Subject":
+    """A model called `name`, identified from the kinematics of `logs`, with the log `check` that travels along.
+
+    The clock of that log begins at zero, as an exported model does: `hybrid` takes a later one for time in use.
+    """
+    from ..export.subject import Subject
+
+    start = start_of(check, model)
+    return Subject(
+        prototype=prototype.name,
+        name=name,
+        model=model,
+        validity=validity_of(logs, prototype),
+        origin=origin,
+        t=start.t - start.t[0],
+        v=check.v,
+        start=(start.q0, start.qdot0),
+        curve_units=device(prototype).curve_units,
+    )
+
+
+def _check_log(run: RunFolder, prototype: Prototype) -> Log:
+    """The first validation log, or the first training log where there is none; of one with gaps the longest part."""
+    role, log, _ = max(layout.logs(prototype), key=lambda entry: entry[0] == "validation")
+    return load_motion(run, prototype, role, log).longest_part()
+
+
+def validity_of(logs: Sequence[Log], prototype: Prototype) -> "Validity":
+    """What training logs span."""
+    from ..export.subject import Validity
+
+    plant = device(prototype)
+
+    def span(values: list[np.ndarray]) -> tuple[float, float]:
+        """Smallest and largest of all logs."""
+        return min(float(np.nanmin(x)) for x in values), max(float(np.nanmax(x)) for x in values)
+
+    return Validity(
+        q=span([log.q for log in logs]),
+        qdot=span([log.qdot for log in logs]),
+        v=tuple(span([log.v[:, k] for log in logs]) for k in range(logs[0].v.shape[1])),
+        sample_interval=prototype.ingest.sample_interval,
+        q_unit=plant.displacement.symbol,
+        v_units=tuple(unit.symbol for unit in plant.inputs),
+    )

@@ -1,0 +1,419 @@
+"""A raw log by the settings: displacement and inputs in SI units, each with its time base."""
+
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..device.device import Device
+from ..diagnostics.gates import judge
+from ..errors import InputError
+from ..numerics.arrays import BoolArray, FloatArray, runs_of
+from ..rig_logs.channel_roles import clocks_beside, is_called, suggested_unit
+from ..rig_logs.source import rates_beside, stated_rate
+from ..settings.logs import Channel, LogColumn
+from ..settings.prototype import Prototype
+from ..signals.columns import Signal, chunks, column, equal, finite, held, one_sign, scaled, select, sparse
+from ..signals.missing import code_remarks, codes_in, masked
+from ..signals.quality_gates import Finding
+from ..signals.rounded_clock import uniform_clock
+from ..signals.signal_quality import span
+from ..signals.timebase import nominal_step, unwrapped
+from ..units.quantity import quantity
+from ..units.units import DISPLACEMENT, INPUT, SECONDS, TIME, VELOCITY, SiUnit, to_si
+
+if TYPE_CHECKING:
+    from ..rig_logs import Recording
+    from ..rig_logs.recording import RecordedChannel
+
+_RATES_AGREE = 0.01  # share by which a stated sample rate may differ from that of the log
+
+
+@dataclass(frozen=True)
+class SiLog:
+    """A log in SI units; signals with one time base hold the same object.
+
+    Attributes
+    ----------
+    q : Signal
+        Displacement [m or rad].
+    inputs : tuple of Signal
+        Voltages [V], or what the inputs measure.
+    velocity : Signal or None
+        Measured velocity [m/s or rad/s].
+    notes : tuple of str
+        What was masked or interpolated, by the names in a record.
+    """
+
+    q: Signal
+    inputs: tuple[Signal, ...]
+    velocity: Signal | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def beside(self) -> dict[str, Signal]:
+        """All but q, by their names in a record."""
+        named = {f"v{i}": signal for i, signal in enumerate(self.inputs, start=1)}
+        return named if self.velocity is None else {**named, "velocity": self.velocity}
+
+
+def read_si(path: Path, prototype: Prototype, plant: Device, progress: Callable[[float], None] | None = None) -> SiLog:
+    """Read a log; long columns lie in temporary files, which are mapped and vanish with the last view of them.
+
+    Parameters
+    ----------
+    path : Path
+        The log.
+    prototype : Prototype
+        Says which channel is which.
+    plant : Device
+        Says in which units.
+    progress : callable, optional
+        Told the share of the samples that are read.
+
+    Raises
+    ------
+    InputError
+        The log cannot be read, lacks a channel or a time base, or contradicts a unit of the settings.
+    """
+    from ..rig_logs import CsvOptions, read_recording
+
+    channels = prototype.channels
+    signals = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
+    used = (channels.time, *signals, *(signal.time for signal in signals))
+    wanted = [each.channel for each in used if each is not None]
+    csv = CsvOptions(**prototype.ingest.csv.model_dump())
+    read = read_recording(path, channels=wanted, csv=csv, progress=progress)
+    beside = _clocks_beside(read, prototype)
+    unread = sorted({*beside.values(), *_clocks_unnamed(read, prototype)}.difference(wanted))
+    if unread:
+        clocks = read_recording(path, channels=unread, csv=csv).channels
+        read = replace(read, channels=(*read.channels, *clocks))
+    return on_uniform_clocks(_si_log(read, prototype, plant, beside))
+
+
+def on_uniform_clocks(log: SiLog) -> SiLog:
+    """The log with the uniform clock in place of stamps that are those of one, rounded; which is noted."""
+    signals = {"q": log.q, **log.beside}
+    clocks = {id(time): uniform_clock(time) for time, _ in signals.values()}
+    notes = list(log.notes)
+    for key, clock in clocks.items():
+        if clock is not None:
+            names = ", ".join(name for name, (time, _) in signals.items() if id(time) == key)
+            of = "" if len(clocks) == 1 else f" of {names}"
+            notes.append(f"the time stamps{of} are {clock.described}")
+    made = [
+        (time if (clock := clocks[id(time)]) is None else clock.time, samples) for time, samples in signals.values()
+    ]
+    inputs = len(log.inputs)
+    return SiLog(made[0], tuple(made[1 : inputs + 1]), made[-1] if made[inputs + 1 :] else None, tuple(notes))
+
+
+def part_of_log(log: SiLog, span: tuple[float, float], path: Path) -> SiLog:
+    """The samples of a log from the first to before the second time [s].
+
+    Raises
+    ------
+    InputError
+        The log at `path` has none of q there.
+    """
+    if span == (-math.inf, math.inf):
+        return log
+    signals = [log.q, *log.beside.values()]
+    rows = {id(time): _within(time, span) for time, _ in signals}
+    bases = {id(time): time[rows[id(time)]] for time, _ in signals}
+    if not bases[id(log.q[0])].size:
+        raise InputError(
+            f"{path}: has no sample from {span[0]:.6g} to {span[1]:.6g} s: its time runs from "
+            f"{np.nanmin(log.q[0]):.6g} to {np.nanmax(log.q[0]):.6g} s; correct start and stop in [logs]"
+        )
+    q, *others = ((bases[id(time)], samples[rows[id(time)]]) for time, samples in signals)
+    inputs = len(log.inputs)
+    return SiLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, log.notes)
+
+
+def _within(time: FloatArray, span: tuple[float, float]) -> "slice | BoolArray":
+    """The rows of a time base within a span [s]; as a slice where they follow each other, so that nothing is copied."""
+    inside: BoolArray = (time >= span[0]) & (time < span[1])
+    rows = runs_of(inside)
+    return rows[0] if len(rows) == 1 else inside
+
+
+def _clocks_beside(recording: "Recording", prototype: Prototype) -> dict[str, str]:
+    """The column of time that stands beside each channel, where the log has several and the settings name one."""
+    channels = prototype.channels
+    used = [each for each in (channels.q, *channels.inputs, channels.qdot) if each is not None]
+    if channels.time is None or all(each.time for each in used):
+        return {}
+    own = clocks_beside(recording.listed)
+    beside = {each.channel: own[each.channel] for each in used if not each.time and each.channel in own}
+    several = len({*beside.values(), *(each.time.channel for each in used if each.time)}) > 1
+    return beside if several else {}
+
+
+def _clocks_unnamed(recording: "Recording", prototype: Prototype) -> list[str]:
+    """Columns that are called time or a sample rate, where the settings give a rate in place of a time."""
+    if prototype.ingest.sample_rate is None or prototype.channels.time is not None:
+        return []
+    return [name for name in recording.listed if is_called("time", name) or stated_rate(name, 1.0) is not None]
+
+
+def _si_log(
+    recording: "Recording", prototype: Prototype, plant: Device, clocks: Mapping[str, str] | None = None
+) -> SiLog:
+    channels = prototype.channels
+    signals = [(channels.q, plant.displacement), *zip(channels.inputs, plant.inputs, strict=True)]
+    names = ["q", *(f"v{i}" for i in range(1, len(signals)))]
+    if channels.qdot is not None and plant.velocity is not None:
+        signals.append((channels.qdot, plant.velocity))
+        names.append("qdot")
+    notes: list[str] = []
+    columns = [_si(recording, channel, unit, name, notes) for (channel, unit), name in zip(signals, names, strict=True)]
+    bases = _bases(
+        recording, dict(zip(names, (channel for channel, _ in signals), strict=True)), prototype, clocks or {}, notes
+    )
+    notes += _contradicted_rates(recording, channels.q.channel, bases[0], prototype)
+    if prototype.ingest.time_reversal == "unwrap":
+        made = {id(base): unwrapped(base) for base in bases}
+        if any(not equal(base, made[id(base)]) for base in bases):
+            notes.append("time steps back, as of a counter that begins anew: it goes on by its usual step there")
+        bases = [made[id(base)] for base in bases]
+    if channels.q.average:
+        bases[0] = _earlier(bases[0], 0.5 * channels.q.average)
+        notes.append(f"q: {1e3 * channels.q.average:.4g} ms averaged by its sensor: half of it is taken off its time")
+    _check_rate(recording.path, bases[0], prototype.ingest.sample_rate)
+    for (channel, _), base, samples in zip(signals, bases, columns, strict=True):
+        if base.size != samples.size:
+            raise InputError(
+                f"{recording.path}: channel {channel.channel!r} has {samples.size} samples, but its time has "
+                f"{base.size}; they are not of one recording, or the log was cut"
+            )
+    q, *others = (
+        _held(recording.path, channel, bases[0], (base, samples))
+        if channel.on_change
+        else _without_blanks((base, samples), name, notes, alone=base is not bases[0])
+        for (channel, _), name, base, samples in zip(signals, names, bases, columns, strict=True)
+    )
+    inputs = len(plant.inputs)
+    return SiLog(q, tuple(others[:inputs]), others[inputs] if others[inputs:] else None, tuple(notes))
+
+
+def _earlier(time: FloatArray, lead: float) -> FloatArray:
+    """A time base moved back by so much [s]."""
+    return column(time.size, (time[rows] - lead for rows in chunks(time.size)), np.float64)
+
+
+def _without_blanks(signal: Signal, name: str, notes: list[str], *, alone: bool) -> Signal:
+    """A slow channel of a fast table by its own samples; where its time is `alone`, without rows of blanks."""
+    filled = finite(signal[0]) | finite(signal[1]) if alone else np.empty(0, np.bool_)
+    if not filled.all():
+        signal = select(signal[0], filled), select(signal[1], filled)
+    own, every = sparse(signal)
+    if every > 1:
+        notes.append(f"{name} has a sample every {every} rows and blanks between: interpolated")
+    return own
+
+
+def _held(path: Path, channel: Channel, time: FloatArray, seen: Signal) -> Signal:
+    """An input that was recorded when it changed, at the stamps of q."""
+    at = seen[0][np.isfinite(seen[0]) & np.isfinite(seen[1])]
+    if np.any(np.diff(at) < 0.0):
+        raise InputError(
+            f"{path}: the time of channel {channel.channel!r} steps back, so what held when is not known; "
+            "repair the log"
+        )
+    return time, held(time, *seen)
+
+
+def _check_rate(path: Path, time: FloatArray, rate: float | None) -> None:
+    """Refuse a sample rate [Hz] of the settings that the log's own time contradicts."""
+    if rate is None or time.size < 2:
+        return
+    own = 1.0 / nominal_step(time)
+    if not abs(own / rate - 1.0) <= _RATES_AGREE:
+        raise InputError(
+            f"{path}: by its time it has {own:.6g} samples per second, but [ingest] sample_rate is {rate:g} Hz; that "
+            "setting is for logs without time: remove it, or correct the unit of time"
+        )
+
+
+def _si(recording: "Recording", log_column: LogColumn, unit: SiUnit, name: str, notes: list[str]) -> FloatArray:
+    """A column in SI units, NaN in place of codes for no value, which are noted under its name in a record."""
+    read = recording.channel(log_column.channel)
+    factor, offset = unit.factor * log_column.scale, unit.factor * log_column.offset
+    if log_column.scale == 1.0:  # else the log's own unit is that of its data acquisition
+        _check_unit(recording.path, read.name, read.unit, log_column.unit, unit)
+        notes += [f"{name}: {note}" for note in recording.unapplied(log_column.channel) if not log_column.offset]
+    codes = codes_in(read.samples, log_column.missing, of_time=unit.symbol == "s")
+    notes += [f"{name}: {text}" for text in code_remarks(codes)]
+    samples = scaled(masked(read.samples, codes), factor, offset)
+    part = log_column.part if isinstance(log_column, Channel) else "all"
+    return samples if part == "all" else one_sign(samples, 1.0 if part == "positive" else -1.0)
+
+
+def _bases(
+    recording: "Recording", channels: Mapping[str, Channel], prototype: Prototype, clocks: Mapping[str, str],
+    notes: list[str],
+) -> list[FloatArray]:  # fmt: skip
+    """The time base of each channel [s]: its own, that of all, or what the log has; equal ones are one object.
+
+    Parameters
+    ----------
+    recording : Recording
+        The log.
+    channels : mapping of str to Channel
+        The signals' channels, by their names in a record.
+    prototype : Prototype
+        Names the time of all.
+    clocks : mapping of str to str
+        The column of time that stands beside a channel, where the log has several.
+    notes : list of str
+        Gets what is remarkable.
+    """
+    of_all, bases = prototype.channels.time, list[FloatArray]()
+    without = [each for each in channels.values() if not (each.time or of_all)]
+    own = _own_bases(recording, without, prototype.ingest.sample_rate)
+    read: dict[LogColumn, FloatArray] = {}
+
+    def seconds(clock: LogColumn) -> FloatArray:
+        """The stamps of a column, read once."""
+        if clock not in read:
+            unit = to_si(clock.unit, TIME, f"{prototype.name}: time {clock.channel!r}")
+            read[clock] = _si(recording, clock, unit, "time", notes)
+        return read[clock]
+
+    for name, channel in channels.items():
+        clock = channel.time or of_all
+        if clock is None:
+            bases.append(own.pop(0))
+            continue
+        base = seconds(clock)
+        beside = clock.channel if channel.time else clocks.get(channel.channel, clock.channel)
+        if beside != clock.channel:
+            stated = suggested_unit(beside, recording.channel(beside).unit)
+            column_beside = {"channel": beside, "unit": stated if stated in SECONDS else clock.unit}
+            base = _of_two(name, base, seconds(clock.model_copy(update=column_beside)), (clock.channel, beside), notes)
+        bases.append(next((other for other in bases if other is not base and equal(other, base)), base))
+    return bases
+
+
+def _of_two(
+    name: str, of_all: FloatArray, beside: FloatArray, columns: tuple[str, str], notes: list[str]
+) -> FloatArray:
+    """The time base [s] of a signal: the column beside it where that runs over the same time as that of all."""
+    rises = all(np.all(np.diff(beside[rows][np.isfinite(beside[rows])]) >= 0.0) for rows in chunks(beside.size))
+    if beside.size != of_all.size or equal(beside, of_all) or not rises or np.nanmax(beside) == np.nanmin(beside):
+        return of_all
+    (begin, end), (own_begin, own_end) = span(of_all), span(beside)
+    shared = min(end, own_end) - max(begin, own_begin)
+    what = f"{name} stands beside a clock of its own, {columns[1]!r}"
+    if 2.0 * shared > max(end - begin, own_end - own_begin):
+        filled = np.isnan(beside).any() or np.isnan(of_all).any()  # with blanks: rows are not of one time
+        apart = "" if filled else f", up to {quantity(float(np.abs(beside - of_all).max()), 's')} from {columns[0]!r}"
+        notes.append(f"{what}{apart}: it is used for {name}")
+        return beside
+    notes.append(
+        f"{what}, which differs from {columns[0]!r}, and is not used: it runs from {own_begin:.6g} to {own_end:.6g} s; "
+        f"give that of {name} in [channels] as time = {{ channel, unit }}"
+    )
+    return of_all
+
+
+def _own_bases(recording: "Recording", channels: list[Channel], rate: float | None) -> list[FloatArray]:
+    """The time bases of a log, or that of a sample rate [Hz]; equal ones become one object."""
+    bases: list[FloatArray] = []
+    counted: dict[str, int] = {}
+    for channel in channels:
+        read = recording.channel(channel.channel)
+        base: FloatArray | None = read.time
+        if base is None and rate is not None:
+            counted[channel.channel] = read.samples.size
+            base = next((other for other in bases if other.size == read.samples.size), None)
+            base = _counted(read.samples.size, rate) if base is None else base
+        if base is None:
+            raise InputError(
+                f"{recording.path}: the format carries no time base; name the time channel as [channels] time, "
+                f"or give [ingest] sample_rate (the log has {', '.join(recording.listed)})"
+            )
+        bases.append(next((other for other in bases if equal(other, base)), base))
+    if len(set(counted.values())) > 1:
+        sizes = ", ".join(f"{name!r} {size} samples" for name, size in counted.items())
+        raise InputError(
+            f"{recording.path}: its channels have no time, and one [ingest] sample_rate cannot be that of {sizes}; "
+            "name channels of one recording in [channels], or save the log with time"
+        )
+    return bases
+
+
+def _contradicted_rates(recording: "Recording", channel: str, time: FloatArray, prototype: Prototype) -> list[str]:
+    """What to say of sample rates beside a channel that the log states and its time [s] contradicts.
+
+    Raises
+    ------
+    DataRefusedError
+        The time is made of the rate of the settings, which these do not accept unchecked.
+    """
+    rates = dict(rates_beside(channel, recording.rates))
+    for name in _clocks_unnamed(recording, prototype):
+        rates |= _rate_of_column(recording.channel(name), prototype.ingest.sample_rate or 0.0)
+    own = 1.0 / nominal_step(time) if rates else 0.0
+    if any(abs(rate / own - 1.0) <= _RATES_AGREE for rate in rates.values()) or not rates:
+        return []
+    stated = " and ".join(f"{name} states {rate:.6g} Hz" for name, rate in rates.items())
+    if prototype.ingest.sample_rate is None:
+        return [f"in the log {stated}, but by its time it has {own:.6g} samples per second: is the unit of time right?"]
+    finding = Finding(
+        "rate",
+        f"in the log {stated}, but [ingest] sample_rate is {prototype.ingest.sample_rate:g} Hz",
+        "correct sample_rate, or where the log means another rate keep it",
+    )
+    return judge(f"{recording.path}", [finding], prototype.quality)
+
+
+def _rate_of_column(column: "RecordedChannel", wanted: float) -> dict[str, float]:
+    """The rate [Hz] of a column that is one number, or rises as a clock; nothing for others.
+
+    A clock without a unit is taken in that unit which gives the `wanted` rate, if one does; else in s.
+    """
+    numbers = column.samples[np.isfinite(column.samples)]
+    if numbers.size < 2 or np.any(np.diff(numbers) < 0.0):
+        return {}
+    if numbers[-1] == numbers[0]:
+        rate = stated_rate(column.name, float(numbers[0]))
+        return {} if rate is None else {column.name: rate}
+    unit = suggested_unit(column.name, column.unit)
+    factors = [SECONDS[unit]] if unit in SECONDS else list(SECONDS.values())
+    steps = (float(numbers[-1] - numbers[0]) / (numbers.size - 1), nominal_step(numbers))  # with gaps, or coarse stamps
+    rates = [1.0 / (step * factor) for factor in factors for step in steps]
+    return {column.name: next((rate for rate in rates if abs(rate / wanted - 1.0) <= _RATES_AGREE), 1.0 / steps[0])}
+
+
+def _counted(size: int, rate: float) -> FloatArray:
+    """Stamps [s] of so many samples at a rate [Hz]."""
+    return column(size, (np.arange(rows.start, rows.stop) / rate for rows in chunks(size)), np.float64)
+
+
+_UNIT_IN_NAME = re.compile(r"[\[(](?P<unit>[^\[\]()]+)[\])]$")
+
+
+def _check_unit(path: Path, channel: str, stated: str, unit: str, resolved: SiUnit) -> None:
+    """Refuse a log whose own unit contradicts the settings; a unit the log words in its own way is let pass."""
+    in_name = _UNIT_IN_NAME.search(channel)
+    bare = stated.strip("[]() ") or (in_name["unit"] if in_name else "")
+    if not bare:
+        return
+    try:
+        own = to_si(bare, (*DISPLACEMENT, *INPUT, *TIME, *VELOCITY.values()), "")
+    except InputError:
+        return
+    other_kind = own.symbol != resolved.symbol
+    monitor = ', or of a 1:1000 monitor give unit = "V", scale = 1000' if (bare, unit) == ("V", "kV") else ""
+    if (other_kind and stated) or not (other_kind or np.isclose(own.factor, resolved.factor, rtol=1e-9)):
+        raise InputError(
+            f"{path}: channel {channel!r} is in {bare} by {'the log' if stated else 'its name'}, but in {unit} by the "
+            f"settings; correct the unit in [channels]{monitor}"
+        )

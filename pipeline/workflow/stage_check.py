@@ -1,0 +1,132 @@
+"""Check: is every log what the settings say, before anything is differentiated or fitted?"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict
+from functools import partial
+from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
+
+from ..device.device import device
+from ..diagnostics.gates import accepted_settings, judge
+from ..errors import InputError
+from ..settings.prototype import CheckGate, Prototype
+from ..signals.trajectory import voltages
+from ..store import layout
+from ..store.run_folder import RunFolder, Written
+from ..store.tables import Table
+from ..system.names import log_title, true_name
+from .engine import Task
+
+if TYPE_CHECKING:
+    from ..diagnostics.declared import Declared
+    from ..diagnostics.rows import CheckRow
+    from ..diagnostics.weak_form import LogSignals
+
+ALGORITHM = "26"
+
+
+def tasks(prototype: Prototype) -> list[Task]:
+    """One task for all logs."""
+    plant = device(prototype)
+    return [
+        Task(
+            stage="check",
+            title="logs against settings",
+            algorithm=ALGORITHM,
+            settings={
+                "mass": plant.known_mass,
+                "inputs": plant.action,
+                "sample_interval": prototype.ingest.sample_interval,
+                "film_thickness": plant.film_thickness,
+                "field_limit": plant.field_limit,
+                **accepted_settings(prototype.quality, get_args(CheckGate)),
+            },
+            inputs=tuple(layout.record(role, log) for role, log, _ in layout.logs(prototype)),
+            outputs=(layout.CHECK,),
+            work=partial(_check, prototype=prototype),
+        )
+    ]
+
+
+def _check(run: RunFolder, prototype: Prototype) -> Mapping[str, Written]:
+    from ..diagnostics.rows import remarks
+
+    rows = examine(run, prototype)
+    accepted = verdict(rows, prototype)
+    document = {"rows": [asdict(row) for row in rows], "accepted": accepted}
+    notes: dict[str, Any] = {"warnings": [*remarks(rows), *accepted], "accepted": accepted}
+    text = json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return {layout.CHECK: run.write_text(layout.CHECK, text, notes)}
+
+
+def examine(run: RunFolder, prototype: Prototype) -> "list[CheckRow]":
+    """Look at the ingested logs of a run; nothing is written.
+
+    Raises
+    ------
+    InputError
+        A validation log holds a recording that a training log holds too.
+    """
+    from ..diagnostics.check import check_logs
+    from ..diagnostics.copies import shared_recordings, shared_rows
+
+    logs, stated = signals(run, prototype)
+    shared = shared_recordings(logs)
+    named = layout.logs(prototype)
+    for i, k, span in shared:
+        if named[i][0] != named[k][0]:
+            raise InputError(
+                f"logs.validation: {named[k][2]!r} holds the recording of the training log {named[i][2]!r}: "
+                f"{span.spans}; validate on a recording of its own, or cut what both hold"
+            )
+    return [*check_logs(logs, stated), *shared_rows(logs, shared)]
+
+
+def signals(run: RunFolder, prototype: Prototype) -> "tuple[list[LogSignals], Declared]":
+    """The ingested logs of a run as the checks take them, and what the settings say of the device."""
+    logs = []
+    for role, log, path in layout.logs(prototype):
+        name = layout.record(role, log)
+        logs.append(log_signals(log_title(role, true_name(path)), run.read_table(name), run.record(name).notes))
+    return logs, declared(prototype)
+
+
+def log_signals(name: str, table: Table, notes: Mapping[str, Any]) -> "LogSignals":
+    """A uniform record as the checks take it, with what was noted when it was ingested."""
+    from ..diagnostics.weak_form import LogSignals
+
+    q = np.where(table["segment"] < 0, np.nan, table["q"])
+    sketch = tuple((int(value), float(stamp)) for value, stamp in notes.get("sketch", ()))
+    facts = (notes["raw_step"], notes.get("noise"), notes.get("resolution"), notes.get("held", 1), sketch)
+    return LogSignals(name, table["t"], q, voltages(table), *facts)
+
+
+def declared(prototype: Prototype) -> "Declared":
+    """What the settings say of the device."""
+    from ..diagnostics.declared import Declared
+
+    plant = device(prototype)
+    return Declared(
+        squared=plant.action == "squared",
+        displacement=plant.displacement.symbol,
+        inputs=tuple(unit.symbol for unit in plant.inputs),
+        mass=plant.known_mass,
+        sample_interval=prototype.ingest.sample_interval,
+        film_thickness=plant.film_thickness,
+        field_limit=plant.field_limit,
+    )
+
+
+def verdict(rows: "list[CheckRow]", prototype: Prototype) -> list[str]:
+    """What the settings accept of what would make the model wrong.
+
+    Raises
+    ------
+    DataRefusedError
+        Something is not accepted.
+    """
+    from ..diagnostics.rows import findings
+
+    return judge(prototype.name, findings(rows), prototype.quality)

@@ -1,0 +1,164 @@
+"""Report: the page, the datasheet and, if wanted, every figure for a paper, from what the run holds."""
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+from ..device.parameter_sets import parameter_values
+from ..device.parameters import JointParameters
+from ..settings.prototype import Prototype
+from ..store import layout, schemas
+from ..store.columns import StudyName
+from ..store.run_folder import RunFolder, Written
+from ..system.names import Typeface
+from .engine import Task
+from .run_models import control_documents
+
+if TYPE_CHECKING:
+    from ..diagnostics.facts.datasheet import Datasheet
+    from ..diagnostics.facts.run_data import RunData
+    from ..reporting.canvas import Format
+    from ..reporting.figure import Figure
+
+ALGORITHM = "35"
+
+FORMATS: "tuple[Format, ...]" = ("svg", "pdf")
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A run as it was read, judged and drawn."""
+
+    data: "RunData"
+    sheet: "Datasheet"
+    figures: "Mapping[str, Figure]"
+
+
+def tasks(
+    prototype: Prototype,
+    parameters: JointParameters | None,
+    models: Sequence[str],
+    studies: Sequence[StudyName] = (),
+    figures: Typeface | None = None,
+    control: Sequence[str] = (),
+) -> list[Task]:
+    """The page with the datasheet, then the figures for a paper if they are wanted.
+
+    Parameters
+    ----------
+    prototype : Prototype
+        Settings of the run.
+    parameters : JointParameters or None
+        Parameter set of a DE joint, for φ; None for another device.
+    models : sequence of str
+        Models with free runs of the present kinematics, the headline first.
+    studies : sequence of str
+        Hyperparameter studies that the run holds (`made_studies`).
+    figures : {"sans", "serif"}, optional
+        Typeface of the figures for a paper; None makes none.
+    control : sequence of str
+        What `debist control` made of the present model (`pipeline.workflow.run_models.made_control`).
+    """
+    from ..reporting.log_figures import LOG_FIGURES
+
+    prepared = partial(prepare, prototype=prototype, models=models, studies=studies, control=control)
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    inputs = _inputs(prototype, models, studies, control)
+    settings = {"parameters": parameter_values(parameters), "models": list(models)}
+    written = prototype.model_dump(mode="json")
+    shown = {**settings, "prototype": written}
+    drawn = {**settings, "plant": written["plant"], "identify": written["identify"], "typeface": figures}
+    drawings = tuple(
+        layout.figure(f"{role}-{log}-{kind}", ending)
+        for role, log in logs
+        for kind in LOG_FIGURES
+        for ending in FORMATS
+    )
+    pages = (layout.REPORT, layout.DATASHEET)
+    page = Task("report", "page", ALGORITHM, shown, inputs, pages, partial(_page, prepared=prepared))
+    if figures is None:
+        return [page]
+    work = partial(_drawings, prepared=prepared, typeface=figures)
+    return [page, Task("report", "figures", ALGORITHM, drawn, inputs, drawings, work)]
+
+
+def _inputs(
+    prototype: Prototype, models: Sequence[str], studies: Sequence[StudyName], control: Sequence[str]
+) -> tuple[str, ...]:
+    """The artifacts that the page shows something of."""
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    return (
+        layout.CHECK,
+        layout.MODELS,
+        layout.SCORES,
+        layout.INSTRUMENTS,
+        *((layout.CURVES,) if prototype.compare.curves is not None else ()),
+        *((layout.KNOWN_CURVES,) if prototype.plant.curves is not None else ()),
+        *((layout.SIBLINGS,) if prototype.plant.siblings is not None else ()),
+        *(layout.baseline(model) for model in models if model in prototype.baselines),
+        *(layout.study(name) for name in studies),
+        *(layout.control(title) for title in control),
+        *(layout.record(role, log) for role, log in logs),
+        *(layout.kinematics(role, log) for role, log in logs),
+        *(layout.predictions(role, log, model) for role, log in logs for model in models),
+    )
+
+
+def made_studies(run: RunFolder) -> tuple[StudyName, ...]:
+    """The hyperparameter studies that a run holds."""
+    return tuple(name for name in schemas.STUDIES if layout.study(name) in run.manifest.artifacts)
+
+
+def made_figures(run: RunFolder) -> Typeface | None:
+    """Typeface of the figures for a paper that a run holds, which a rerun keeps up to date; None if it holds none."""
+    for name, record in run.manifest.artifacts.items():
+        if record.recipe.stage == "report" and name not in (layout.REPORT, layout.DATASHEET):
+            return "serif" if record.recipe.settings.get("typeface") == "serif" else "sans"
+    return None
+
+
+def prepare(
+    run: RunFolder,
+    prototype: Prototype,
+    models: Sequence[str],
+    studies: Sequence[StudyName] = (),
+    control: Sequence[str] = (),
+) -> Prepared:
+    """Read a run and evaluate everything that its page and its figures show."""
+    from ..diagnostics.facts.datasheet import make_datasheet
+    from ..reporting.run_report import figures_of
+    from .report_data import read_run
+
+    data = read_run(run, prototype, models, studies)
+    data = replace(data, control=control_documents(run, control))
+    sheet = make_datasheet(data)
+    return Prepared(data, sheet, figures_of(data, sheet))
+
+
+def _page(run: RunFolder, *, prepared: Callable[[RunFolder], Prepared]) -> Mapping[str, Written]:
+    from ..reporting.run_report import run_report
+
+    contents = prepared(run)
+    verdict = contents.sheet.grades
+    page = run_report(contents.data, contents.sheet, contents.figures)
+    document = json.dumps(contents.sheet.to_json(contents.data), indent=1, ensure_ascii=False, allow_nan=False)
+    return {
+        layout.REPORT: run.write_text(layout.REPORT, page, {"verdict": verdict}),
+        layout.DATASHEET: run.write_text(layout.DATASHEET, document + "\n", {"verdict": verdict}),
+    }
+
+
+def _drawings(
+    run: RunFolder, *, prepared: Callable[[RunFolder], Prepared], typeface: Typeface
+) -> Mapping[str, Written]:
+    from ..reporting.canvas import paper_figure
+
+    contents, written = prepared(run), {}
+    for name, figure in contents.figures.items():
+        drawn = paper_figure(figure, contents.data.model_names, *FORMATS, typeface=typeface)
+        for ending, content in zip(FORMATS, drawn, strict=True):
+            artifact = layout.figure(name, ending)
+            written[artifact] = run.write_bytes(artifact, content, {"title": figure.title})
+    return written

@@ -1,0 +1,1 @@
+"""What a person tries with a finished run: studies, folds, excitation, control, the paper's figures."""

@@ -1,0 +1,251 @@
+"""Switching maps, pulses and a controller for a run's identified joint."""
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...control.controller import PERIOD, closed_on_model
+from ...control.design import Settings
+from ...control.design import design as design_law
+from ...control.ensemble import INTERVAL, Converters, Ensemble, ensemble_of
+from ...control.law import Law
+from ...control.linear import wells_and_saddle
+from ...control.margins import Margins, margins
+from ...control.pulses import design_pulse
+from ...control.step_metrics import BAND, step_metrics
+from ...control.switching_map import PULSES, TYPICAL, lowest_voltage, switching_map, uncertain
+from ...errors import InputError
+from ...models.hybrid.model import HybridModel
+from ...numerics.arrays import FloatArray
+from ...rig.excitation import ENDINGS, Sequence, save_sequence
+from ...store.outputs import new_outputs, rebased
+from ...system.names import Goal, Well
+from ...system.progress import OnProgress
+from ..engine import Observer
+from .controlled_run import ControlRun, ControlSettings, control_run, kept_document
+
+DRAWS = 32
+
+
+def switching_maps(root: Path, settings: ControlSettings, observer: Observer) -> dict[str, Any]:
+    """P(switch | voltage, duration) both ways, with its band."""
+
+    def work(joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
+        """Both maps of the run's joint."""
+        converters, lags_known = joint_run.converters(settings)
+        return {
+            "format": "debist-switching-map/3",
+            "draws": DRAWS,
+            "lags_s": converters.lags,
+            "lags_known": lags_known,
+            "maps": [
+                _one_map(joint_run, converters, "right", lambda what, share: on_progress(what, share / 2.0)),
+                _one_map(joint_run, converters, "left", lambda what, share: on_progress(what, 0.5 + share / 2.0)),
+            ],
+        }
+
+    chosen = {"lag": settings.lag, "draws": DRAWS, "highest": control_run(root).limit}
+    return kept_document(root, "map", chosen, observer, work)
+
+
+_OF_LOWEST = 0.2
+"""Share of a map's time that its lowest voltages take, roughly."""
+
+
+def _one_map(joint_run: ControlRun, converters: Converters, to: Well, on_progress: OnProgress) -> dict[str, Any]:
+    """The map to a well and the lowest voltages that bring the joint there, by whose errors the map's draws differ."""
+    model = joint_run.model
+    left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
+    places = (left, saddle, right)
+    lowest = []
+    for k, duration in enumerate(PULSES):
+        on_progress(f"lowest voltage to the {to}, {duration:g} s", _OF_LOWEST * k / len(PULSES))
+        lowest.append(lowest_voltage(model, converters, places, to, duration))
+    on_progress(f"map to the {to}", _OF_LOWEST)
+    joint = uncertain(ensemble_of(model, DRAWS, converters), lowest)
+    result = switching_map(
+        joint, places, to, lambda what, share: on_progress(what, _OF_LOWEST + (1.0 - _OF_LOWEST) * share)
+    )
+    return {**asdict(result), "lowest": [asdict(pulse) for pulse in lowest if pulse is not None]}
+
+
+def pulse(
+    root: Path, to: Well, start: Well | None, goal: Goal, settings: ControlSettings, observer: Observer
+) -> dict[str, Any]:
+    """A feedforward snap to a well and what the model predicts of it."""
+    if start == to:
+        raise InputError(f"--from {start}: the joint is there already; a pulse brings it from one well to the other")
+    highest = control_run(root).highest(settings)
+
+    def work(joint_run: ControlRun, on_progress: OnProgress) -> dict[str, Any]:
+        """The pulse and what the model and its posterior make of it."""
+        left, saddle, right = (model.q for model in wells_and_saddle(joint_run.plant))
+        begin, end = (left, right) if to == "right" else (right, left)
+        converters, lags_known = joint_run.converters(settings)
+        joint = with_draws(joint_run.model, converters, (left, saddle, right), to)
+        snap = design_pulse(joint, begin, end, right - left, highest, goal, on_progress)
+        low, high = np.quantile(snap.q[1:], [0.05, 0.95], axis=0)
+        return {
+            "format": "debist-pulse/2",
+            "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, to the right one"},
+            "to": to,
+            "minimised": goal,
+            "start_m": begin,
+            "target_m": end,
+            "largest_voltage_V": float(snap.v.max()),
+            "lags_s": converters.lags,
+            "lags_known": lags_known,
+            "settling_s": _finite(snap.settling_s),
+            "settling_90_s": [_finite(snap.settling_low_s), _finite(snap.settling_high_s)],
+            "overshoot_m": snap.overshoot_m,
+            "switching_probability": snap.probability,
+            "draws": DRAWS,
+            "segments_s_share": snap.segments,
+            "t_s": snap.t,
+            "v_V": snap.v,
+            "predicted": {"t_s": INTERVAL * np.arange(snap.q.shape[1]), "q_m": snap.q[0], "low_m": low, "high_m": high},
+        }
+
+    chosen = {"to": to, "goal": goal, "highest": highest, "lag": settings.lag, "draws": DRAWS}
+    return kept_document(root, f"pulse-to-{to}", chosen, observer, work)
+
+
+def with_draws(model: HybridModel, converters: Converters, places: tuple[float, float, float], to: Well) -> Ensemble:
+    """The joint with the draws that judge a pulse to a well: their voltages err as its lowest voltage may."""
+    lowest = lowest_voltage(model, converters, places, to, TYPICAL)
+    return uncertain(ensemble_of(model, DRAWS, converters), [lowest])
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None
+
+
+def check_pulse_name(output: Path) -> None:
+    """Refuse a name that a pulse cannot be written to, before it is computed.
+
+    Raises
+    ------
+    InputError
+        It has another ending.
+    """
+    if output.suffix.lower() not in (*ENDINGS, ""):
+        raise InputError(f"{output}: a pulse is written as {' and '.join(ENDINGS)}; name it so, or without an ending")
+
+
+def write_pulse(root: Path, document: Mapping[str, Any], output: Path, *, force: bool) -> list[Path]:
+    """Write a pulse of a run as CSV and MAT at 1 kHz, as `debist rig closed-loop --play` and test benches read it."""
+    check_pulse_name(output)
+    t, v = np.array(document["t_s"]), np.array(document["v_V"])
+    about = {key: value for key, value in document.items() if key not in ("t_s", "v_V", "predicted")}
+    with new_outputs(output.parent, "control", force=force, made_from=control_run(root).origin) as staged:
+        for ending in ENDINGS:
+            save_sequence(staged / f"{output.stem}{ending}", Sequence(t, v), about)
+        written = sorted(staged.iterdir())
+    return [rebased(path, staged, output.parent) for path in written]
+
+
+def design(root: Path, settings: ControlSettings, observer: Observer) -> dict[str, Any]:
+    """The controller of a run's joint, kept in the run, and what the model predicts of it."""
+    highest = control_run(root).highest(settings)
+
+    def work(joint_run: ControlRun, _on_progress: OnProgress) -> dict[str, Any]:
+        """The controller, kept in the run, and its prediction."""
+        plant = joint_run.plant
+        converters, lags_known = joint_run.converters(settings)
+        law = design_law(plant, Settings(highest, converters.lags, settings.slew, settings.average))
+        left, saddle, right = (model.q for model in wells_and_saddle(plant))
+        predicted = _predicted(law, (left, saddle, right))
+        _refuse_stuck(root, predicted, highest, right - left)
+        held = margins(plant, law, saddle)
+        return {
+            "format": "debist-controller/5",
+            "prototype": joint_run.prototype.name,
+            "model": joint_run.name,
+            "origin": joint_run.run.record(joint_run.artifact).content_hash,
+            "places_m": {"left": left, "saddle": saddle, "right": right},
+            "targets_m": [plant.reading(q) for q in law.places],
+            "largest_voltage_V": highest,
+            "slew_V_s": settings.slew,
+            "average_V": settings.average,
+            "lags_s": converters.lags,
+            "lags_known": lags_known,
+            "margins": None if held is None else asdict(held),
+            "pumps": {f"to_{side}": law.number(f"pumped_{side}") > 0.5 for side in ("right", "left")},
+            "predicted": predicted,
+            "warnings": _misses(predicted, right - left) + _thin(held) + _too_much(law, saddle, settings.average),
+            "law": law.to_json(),
+        }
+
+    return kept_document(root, "design", asdict(settings) | {"highest": highest}, observer, work)
+
+
+def _refuse_stuck(root: Path, predicted: Mapping[str, Any], highest: float, distance: float) -> None:
+    q, target = np.array(predicted["q_m"]), np.array(predicted["target_m"])
+    for step, side in zip(np.flatnonzero(np.diff(target))[1:], ("right", "left"), strict=False):
+        if abs(q[step] - target[step]) > 0.25 * distance:
+            raise InputError(
+                f"{root}: at most {highest:g} V do not bring the model into its {side} well, not even by swinging it "
+                "up; allow a larger --max-voltage"
+            )
+
+
+SETTLES, SWINGS = 0.3, 0.0022
+"""Limits of a good controller: settling in a well [s], and RMS about the unstable equilibrium as a share of the wells'
+distance."""
+
+
+def _misses(predicted: Mapping[str, Any], distance: float) -> list[str]:
+    """What the controller misses on the model itself; a joint that differs will not do better."""
+    misses = []
+    for place, step in zip(("right well", "left well"), predicted["steps"], strict=False):
+        if step["settling_s"] is None or step["settling_s"] > SETTLES:
+            taken = "does not settle" if step["settling_s"] is None else f"takes {1e3 * step['settling_s']:.0f} ms"
+            misses.append(
+                f"the model {taken} to the {place}, {1e3 * SETTLES:.0f} ms are usual; allow a larger --max-voltage, or "
+                "play a pulse (`debist control pulse`)"
+            )
+        if step["rms_m"] > BAND * distance:
+            misses.append(f"the model rests {1e3 * step['rms_m']:.2f} mm away from the {place}")
+    if predicted["steps"][-1]["rms_m"] > SWINGS * distance:
+        misses.append(
+            "the unstable equilibrium is hardly held: the model keeps swinging about it, and a joint that differs will "
+            "swing on with the largest voltage; allow a larger --max-voltage, or hold wells only"
+        )
+    return misses
+
+
+GAINS, DELAY = (0.77, 1.3), 5e-3
+"""Factors on the gain and delay [s] that a good controller stands at the unstable equilibrium."""
+
+
+def _thin(held: Margins | None) -> list[str]:
+    """Margins that are smaller than joints differ from their models."""
+    if held is not None and held.gain_low < GAINS[0] and held.gain_high > GAINS[1] and held.delay_s > DELAY:
+        return []
+    return ["the margins at the unstable equilibrium are small: a joint that differs from its model may leave it"]
+
+
+def _too_much(law: Law, saddle: float, average: float | None) -> list[str]:
+    """Where the unstable equilibrium (reading, m) takes more voltage for long than its mean may be."""
+    needed = law.holding_voltage(saddle - law.number("offset"))
+    if average is None or needed <= average:
+        return []
+    return [
+        f"the unstable equilibrium takes {needed:.0f} V; with --average-voltage {average:g} V it may be lost after "
+        "some seconds"
+    ]
+
+
+def _predicted(law: Law, places: tuple[float, float, float]) -> dict[str, Any]:
+    """The closed loop on the model: to the right, back, to the unstable equilibrium."""
+    left, saddle, right = places
+    slow = int(max(law.number("pumped_right"), law.number("pumped_left")))
+    target = np.repeat([left, right, left, saddle], [50, 1500 + 4000 * slow, 1500 + 4000 * slow, 1500])
+    q, v = closed_on_model(law, law, left, target)
+    t: FloatArray = np.linspace(0.0, PERIOD * (target.size - 1), target.size)
+    steps = [asdict(step) for step in step_metrics(t, q, target, right - left)[1:]]
+    every = slice(None, None, 5)
+    return {"steps": steps, "t_s": t[every], "q_m": q[every], "target_m": target[every], "v_V": v[every]}

@@ -1,0 +1,283 @@
+"""Excitation: a designed voltage sequence for a rig, from a parameter set or an identified run, to CSV or MAT."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from ...device.device import device
+from ...device.parameter_sets import joint_parameters
+from ...device.parameters import JointParameters
+from ...errors import InputError
+from ...export.subject import Subject
+from ...models.analytical.reduced_order import reduce_joint, simulate_reduced
+from ...models.analytical.statics import equilibria
+from ...models.hybrid.model import HybridModel
+from ...numerics.arrays import FloatArray
+from ...rig.excitation import ENDINGS, Sequence, command, save_sequence
+from ...settings.logs import Number, SettingsTable, Whole
+from ...settings.models import CENTRES
+from ...settings.prototype import FIELD_LIMIT, Prototype
+from ...store.outputs import check_places, new_outputs, rebased
+from ...store.run_folder import RunFolder
+from ..run_models import subject
+from .excitation_design import (
+    KINDS,
+    Assessment,
+    BurstKind,
+    Design,
+    Requirements,
+    Simulator,
+    design_excitation,
+)
+from .next_log import NextLog, design_next_log
+
+_COMMAND = "rig excite"
+
+
+@dataclass(frozen=True)
+class ExcitationLimits:
+    """What must not be exceeded: voltage of a converter [V], field in an undeformed film [V/m].
+
+    Without a field that of the run's settings holds, or the paper's.
+    """
+
+    voltage: float = 3e3
+    field: float | None = None
+
+    def largest(self, thickness: float, field: float) -> float:
+        """The largest voltage [V] on a film of a thickness [m] that stands a field [V/m], if none is given here."""
+        return min(self.voltage, thickness * (self.field or field))
+
+
+@dataclass(frozen=True)
+class ExcitationSource:
+    """What the design is simulated with: a parameter set, or a model of a run; the number of joints and the seed.
+
+    Attributes
+    ----------
+    parameters : str
+        Parameter set.
+    run : Path or None
+        A run whose model takes the place of the parameter set.
+    model : str
+        The run's model; the headline if left out.
+    joints : int
+        Joints made after the drawing, with tolerances; a run is one joint.
+    seed : int
+        Draws the tolerances and the candidates.
+    programme : str or None
+        The programme whose free run by the run's `hybrid` is to become more certain; None: that of validation logs.
+    """
+
+    parameters: str = "nominal"
+    run: Path | None = None
+    model: str | None = None
+    joints: int = 4
+    seed: int = 1
+    programme: str | None = None
+
+
+class DesignFile(SettingsTable):
+    """What is rare in a design: the TOML file of `debist rig excite --design`."""
+
+    model: str | None = None
+    """Which model of the run is simulated; left out, the main model."""
+    joints: Whole = Field(default=4, ge=1, le=20)
+    """Joints with workshop tolerances to design for at once."""
+    seed: Whole = Field(default=1, ge=0)
+    """Draws the tolerances and the candidates."""
+    max_field_V_per_um: Number | None = Field(default=None, gt=0.0)
+    """Largest field in the undeformed film; left out, the run's, or 60 V/µm."""
+    rest_s: Number = Field(default=1.0, ge=0.0)
+    """Rest before the first burst."""
+    rate_Hz: Number = Field(default=1000.0, ge=100.0, le=100e3)
+    """Rate of the written samples."""
+    kinds: tuple[BurstKind, ...] = Field(default=KINDS, min_length=1)
+    """Bursts to use."""
+    basis_functions: Whole = Field(default=CENTRES, ge=2, le=50)
+    """Basis functions of each curve."""
+    candidates: Whole = Field(default=24, ge=1, le=1000)
+    """Bursts tried for each place."""
+
+
+def excite(
+    output: Path,
+    source: ExcitationSource,
+    wanted: Requirements,
+    limits: ExcitationLimits,
+    rate: float,
+    *,
+    report: Callable[[float], None] | None = None,
+) -> tuple[Design | NextLog, tuple[Path, ...]]:
+    """Design a sequence within the limits and write it at `rate` [Hz] with its description beside it.
+
+    Returns
+    -------
+    Design or NextLog
+        The sequence with its assessment; the latter for the model `hybrid` of a run.
+    tuple of Path
+        The files written.
+
+    Raises
+    ------
+    InputError
+        A limit, rate, file ending or source that is not usable, or a file of others where it shall be written.
+    """
+    if output.suffix.lower() not in ENDINGS:
+        raise InputError(f"{output}: a sequence is written as {' or '.join(ENDINGS)}; name the file so")
+    check_places(output.parent, (output.name, output.with_suffix(".json").name), _COMMAND, force=None)
+    parameters = joint_parameters(source.parameters)
+    thickness, field = film(source, parameters)
+    wanted = replace(wanted, voltage=limits.largest(thickness, field))
+    design = _designed(source, parameters, wanted, report)
+    t = np.arange(round(wanted.duration * rate)) / rate
+    about = description(design) | {
+        "simulated_with": source.parameters if source.run is None else f"{source.run} ({source.model or 'headline'})",
+        "seed": source.seed,
+        "rate_hz": rate,
+        "largest_field_v_per_m": wanted.voltage / thickness,
+    }
+    with new_outputs(output.parent, _COMMAND, force=None) as staged:
+        files = save_sequence(staged / output.name, Sequence(t, command(design.bursts, t)), about)
+    return design, tuple(rebased(file, staged, output.parent) for file in files)
+
+
+def _designed(
+    source: ExcitationSource, parameters: JointParameters, wanted: Requirements, report: Callable[[float], None] | None
+) -> Design | NextLog:
+    """A log after those of the run's `hybrid`, or a first log for another model or a drawing."""
+    rng = np.random.default_rng(source.seed)
+    if source.run is not None:
+        prototype, joint = _of_run(source.run, source.model)
+        if isinstance(joint.model, HybridModel):
+            programme = source.programme or "validation"
+            interval = prototype.ingest.sample_interval
+            return design_next_log(joint.model, joint.start[0], interval, programme, rng, wanted, report=report)
+    if source.programme is not None:
+        raise InputError("--programme: only the model hybrid of a run foresees what a log brings; name it with --run")
+    simulators = drawn_simulators(parameters, rng, source.joints) if source.run is None else [_moving(joint)]
+    return design_excitation(simulators, rng, wanted, report=report)
+
+
+def film(source: ExcitationSource, parameters: JointParameters) -> tuple[float, float]:
+    """Thickness of the undeformed film [m] and its largest field [V/m]: of the run's settings, or of the drawing."""
+    if source.run is not None:
+        plant = device(RunFolder.open(source.run).prototype)
+        return plant.film_thickness, plant.field_limit
+    return min(parameters.left.d0, parameters.right.d0), 1e6 * FIELD_LIMIT
+
+
+def description(design: Design | NextLog) -> dict[str, Any]:
+    """The design as plain numbers in SI units: for `--json` and beside the sequence."""
+    about = {
+        "format": "debist-excitation/1",
+        "channels": {"time": "s", "v1": "V, command to the left converter", "v2": "V, command to the right converter"},
+        "duration_s": design.wanted.duration,
+        "largest_voltage_v": design.wanted.voltage,
+        "bursts": [vars(burst) for burst in design.bursts],
+    }
+    if isinstance(design, NextLog):
+        expected = {"now": design.now, "with_the_designed_log": design.designed, "with_a_usual_log": design.usual}
+        return about | {"programme": design.programme, "free_run_standard_deviation_m": expected}
+    return about | {
+        "relative_d_efficiency": design.efficiency,
+        "centres_m": design.weights.centres,
+        "designed": _figures(design.designed),
+        "alternating_pulses": _figures(design.plain),
+    }
+
+
+def _figures(assessment: Assessment) -> dict[str, Any]:
+    return {
+        "log_information_per_weight": assessment.log_information,
+        "log_det_unit_columns_per_weight": assessment.conditioning.log_det,
+        "condition": assessment.conditioning.condition,
+        "silent_weights": assessment.conditioning.silent,
+        "covered_share": assessment.covered,
+        "samples_per_centre": assessment.visits.visits,
+        "samples_per_centre_driven": assessment.visits.driven,
+        "crossings": assessment.crossings,
+    }
+
+
+def _of_run(root: Path, name: str | None) -> tuple[Prototype, Subject]:
+    """The settings of a run, and its model from where one of its logs starts, at rest."""
+    run = RunFolder.open(root)
+    prototype = run.prototype
+    if not prototype.may_be_a_joint:
+        raise InputError(
+            f"{root}: an excitation is designed for a joint with two squared inputs; this device has others"
+        )
+    return prototype, subject(run, prototype, name)
+
+
+def _moving(joint: Subject) -> Simulator:
+    def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
+        motion = joint.model.simulate(t, v, joint.start[0], 0.0)
+        return motion.q, motion.qdot
+
+    return simulate
+
+
+_RELATIVE = 0.03  # of the stiffness, rubber and permittivity, uniform
+_FREE_LENGTH = 0.3e-3  # m, of each membrane, uniform
+_MOST_DRAWS = 40
+
+
+def drawn_simulators(parameters: JointParameters, rng: np.random.Generator, count: int) -> list[Simulator]:
+    """The joint as drawn, and `count` − 1 joints with tolerances that still rest in two wells.
+
+    Raises
+    ------
+    InputError
+        The drawing has no two wells, or too few of the joints made after it have.
+
+    Notes
+    -----
+    Cost: some 50 ms a joint; a run of 37.5 s takes 4 ms.
+    """
+    first = _simulator(parameters)
+    if first is None:
+        raise InputError("the parameter set has no two wells at zero voltage; see `debist physics equilibria`")
+    simulators = [first]
+    for _ in range(_MOST_DRAWS):
+        if len(simulators) == count:
+            return simulators
+        simulator = _simulator(_made(parameters, rng))
+        if simulator is not None:
+            simulators.append(simulator)
+    if len(simulators) < count:
+        raise InputError(
+            f"only {len(simulators)} of {_MOST_DRAWS} joints made after the drawing have two wells; "
+            "take fewer `joints`, or a drawing that is less near the edge"
+        )
+    return simulators
+
+
+def _made(parameters: JointParameters, rng: np.random.Generator) -> JointParameters:
+    """A joint as a workshop makes it: both membranes each with its own tolerances."""
+    names = ("E", "left.Y", "right.Y", "left.eps_r", "right.eps_r")
+    values = {name: parameters.value(name) * (1.0 + rng.uniform(-_RELATIVE, _RELATIVE)) for name in names}
+    for name in ("left.l0", "right.l0"):
+        values[name] = parameters.value(name) + rng.uniform(-_FREE_LENGTH, _FREE_LENGTH)
+    return parameters.with_values(values)
+
+
+def _simulator(parameters: JointParameters) -> Simulator | None:
+    """Motion of the reduced joint from rest in its left well; None without two wells."""
+    stable = [rest.q for rest in equilibria(parameters, np.zeros(2)) if rest.stable]
+    if len(stable) < 2:
+        return None
+    reduced, start = reduce_joint(parameters), min(stable)
+
+    def simulate(t: FloatArray, v: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Displacement [m] and velocity [m/s], shape (N,), at t [s] under the voltages v [V], shape (N, 2)."""
+        motion = simulate_reduced(reduced, t, v, start, 0.0)
+        return motion.q, motion.q_dot
+
+    return simulate

@@ -1,0 +1,310 @@
+"""Excitation design (§5.1): a voltage sequence that determines the weights of eq. 40 as well as possible.
+
+The sequence is built burst by burst. At each step candidates are drawn (pulses, both sides on, chirps, random steps,
+multisines), played on a simulator from the start, and the one that adds most to the criterion per second is kept: a
+greedy D-optimal design with experiments as candidates (Fedorov 1972; Wynn 1970, doi:10.1214/aoms/1177696809). The
+simulator is not the device, and near the separatrix a little more voltage sends the joint into the other well, so the
+criterion is the mean over several simulators that differ as devices of one drawing do (Pronzato & Walter 1985,
+doi:10.1016/0025-5564(85)90068-9).
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Literal, get_args
+
+import numpy as np
+
+from ...errors import InputError
+from ...fitting.coverage import FEW, Coverage, coverage
+from ...fitting.information import Conditioning, ScaledRegressor, conditioning, log_information
+from ...numerics.arrays import FloatArray
+from ...rig.bench import Converter
+from ...rig.excitation import Burst, alternating_pulses, command, draw_burst, draw_pause
+from ...scoring.wells import NoWells, Wells, find_wells, snaps
+from ...settings.models import CENTRES, SMOOTHING
+
+Simulator = Callable[[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
+"""Times (N,) [s] and voltages (N, 2) [V] to q (N,) [m] and q̇ (N,) [m/s], from rest; NaN after a divergence."""
+
+INTERVAL = 5e-3  # s, of the simulated samples
+BurstKind = Literal["pulse", "both", "chirp", "steps", "multisine"]
+KINDS: tuple[BurstKind, ...] = get_args(BurstKind)
+"""Kinds of bursts, in the order of `pipeline.rig.excitation.SHARES`."""
+COVERAGE_WEIGHT = 1.0  # nats per weight that full coverage is worth
+_SHORTEST = 0.3  # s, of room that is worth another burst
+_FADE_OUT = 0.2  # s without voltage at the end
+_PROBED, _PROBED_SHARES, _PROBED_REST = (0.1, 0.2, 0.4, 0.7, 1.0), (1.0, 0.8, 0.6), 1.2
+"""Lengths [s] of the pulses by which the wells are found, shares of the largest voltage, and the rest [s] behind each:
+a pulse of one length and height may leave a joint swinging so that it always falls back."""
+
+
+@dataclass(frozen=True)
+class Requirements:
+    """What is to be designed.
+
+    Attributes
+    ----------
+    duration, rest : float
+        Length of the sequence and of the rest before it [s].
+    voltage : float
+        Largest voltage of either side [V].
+    kinds : tuple of str
+        Names in `KINDS` that may be used.
+    candidates : int
+        Bursts drawn for each place.
+    basis_functions : int
+        M of every curve.
+    smoothing : float
+        σ_n of the bells.
+    """
+
+    duration: float = 37.5
+    rest: float = 1.0
+    voltage: float = 3000.0
+    kinds: tuple[BurstKind, ...] = KINDS
+    candidates: int = 24
+    basis_functions: int = CENTRES
+    smoothing: float = SMOOTHING
+
+    def __post_init__(self) -> None:
+        if not self.rest + 4.0 <= self.duration <= 3600.0:
+            raise InputError(f"--duration {self.duration:g} s: a sequence lasts {self.rest + 4.0:g} to 3600 s")
+        if not 0.0 < self.voltage <= 20e3:
+            raise InputError(f"the largest voltage comes to {self.voltage:g} V; it must lie above 0 and up to 20 kV")
+
+
+@dataclass(frozen=True)
+class Assessment:
+    """What a sequence does to the simulated joints.
+
+    Attributes
+    ----------
+    criterion : float
+        Mean log det of the information per weight [nats] plus the share of cells covered.
+    log_information : float
+        Its first part.
+    covered : float
+        Share of the cells (centre × left, right, none acting) with at least 20 samples, mean over the simulators.
+    visits : Coverage
+        Samples at 10 ms per centre, of the first simulator.
+    conditioning : Conditioning
+        Of the first simulator's regressor on unit-norm columns.
+    crossings : tuple of int
+        Passages from well to well by each simulator.
+    """
+
+    criterion: float
+    log_information: float
+    covered: float
+    visits: Coverage
+    conditioning: Conditioning
+    crossings: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Design:
+    """A designed sequence, and how it compares with alternating full pulses of the same length.
+
+    Attributes
+    ----------
+    wanted : Requirements
+        What was asked for.
+    bursts : list of Burst
+        The sequence.
+    weights : ScaledRegressor
+        What it was designed for.
+    wells : Wells
+        Of the device as drawn.
+    designed, plain : Assessment
+        Of the sequence, and of `alternating_pulses`.
+    """
+
+    wanted: Requirements
+    bursts: list[Burst]
+    weights: ScaledRegressor
+    wells: Wells
+    designed: Assessment
+    plain: Assessment
+
+    @property
+    def efficiency(self) -> float:
+        """Relative D-efficiency: how many plain sequences carry the information of this one, per weight."""
+        return float(np.exp(self.designed.log_information - self.plain.log_information))
+
+
+def design_excitation(
+    simulators: Sequence[Simulator],
+    rng: np.random.Generator,
+    wanted: Requirements,
+    *,
+    report: Callable[[float], None] | None = None,
+) -> Design:
+    """Design a sequence for the devices that `simulators` stand for.
+
+    Parameters
+    ----------
+    simulators : sequence of Simulator
+        The first stands for the device as drawn.
+    rng : Generator
+        Draws the candidates.
+    wanted : Requirements
+        Length, limits, shapes, effort.
+    report : callable, optional
+        Told the share that is designed.
+
+    Raises
+    ------
+    InputError
+        The first simulator does not follow full pulses, or no pulse switches it.
+
+    Notes
+    -----
+    Cost: about 20 places × candidates × simulators runs of half the length on average.
+    """
+    plain = alternating_pulses(duration=wanted.duration, rest=wanted.rest, voltage=wanted.voltage)
+    weights, wells = _weights(simulators[0], plain, wanted), probed_wells(simulators[0], wanted.voltage)
+    bursts = greedy_bursts(partial(_criterion, simulators, weights), rng, wanted, report=report)
+    return Design(
+        wanted,
+        bursts,
+        weights,
+        wells,
+        assess(simulators, weights, wells, bursts, wanted.duration),
+        assess(simulators, weights, wells, plain, wanted.duration),
+    )
+
+
+def greedy_bursts(
+    criterion: Callable[[list[Burst], float], float],
+    rng: np.random.Generator,
+    wanted: Requirements,
+    *,
+    report: Callable[[float], None] | None = None,
+) -> list[Burst]:
+    """Bursts that are chosen one after the other, each the candidate that adds most per second to the criterion.
+
+    `criterion` takes bursts and where they end [s]; −∞ refuses them.
+
+    Raises
+    ------
+    InputError
+        No candidate is accepted.
+    """
+    bursts = [Burst("pulse", wanted.rest, 1.2, wanted.voltage, 0.0, np.empty(0), np.empty(0))]
+    end, side = wanted.rest + 1.2 + 0.5, 1
+    before = criterion(bursts, end)
+    while wanted.duration - _FADE_OUT - end > _SHORTEST:
+        best, best_rate, reached = None, -np.inf, before
+        for _ in range(wanted.candidates):
+            burst, stop = _candidate(rng, wanted, end, side)
+            value = criterion([*bursts, burst], stop)
+            if (value - before) / (stop - end) > best_rate:
+                best, best_rate, reached = (burst, stop), (value - before) / (stop - end), value
+        if best is None:
+            raise InputError("no candidate could be simulated; take another model or a lower voltage")
+        bursts.append(best[0])
+        end, side, before = best[1], 1 - side, reached
+        if report is not None:
+            report(end / wanted.duration)
+    return bursts
+
+
+def assess(
+    simulators: Sequence[Simulator], weights: ScaledRegressor, wells: Wells, bursts: list[Burst], duration: float
+) -> Assessment:
+    """Play a sequence on every simulator; the information of its motions on the weights."""
+    runs = [_play(simulate, bursts, duration) for simulate in simulators]
+    information = [weights.information(*run, INTERVAL) for run in runs]
+    coverages = [_coverage(weights, run) for run in runs]
+    mean = float(np.mean([log_information(matrix) for matrix in information]))
+    covered = float(np.mean([_covered(coverage) for coverage in coverages]))
+    crossings = tuple(len(snaps(q, wells)) for q, _, _ in runs)
+    judged = conditioning(information[0])
+    return Assessment(mean + COVERAGE_WEIGHT * covered, mean, covered, coverages[0], judged, crossings)
+
+
+def _candidate(rng: np.random.Generator, wanted: Requirements, start: float, side: int) -> tuple[Burst, float]:
+    """A burst at `start` [s] that fits, and the end [s] of the pause behind it; three of four follow the turn."""
+    kind = KINDS.index(wanted.kinds[int(rng.integers(len(wanted.kinds)))])
+    turn = side if rng.random() < 0.75 else 1 - side
+    burst = draw_burst(rng, kind, start, turn, wanted.voltage)
+    last = wanted.duration - _FADE_OUT
+    if start + burst.duration > last:
+        burst = replace(burst, duration=last - start)
+    return burst, min(start + burst.duration + draw_pause(rng), wanted.duration)
+
+
+def _play(simulate: Simulator, bursts: list[Burst], duration: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """q, q̇ and the voltages behind the converters; cut where the simulation diverged."""
+    t: FloatArray = INTERVAL * np.arange(round(duration / INTERVAL), dtype=np.float64)
+    v = behind_converters(command(bursts, t), INTERVAL)
+    q, qdot = simulate(t, v)
+    valid = np.isfinite(q) & np.isfinite(qdot)
+    count = t.size if valid.all() else int(np.argmin(valid))
+    return q[:count], qdot[:count], v[:count]
+
+
+def behind_converters(u: FloatArray, dt: float) -> FloatArray:
+    """Voltages (N, 2) [V] of usual converters under commands every `dt` [s]."""
+    v: FloatArray = np.stack([Converter().drive(np.ascontiguousarray(u[:, side]), dt) for side in (0, 1)], axis=1)
+    return v
+
+
+def _criterion(
+    simulators: Sequence[Simulator], weights: ScaledRegressor, bursts: list[Burst], duration: float
+) -> float:
+    """Mean criterion; −∞ where a simulation diverges, for then nothing is known of the device either."""
+    values = []
+    for simulate in simulators:
+        run = _play(simulate, bursts, duration)
+        if len(run[0]) < round(duration / INTERVAL):
+            return -np.inf
+        covered = _covered(_coverage(weights, run))
+        values.append(log_information(weights.information(*run, INTERVAL)) + COVERAGE_WEIGHT * covered)
+    return float(np.mean(values))
+
+
+def _coverage(weights: ScaledRegressor, run: tuple[FloatArray, FloatArray, FloatArray]) -> Coverage:
+    """Visits at 10 ms, the interval on which models are identified."""
+    every = slice(None, None, round(1e-2 / INTERVAL))
+    return coverage(weights.centres, [run[0][every]], [run[2][every]])
+
+
+def _covered(visits: Coverage) -> float:
+    """Share of the centres, and of the pairs (input, centre), with at least `FEW` visits."""
+    cells = np.concatenate((visits.visits[None], visits.driven))
+    return float(np.mean(cells >= FEW))
+
+
+def probed_wells(simulate: Simulator, voltage: float) -> Wells:
+    """The wells of the device as drawn, as pulses of several lengths and of heights up to `voltage` [V] show them.
+
+    Raises
+    ------
+    InputError
+        The pulses do not take the joint from well to well.
+    """
+    none, bursts, end = np.empty(0), [], _PROBED_REST
+    for duration in _PROBED:
+        for share in _PROBED_SHARES:
+            for sides in ((share * voltage, 0.0), (0.0, share * voltage)):
+                bursts.append(Burst("pulse", end, duration, *sides, none, none))
+                end += duration + _PROBED_REST
+    q, _, v = _play(simulate, bursts, end)
+    wells = find_wells([(q, v, INTERVAL)], joint=True)
+    if isinstance(wells, NoWells):
+        raise InputError(
+            f"pulses of up to {voltage:g} V do not take the joint from well to well; raise --max-voltage "
+            "or --max-field, or see `debist physics curves` for what it needs"
+        )
+    return wells
+
+
+def _weights(simulate: Simulator, plain: list[Burst], wanted: Requirements) -> ScaledRegressor:
+    """The weights over the range that full pulses reach on the device as drawn."""
+    q, qdot, _ = _play(simulate, plain, wanted.duration)
+    if q.size < wanted.duration / INTERVAL - 1:
+        raise InputError("the simulator follows no full pulse; take another model or a lower voltage")
+    largest = np.full(2, wanted.voltage)
+    return ScaledRegressor.over(q, qdot, largest, basis_functions=wanted.basis_functions, smoothing=wanted.smoothing)

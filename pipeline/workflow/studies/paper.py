@@ -1,0 +1,242 @@
+"""Paper: the recipe of the paper on a prototype's logs, and every figure and table under its number.
+
+The recipe is a run of its own, in a folder of its own, so that its artifacts are checked and reused like any others.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...device.device import device
+from ...device.parameter_sets import parameter_set
+from ...device.parameters import JointParameters
+from ...diagnostics.facts.run_data import RunData, wells_of_run
+from ...errors import InputError
+from ...models.analytical.bifurcation import characteristics
+from ...models.analytical.reduced_order import beam_modes, pulse_sequence, simulate_both
+from ...models.paper.model import RbfPaperModel
+from ...numerics.arrays import FloatArray
+from ...reporting.canvas import Format, paper_figure
+from ...reporting.figure import Figure, of_models, window
+from ...reporting.log_figures import log_figures
+from ...reporting.paper_page import paper_page, table_1, table_2
+from ...settings.logs import ROLES
+from ...settings.models import CENTRES, SMOOTHING
+from ...settings.prototype import Compare, Differentiate, Identify, Prototype, load_prototype
+from ...signals.differentiate import AlphaStudy, alpha_study
+from ...store import layout, schemas
+from ...store.lock import run_lock
+from ...store.run_folder import RunFolder, Written
+from ...units.units import ALPHA_UNIT
+from .. import stage_scores as scores
+from ..engine import Observer, Task, TaskStatus, tasks_of
+from ..report_data import read_run
+from ..schedule import bring_up_to_date
+from ..stages import STAGE_NAMES, Planned, of_stages, plan
+from .study import study_task
+
+ALGORITHM = "4"
+RECIPE = Differentiate(order=1, alpha=0.01, epsilon=1e-6)
+"""§ 5.1: TVRegDiff with α = 0.01 and ε = 1e-6 for q in mm, applied twice, on samples at 10 ms."""
+SAMPLE_INTERVAL = 0.01
+BY_RECIPE = "{} by § 5.1"
+"""How Table 2 calls a model: `debist run` differentiates otherwise, so its errors differ."""
+ALPHAS = (1e-4, 1e-3, 1e-2, 1e-1, 1.0)
+"""Regularisation parameters of figure 11c [mm·s]."""
+PAIR = ("analytical-calibrated", "rbf-paper")
+"""The two models of figures 12, 13 and 15; the paper's analytical model is its calibrated one (§ 3.3)."""
+FIGURES = {
+    "fig-01b": "Fig. 1b: potential energy and force",
+    "fig-03": "Fig. 3: equilibria over z_b",
+    "fig-04": "Fig. 4: force over displacement",
+    "fig-05": "Fig. 5: capacitance and its derivative",
+    "fig-06": "Fig. 6: modes of the beam, and the static path",
+    "fig-07": "Fig. 7: full-order against reduced model",
+    "fig-08": "Fig. 8b: basis functions",
+    "lag-search": "§ 4.2: rank and condition number along the search for T_z",
+    "fig-11a": "Fig. 11a: excitation and measured motion",
+    "fig-11b": "Fig. 11b: number and width of the basis functions",
+    "fig-11c": "Fig. 11c: regularisation parameter",
+    "fig-12": "Fig. 12: models against the training log",
+    "fig-13": "Fig. 13: the same between 24 and 30 s",
+    "fig-14": "Fig. 14: characteristic curves",
+    "fig-15": "Fig. 15: models against a log they have not seen",
+}
+DRAWN = ("rbf-paper", "analytical-calibrated", "analytical")
+"""The models of these figures, in the order of their colours."""
+ENDINGS: tuple[Format, ...] = ("svg", "pdf")
+
+
+@dataclass(frozen=True)
+class PaperRun:
+    """Where the figures are, and Table 2 with the printed values beside the computed ones."""
+
+    root: Path
+    page: Path
+    done: list[TaskStatus]
+    table: list[dict[str, Any]]
+
+
+def paper_settings(prototype: Prototype) -> Prototype:
+    """The prototype with the recipe of § 5.1 and § 4.2: its logs, channels and plant, everything else as printed.
+
+    Raises
+    ------
+    InputError
+        The device has no two squared inputs, or q is no length, so that the paper's joint is no model of it.
+    """
+    if not prototype.may_be_a_joint:
+        raise InputError(
+            f"{prototype.name}: the paper's joint has two squared inputs; if this is one, name v1 and v2 "
+            "in [channels], else take `debist run` and `debist report`"
+        )
+    if device(prototype).displacement.symbol != "m":
+        raise InputError(f"{prototype.name}: q of the paper's joint is a length; take `debist run` for another device")
+    plant = prototype.plant.model_copy(update={"parameters": prototype.plant.parameters or "nominal", "curves": None})
+    return prototype.model_copy(
+        update={
+            "plant": plant,
+            "ingest": prototype.ingest.model_copy(
+                update={"sample_interval": SAMPLE_INTERVAL, "record_interval": SAMPLE_INTERVAL}
+            ),
+            "differentiate": RECIPE,
+            "identify": Identify(models=("rbf-paper",), basis_functions=CENTRES, smoothing=SMOOTHING),
+            "compare": Compare(models=("analytical", "analytical-calibrated", "sindy")),
+        }
+    )
+
+
+def run_paper(source: Path, output: Path | None, observer: Observer) -> PaperRun:
+    """Bring the recipe's run and its figures up to date.
+
+    Parameters
+    ----------
+    source : Path
+        A run folder or a prototype's settings file.
+    output : Path, optional
+        Folder of the recipe's run; ``RUN-paper`` or ``runs/NAME-paper`` if left out.
+    observer : Observer
+        Told of every task.
+    """
+    prototype, prototype_file, root = _opened(source)
+    recipe, root = paper_settings(prototype), output or root
+    with run_lock(root):
+        run = RunFolder.create(root, recipe.model_dump(mode="json"), prototype_file)
+        stages = [name for name in STAGE_NAMES if name != "report"]
+        tasks = list(tasks_of(of_stages(plan(Planned(run, recipe, prototype_file)), stages)))
+        tasks += [study_task(recipe, "basis", 1), _task(recipe, prototype_file)]
+        done = bring_up_to_date(run, tasks, observer)
+    return PaperRun(root, root / layout.PAPER, done, run.record(layout.PAPER).notes["table_2"])
+
+
+def _opened(source: Path) -> tuple[Prototype, Path, Path]:
+    """Settings, their file, and the folder of the recipe's run."""
+    if source.is_dir():
+        run = RunFolder.open(source)
+        return run.prototype, Path(run.manifest.prototype_file), source.with_name(f"{source.name}-paper")
+    prototype = load_prototype(source)
+    return prototype, source, Path("runs") / f"{prototype.folder}-paper"
+
+
+def _task(prototype: Prototype, prototype_file: Path) -> Task:
+    parameters = parameter_set(prototype, prototype_file)
+    assert parameters is not None  # noqa: S101 - `paper_settings` names a set
+    models = (*prototype.identify.models, *prototype.baselines)
+    logs = [(role, log) for role, log, _ in layout.logs(prototype)]
+    inputs = (
+        layout.MODELS,
+        layout.SCORES,
+        layout.study("basis"),
+        *(layout.baseline(model) for model in prototype.baselines),
+        *(layout.kinematics(role, log) for role, log in logs),
+        *(layout.predictions(role, log, model) for role, log in logs for model in models),
+    )
+    names = [name for name in FIGURES if name != "fig-15" or prototype.logs.validation]
+    outputs = (layout.PAPER, *(layout.paper_figure(name, ending) for name in names for ending in ENDINGS))
+    settings = {"prototype": prototype.model_dump(mode="json")}
+    return Task(
+        "paper", "figures and page", ALGORITHM, settings, inputs, outputs,
+        lambda run: _work(run, prototype, parameters),
+    )  # fmt: skip
+
+
+def _work(run: RunFolder, prototype: Prototype, parameters: JointParameters) -> Mapping[str, Written]:
+    from ...reporting.joint_figures import COLOURED
+
+    data = read_run(run, prototype, scores.scored_models(run, prototype))
+    figures: dict[str, tuple[Figure, Sequence[str]]] = {
+        name: (figure, COLOURED) for name, figure in joint_figures(parameters).items()
+    }
+    figures |= {name: (figure, DRAWN) for name, figure in _recipe_figures(run, prototype, data).items()}
+    written: dict[str, Written] = {}
+    pictures: dict[str, bytes] = {}
+    for name, (figure, roles) in figures.items():
+        files = paper_figure(figure, roles, *ENDINGS)
+        pictures[FIGURES[name]] = files[0]
+        for ending, content in zip(ENDINGS, files, strict=True):
+            artifact = layout.paper_figure(name, ending)
+            written[artifact] = run.write_bytes(artifact, content, {"title": FIGURES[name]})
+    rows = [row | {"model": BY_RECIPE.format(row["model"])} for row in table_2(data.scores)]
+    page = paper_page(prototype.name, pictures, table_1(parameters), rows, data, str(prototype.plant.parameters))
+    return written | {layout.PAPER: run.write_text(layout.PAPER, page, {"table_2": rows})}
+
+
+def joint_figures(parameters: JointParameters) -> dict[str, Figure]:
+    """Figures 1b and 3 to 7: the analytical model of the parameter set."""
+    from ...reporting import joint_figures as draw
+
+    curves, motions = characteristics(parameters), simulate_both(parameters, *pulse_sequence())
+    modes = beam_modes(motions.full.qm, parameters.l)
+    return {
+        "fig-01b": draw.double_well_figure(curves),
+        "fig-03": draw.equilibrium_figure(curves),
+        "fig-04": draw.force_figure(curves),
+        "fig-05": draw.capacitance_figure(curves),
+        "fig-06": draw.modes_figure(parameters, modes, motions.full.t),
+        "fig-07": draw.motion_figure(motions),
+    }
+
+
+def _recipe_figures(run: RunFolder, prototype: Prototype, data: RunData) -> dict[str, Figure]:
+    """Figures 8 and 11 to 15, and the search for T_z: the recipe on the logs."""
+    from ...reporting import recipe_figures as draw
+
+    training, network, settings = data.role("train")[0], data.models["rbf-paper"], prototype.identify
+    assert isinstance(network, RbfPaperModel)  # noqa: S101 - the recipe identifies it
+    wells = wells_of_run(data)
+    compared = {
+        role: of_models(log_figures(data, logs[0], wells)["models"], data.model_names, PAIR)
+        for role in ROLES
+        if (logs := data.role(role))
+    }
+    study = schemas.STUDIES["basis"], (settings.basis_functions, settings.smoothing)
+    units = {column.key: column.unit for column in schemas.schema_of(study[0], device(prototype)).columns}
+    begin = float(training.kinematics["t"][0])
+    shown = {name: data.models[name] for name in DRAWN if name in data.models}
+    figures = {
+        "fig-08": draw.basis_figure(network.centres, network.width, network.weights[0]),
+        "lag-search": draw.lag_figure(network.diagnostics["lag_search"]),
+        "fig-11a": draw.signals_figure(training),
+        "fig-11b": draw.basis_study_figure(run.read_table(layout.study("basis")), units, study[1]),
+        "fig-11c": draw.alpha_figure(*_alpha_study(training.kinematics), float(RECIPE.alpha)),
+        "fig-12": compared["train"],
+        "fig-13": window(compared["train"], *(begin + at for at in draw.ZOOM)),
+        "fig-14": draw.curves_figure(shown, np.linspace(network.centres[0], network.centres[-1], 241)),
+    }
+    return figures | ({"fig-15": compared["validation"]} if "validation" in compared else {})
+
+
+def _alpha_study(kinematics: Mapping[str, Any]) -> tuple[FloatArray, AlphaStudy]:
+    """Figure 11c: the record's longest stretch differentiated with each α [mm·s], around its fastest moment t [s]."""
+    segments = kinematics["segment"]
+    longest = max(np.unique(segments[segments >= 0]), key=lambda n: np.sum(segments == n))
+    rows = segments == longest
+    t, unit = kinematics["t"][rows], ALPHA_UNIT["m"][1]
+    epsilon = float(RECIPE.epsilon or 0.0) * unit**2
+    study = alpha_study(kinematics["q"][rows], SAMPLE_INTERVAL, unit * np.array(ALPHAS), order=1, epsilon=epsilon)
+    fastest = t[np.argmax(np.abs(kinematics["qdot"][rows]))]
+    near = (t >= fastest - 0.5) & (t <= fastest + 1.0)
+    return t[near], replace(study, alphas=np.array(ALPHAS), qdot=study.qdot[:, near])

@@ -1,0 +1,150 @@
+"""The analytical model for designers: statics, characteristic curves, motions, modes, reduction, calibration."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from pydantic import Field
+
+from ...errors import InputError
+from ...numerics.arrays import FloatArray
+from ...settings.logs import SettingsTable, Whole
+
+if TYPE_CHECKING:
+    from ...device.parameters import JointParameters
+    from ...models.analytical.calibration import Calibration
+    from ...models.analytical.reduced_order import Motions
+    from ...signals.log import Log
+    from ...store.tables import Table
+
+
+def energy_over_q(
+    joint: "JointParameters", *, v1: float, v2: float, force: float
+) -> tuple[FloatArray, FloatArray] | None:
+    """Displacement q [m] and the total potential U − ½ΣC_i v_i² − F q [J] of the joint whose tip is held at q.
+
+    None where the beam snaps although its tip is held: no curve over q exists then.
+    """
+    from ...models.analytical.bifurcation import SHOWN
+    from ...models.analytical.statics import static_path
+
+    try:
+        path = static_path(joint, SHOWN, np.array([v1, v2]))
+    except InputError:
+        return None
+    return path.q, path.energy - force * path.q
+
+
+def _columns(path: Path, *needed: str) -> "Table":
+    """A table of a run that has these columns."""
+    from ...store.tables import read_table
+
+    if path.suffix != ".parquet" or not path.is_file():
+        raise InputError(f"{path}: no table of a run; name one such as runs/P1/train/LOG/kinematics.parquet")
+    table = read_table(path)
+    if missing := [name for name in needed if name not in table]:
+        raise InputError(f"{path}: has no column {missing[0]!r}; {', '.join(needed)} are needed")
+    return table
+
+
+def measured_voltages(signals: Path) -> tuple[FloatArray, FloatArray, float | None]:
+    """Times [s], voltages (N, 2) [V] and the first valid q [m] of a run's `signals.parquet`.
+
+    Raises
+    ------
+    InputError
+        The table lacks a voltage.
+    """
+    table = _columns(signals, "t", "v1", "v2")
+    q = table["q"][np.isfinite(table["q"])] if "q" in table else np.empty(0)
+    return table["t"], np.column_stack([table["v1"], table["v2"]]), float(q[0]) if q.size else None
+
+
+def simulate(parameters: "JointParameters", voltage: float, signals: Path | None = None) -> "Motions":
+    """The full-order and the reduced model under the voltages of a run, or under pulses of `voltage` [V].
+
+    The motion starts at rest: at the first measured q, or in the left well.
+    """
+    from ...models.analytical.reduced_order import pulse_sequence, simulate_both
+
+    if signals is None:
+        return simulate_both(parameters, *pulse_sequence(voltage))
+    t, v, start = measured_voltages(signals)
+    return simulate_both(parameters, t, v, q0=start)
+
+
+class SearchFile(SettingsTable):
+    """How the calibration searches: the TOML file of `debist physics calibrate --search`."""
+
+    starts: Whole = Field(default=3, ge=1, le=100)
+    """Starts of the search, the first at the given set."""
+    seed: Whole = Field(default=0, ge=0)
+    """Draws the other starts."""
+    threads: Whole = Field(default=2, ge=1, le=64)
+    """Starts that are followed at a time."""
+
+
+def calibrate(
+    kinematics: Sequence[Path],
+    parameters: "JointParameters",
+    *,
+    names: Sequence[str],
+    search: SearchFile,
+    report: Callable[[str, float], None] | None = None,
+) -> "Calibration":
+    """Fit the named parameters to the gap-free stretches of `kinematics.parquet` files.
+
+    Voltages between the samples come from the ``record.parquet`` beside each, where there is one.
+
+    Raises
+    ------
+    InputError
+        A table lacks a column, or none has a stretch of motion.
+    """
+    from ...models.analytical.calibration import calibrate as fit
+    from ...signals.log import log_of
+    from ..logs import between
+
+    def motion(path: Path) -> "Log":
+        """A log, with the voltages between its samples where the run's record is beside it."""
+        table, record = (
+            _columns(path, "t", "q", "qdot", "qddot", "v1", "v2", "segment"),
+            path.with_name("record.parquet"),
+        )
+        return log_of(table, between(table["t"], _columns(record, "t", "v1", "v2")) if record.is_file() else None)
+
+    motions = [segment for path in kinematics for segment in motion(path).segments()]
+    if not motions:
+        raise InputError("there is nothing to calibrate on; name kinematics.parquet files with valid samples")
+    rng = np.random.default_rng(search.seed)
+    return fit(motions, parameters, rng, names=names, starts=search.starts, jobs=search.threads, report=report)
+
+
+def write_parameters(fit: "Calibration", target: Path) -> None:
+    """Write a calibrated set as TOML with its standard errors as comments; errors as for `new_outputs`."""
+    from ...device.parameter_sets import parameter_file
+    from ...store.outputs import new_outputs
+
+    errors = {name: f"± {error:.2g}" for name, error in zip(fit.names, fit.standard_errors, strict=True)}
+    with new_outputs(target.parent, "physics calibrate", force=None, names=(target.name,)) as staged:
+        (staged / target.name).write_text(parameter_file(fit.parameters, errors), encoding="utf-8", newline="\n")
+
+
+def calibration_document(fit: "Calibration") -> dict[str, Any]:
+    """The result of a calibration for `--json`: values and standard errors in SI units."""
+    from ...device.parameters import QUANTITIES
+
+    rows = zip(fit.names, fit.values, fit.standard_errors, strict=True)
+    return {
+        "parameters": [
+            {"name": name, "value": value, "standard_error": error, "unit": QUANTITIES[name].unit}
+            for name, value, error in rows
+        ],
+        "correlation": fit.correlation,
+        "at_bound": list(fit.at_bound),
+        "rmse": fit.rmse,
+        "converged": fit.converged,
+        "evaluations": fit.evaluations,
+        "start_rmse": fit.start_costs,
+    }

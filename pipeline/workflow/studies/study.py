@@ -1,0 +1,249 @@
+"""Studies of the parameters that a person might turn: alpha (fig. 11c), the RBF basis (fig. 11b), the training data."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...device.device import Device, device
+from ...models.paper.model import identify_rbf_paper
+from ...models.paper.online import drifted, follow, memories
+from ...numerics.arrays import FloatArray, sample_interval
+from ...reporting.canvas import paper_figure
+from ...scoring.data_study import amount_study, held_out_error, noise_study
+from ...settings.logs import Role
+from ...settings.prototype import Prototype
+from ...signals.differentiate import alpha_study, differentiate
+from ...signals.log import Log, operating_range
+from ...store import layout, schemas
+from ...store.atomic import refuse_link, write_bytes
+from ...store.columns import StudyName, Sweep
+from ...store.lock import run_lock
+from ...store.outputs import new_outputs
+from ...store.run_folder import RunFolder, Written
+from ...store.tables import Table
+from ...system.isolation import in_processes
+from ...units.units import ALPHA_UNIT
+from ..engine import Observer, Task
+from ..logs import load_logs, sources
+from ..report_data import read_study
+from ..schedule import bring_up_to_date
+from ..steps.differentiate import differentiator
+
+ALGORITHM = "2"
+
+ALPHAS = tuple(10.0 ** np.arange(-12.0, 2.01, 1.0))  # for q in mm, deg or mV
+BASIS_FUNCTIONS = (5, 8, 10, 12, 15, 20)
+SMOOTHINGS = (0.3, 0.5, 0.8, 1.2)
+SHARES = (0.05, 0.1, 0.2, 0.4, 0.7, 1.0)  # of the training samples
+NOISES = (0.0, 1e-4, 3e-4, 1e-3, 3e-3)  # of the range of q
+REPEATS = 4
+FORGETTING = (1.0, 0.9995, 0.998)
+DRIFTS = (0.0, 0.1)  # growth of the restoring force over the logs
+
+Columns = dict[str, "FloatArray"]
+
+
+@dataclass(frozen=True)
+class StudyResult:
+    """A study as it is printed.
+
+    Attributes
+    ----------
+    columns : mapping of str to array
+        Its table.
+    units : mapping of str to str
+        Of the columns.
+    figure : Path
+        Where it is drawn.
+    notes : mapping
+        Notes of the study.
+    """
+
+    columns: Table
+    units: dict[str, str]
+    figure: Path
+    notes: dict[str, Any]
+
+
+def run_study(root: Path, name: Sweep, observer: Observer, *, jobs: int = 1) -> StudyResult:
+    """Do a study of a run, or take it from the run if it is up to date.
+
+    Writes ``studies/NAME.parquet`` and its figure ``studies/NAME.svg``.
+    """
+    with run_lock(root):
+        run = RunFolder.open(root)
+        prototype = run.prototype
+        bring_up_to_date(run, [study_task(prototype, name, jobs)], observer)
+        return study_result(run, prototype, name)
+
+
+def study_result(run: RunFolder, prototype: Prototype, name: StudyName, models: Sequence[str] = ()) -> StudyResult:
+    """Read a study that was made, and draw it beside its table; `models` decides their colours."""
+    study, notes = read_study(run, name, device(prototype)), dict(run.record(layout.study(name)).notes)
+    columns, units = dict(study.columns), dict(study.units)
+    return StudyResult(columns, units, _draw(run.root, name, columns, units, models), notes)
+
+
+def study_task(prototype: Prototype, name: Sweep, jobs: int) -> Task:
+    """The task that brings the table of a study up to date."""
+    records = tuple(layout.record(role, log) for role, log, _ in layout.logs(prototype) if role == "train")
+    return Task(
+        stage="study",
+        title=name,
+        algorithm=ALGORITHM,
+        settings={"study": name, **_settings(prototype, name)},
+        inputs=records if name == "alpha" else sources(prototype),
+        outputs=(layout.study(name),),
+        work=partial(_work, prototype=prototype, name=name, jobs=jobs),
+    )
+
+
+def _settings(prototype: Prototype, name: Sweep) -> dict[str, Any]:
+    """What a study reads of the settings beside what its inputs were made with."""
+    if name == "alpha":
+        return {"order": prototype.differentiate.order}
+    plant = {"plant": prototype.plant.model_dump(mode="json", include={"mass", "inputs", "inputs_before"})}
+    read = set() if name == "basis" else {"basis_functions", "smoothing"}
+    settings = plant | {"identify": prototype.identify.model_dump(mode="json", include=read)}
+    return settings | {"differentiate": prototype.differentiate.model_dump(mode="json")} if name == "data" else settings
+
+
+def _work(run: RunFolder, prototype: Prototype, name: Sweep, jobs: int) -> Mapping[str, Written]:
+    plant = device(prototype)
+    columns, notes = {"alpha": _alpha, "basis": _basis, "data": _data, "online": _online}[name](
+        run, prototype, plant, jobs
+    )
+    return {
+        layout.study(name): run.write_table(
+            layout.study(name), schemas.schema_of(schemas.STUDIES[name], plant), columns, notes
+        )
+    }
+
+
+def _alpha(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    log = next(log for role, log, _ in layout.logs(prototype) if role == "train")
+    table = run.read_table(layout.record("train", log))
+    longest = max(np.unique(table["segment"][table["segment"] >= 0]), key=lambda n: np.sum(table["segment"] == n))
+    rows = table["segment"] == longest
+    t, order = table["t"][rows], prototype.differentiate.order
+    unit = ALPHA_UNIT[plant.displacement.symbol][1]
+    study = alpha_study(table["q"][rows], sample_interval(t), unit * np.array(ALPHAS), order=order)
+    notes = {
+        "log": f"train/{log}",
+        "order": order,
+        "automatic_alpha": study.automatic.alpha,
+        "noise_std": study.automatic.noise_std,
+    }
+    return {"alpha": study.alphas, "misfit": study.misfit, "roughness": study.roughness}, notes
+
+
+def _segments(run: RunFolder, prototype: Prototype, role: Role) -> list[Log]:
+    """The gap-free segments of the logs in a role."""
+    return [segment for log in load_logs(run, prototype, role) for segment in log.segments()]
+
+
+def _held_out(run: RunFolder, prototype: Prototype) -> list[Log]:
+    """The validation logs; without any, the training logs themselves."""
+    return _segments(run, prototype, "validation") or _segments(run, prototype, "train")
+
+
+def _basis(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    data, held_out = _segments(run, prototype, "train"), _held_out(run, prototype)
+    grid = [(count, smoothing) for count in BASIS_FUNCTIONS for smoothing in SMOOTHINGS]
+    work = partial(_one_basis, data, held_out, _asked(prototype, plant))
+    mse, condition, nrmse = np.array(list(in_processes(work, grid, jobs))).T
+    counts, smoothings = np.array(grid, dtype=np.float64).T
+    return {"basis_functions": counts, "smoothing": smoothings, "mse": mse, "condition": condition, "nrmse": nrmse}, {
+        "model": "rbf-paper"
+    }
+
+
+def _asked(prototype: Prototype, plant: Device) -> dict[str, Any]:
+    """Arguments of `identify_rbf_paper` by the settings."""
+    settings = prototype.identify
+    return {
+        "basis_functions": settings.basis_functions,
+        "smoothing": settings.smoothing,
+        "mass": plant.mass,
+        "inputs": plant.action,
+    }
+
+
+def _one_basis(
+    data: list[Log], held_out: list[Log], asked: dict[str, Any], point: tuple[int, float]
+) -> tuple[float, float, float]:
+    model = identify_rbf_paper(data, **asked | {"basis_functions": point[0], "smoothing": point[1]})
+    residual = np.concatenate([model.accelerate(x.t, x.v, x.q, x.qdot) - x.qddot for x in data])
+    return float(np.mean(residual**2)), float(model.diagnostics["condition"]), held_out_error(model, held_out)
+
+
+def _data(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    data, held_out = _segments(run, prototype, "train"), _held_out(run, prototype)
+    identify = partial(identify_rbf_paper, **_asked(prototype, plant))
+
+    how = differentiator(prototype.differentiate, measured=False, unit=ALPHA_UNIT[plant.displacement.symbol][1])
+
+    def smooth(samples: FloatArray, interval: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Smoothed samples and their derivatives."""
+        result = differentiate(samples, interval, **how)
+        return result.q_smooth, result.qdot, result.qddot
+
+    total, rng = sum(len(x.t) for x in data), np.random.default_rng(0)
+    low, high = operating_range(data)
+    amounts = sorted({max(50, round(share * total)) for share in SHARES})
+    by_amount = amount_study(data, held_out, identify, amounts, repeats=REPEATS, rng=rng)
+    levels = [(high - low) * share for share in NOISES]
+    by_noise = noise_study(data, held_out, identify, smooth, levels, repeats=REPEATS, rng=rng)
+    points = [(p.level, 0.0, p) for p in by_amount] + [(float(total), p.level, p) for p in by_noise]
+    summary = np.array([_summary(p.errors) for _, _, p in points])
+    samples, noise = np.array([point[:2] for point in points], dtype=np.float64).T
+    columns = {"samples": samples, "noise": noise} | dict(
+        zip(("nrmse", "nrmse_low", "nrmse_high"), summary.T, strict=True)
+    )
+    return columns, {"model": "rbf-paper", "repeats": REPEATS, "refused": sum(p.refused for _, _, p in points)}
+
+
+def _online(run: RunFolder, prototype: Prototype, plant: Device, jobs: int) -> tuple[Columns, dict[str, Any]]:
+    data = _segments(run, prototype, "train")
+    model = identify_rbf_paper(data, **_asked(prototype, plant))
+    rows = np.concatenate([model.regressors(x) for x in data])
+    target = plant.mass * np.concatenate([x.qddot for x in data])
+    q = np.linspace(model.centres[0], model.centres[-1], 101)
+    force, weights = model.force_rows(q), model.weights.ravel()
+    interval, truth = prototype.ingest.sample_interval, force @ weights
+    tables = []
+    for drift in DRIFTS:
+        measured, growth = drifted(rows, target, weights, len(model.centres), drift)
+        for forgetting in FORGETTING:
+            errors = follow(rows, measured, force, growth[:, None] * truth, forgetting=forgetting)
+            constant = np.ones(len(errors.samples))
+            tables.append(
+                {
+                    "forgetting": forgetting * constant,
+                    "drift": drift * constant,
+                    "t": interval * errors.samples,
+                    "curve_error": errors.curve_error,
+                    "prediction_error": errors.prediction_error,
+                }
+            )
+    columns = {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
+    return columns, {"model": "rbf-paper", "memories": memories(FORGETTING, interval), "lag_s": model.lag_s}
+
+
+def _summary(errors: tuple[float, ...]) -> tuple[float, float, float]:
+    return (float(np.median(errors)), min(errors), max(errors)) if errors else (np.nan, np.nan, np.nan)
+
+
+def _draw(root: Path, name: StudyName, columns: Columns, units: Mapping[str, str], models: Sequence[str]) -> Path:
+    """The figure of a study, beside its table."""
+    from ...reporting.recipe_figures import study_figure
+
+    target = root / layout.STUDIES / f"{name}.svg"
+    refuse_link(target.parent)
+    with new_outputs(target.parent, "study", force=True) as staged:
+        write_bytes(staged / target.name, paper_figure(study_figure(name, columns, units), models, "svg")[0])
+    return target
