@@ -8,10 +8,10 @@ import pytest
 from pydantic import BaseModel, ValidationError
 
 from pipeline.errors import InputError
+from pipeline.settings import prototype as settings
 from pipeline.settings.former import translated
 from pipeline.settings.prototype import Prototype, parse_prototype
 from pipeline.settings.prototype import logs as settings_logs
-from pipeline.settings.prototype import prototype as settings
 from pipeline.store import layout
 
 GOOD: dict[str, Any] = {

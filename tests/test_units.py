@@ -6,7 +6,8 @@ import pint
 import pytest
 
 from pipeline.errors import InputError
-from pipeline.units.units import DISPLACEMENT, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si, units
+from pipeline.units import units
+from pipeline.units.units import DISPLACEMENT, INPUT, MASS, PLAIN, POWERS, TIME, parse_quantity, to_si
 
 
 @pytest.mark.parametrize(
