@@ -93,9 +93,10 @@ $(VENV)/.made:
 	$(PYTHON) -m venv $(VENV)
 	touch $@
 
-$(VENV)/.run-ready: requirements.lock pyproject.toml | $(VENV)/.made
+# What users install: the package itself, anew when a source has changed. Developers have the checkout in its place.
+$(VENV)/.run-ready: requirements.lock pyproject.toml $(shell find pipeline -name '*.py' -o -name '*.j2') | $(VENV)/.made
 	$(PIP) install --only-binary :all: --require-hashes -r requirements.lock
-	$(PIP) install --no-deps --no-build-isolation -e .
+	$(PIP) install --no-deps --no-build-isolation $(if $(wildcard $(VENV)/.dev-ready),-e) .
 	touch $@
 
 $(VENV)/.dev-ready: requirements-dev.lock pyproject.toml | $(VENV)/.made
@@ -107,5 +108,5 @@ $(FLEET)/.ready: requirements-workflow.lock pyproject.toml
 	$(PYTHON) -m venv $(FLEET)
 	$(FLEET)/bin/python -m pip --disable-pip-version-check -q install --only-binary :all: --no-binary connection-pool \
 	    --require-hashes -r requirements-workflow.lock
-	$(FLEET)/bin/python -m pip --disable-pip-version-check -q install --no-deps --no-build-isolation -e .
+	$(FLEET)/bin/python -m pip --disable-pip-version-check -q install --no-deps --no-build-isolation .
 	touch $@

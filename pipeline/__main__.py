@@ -2,4 +2,5 @@
 
 from .commands.app import app
 
-app(prog_name="debist")
+if __name__ == "__main__":
+    app(prog_name="debist")

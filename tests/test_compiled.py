@@ -13,6 +13,7 @@ from pipeline.errors import InputError
 from pipeline.numerics import compiled
 from pipeline.numerics.kernel_cache import VARIABLE, WITHOUT_KERNELS, check_private
 
+_HAS_KERNELS = re.compile(r"^from \.+(numerics\.|codegen\.)?(compiled|numba_writer) import", re.MULTILINE)
 _COMPILER = ("numerics/compiled.py", "numerics/kernel_cache.py", "system/machine.py", "errors.py")
 _CALLED = "from pipeline.numerics.compiled import compiled\n\n@compiled\ndef inner(x):\n    return {factor} * x\n"
 _CALLER = """from pipeline.numerics.compiled import compiled
@@ -98,9 +99,7 @@ def test_no_kernel_depends_on_a_room_that_the_state_of_the_sources_leaves_out() 
     root = Path(compiled.__file__).parents[1]
     modules = []
     for file in root.rglob("*.py"):
-        if re.search(
-            r"^from pipeline\.(numerics\.compiled|codegen\.numba_writer) import", file.read_text(), re.MULTILINE
-        ):
+        if _HAS_KERNELS.search(file.read_text()):
             parts = file.relative_to(root).with_suffix("").parts
             assert parts[0] not in WITHOUT_KERNELS, file
             modules.append(".".join(("pipeline", *parts)))
