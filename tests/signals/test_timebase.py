@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pipeline.errors import DataRefusedError
-from pipeline.signals.timebase import LOCATED, advancing, default_gap_limit, examine, is_uniform, nominal_step, segments
+from pipeline.signals.timebase import advancing, default_gap_limit, examine, is_uniform, nominal_step, segments
 
 
 def test_clean_time_base():
@@ -61,20 +61,10 @@ def _breaks(time):
     return [i + 1 for i in range(time.size - 1) if time[i + 1] - time[i] > 0.005]
 
 
-def test_only_the_first_events_are_located():
-    quality = examine(np.repeat(np.arange(100.0), 2))
-    assert quality.repeated == 100 and len(quality.repeated_at) == LOCATED
-
-
 @pytest.mark.parametrize("time", [[], [1.0], [1.0, 1.0], [np.nan, np.nan], [3.0, 2.0]])
 def test_a_time_base_that_never_advances_is_refused(time):
     with pytest.raises(DataRefusedError, match="never advances"):
         nominal_step(np.array(time))
-
-
-def test_nominal_step_of_long_records_is_sampled():
-    time = np.arange(400_000) * 1e-4
-    assert nominal_step(time) == pytest.approx(1e-4, rel=1e-9)
 
 
 def test_gap_limit():

@@ -95,15 +95,6 @@ def test_reduced_model_equals_the_full_one_when_quasi_static() -> None:
     assert reduced.q == pytest.approx(full.q, abs=2e-5)
 
 
-def test_reduced_step_is_fine_enough_and_leaving_the_curves_is_divergence() -> None:
-    t, v = pulse_sequence(count=2, dt=0.01)
-    reduced = reduce_joint(UNEQUAL)
-    coarse, fine = (simulate_reduced(reduced, t, v, START, 0.0, max_step=step) for step in (1e-3, 1e-4))
-    assert coarse.q == pytest.approx(fine.q, abs=1e-8)
-    away = simulate_reduced(reduced, t, v, START, 0.0, force=np.full(t.size, 5.0))
-    assert away.diverged_at is not None and np.isnan(away.q[-1])
-
-
 def test_acceleration_along_a_reduced_motion_is_its_own() -> None:
     t, v = pulse_sequence(count=1, dt=1e-3)
     reduced = reduce_joint(UNEQUAL)

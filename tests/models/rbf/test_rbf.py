@@ -91,12 +91,6 @@ def test_the_same_data_give_the_same_model():
     assert (again.draws(4) == once.draws(4)).all()
 
 
-def test_mass_scales_the_curves_only(identified):
-    light = RbfModel(identified.parameters, identified.theta, identified.spread, identified.band_spread, 1.0)
-    q = np.array([-0.01, 0.004])
-    assert identified.curves(q)["F"] == pytest.approx(0.04 * light.curves(q)["F"])
-
-
 def test_tree_round_trip(identified):
     again = RbfModel.from_tree(identified.to_tree())
     fresh = log(planted(), 12, n=300)
@@ -129,16 +123,6 @@ def test_constant_and_undriven_logs_are_refused():
         identify_rbf([undriven])
 
 
-def test_the_ensemble_of_free_runs_stays_near_the_best_one_and_carries_its_draws(identified):
-    fresh = log(planted(), 11, n=200)
-    runs, draws = identified.simulate_draws(fresh.t, fresh.v, fresh.q[0], 0.0, count=64)
-    best = identified.simulate(fresh.t, fresh.v, fresh.q[0], 0.0).q
-    assert runs.shape == (64, 200)
-    assert (draws == identified.draws(64)).all()
-    assert np.quantile(np.abs(runs - best).max(axis=1), 0.8) < 0.1 * np.ptp(best)
-    assert np.abs(runs[:, -1] - best[-1]).max() > 0.0
-
-
 def arm(seed, *, n=700, interval=0.03):
     """An arm that a propeller lifts: sin q, a lagged squared drive, dry friction."""
     structure = JointStructure(6, arc=False, turning_arm=True, input_lag=True, **FRICTION["maxwell-slip"])
@@ -153,16 +137,6 @@ def arm(seed, *, n=700, interval=0.03):
     run = RbfModel(p, theta, *np.zeros((2, p.count, 1))).simulate(t, v, 0.6, 0.0)
     assert run.status == "ok"
     return Record(t, run.q + 1e-4 * rng.standard_normal(n), run.qdot, run.qddot, v, np.ones(n, dtype=bool))
-
-
-@pytest.mark.long
-def test_the_lag_of_a_propeller_is_found_by_inner_validation():
-    model = identify_rbf([arm(1, n=420)], angle=True, choice=RbfChoice("maxwell-slip", 6, 1.0))
-    assert "lagged input" in model.diagnostics["chosen"]
-    assert np.exp(model.theta[model.parameters.slices["input_lag"]]) == pytest.approx(0.15, rel=0.1)
-    fresh = arm(2)
-    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
-    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 0.02 * np.ptp(fresh.q)
 
 
 def test_measured_curves_are_kept_and_friction_is_learned_from_a_short_log():
@@ -249,16 +223,6 @@ def test_the_hold_of_the_input_is_found_and_makes_the_free_run_exact():
     run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
     assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 2e-3 * np.ptp(fresh.q)
     assert model.diagnostics["converged"]
-
-
-@pytest.mark.long
-def test_a_drive_that_was_off_before_the_log_is_seen():
-    model = identify_rbf([slider(3, n=400, off_before=True)], inputs="linear", choice=RbfChoice(friction="viscous"))
-    assert model.parameters.structure.input_lag
-    assert model.parameters.structure.rest_at_zero
-    fresh = slider(4, n=400, off_before=True)
-    run = model.simulate(fresh.t, fresh.v, fresh.q[0], 0.0)
-    assert np.sqrt(np.mean((run.q - fresh.q) ** 2)) < 5e-3 * np.ptp(fresh.q)
 
 
 @pytest.mark.long
@@ -402,22 +366,6 @@ def seen(seed, *, bend=0.0, shift=0.0, weaker=1.0, n=1000):
     slope, noise = 1.0 + 2.0 * bend * true.q, 5e-6 * np.random.default_rng(seed).standard_normal(n)
     q, qddot = true.q + bend * true.q**2 + shift + noise, true.qddot * slope + 2.0 * bend * true.qdot**2
     return Record(true.t, q, true.qdot * slope, qddot, true.v, true.valid)
-
-
-@pytest.mark.long
-def test_a_joint_unlike_simulated_ones_is_not_taken_for_one():
-    """The planted joint has another friction and constant gains: what is chosen is what smooth curves alone give."""
-    both = [identify_rbf([seen(21)], choice=RbfChoice(population=learnt)) for learnt in (True, False)]
-    assert any(str(one).endswith("population prior") for one in both[0].diagnostics["candidates"])
-    assert both[0].diagnostics["chosen"] == both[1].diagnostics["chosen"]
-    assert both[0].theta == pytest.approx(both[1].theta)
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("device", [{"bend": 0.2}, {"weaker": 0.4}, {"shift": 3e-3}], ids=str)
-def test_sides_are_not_taken_for_alike_where_the_log_says_that_they_are_not(device):
-    model = identify_rbf([seen(21, **device)])
-    assert not model.diagnostics["chosen"].endswith("mirror-symmetric to 3 %")
 
 
 def test_a_bistable_joint_is_fitted_while_it_is_tied_to_its_log():
