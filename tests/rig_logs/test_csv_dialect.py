@@ -36,14 +36,6 @@ def test_all_combinations_are_found_and_read(tmp_path, delimiter, decimal, encod
     np.testing.assert_allclose(found["n"], 1e-3 * np.arange(50))
 
 
-def test_preamble_header_and_units_row():
-    dialect = _find("Rig 7; run 3\nRate 2000\nZeit;Weg q;U\n[s];[µm];[V]\n0,0;1,5;2\n0,5;2,5;3\n", "latin-1")
-    assert dialect.header == ("Zeit", "Weg q", "U")
-    assert dialect.units == ("s", "µm", "V")
-    assert (dialect.encoding, dialect.delimiter, dialect.decimal) == ("latin-1", ";", ",")
-    assert dialect.first_data_row == 4
-
-
 NUMBERS = [-1250, 998, 12, 11043, 7, 2500, 431, -9923]
 LARGE = [1250 + 7 * i for i in range(8)]
 LEVELS = [1000 * (1 + i % 3) for i in range(8)]
@@ -166,13 +158,6 @@ def test_a_character_that_ends_a_line_elsewhere_stands_in_a_cell(tmp_path, encod
     np.testing.assert_allclose(t, 0.01 * np.arange(299), atol=1e-12)
 
 
-def test_a_log_cut_off_before_its_first_whole_row_holds_no_table(tmp_path):
-    text = "# Prüfstand; Laser\r\n# 2000 Hz\r\nZeit;Weg q;U1;U2\r\n[s];[µm];[V];[V]\r\n0,00023;"
-    (tmp_path / "cut.csv").write_bytes(text.encode("latin-1"))
-    with pytest.raises(UnreadableLogError, match="no table of numbers"):
-        read_here(tmp_path / "cut.csv")
-
-
 ROWS = [f"{i / 8:.3f},{-i * 1.5:.1f},{i}" for i in range(50)]
 
 
@@ -181,12 +166,9 @@ ROWS = [f"{i / 8:.3f},{-i * 1.5:.1f},{i}" for i in range(50)]
     [
         ("# t q v", " ", ("t", "q", "v"), ("", "", "")),  # numpy.savetxt
         ("#t\tq\tv", "\t", ("t", "q", "v"), ("", "", "")),  # gnuplot
-        ("# t, q [mm], v [V]", ",", ("t", "q", "v"), ("", "mm", "V")),
         ("# t q v", ",", ("t", "q", "v"), ("", "", "")),  # savetxt with another delimiter than its header
         ("% time [s] angle [deg] input [V]", " ", ("time", "angle", "input"), ("s", "deg", "V")),
         ("# written by me today\n# t q v\n# s mm V", " ", ("t", "q", "v"), ("s", "mm", "V")),
-        ("# my nice bench\n# t q v", " ", ("t", "q", "v"), ("", "", "")),
-        ("// t;q;v", ";", ("t", "q", "v"), ("", "", "")),
         ("Time,Channel A,Channel B\n(ms),(mV),(V)\n", ",", ("Time", "Channel A", "Channel B"), ("ms", "mV", "V")),
         ("Points,2\n\nFormat,Y,\nUnits,S,\n\nTIME,CH1,CH2", ",", ("TIME", "CH1", "CH2"), ("", "", "")),
         ("Clock,Position,Force\n,of cart,of motor\ns,mm,N", ",", ("Clock", "Position", "Force"), ("s", "mm", "N")),
@@ -199,34 +181,6 @@ def test_headings_of_other_programs(above, delimiter, names, units):
     rows = [row.replace(",", delimiter) for row in ROWS]
     dialect = _find("\n".join([above, *rows]) + "\n")
     assert (dialect.header, dialect.units) == (names, units)
-
-
-def test_a_heading_with_the_mark_of_a_comment_may_still_be_asked_for_so(tmp_path):
-    path = tmp_path / "log.csv"
-    path.write_text("\n".join(["#t,q,v", *ROWS]) + "\n")
-    assert list(read_here(path)) == ["t", "q", "v"]
-    (time, *_) = CsvSource(path, CsvOptions()).entries()
-    assert time.aliases == ("#t",)
-
-
-@pytest.mark.parametrize("missing", ["#NV", "NaN", ".", "--", "#DIV/0!", "None"])
-def test_more_words_for_missing_values(tmp_path, missing):
-    path = tmp_path / "log.csv"
-    path.write_text("\n".join(["t;q;v", f"0;{missing};1", "1;2;3", f"2;{missing};4", "3;4;5"]) + "\n")
-    np.testing.assert_array_equal(read_here(path)["q"], [np.nan, 2, np.nan, 4])
-
-
-@pytest.mark.parametrize(
-    "stamp", ["2024-01-01T12:00:{:06.3f}", "2024-01-01 12:00:{:06.3f}", "2024-01-01T12:00:{:06.3f}Z"]
-)
-def test_time_stamps_count_from_the_first(tmp_path, stamp):
-    path = tmp_path / "log.csv"
-    path.write_text("\n".join(["clock,q,v", *(f"{stamp.format(i / 100)},{i},{2 * i}" for i in range(900))]) + "\n")
-    source = CsvSource(path, CsvOptions())
-    assert [(entry.name, entry.unit) for entry in source.entries()] == [("clock", "s"), ("q", ""), ("v", "")]
-    np.testing.assert_allclose(read_here(path)["clock"], np.arange(900) / 100, atol=1e-9)
-    list(source.parts(["clock"]))
-    assert source.notes[-1] == f"time of 'clock' counts from {stamp.format(0)}"
 
 
 @pytest.mark.parametrize("mark", [".", ","])
@@ -250,19 +204,6 @@ def test_a_damaged_time_of_day_is_named(tmp_path):
     path.write_text("t;q\n" + "".join(f"12:00:{i:02d};{i}\n" for i in range(60)) + "12:01:0x;60\n")
     with pytest.raises(UnreadableLogError, match="'12:01:0x'"):
         read_here(path)
-
-
-def test_of_a_column_that_is_no_number_the_first_cell_that_is_none_is_named(tmp_path):
-    """A clock in ms with marks between thousands begins with numbers: 0.000 … 902.000, 1.002.000."""
-    path = tmp_path / "log.csv"
-    stamps = ["0.000", *(f"{100_000 * i + 2_000:,}".replace(",", ".") for i in range(1, 60))]
-    path.write_text("t;q;v\n" + "".join(f"{stamp};{i % 7}.5;{i % 3}\n" for i, stamp in enumerate(stamps)))
-    told = "'1.002.000' in line 12; marks between thousands: export it without them"
-    assert CsvSource(path, CsvOptions()).notes[-1] == f"no numbers, and left out: 't' ({told})"
-    with pytest.raises(InputError, match=f"log.csv: channel 't' holds no plain numbers, but {told}"):
-        read_recording(path, channels=["t"])
-    path.write_text("t;q;mode\n" + "".join(f"{i};{i % 7};{'run' if i > 1 else 0}\n" for i in range(60)))
-    assert CsvSource(path, CsvOptions()).notes[-1] == "no numbers, and left out: 'mode' ('run' in line 4)"
 
 
 def test_a_decimal_of_any_column_decides_for_all(tmp_path):
@@ -315,14 +256,7 @@ def test_words_in_place_of_numbers_are_missing_values_and_named(tmp_path, word, 
 )
 @pytest.mark.parametrize(
     ("row", "end"),
-    [
-        (3, "\n"),
-        (8_000, "\r\n"),
-        (8_100, ""),
-        *(pytest.param(row, "\n", marks=pytest.mark.long) for row in (8_000, 8_100)),
-        *(pytest.param(row, "\r\n", marks=pytest.mark.long) for row in (3, 8_100)),
-        *(pytest.param(row, "", marks=pytest.mark.long) for row in (3, 8_000)),
-    ],
+    [(3, "\n"), (8_000, "\r\n"), (8_100, "")],
 )
 def test_lines_that_are_no_rows_of_numbers_are_left_out_and_named(tmp_path, line, row, end):
     rows = [f"{i},{2 * i}.5" for i in range(8_100)]
@@ -356,27 +290,11 @@ def test_numbers_as_they_are_written_in_other_places(tmp_path, cell, number, del
     assert q[row] == number and q[-1] == 8_099.5 and q.size == 8_100
 
 
-def test_a_switch_among_numbers_is_a_missing_value(tmp_path):
-    (tmp_path / "log.csv").write_text("t,q\n" + "".join(f"{i},{'TRUE' if i == 50 else i / 8}\n" for i in range(100)))
-    source = open_here(tmp_path / "log.csv")
-    assert np.flatnonzero(np.isnan(load(source, "q"))).tolist() == [50]
-    assert "'TRUE' in 'q' (1 times, the first in line 52)" in source.notes[-1]
-
-
 @pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be", "utf-16", "utf-8-sig"])
 def test_text_of_two_bytes_may_lack_its_mark(tmp_path, encoding):
     path = tmp_path / "log.csv"
     path.write_text("t [s];Wärme [K]\n" + "".join(f"{i};{i},5\n" for i in range(9)), encoding=encoding)
     assert read_here(path)["Wärme"].tolist() == [i + 0.5 for i in range(9)]
-
-
-@pytest.mark.parametrize("form", ["{:.2f}", '"{:.2f}"', "{:.0f}"])
-@pytest.mark.parametrize("header", ["", "q\n"])
-def test_a_single_column_says_to_join_the_files(form, header):
-    with pytest.raises(UnreadableLogError, match=r"a single one; .* join them as columns of one file"):
-        _find(header + "".join(f"{form.format(0.25 * i)}\n" for i in range(60)))
-    with pytest.raises(UnreadableLogError, match=r"no table .* in the first 2 rows; .* set \[ingest.csv\]"):
-        _find("no numbers here\nat all\n")
 
 
 _CELLS = st.sampled_from(["1", "-2.5", ".5", "5.", "-1E-3", "", "", "", "+3", "x", "1 000", "--5", "1.2.3"])

@@ -42,28 +42,6 @@ def test_packed_numbers_are_unpacked_and_the_attributes_named(tmp_path, attribut
     assert all(name in source.notes[0] for name in attributes)
 
 
-def test_unsigned_bytes_may_be_declared_to_have_a_sign(tmp_path):
-    _, q = _hdf5(tmp_path / "log.h5", {"_Unsigned": "false"}, RAW.view("u2"))
-    np.testing.assert_array_equal(q, RAW)
-
-
-@pytest.mark.parametrize("name", ["valid_range", "valid_min", "valid_max"])
-@pytest.mark.parametrize("numbers", [[1, 2, 3], []])
-def test_limits_of_another_number_leave_the_channel_out(tmp_path, name, numbers):
-    with h5py.File(tmp_path / "log.h5", "w") as file:
-        file["v"] = V
-        file.create_dataset("q", data=RAW).attrs[name] = np.array(numbers, "i2")
-    source = open_here(tmp_path / "log.h5")
-    assert source.texts == {"q": f"{name} has {len(numbers)} numbers"} and source.entries()[0].name == "v"
-
-
-def test_a_scale_beside_all_channels_is_named(tmp_path):
-    with h5py.File(tmp_path / "log.h5", "w") as file:
-        file["q"], file["v"] = RAW, V
-        file.attrs["scale_factor"] = 0.001
-    assert "scale_factor = 0.001, not applied here" in open_here(tmp_path / "log.h5").notes[0]
-
-
 def test_columns_may_have_factors_of_their_own(tmp_path):
     with h5py.File(tmp_path / "log.h5", "w") as file:
         file.create_dataset("m", data=np.stack([RAW, RAW], axis=1)).attrs["scale_factor"] = [2.0, 3.0]
@@ -103,16 +81,6 @@ def test_types_of_hdf5(tmp_path):
     assert "complex" in source.texts["z"] and "blosc" in source.texts["q"] and "words" in source.notes[0]
 
 
-def test_what_is_no_array_of_numbers_in_mat_files_is_named(tmp_path):
-    cell = np.empty(2, dtype=object)
-    cell[:] = [Q, V]
-    savemat(tmp_path / "log.mat", {"data": cell, "z": Q + 1j, "q": Q, "remark": "a text"})
-    source = open_here(tmp_path / "log.mat")
-    assert [entry.name for entry in source.entries()] == ["q"]
-    assert "data1 = data{1}" in source.texts["data"] and "real(z)" in source.texts["z"]
-    assert all(name in source.notes[0] for name in ("data", "z", "remark"))
-
-
 @pytest.mark.parametrize(("unit", "factor"), [("ms", 1e3), ("s", 1.0), ("", 1.0), ("Sekunden", 1.0), ("µs", 1e6)])
 @pytest.mark.parametrize("version", ["5", "7.3"])
 def test_the_unit_of_a_time_axis_of_controldesk(tmp_path, unit, factor, version):
@@ -130,14 +98,6 @@ def test_the_unit_of_a_time_axis_of_controldesk(tmp_path, unit, factor, version)
     np.testing.assert_allclose(load(source, time), TIME)
 
 
-def test_an_axis_that_is_no_time_is_none(tmp_path):
-    axis = {"Name": "", "Type": 4.0, "Data": TIME, "Unit": "deg", "Raster": "HostService"}
-    write_matlab73(tmp_path / "log.mat", [axis], [{**axis, "Path": "", "XIndex": 1.0, "Name": "q", "Data": Q}])
-    source = open_here(tmp_path / "log.mat")
-    assert [entry.time for entry in source.entries()] == [None, None]
-    assert "in deg and no time" in source.notes[0]
-
-
 @pytest.mark.parametrize(("kind", "word"), [(2, "angle"), (3, "distance"), (4, "index")])
 def test_a_master_of_mdf_that_is_no_time(tmp_path, kind, word):
     from asammdf import MDF, Signal
@@ -148,18 +108,6 @@ def test_a_master_of_mdf_that_is_no_time(tmp_path, kind, word):
     source = open_here(tmp_path / "log.mf4")
     assert {entry.time for entry in source.entries()} == {None}
     assert f"an {word}".replace("an d", "a d") in source.notes[0]
-
-
-def test_a_master_of_mdf_in_another_unit_is_no_time(tmp_path):
-    from asammdf import MDF, Signal
-
-    with MDF(version="4.10") as mdf:
-        mdf.append([Signal(Q, 1e3 * TIME, name="q")])
-        mdf.groups[0].channels[0].unit = "ticks"
-        mdf.save(tmp_path / "log.mf4", overwrite=True)
-    source = open_here(tmp_path / "log.mf4")
-    assert {entry.time for entry in source.entries()} == {None} and source.entries()[0].unit == "ticks"
-    assert "is in ticks and no time: its channels need a [channels] time" in source.notes[0]
 
 
 @pytest.mark.parametrize("version", ["3.30", "4.10"])

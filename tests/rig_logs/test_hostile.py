@@ -61,10 +61,6 @@ def test_truncated(logs, tmp_path, kind, match):
     _refused(path, match)
 
 
-def test_missing_channel_lists_what_is_there(logs):
-    _refused(logs["mat"], "no channel 'Q'; did you mean 'q'\\? it has 'time', 'q', 'v'", channels=["Q"])
-
-
 def test_death_of_the_reader_is_an_error(logs, monkeypatch):
     monkeypatch.setattr("pipeline.rig_logs.guarded._READER", broken_readers.dies)
     _refused(logs["mat"], "died of SIGSEGV; the file is damaged")

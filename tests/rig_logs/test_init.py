@@ -51,11 +51,6 @@ def test_paths_hold_from_where_the_file_lies(log, tmp_path, monkeypatch):
     assert tomllib.loads(RUNNER.invoke(app, ["init", "raw/log.h5"]).stdout)["logs"]["train"] == ["raw/log.h5"]
 
 
-def test_two_logs_of_one_name_are_named(log):
-    text = toml_draft([inspect_log(log)] * 3, ["a/run.h5", "b/run.h5", "val.h5"])
-    assert "# a/run.h5 and b/run.h5 have one name, by which a run files them: rename one" in text
-
-
 @pytest.mark.parametrize(
     ("text", "ratio"),
     [

@@ -57,12 +57,6 @@ def test_draft_is_a_settings_file(noisy_log):
     assert text.count("# suggested") == 3
 
 
-def test_draft_leaves_open_what_is_open(logs):
-    draft = tomllib.loads(toml_draft([inspect_log(logs["mat73"])], ["../raw/log.mat"]))
-    assert draft["logs"]["train"] == ["../raw/log.mat"]
-    assert draft["channels"]["q"] == {"channel": "q", "unit": FILL_IN}
-
-
 def test_csv_needs_a_time_column(logs):
     inspection = inspect_log(logs["csv"])
     assert not inspection.own_time
@@ -132,17 +126,11 @@ def test_what_a_log_excites_is_told_where_the_channels_are_clear(noisy_log, tmp_
     ("given", "validation"),
     [
         (["train.mat", "validation.mat"], ["validation.mat"]),
-        (["b-test.csv", "a.csv"], ["b-test.csv"]),
         (["1.mf4", "2.mf4", "3.mf4"], ["3.mf4"]),
         (["Prüflauf 1.csv", "Prüflauf 2.csv"], ["Prüflauf 2.csv"]),
         (["train-1.mat", "train-2.mat"], []),
         (["log.mat"], []),
-        (["interval_1.mat", "run_2.mat"], ["run_2.mat"]),
-        (["valve.csv", "pump.csv"], ["pump.csv"]),
         (["prbs_test_60min_val.mat", "prbs_test_60min.mat"], ["prbs_test_60min_val.mat"]),
-        (["train.mat", "val.mat", "test.mat"], ["val.mat", "test.mat"]),
-        (["armVal.mat", "armTrain.mat"], ["armVal.mat"]),
-        (["Testlauf 3.csv", "Lauf 4.csv"], ["Testlauf 3.csv"]),
         (["profit.csv", "vali.csv", "latest.csv"], ["latest.csv"]),
     ],
 )
@@ -150,12 +138,6 @@ def test_logs_are_proposed_for_training_and_validation(given, validation):
     train, proposed = proposed_roles(given)
     assert proposed == validation
     assert sorted(train + proposed) == sorted(given) and train
-
-
-def test_a_draft_of_two_logs_needs_no_parameter_set(noisy_log):
-    draft = tomllib.loads(toml_draft([inspect_log(noisy_log)] * 2, ["train.mat", "val.mat"]))
-    assert draft["logs"] == {"train": ["train.mat"], "validation": ["val.mat"]}
-    assert draft["plant"] == {"inputs": "squared"}
 
 
 def _csv(path, header, *columns, fmt="%.6g", delimiter=","):
@@ -176,13 +158,6 @@ def test_an_input_of_two_levels_is_told_by_its_levels(tmp_path):
         assert _remarks(path)["motor"] == "takes 2 values only: -3 and 3"
 
 
-def test_a_held_input_is_neither_saturated_nor_frozen(tmp_path):
-    t = np.arange(4000) / 100.0
-    u = np.repeat(np.random.default_rng(0).uniform(0.0, 10.0, 50), 80)
-    path = _csv(tmp_path / "steps.csv", "t [s],level [cm],pump [V]", t, 5.0 + np.sin(t), u)
-    assert _remarks(path)["pump"] == ""
-
-
 def test_white_noise_may_be_an_input_where_no_other_channel_is_like_it(tmp_path):
     t, rng = np.arange(4000) / 100.0, np.random.default_rng(0)
     one = _csv(tmp_path / "one.csv", "t [s],q [mm],v [V]", t, np.sin(t), rng.normal(size=t.size))
@@ -191,46 +166,6 @@ def test_white_noise_may_be_an_input_where_no_other_channel_is_like_it(tmp_path)
     off = rng.normal(0.0, 0.01, t.size)
     two = _csv(tmp_path / "two.csv", "t [s],q [mm],v1 [kV],v2 [kV]", t, np.sin(t), pulses, off)
     assert _remarks(two)["v2"] == "nothing but noise: no excitation"
-
-
-def test_places_are_told_in_seconds_only_where_the_log_says_so(tmp_path):
-    """Time may be in ms where its unit is not stated."""
-    t = np.arange(4000) / 100.0
-    q = np.where((t > 10.0) & (t < 12.0), np.sin(10.0), np.sin(t)) + 1e-9 * t * (t < 10.0)
-    q[7] = np.nan
-    known = _remarks(_csv(tmp_path / "known.csv", "t [s],q [mm],v [V]", t, q, np.sin(3.0 * t), fmt="%.12g"))["q"]
-    assert "the first at 0.07 s" in known and "unchanged for 1.9" in known
-    unknown = _remarks(_csv(tmp_path / "open.csv", "t,q,v", t, q, np.sin(3.0 * t), fmt="%.12g"))["q"]
-    assert unknown == "1 sample not finite, the first at 0.07"
-    without = _remarks(_csv(tmp_path / "without.csv", "q,v", q, np.sin(3.0 * t), fmt="%.12g"))["q"]
-    assert without == "1 sample not finite, the first at sample 7"
-
-
-@pytest.mark.parametrize(
-    ("names", "roles"),
-    [
-        (("t", "theta", "u"), ("t", "theta", "u", None)),
-        (("t", "tilt", "pwm_l", "pwm_r"), ("t", "tilt", "pwm_l", "pwm_r")),
-        (("time", "position", "position_ref", "torque"), ("time", "position", "torque", None)),
-        (("t", "something", "duty"), ("t", "something", "duty", None)),
-        (("t", "height", "b"), ("t", "height", "b", None)),
-    ],
-)
-def test_common_names_and_what_is_left_over_are_suggested(names, roles):
-    found = {role.role: role.only for role in suggest([(name, "") for name in names], own_time=False)}
-    assert tuple(found[role] for role in ("time", "q", "v1", "v2")) == roles
-
-
-def test_a_sequence_for_a_joint_is_offered_for_a_joint_only(tmp_path):
-    from typer.testing import CliRunner
-
-    from cli import app
-
-    t = np.arange(4000) / 100.0
-    columns = (t, 30.0 * np.sin(t) ** 3, 3.0 * np.sign(np.sin(0.3 * t)))
-    shown = CliRunner().invoke(app, ["inspect", str(_csv(tmp_path / "p.csv", "t [s],q [deg],motor [V]", *columns))])
-    assert shown.exit_code == 0, shown.output
-    assert "Not excited" in shown.stdout and "wells" not in shown.stdout and "rig excite" not in shown.stdout
 
 
 def test_a_column_that_rises_evenly_may_be_the_time(tmp_path):
@@ -256,16 +191,6 @@ def test_draft_asks_for_the_rate_of_a_log_without_time(tmp_path):
     assert f'# sample_rate = "{FILL_IN}"' in text
 
 
-def test_bursts_at_a_code_do_not_make_q_fast(tmp_path):
-    t = 0.005 * np.arange(6000)
-    q = 9.0 * np.sin(7.0 * t)
-    q[1000:1020] = q[3000:3005] = 500.0
-    _csv(tmp_path / "log.csv", "t [s],q [mm],v [V]", t, q, np.where(t % 4 < 1, 0.0, 3e3))
-    draft = _draft(tmp_path / "log.csv")
-    assert "2 bursts of 25 samples at 500 mm" in " ".join(inspect_log(tmp_path / "log.csv").channels[1].remarks)
-    assert "ingest" not in draft
-
-
 def test_draft_takes_the_step_of_a_slow_log_and_the_law_of_an_input_of_both_signs(tmp_path):
     t = np.arange(2000.0)
     q, u = np.sin(0.01 * t), np.sign(np.sin(0.003 * t))
@@ -277,62 +202,6 @@ def test_draft_takes_the_step_of_a_slow_log_and_the_law_of_an_input_of_both_sign
     assert both["plant"]["inputs"] == "linear"
     hardly = _draft(_csv(tmp_path / "hardly.csv", "t [s],angle [deg],fan [%]", t, q, 25.0 + 55.0 * u))
     assert hardly["plant"]["inputs"] == "squared"  # the fan of a drone brakes for a moment
-
-
-@pytest.mark.parametrize("name", ["CON.csv", "rig:1.csv", "log..csv", "a\tb.csv"])
-def test_draft_tells_what_a_run_will_say_of_a_log_s_name(tmp_path, name):
-    t = np.arange(100.0)
-    draft = toml_draft([inspect_log(_csv(tmp_path / name, "t [s],q [mm],v [V]", t, np.sin(t), np.cos(t)))])
-    assert "is no usable name" in draft and tomllib.loads(draft)["logs"]["train"] == [name]
-
-
-@pytest.mark.parametrize(
-    ("file", "name"),
-    [
-        ("pend_train.csv", "pend"),
-        ("arm-7-validation.csv", "arm_7"),
-        ("train.csv", "bench 3"),
-        ("traindata.csv", "bench 3"),
-        ("train2.csv", "bench 3"),
-        ("armTrain.csv", "arm"),
-        ("interval_profit.csv", "interval_profit"),
-    ],
-)
-def test_draft_is_named_by_the_device_and_not_by_what_the_log_is_for(tmp_path, file, name):
-    (folder := tmp_path / "bench 3").mkdir()
-    t = np.arange(100.0)
-    assert _draft(_csv(folder / file, "t [s],q [mm],v [V]", t, np.sin(t), np.cos(t)))["name"] == name
-
-
-@pytest.mark.parametrize(
-    ("column", "named"),
-    [
-        ("xdot", ("xdot", "FILL IN")), ("belt speed", ("belt speed", "FILL IN")), ("q_dt", ("q_dt", "FILL IN")),
-        ("tacho [mm/s]", ("tacho", "mm/s")), ("velocity [deg/s]", ("velocity", "deg/s")), ("acc [m/s^2]", None),
-        ("acc [m/s/s]", None), ("level [mm]", None), ("level", None), ("speed [V]", None),
-    ],
-)  # fmt: skip
-def test_draft_names_a_channel_that_may_be_the_velocity(tmp_path, column, named):
-    t = np.arange(100.0)
-    log = _csv(tmp_path / "log.csv", f"t [s],q [mm],v [V],{column}", t, np.sin(t), np.cos(t), t % 7)
-    lines = [line for line in toml_draft([inspect_log(log)]).splitlines() if "qdot" in line]
-    entry = '# qdot = {{ channel = "{}", unit = "{}" }}  # where that is q\'s measured velocity'
-    assert lines == ([entry.format(*named)] if named else [])
-
-
-def test_draft_tells_what_the_reader_left_out(tmp_path):
-    path = tmp_path / "clock.csv"
-    path.write_text("state,q [mm],v [V]\n" + "".join(f"run {i:02d},{i % 9},{i % 7}\n" for i in range(60)))
-    assert "# no numbers, and left out: 'state' ('run 00')" in toml_draft([inspect_log(path)])
-
-
-def test_what_is_not_clear_says_how_to_make_it_so(tmp_path):
-    from pipeline.workflow.inspection import inspect
-
-    t = np.arange(500.0)
-    log = _csv(tmp_path / "log.csv", "t,q,v", t, np.sin(t), np.cos(t))
-    _, reason = inspect(log)
-    assert f"fill in what `debist init {log} -o P.toml` writes, then `debist inspect {log} --settings P.toml`" in reason
 
 
 def _mat(path, **variables):
@@ -383,8 +252,6 @@ def test_a_second_experiment_in_a_file_is_no_second_input(tmp_path, names, q, v1
     assert _chosen(path) == {"q": q, "v1": v1} and tomllib.loads(text)["ingest"] == {"sample_rate": FILL_IN}
     further = [name for name in names if name not in (q, v1)]
     assert set(inspect_log(path).apart) == set(further)
-    told = "look like a second experiment beside"
-    assert any(told in line and "save it as a file of its own" in line for line in text.splitlines())
 
 
 def test_experiments_in_groups_are_told_apart_and_sides_are_not(tmp_path):
@@ -393,12 +260,9 @@ def test_experiments_in_groups_are_told_apart_and_sides_are_not(tmp_path):
     path = _mat(tmp_path / "runs.mat", run1=run, run2=run)
     chosen = _chosen(path)
     assert (chosen["q"], chosen["v1"]) == ("run1.y", "run1.u") and "v2" not in chosen
-    assert "'run2.r', 'run2.y', 'run2.u' look like a second experiment" in toml_draft([inspect_log(path)])
     motor = {"volt": rng.normal(size=900), "temp": rng.normal(size=900)}
     sides = _chosen(_mat(tmp_path / "sides.mat", angle=rng.normal(size=900), side1=motor, side2=motor))
     assert (sides["v1"], sides["v2"]) == ("side1.volt", "side2.volt")
-    path = _mat(tmp_path / "flag.mat", y=run["y"], y_valid=np.ones(900), u1=run["u"], u2=run["r"])
-    assert not inspect_log(path).apart  # a flag, not an experiment
 
 
 WAVE, INPUT = np.sin(0.1 * np.arange(900.0)), np.arange(900) % 7 / 7.0
@@ -413,26 +277,12 @@ def test_a_column_that_tells_the_rate_is_suggested_in_the_draft(tmp_path, column
     assert "suggested: what fs in the log says" in text and "v2 is left out: a device with one input?\n" in text
 
 
-def test_a_column_of_several_numbers_tells_no_rate(tmp_path):
-    path = _csv(tmp_path / "log.csv", "q,u,dt", WAVE, INPUT, np.where(WAVE > 0.0, 0.01, 0.02))
-    assert inspect_log(path).rates == {} and FILL_IN in toml_draft([inspect_log(path)])
-
-
 def test_the_rate_beside_the_channels_is_suggested(tmp_path):
     draft = _draft(_mat(tmp_path / "log.mat", y=WAVE, u=INPUT, Ts=4.0))
     assert draft["ingest"] == {"sample_rate": 0.25, "sample_interval": 4} and "time" not in draft["channels"]
     both = {"a/y": WAVE, "a/u": INPUT, "b/y": WAVE[:50], "b/u": INPUT[:50]}
     near = _h5(tmp_path / "near.h5", **both, **{"a/fs": np.array([750.0]), "b/fs": 8.0, "fs": 9.0})
     assert _draft(near)["ingest"] == {"sample_rate": 750}
-    around = _h5(tmp_path / "around.h5", **both, **{"b/fs": 8.0, "fs": 9.0})
-    assert _draft(around)["ingest"]["sample_rate"] == 9
-    two = toml_draft([inspect_log(_h5(tmp_path / "two.h5", **both, **{"b/fs": 8.0, "c/Ts": 0.1}))])
-    assert tomllib.loads(two)["ingest"] == {"sample_rate": FILL_IN} and "b/fs says 8, c/Ts says 10" in two
-
-
-def test_a_log_with_time_needs_no_stated_rate(tmp_path):
-    draft = _draft(_mat(tmp_path / "log.mat", t=np.arange(900.0), y=WAVE, u=INPUT, fs=200.0))
-    assert "ingest" not in draft and draft["channels"]["time"]["channel"] == "t"
 
 
 def test_no_clock_is_taken_for_q_and_no_other_channel_for_a_clock(tmp_path):

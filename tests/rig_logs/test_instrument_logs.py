@@ -66,18 +66,6 @@ LAYOUTS = {
         "Time,q,v\n" + _rows("{:g} sec,{:.4f},{:.2f}", TIME, Q, V),
         {"Time": ("s", TIME), "q": ("", Q), "v": ("", V)},
     ),
-    "writetimetable of MATLAB, a clock": (
-        "Time,q,v\n" + _rows("00:00:{:06.3f},{:.4f},{:.2f}", TIME, Q, V),
-        {"Time": ("s", TIME), "q": ("", Q), "v": ("", V)},
-    ),
-    "units behind in": (
-        "Zeit in s,Weg in mm,U in V\n" + ROWS,
-        {"Zeit": ("s", TIME), "Weg": ("mm", Q), "U": ("V", V)},
-    ),
-    "rigol, start and step behind the names": (
-        "Time(s),CH1(V),CH2(V),t0 =-1.0s, tInc = 0.002\n" + ROWS,
-        {"Time": ("s", TIME), "CH1": ("V", Q), "CH2": ("V", V)},
-    ),
 }  # fmt: skip
 
 
@@ -87,13 +75,11 @@ NOT_READ = {
     "minutes behind numbers": "t,q,v\n" + _rows("{:g} min,{:.4f},{:.2f}", TIME, Q, V),
     "units in every cell": "t,q,v\n" + _rows("{:g} s,{:.4f} mm,{:.2f} V", TIME, Q, V),
     "SI prefixes": "t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, ["2.8k" if v > 9 else "734.1m" for v in V]),
-    "two prefixes": "t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, ["2.8 kV" if v > 9 else "734 V" for v in V]),
     "write.table of R": '"t" "q" "v"\n' + _rows('"{}" {:.3f} {:.4f} {:.2f}', range(1, N + 1), TIME, Q, V),
     "ruled table": "  t  |  q  |  v  \n-----+-----+-----\n" + ROWS.replace(",", " | ") + "(700 rows)\n",
     "two decimal marks": "t;q;v\n" + _rows("{:.3f};{};{:.2f}", TIME, [f"{q:.4f}".replace(".", ",") for q in Q], V),
     "checksums": _rows("$LOG,{:.3f},{:.4f},{:.2f}*5A", TIME, Q, V),
     "printed tuples": "t,q,v\n" + _rows("({:.3f}, {:.4f}, {:.2f})", TIME, Q, V),
-    "printed lists": "t,q,v\n" + _rows("[{:.3f}, {:.4f}, {:.2f}]", TIME, Q, V),
     "comments behind": "t,q,v\n" + _rows("{:.3f},{:.4f},{:.2f} # by hand", TIME, Q, V),
     "accounts": "t,q,v\n" + _rows("{:.3f},{},{:.2f}", TIME, [f"({-q:.4f})" if q < 0 else f"{q:.4f}" for q in Q], V),
     "powers by D": "t,q,v\n" + _rows("{:.3f},{},{:.2f}", TIME, [f"{q:.4e}".replace("e", "D") for q in Q], V),
@@ -133,23 +119,18 @@ def test_names_units_and_samples(tmp_path, name):
     ("encoding", "names"),
     [
         ("gb18030", "时间(s),位移(mm),左电压(V)"),
-        ("gb18030", "时间（s）,位移（mm）,左电压（V）"),
         ("shift_jis", "時間[s],変位[mm],電圧左データ[V]"),
         ("cp949", "시간[s],변위[mm],왼쪽 전압[V]"),
         ("big5", "時間(s),位移(mm),左電壓(V)"),
         ("cp1251", "Время[с],Перемещение[мм],Напряжение1[В]"),
         ("latin-1", "Zeit [s],Weg größer [mm],U° [V]"),
-        ("cp1252", "Zeit [s],Weg – Größe [mm],U [V]"),
-        ("latin-1", "temps [s],déplacé côté [mm],tension créée [V]"),
     ],
 )
 def test_names_in_the_encodings_of_other_scripts(tmp_path, encoding, names):
     path = tmp_path / "log.csv"
     path.write_bytes((names + "\n" + ROWS).encode(encoding))
     source = open_here(path)
-    bare = [
-        cell.translate(str.maketrans("（）", "()")).replace("[", "(").split("(")[0].strip() for cell in names.split(",")
-    ]
+    bare = [cell.replace("[", "(").split("(")[0].strip() for cell in names.split(",")]
     assert [entry.name for entry in source.entries()] == bare
     np.testing.assert_allclose(load(source, bare[1]), Q, atol=1e-9)
 
@@ -193,16 +174,6 @@ def test_channels_begin_when_their_log_states(tmp_path, write, how, q, v):
     assert 'channel = "X_Value"' not in draft
 
 
-def test_columns_of_several_clocks_are_drafted_with_their_own(tmp_path):
-    half = [f"{t:.3f},{v:.2f}" for t, v in zip(TIME[::2] + 0.012, V[::2], strict=True)]
-    (tmp_path / "log.csv").write_text(
-        "X_Value,q [mm],X_Value,v1 [V]\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, [*half, *[","] * (N // 2)])
-    )
-    draft = toml_draft([inspect_log(tmp_path / "log.csv")])
-    assert 'v1 = { channel = "v1", unit = "V", time = { channel = "X_Value (2)"' in draft
-    assert 'q = { channel = "q", unit = "mm", time = { channel = "X_Value", ' in draft
-
-
 @pytest.mark.parametrize("step", [1, 2])
 @pytest.mark.parametrize("write", ["mat", "h5", "npz"])
 def test_channels_of_several_clocks_are_drafted_with_their_own(tmp_path, write, step):
@@ -222,17 +193,6 @@ def test_channels_of_several_clocks_are_drafted_with_their_own(tmp_path, write, 
     assert "time" not in draft
     assert (draft["q"]["channel"], draft["q"]["time"]["channel"]) == (q, q_time)
     assert (draft["v1"]["channel"], draft["v1"]["time"]["channel"]) == (v1, v_time)
-
-
-def test_two_clocks_of_which_none_is_a_channels_own_are_left_open(tmp_path):
-    (tmp_path / "log.csv").write_text("t_laser,t_hv,q,v\n" + _rows("{:.3f},{:.3f},{},{}", TIME, TIME + 0.012, Q, V))
-    assert 'unit = "FILL IN" }  # one of "t_laser", "t_hv"' in toml_draft([inspect_log(tmp_path / "log.csv")])
-
-
-def test_blanks_between_samples_at_a_slower_rate_are_no_record_on_change(tmp_path):
-    slow = [f"{v:.2f}" if i % 5 == 0 else "" for i, v in enumerate(V)]
-    (tmp_path / "log.csv").write_text("t,q,v\n" + _rows("{:.3f},{:.4f},{}", TIME, Q, slow))
-    assert "on_change" not in toml_draft([inspect_log(tmp_path / "log.csv")])
 
 
 @pytest.mark.parametrize(
@@ -258,16 +218,6 @@ def test_units_in_the_metadata_of_a_parquet_table(tmp_path):
     for metadata in ({"units": json.dumps(units)}, {"PANDAS_ATTRS": json.dumps({"units": units})}):
         pq.write_table(table.replace_schema_metadata(metadata), tmp_path / "log.parquet")
         assert {entry.name: entry.unit for entry in open_here(tmp_path / "log.parquet").entries()} == units
-
-
-def test_the_increment_of_an_oscilloscope_in_hdf5_is_named(tmp_path):
-    with h5py.File(tmp_path / "log.h5", "w") as file:
-        group = file.create_group("Waveforms/Channel 1")
-        group["data"] = (1000 * Q).astype(np.int16)
-        group.attrs.update(XInc=0.002, YInc=0.001, YOrg=0.0)
-    notes = "; ".join(open_here(tmp_path / "log.h5").notes)
-    assert "YInc = 0.001, not applied here to 'Waveforms/Channel 1/data'" in notes
-    assert "sample_rate = 500" in notes
 
 
 def test_columns_within_a_field_of_a_table_are_channels(tmp_path):

@@ -1,17 +1,11 @@
 """What loggers add to a table: statistics, restarts, checksums, stamps, zeros. Samples are those that were written."""
 
 import numpy as np
-import pyarrow as pa
-import pyarrow.parquet as pq
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pipeline.device.device import device
-from pipeline.errors import InputError
 from pipeline.rig_logs.source import UnreadableLogError
-from pipeline.settings.prototype import parse_prototype
-from pipeline.workflow.si_log import read_si
 from tests.rig_logs.small_logs import load, open_here
 
 N = 500
@@ -73,23 +67,6 @@ def test_zeros_behind_the_text_are_left_out_with_a_note(tmp_path, zeros):
     assert any(f"{zeros} zero bytes at the end are left out" in note for note in source.notes)
 
 
-def test_a_zone_behind_a_time_is_no_column(tmp_path):
-    text = "".join(f"2026-11-27 10:11:{12 + t:06.3f} +0100,{q:.4f}\n" for t, q in zip(TIME, Q, strict=True))
-    read, _ = _values("t,q\n" + text, folder=tmp_path)
-    np.testing.assert_allclose(read["q"][1], Q, atol=1e-9)
-
-
-@pytest.mark.parametrize("first", ["20261127-235959.{}", "23:59:59.{} 27.11.2026"])
-def test_midnight_passes_however_a_clock_is_written(tmp_path, first):
-    stamps = [*(first.format(f"{k:03d}") for k in range(900, 1000)), *(
-        first.replace("23", "00", 1).replace("59", "00").replace("202611272", "202611280").format(f"{k:03d}")
-        for k in range(400)
-    )]  # fmt: skip
-    text = "t,q\n" + "".join(f"{stamp},{q:.4f}\n" for stamp, q in zip(stamps, Q, strict=True))
-    read, _ = _values(text, folder=tmp_path)
-    np.testing.assert_allclose(np.diff(read["t"][1]), 0.001, atol=1e-6)
-
-
 def test_a_time_of_day_and_its_milliseconds_are_one_clock(tmp_path):
     """As Graphtec's recorders write them; of a time with parts of a second there is none."""
     rows = [f"{12 + int(t)},{round(1000 * (t % 1.0))},{q:.4f}\n" for t, q in zip(TIME, Q, strict=True)]
@@ -97,21 +74,6 @@ def test_a_time_of_day_and_its_milliseconds_are_one_clock(tmp_path):
     np.testing.assert_allclose(read["time of Date&Time and ms"][1], TIME, atol=1e-9)
     rows = [f"{t:.3f},{round(1000 * (t % 1.0))},{q:.4f}\n" for t, q in zip(TIME, Q, strict=True)]
     assert "t" in _values("t [s],ms,q\n" + "".join(rows), folder=tmp_path)[0]
-
-
-@pytest.mark.parametrize(
-    ("head", "names"),
-    [
-        ("Y[0],Y[1],Y[2]\n", ["Y[0]", "Y[1]", "Y[2]"]), ("4.1,,\nms,q,v\n", ["ms", "q", "v"]),
-        ("start:\n" + ",".join(["27.11.2026 10:11:12.0"] * 3) + "\ndata:\n", ["column 1", "column 2", "column 3"]),
-        ("dt:\n0.002,0.002,0.002\ndata:\n", ["column 1", "column 2", "column 3"]),
-    ],
-)  # fmt: skip
-def test_numbers_and_dates_above_the_data_are_neither_names_nor_units_nor_samples(tmp_path, head, names):
-    read, _ = _values(head + ROWS, folder=tmp_path)
-    assert list(read) == names
-    assert {unit for unit, _ in read.values()} == {""}
-    np.testing.assert_allclose(read[names[1]][1], Q, atol=1e-9)
 
 
 @settings(max_examples=40, deadline=None)
@@ -146,24 +108,3 @@ def test_the_configuration_of_a_comtrade_record_is_named(tmp_path):
     (tmp_path / "log.cfg").write_text("RIG,REC1,1999\n2,2A,0D\n1,q,,,mm,0.001,0,0,-32767,32767,1,1,P\n" + ROWS)
     with pytest.raises(UnreadableLogError, match="COMTRADE"):
         open_here(tmp_path / "log.cfg")
-
-
-@pytest.mark.parametrize(
-    ("names", "unit", "refused"),
-    [
-        ("q [mm]", "m", True), ("q (mm)", "m", True), ("q [mm]", "mm", False), ("q (A)", "mm", False),
-        ("q(:,1)", "mm", False),
-    ],
-)  # fmt: skip
-def test_a_unit_in_the_name_of_a_channel_is_compared_with_the_settings(tmp_path, names, unit, refused):
-    pq.write_table(pa.table({"t": TIME, names: Q, "v1": V}), tmp_path / "log.parquet")
-    channels = {"time": ("t", "s"), "q": (names, unit), "v1": ("v1", "V")}
-    document = {"name": "P", "logs": {"train": ["log.parquet"]}}
-    prototype = parse_prototype(
-        document | {"channels": {k: {"channel": c, "unit": u} for k, (c, u) in channels.items()}}, "P.toml"
-    )
-    if refused:
-        with pytest.raises(InputError, match="is in mm by its name, but in m by the settings"):
-            read_si(tmp_path / "log.parquet", prototype, device(prototype))
-    else:
-        assert read_si(tmp_path / "log.parquet", prototype, device(prototype)).q[1].size == N

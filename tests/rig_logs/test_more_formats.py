@@ -119,15 +119,6 @@ def test_tables_of_matlab_are_read_with_the_times_of_their_rows(tmp_path, versio
     assert "T.note" not in channels and "'T.note' (text)" in " ".join(recording.notes)
 
 
-def test_a_matrix_and_large_counts_of_numpy(tmp_path):
-    ticks = 1_700_000_000_123_456_789 + np.arange(400) * 1_000_001
-    np.savez(tmp_path / "log.npz", m=np.stack([Q, V], axis=1), ticks=ticks, z=Q * 1j)
-    source = open_here(tmp_path / "log.npz")
-    np.testing.assert_array_equal(load(source, "m[:,1]"), V)
-    np.testing.assert_array_equal(load(source, "ticks"), np.arange(400) * 1_000_001)
-    assert "complex" in source.texts["z"]
-
-
 @pytest.mark.parametrize("name", ["log.xlsx", "log.xls", "log", "log.csv"])
 def test_a_workbook_is_known_by_its_content_and_its_hidden_sheets_are_not_read(tmp_path, name):
     rows = [["t [s]", "q [mm]"], *np.stack([TIME, Q], axis=1).tolist()]

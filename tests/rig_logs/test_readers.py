@@ -8,8 +8,7 @@ import pytest
 from pipeline.errors import InputError
 from pipeline.rig_logs import read_recording
 from pipeline.rig_logs.draft import toml_draft
-from pipeline.rig_logs.inspection import inspect_log
-from pipeline.rig_logs.source import CsvOptions, unique_names
+from pipeline.rig_logs.source import CsvOptions
 from pipeline.workflow.inspection import inspect
 from tests.rig_logs.small_logs import (
     TIME,
@@ -131,16 +130,6 @@ def test_parquet_and_hdf5_hold_more_than_vectors(tmp_path):
     np.testing.assert_array_equal(found["again[:,1]"], Q)
 
 
-def test_a_switch_in_parquet_is_one_where_it_is_on(tmp_path):
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
-    on = [None if i == 3 else i % 5 < 2 for i in range(TIME.size)]
-    pq.write_table(pa.table({"t": TIME, "on": on}), tmp_path / "log.parquet")
-    expected = np.array([np.nan if each is None else float(each) for each in on])
-    np.testing.assert_array_equal(read_here(tmp_path / "log.parquet")["on"], expected)
-
-
 def test_durations_in_parquet_are_seconds_and_what_is_no_number_is_told(tmp_path):
     import pyarrow as pa
     import pyarrow.parquet as pq
@@ -168,11 +157,6 @@ def test_decimals_in_parquet_are_exact_from_their_first_one_on(tmp_path, digits,
     expected = np.where(np.arange(400) == 3, np.nan, 333_333.0 * np.arange(400) / 10.0**scale)
     np.testing.assert_allclose(read["t"], expected, rtol=1e-15)
     assert set(read["v"]) == {1.25}
-
-
-def test_equal_names_are_told_apart():
-    assert unique_names(["a", "b", "a", "a"]) == ["a", "b", "a (2)", "a (3)"]
-    assert unique_names(["a", "a", "a (2)", "a"]) == ["a", "a (3)", "a (2)", "a (4)"]
 
 
 def test_shared_logs(shared_folder):
@@ -235,16 +219,6 @@ def test_simulinks_structure_with_time(tmp_path):
     np.testing.assert_array_equal(by_place.time, TIME)
 
 
-def test_two_recordings_in_one_file_are_named_apart(tmp_path):
-    from scipy.io import savemat
-
-    savemat(tmp_path / "two.mat", {"left": simulink_log(), "right": simulink_log()})
-    source = open_here(tmp_path / "two.mat")
-    times = {entry.name: entry.time for entry in source.entries()}
-    assert times["left/laser"] == "left/left.time" and times["right/laser"] == "right/right.time"
-    assert "2 recordings" in source.notes[0]
-
-
 def test_elements_of_a_struct_array_are_channels(tmp_path):
     from scipy.io import savemat
 
@@ -254,19 +228,6 @@ def test_elements_of_a_struct_array_are_channels(tmp_path):
     found = read_here(tmp_path / "array.mat")
     assert set(found) == {"runs(1).q", "runs(2).q"}
     np.testing.assert_array_equal(found["runs(2).q"], V)
-
-
-@pytest.mark.parametrize(
-    "variables", [{"Fs": 200.0}, {"log": {"Ts": 0.005}}, {"sampling_rate": np.uint16(200)}], ids=str
-)
-def test_a_number_beside_the_channels_that_tells_the_rate_is_named(tmp_path, variables):
-    from scipy.io import savemat
-
-    savemat(tmp_path / "rate.mat", {"q": Q, "gain": 3.0, **variables})
-    source = open_here(tmp_path / "rate.mat")
-    assert [entry.name for entry in source.entries()] == ["q"]
-    assert "sample_rate = 200" in source.notes[-1] and "gain = 3.0, not applied" in source.notes[0]
-    assert list(read_recording(tmp_path / "rate.mat").rates.values()) == [200.0]
 
 
 def test_a_table_whose_data_are_not_there_leaves_the_other_channels(tmp_path):
@@ -300,38 +261,17 @@ def test_an_object_of_an_old_class_is_named_and_none_of_its_fields_is_a_channel(
     source = open_here(path)
     assert [entry.name for entry in source.entries()] == ["q"]
     assert "'data' (a MATLAB iddata" in source.notes[0] and "save its vectors (data.u, data.y)" in source.notes[0]
-    path.write_bytes(raw[:128] + data)
-    inspection, reason = inspect(path)
-    assert inspection.notes == tuple(source.notes) and reason == "the log holds no vector of numbers"
-    with pytest.raises(
-        InputError,
-        match=r"object.mat: the log holds no vector of numbers: no numbers, and left out: .data. \(a MATLAB iddata",
-    ):
-        toml_draft([inspection])
 
 
 def test_arrays_that_are_no_channels_are_told_by_their_shape(tmp_path):
     import h5py
-    from scipy.io import savemat
 
     runs, wide = np.random.default_rng(0).normal(size=(3, 400, 2)), np.zeros((1100, 1500))
     with h5py.File(path := tmp_path / "runs.h5", "w") as file:
         file["train/u"], file["wide"], file["one"], file["none"] = runs, wide, np.ones((1, 1, 1)), np.zeros((0, 3, 2))
         file["remark"] = "text"
-    told = "3 × 400 × 2, wide is 1100 × 1500; only vectors and matrices of at most 1000 columns, or rows, are read"
-    assert told in inspect(path)[0].notes[0]
     with pytest.raises(InputError, match=r"runs.h5: the log holds no vector of numbers: train/u is 3 × 400 × 2"):
         toml_draft([inspect(path)[0]])
-    with h5py.File(path, "a") as file:
-        file["q"] = Q
-        for i in range(9):
-            file[f"m{i}"] = runs
-    assert "m2 is 3 × 400 × 2, 8 more like them; only" in (draft := toml_draft([inspect(path)[0]]))
-    assert '#   "q": 400 samples' in draft
-    square = np.zeros((1100, 1100))
-    savemat(tmp_path / "runs.mat", {"q": Q, "u": runs, "log": {"square": square}, "one": 3.0})
-    (note,) = open_here(tmp_path / "runs.mat").notes
-    assert note.startswith("u is 3 × 400 × 2, log.square is 1100 × 1100; only vectors")
 
 
 def test_rows_of_a_matrix_that_is_wider_than_high_are_channels(tmp_path):
@@ -356,11 +296,6 @@ def test_logs_that_differ_in_the_name_of_the_variable_have_a_way_out(tmp_path):
     savemat(one, {"run1": run})
     savemat(two, {"run2": run | {"t": TIME}})
     savemat(both, {"run1": run, "run2": run | {"t": TIME}})
-    told = r"save all logs under the same variable name, or write '\*.u' in \[channels\]"
-    with pytest.raises(InputError, match=rf"two.mat: has no channel 'run1.u', which .*one.mat has; .*: {told}"):
-        toml_draft([inspect_log(one), inspect_log(two)])
-    with pytest.raises(InputError, match=rf"two.mat: no channel 'run1.u'; .*; {told}"):
-        read_recording(two, channels=["run1.u"])
     for path in (one, two):
         (channel,) = read_recording(path, channels=["*.u"]).channels
         assert channel.name == "*.u"
@@ -368,19 +303,6 @@ def test_logs_that_differ_in_the_name_of_the_variable_have_a_way_out(tmp_path):
     np.testing.assert_array_equal(read_recording(both, channels=["*.t"]).channels[0].samples, TIME)
     with pytest.raises(InputError, match=r"both.mat: no channel '\*.u'; it has 'run1.y', 'run1.u'"):
         read_recording(both, channels=["*.u"])
-
-
-def test_a_log_without_a_header_beside_one_with_it_has_a_way_out(tmp_path):
-    rows = "".join(f"{i},{i % 7},{i % 5}\n" for i in range(400))
-    (named := tmp_path / "named.csv").write_text("t,q,u\n" + rows)
-    (bare := tmp_path / "bare.csv").write_text(rows)
-    told = "it has no header: give it that of the other logs, or make a settings file for each"
-    with pytest.raises(InputError, match=f"bare.csv: has no channel 'q', which .*named.csv has; .*: {told}"):
-        toml_draft([inspect_log(named), inspect_log(bare)])
-    with pytest.raises(InputError, match=f"bare.csv: no channel 'q'; .*; {told}"):
-        read_recording(bare, channels=["q"])
-    with pytest.raises(InputError, match=r"named.csv: has no channel 'column 1', .*: give both the same header, or"):
-        toml_draft([inspect_log(bare), inspect_log(named)])
 
 
 def test_simulinks_structure_with_time_in_version_7_3(tmp_path):
