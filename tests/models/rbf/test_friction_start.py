@@ -9,14 +9,14 @@ from pipeline.models.rbf.candidates import FRICTION
 from pipeline.models.rbf.dynamics import slid
 from pipeline.models.rbf.start import SLIP_LENGTHS, starting_joint
 from pipeline.models.rbf.structure import JointStructure
-from pipeline.signals.trajectory import Record
+from pipeline.signals.log import Log
 
 PLAIN = JointStructure(
     5, rates=(), shape_elements=0, slips=0, arc=False, force="polynomial", constant_damping=True, constant_gain=True
 )
 
 
-def log(forces: dict[float, float]) -> Record:
+def log(forces: dict[float, float]) -> Log:
     """A mass on a spring of 100 1/s² along a given path, with friction of these forces [1/s²] by length."""
     t = 0.01 * np.arange(2000)
     parts = [(0.5, 1.3, 0.0), (0.3, 3.1, 1.0), (0.2, 6.7, 2.0)]
@@ -26,7 +26,7 @@ def log(forces: dict[float, float]) -> Record:
     half = 0.5 * np.ptp(q)
     friction = half * sum(force * slid(q / half, length) for length, force in forces.items())
     v = (qddot + 100.0 * q + 4.0 * qdot + friction) / 50.0
-    return Record(t, q, qdot, qddot, v[:, None], np.ones(t.size, dtype=bool))
+    return Log(t, q, qdot, qddot, v[:, None], np.ones(t.size, dtype=bool))
 
 
 @pytest.mark.parametrize("planted", [{0.01: 8.0, 1.0: 20.0}, {0.03: 6.0, 0.3: 15.0, 1.0: 9.0}])
